@@ -1,0 +1,1 @@
+"""A room that knows where everything is flies a small drone on errands."""

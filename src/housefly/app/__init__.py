@@ -1,0 +1,1 @@
+"""Wiring: processes, launcher, lock step, doctor. The only folder that knows everybody."""

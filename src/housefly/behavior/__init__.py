@@ -1,0 +1,1 @@
+"""The finite state acceptor (paper V-B) and the errand."""

@@ -1,0 +1,50 @@
+"""What a bus can do; two transports implement it: ``bus.local`` (synchronous, in process) and ``bus.zenoh_bus``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import TracebackType
+from typing import Protocol, Self, TypeVar
+
+from housefly.bus.topics import Topic
+
+Message = TypeVar("Message")
+
+
+class Subscription(Protocol):
+    """A running subscription; closing it twice does no harm."""
+
+    def close(self) -> None:
+        """Stop receiving."""
+        ...
+
+
+class Bus(Protocol):
+    """Publish, subscribe, ask, answer. All calls are safe from any thread.
+
+    Handlers run on the transport's thread (local: the caller's); they must be quick and must not raise.
+    """
+
+    def publish(self, topic: Topic[Message], message: Message) -> None:
+        """Send one message; never blocks for a LATEST topic."""
+        ...
+
+    def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> Subscription:
+        """Call the handler with each message; LATEST topics skip messages that a slow handler missed."""
+        ...
+
+    def answer(self, query: str, handler: Callable[[str], str]) -> Subscription:
+        """Answer a query: the handler maps the request text to the reply text."""
+        ...
+
+    def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
+        """Ask a query and return the reply text; raises LinkError when nobody answers in time."""
+        ...
+
+    def close(self) -> None:
+        """Leave the bus."""
+        ...
+
+    def __enter__(self) -> Self: ...
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None: ...

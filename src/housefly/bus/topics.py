@@ -1,0 +1,43 @@
+"""The topics and queries of the bus: one table, one line each.
+
+Keys are relative; the transport puts the site's namespace in front.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Generic, TypeVar
+
+from housefly.messages import LinkStatus, Order, PilotStep, VideoFrame
+
+Message = TypeVar("Message")
+
+
+class Delivery(Enum):
+    """LATEST may drop old values (poses, pictures); EVERY blocks rather than lose one (orders)."""
+
+    LATEST = "latest"
+    EVERY = "every"
+
+
+@dataclass(frozen=True, slots=True)
+class Topic(Generic[Message]):
+    """A named stream of one message type."""
+
+    key: str
+    type: type[Message]
+    delivery: Delivery
+
+
+STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST)
+LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
+VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST)
+ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
+
+TOPICS = (STEP, LINK, VIDEO, ORDER)
+
+PLAN_QUERY = "pilot/plan"
+"""Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""
+ROOM_QUERY = "pilot/room"
+"""Query: "" -> JSON view of the room and its map (see ``bus.queries``)."""

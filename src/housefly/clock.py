@@ -1,0 +1,68 @@
+"""Real and stepped clocks, and a rate keeper.
+
+Everything pure takes ``now`` as an argument; only shells read a clock.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from typing import Protocol
+
+
+class Clock(Protocol):
+    """Where a shell reads the time [s]; monotonic, never wall time."""
+
+    def now(self) -> float:
+        """Return the current monotonic time [s]."""
+        ...
+
+
+class RealClock:
+    """The machine's monotonic clock, shared by all processes of one machine."""
+
+    def now(self) -> float:
+        """Return CLOCK_MONOTONIC [s]."""
+        return time.monotonic()
+
+
+class SteppedClock:
+    """A clock that moves only when told; makes flights reproducible."""
+
+    def __init__(self, start: float = 0.0) -> None:
+        self._now = start
+
+    def now(self) -> float:
+        """Return the time [s] that was last set."""
+        return self._now
+
+    def advance(self, seconds: float) -> float:
+        """Move forward by a non-negative number of seconds and return the new time."""
+        if seconds < 0:
+            raise ValueError("a stepped clock does not run backwards")
+        self._now += seconds
+        return self._now
+
+
+class Rate:
+    """Keeps an asyncio loop on a fixed period without accumulating drift.
+
+    After a stall it does not hurry to catch up: missed ticks are counted and skipped.
+    """
+
+    def __init__(self, frequency_hz: float, clock: Clock | None = None) -> None:
+        self.period = 1.0 / frequency_hz
+        self.missed = 0
+        self._clock = clock or RealClock()
+        self._next = self._clock.now() + self.period
+
+    async def sleep(self) -> float:
+        """Wait for the next tick and return how late [s] it was."""
+        delay = self._next - self._clock.now()
+        if delay > 0:
+            await asyncio.sleep(delay)
+        late = self._clock.now() - self._next
+        skipped = max(0, int(late / self.period))
+        self.missed += skipped
+        self._next += (skipped + 1) * self.period
+        return late

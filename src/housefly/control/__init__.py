@@ -1,0 +1,1 @@
+"""Feedback linearization, altitude and yaw laws (paper V-C)."""

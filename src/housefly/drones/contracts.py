@@ -1,0 +1,52 @@
+"""What a drone driver offers to the pilot's shell."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from housefly.messages import Command, Telemetry, VideoFrame
+
+
+class Drone(Protocol):
+    """One drone on its own wire; all calls belong to one asyncio loop.
+
+    The driver repeats the last command at the drone's cadence by itself. When no ``send`` came for 0.25 s while flying
+    it commands hover, after 2 s it lands. A change of action, and everything that is not FLY, leaves at once.
+    """
+
+    async def connect(self) -> None:
+        """Open the wire and configure the drone; afterwards it reconnects by itself. Raises LinkError after its first timeout."""
+        ...
+
+    def send(self, command: Command) -> None:
+        """Hand over the command in force from now on; returns at once."""
+        ...
+
+    @property
+    def telemetry(self) -> Telemetry | None:
+        """The newest report, or None before the first."""
+        ...
+
+    @property
+    def telemetry_rate_hz(self) -> float:
+        """Reports per second over the last second."""
+        ...
+
+    @property
+    def connected(self) -> bool:
+        """Whether reports arrive."""
+        ...
+
+    @property
+    def video_connected(self) -> bool:
+        """Whether pictures arrive."""
+        ...
+
+    def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
+        """Call the handler with each picture from the first key frame on."""
+        ...
+
+    async def close(self) -> None:
+        """Release the wire. Does not land: the pilot does that before."""
+        ...

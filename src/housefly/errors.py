@@ -1,0 +1,62 @@
+"""Every error that Housefly raises on purpose.
+
+HouseflyError
+├── ConfigError        a site file, room file or option has a bad value; names the key and the allowed range
+├── RoomError          a room or map cannot be read or makes no sense
+├── WireError          bytes from outside are not what the protocol says
+├── LinkError          a drone, tracking system or bus peer does not answer
+├── RecordingError     a recording cannot be read or written
+└── MissingPartError   an optional part (extra, system library, renderer) is not installed
+"""
+
+from __future__ import annotations
+
+
+class HouseflyError(Exception):
+    """Base of all errors raised on purpose; the command line prints it without a traceback."""
+
+
+class ConfigError(HouseflyError):
+    """A configured value is missing, of the wrong type, out of range, or contradicts another.
+
+    Attributes:
+        key: dotted path of the value in its file, for example ``limits.speed``.
+        problem: what is wrong and what is allowed, with the unit.
+    """
+
+    def __init__(self, key: str, problem: str, source: str = "") -> None:
+        self.key = key
+        self.problem = problem
+        self.source = source
+        where = f"{source}: " if source else ""
+        super().__init__(f"{where}{key}: {problem}")
+
+
+class RoomError(HouseflyError):
+    """A room description or a map file cannot be used."""
+
+
+class WireError(HouseflyError):
+    """Bytes received do not follow the protocol."""
+
+
+class LinkError(HouseflyError):
+    """The other side of a wire does not answer, or refused."""
+
+
+class RecordingError(HouseflyError):
+    """A recording cannot be read or written."""
+
+
+class MissingPartError(HouseflyError):
+    """An optional part is not installed.
+
+    Attributes:
+        part: what is missing.
+        remedy: the one line that installs it.
+    """
+
+    def __init__(self, part: str, remedy: str) -> None:
+        self.part = part
+        self.remedy = remedy
+        super().__init__(f"{part} is missing; install it with: {remedy}")

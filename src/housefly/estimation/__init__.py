@@ -1,0 +1,1 @@
+"""Kalman filter (paper V-D)."""

@@ -1,0 +1,1 @@
+"""Flight recorder, replay, report."""

@@ -1,0 +1,1 @@
+"""The room as a value: model, places, occupancy grid, drawing, import."""

@@ -1,0 +1,121 @@
+"""A room as a value: solids, places, tracking cameras, home pad, visitor.
+
+The same value becomes the occupancy grid (``room.grid``), the MuJoCo model (``room.mjcf``) and the drawing (``room.draw``).
+World frame, metres, radians.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from housefly.geometry import Quaternion, Vec2, Vec3
+
+
+class Shape(Enum):
+    """Primitive shapes; sizes are full extents."""
+
+    BOX = "box"
+    CYLINDER = "cylinder"
+
+
+Colour = tuple[float, float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """One primitive of the room.
+
+    Attributes:
+        name: unique name; parts of one thing share ``thing``.
+        thing: the piece of furniture or building part that it belongs to ("sofa", "wall", ...).
+        shape: BOX with size (length x, width y, height z) or CYLINDER with size (diameter, diameter, height) [m].
+        position: centre [m].
+        yaw: rotation about z [rad].
+        size: full extents before rotation [m].
+        colour: red, green, blue, alpha from 0 to 1.
+        collides: whether the drone can touch it (carpets and pads do not count).
+        texture: name of a texture of ``room.mjcf`` or "".
+    """
+
+    name: str
+    thing: str
+    shape: Shape
+    position: Vec3
+    size: Vec3
+    yaw: float = 0.0
+    colour: Colour = (0.7, 0.7, 0.7, 1.0)
+    collides: bool = True
+    texture: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A named place with its viewpoint.
+
+    Attributes:
+        name: short lower-case name ("entrance").
+        viewpoint: where to hover, world xy [m].
+        look_at: what to look at [m].
+        title: shown to people ("Entrance").
+    """
+
+    name: str
+    viewpoint: Vec2
+    look_at: Vec3
+    title: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class TrackingCamera:
+    """One camera of the motion capture system: pinhole at ``position``, looking along its own +z (see ``room.coverage``).
+
+    Attributes:
+        name: for people.
+        position: world [m].
+        orientation: (w, x, y, z), camera to world; the camera looks along +z, x right in the image, y down.
+        field_of_view: full horizontal and vertical angle [rad].
+        reach: farthest distance at which it sees a marker [m].
+    """
+
+    name: str
+    position: Vec3
+    orientation: Quaternion
+    field_of_view: Vec2
+    reach: float = 12.0
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """Everything that is known of a room beforehand.
+
+    Attributes:
+        name: for people.
+        bounds: x_min, y_min, x_max, y_max of the floor plan [m].
+        height: ceiling height [m].
+        solids: walls, door, furniture.
+        places: named places; always contains "home".
+        cameras: motion capture cameras; empty means that tracking sees everywhere.
+        home: position of the home pad on the floor, where the drone starts and lands [m].
+        home_yaw: heading of the drone on the pad [rad].
+        visitor: where a visitor stands (feet), or None.
+        visitor_yaw: where the visitor faces [rad].
+    """
+
+    name: str
+    bounds: tuple[float, float, float, float]
+    height: float
+    solids: tuple[Solid, ...]
+    places: tuple[Place, ...]
+    cameras: tuple[TrackingCamera, ...]
+    home: Vec2
+    home_yaw: float = 0.0
+    visitor: Vec2 | None = None
+    visitor_yaw: float = 0.0
+
+    def place(self, name: str) -> Place:
+        """Return the place with this name; raises KeyError with the known names."""
+        for place in self.places:
+            if place.name == name.lower():
+                return place
+        raise KeyError(f"no place called {name!r}; known places: {', '.join(p.name for p in self.places)}")

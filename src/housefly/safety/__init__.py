@@ -1,0 +1,1 @@
+"""The last gate before the drone: may only make a command smaller."""

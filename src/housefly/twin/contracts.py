@@ -1,0 +1,175 @@
+"""What the twin's wire servers may ask of the simulated world, and nothing more.
+
+``twin.world`` implements ``World``; ``twin.ardrone_server``, ``twin.vicon_server`` and ``twin.lockstep`` use it.
+World frame and body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone`` and the server.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from housefly.geometry import Vec3
+from housefly.messages import Pose
+
+
+@dataclass(frozen=True, slots=True)
+class Stick:
+    """What PCMD asks: fractions from -1 to 1 of the configured maxima, body signs (forward, left, up, counter-clockwise).
+
+    ``hover`` is the cleared progressive bit: the drone holds its place by optical flow and ignores the rest.
+    """
+
+    forward: float = 0.0
+    left: float = 0.0
+    up: float = 0.0
+    turn: float = 0.0
+    hover: bool = True
+
+
+class Flight(Enum):
+    """Major control states of the simulated firmware."""
+
+    LANDED = "landed"
+    TAKING_OFF = "taking off"
+    FLYING = "flying"
+    HOVERING = "hovering"
+    LANDING = "landing"
+    EMERGENCY = "emergency"
+
+
+class Camera(Enum):
+    """The drone's two cameras."""
+
+    FRONT = "front"
+    BOTTOM = "bottom"
+
+
+@dataclass(frozen=True, slots=True)
+class OnboardLimits:
+    """Maxima that the firmware scales the stick by: tilt [rad], climb [m/s], yaw rate [rad/s], altitude [m]."""
+
+    tilt: float = 0.20943952
+    climb: float = 0.7
+    yaw_rate: float = 1.7453293
+    altitude: float = 3.0
+
+
+@dataclass(frozen=True, slots=True)
+class Onboard:
+    """What the simulated drone's own computer believes; feeds navdata.
+
+    Attributes:
+        at: world time [s].
+        flight: major control state.
+        battery: charge 0 to 1; battery_voltage: [V].
+        phi, theta, psi: attitude estimate [rad], REP-103; psi relative to power-on, drifting.
+        height: ultrasound height [m].
+        velocity: optical flow estimate, body [m/s].
+        acceleration: specific force, body [m/s^2]; angular_rate: body [rad/s].
+        motors: four duty cycles, 0 to 1.
+        low_battery, com_watchdog, com_lost, angles_out_of_range, motors_problem: state bits.
+    """
+
+    at: float
+    flight: Flight
+    battery: float
+    battery_voltage: float
+    phi: float
+    theta: float
+    psi: float
+    height: float
+    velocity: Vec3
+    acceleration: Vec3
+    angular_rate: Vec3
+    motors: tuple[float, float, float, float]
+    low_battery: bool = False
+    com_watchdog: bool = False
+    com_lost: bool = False
+    angles_out_of_range: bool = False
+    motors_problem: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """What really is: for pictures, scores and tests, never for the pilot."""
+
+    at: float
+    pose: Pose
+    velocity: Vec3
+    contacts: int
+
+
+@dataclass(frozen=True, slots=True)
+class MocapFrame:
+    """One frame of the simulated tracking system.
+
+    Attributes:
+        number: frame counter, counts lost frames too.
+        captured_at: world time of exposure [s].
+        due_at: world time at which it may leave the server [s].
+        bodies: name and pose of each subject; pose None when too few markers were seen.
+    """
+
+    number: int
+    captured_at: float
+    due_at: float
+    bodies: tuple[tuple[str, Pose | None], ...]
+
+
+class World(Protocol):
+    """The simulated room with one drone in it; moves only when told."""
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        ...
+
+    def advance(self, seconds: float) -> None:
+        """Run physics, firmware, tracking and batteries for this long."""
+        ...
+
+    def stick(self, stick: Stick) -> None:
+        """Hand over a movement command; takes effect after the command delay."""
+        ...
+
+    def keep_alive(self) -> None:
+        """Any command arrived: feed the firmware's communication watchdogs (50 ms flag, 2 s landing)."""
+        ...
+
+    def request_take_off(self) -> None:
+        """REF bit 9 set."""
+        ...
+
+    def request_land(self) -> None:
+        """REF bit 9 clear."""
+        ...
+
+    def toggle_emergency(self) -> None:
+        """REF bit 8: cut the motors, or leave the emergency state."""
+        ...
+
+    def flat_trim(self) -> None:
+        """Zero the attitude offsets; counts only when landed."""
+        ...
+
+    def set_limits(self, limits: OnboardLimits) -> None:
+        """Configuration changed the maxima."""
+        ...
+
+    def onboard(self) -> Onboard:
+        """Return what the firmware believes now."""
+        ...
+
+    def truth(self) -> Truth:
+        """Return what really is now."""
+        ...
+
+    def mocap_frames(self) -> tuple[MocapFrame, ...]:
+        """Return the frames whose ``due_at`` has come since the last call, oldest first."""
+        ...
+
+    def set_visitor(self, present: bool) -> None:
+        """A visitor comes to the door or leaves."""
+        ...

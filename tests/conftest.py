@@ -1,0 +1,34 @@
+"""Fixtures that every test may use."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+_counter = itertools.count(1)
+
+
+@pytest.fixture
+def loopback() -> str:
+    """Return a loopback address that no other test, in any process, uses at the same time."""
+    number = next(_counter)
+    return f"127.{1 + os.getpid() % 250}.{os.getpid() // 250 % 250}.{1 + number % 250}"
+
+
+@pytest.fixture
+def shared_data() -> Path:
+    """Return the folder of recorded data beside the project, or skip."""
+    folder = Path(__file__).resolve().parents[2] / "shared" / "data"
+    if not folder.is_dir():
+        pytest.skip("the folder ../shared/data with recorded data is absent")
+    return folder
+
+
+@pytest.fixture
+def stepped_times() -> Iterator[float]:
+    """Yield an endless stream of times 10 ms apart."""
+    return (0.01 * n for n in itertools.count())
