@@ -1,0 +1,50 @@
+"""A whole service on a stepped clock: the same pilot and the same world, the wires cut out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from housefly.app.premises import Premises
+from housefly.app.service_watch import ServiceWatch
+from housefly.messages import Inputs, Order, PilotStep
+from housefly.pilot import Pilot
+from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.world import SimulatedWorld
+
+SETTLE = 0.5
+"""World time before the order is given, so that tracking and telemetry are there [s]."""
+
+
+def fly_lockstep(premises: Premises, order: Order, on_step: Callable[[PilotStep], None], give_up_after: float = 240.0) -> str:
+    """Fly one service in lock step and return its outcome ("completed" or the reason).
+
+    Args:
+        premises: site, room and map.
+        order: what to fly; it is issued ``SETTLE`` seconds after the start.
+        on_step: called with every step of the pilot.
+        give_up_after: longest world time [s].
+    """
+    room = LockstepRoom(SimulatedWorld(premises.site, premises.room), premises.site)
+    pilot = Pilot(premises.site, premises.room, premises.grid)
+    period = 1.0 / premises.site.control.rate_hz
+    order_at = room.now + SETTLE
+    watch = ServiceWatch(order_at, give_up_after)
+    sequence, given = 0, False
+    while not watch.outcome:
+        room.advance(period)
+        orders: tuple[Order, ...] = ()
+        if not given and room.now >= order_at:
+            orders, given = (_issued(order, room.now),), True
+        inputs = Inputs(room.sightings(), room.telemetry(), orders)
+        outputs = pilot.step(room.now, inputs)
+        room.send(outputs.command)
+        step = PilotStep(sequence, room.now, inputs, outputs)
+        on_step(step)
+        if given:
+            watch = watch.after(step)
+        sequence += 1
+    return watch.outcome
+
+
+def _issued(order: Order, now: float) -> Order:
+    return Order(order.kind, order.place, order.goal, order.look_at, order.look_s, now, order.sender)

@@ -1,0 +1,62 @@
+"""Follows the service (take off, fly, look, return, land) from the outside and says how it ended."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode, Severity
+
+STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
+"""The phases of a whole service, in order."""
+
+COMPLETED = "completed"
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceWatch:
+    """What was seen of one service so far; ``outcome`` is "" while it goes on.
+
+    Attributes:
+        started_at: when the order was given [s].
+        give_up_after: longest time allowed for the whole service [s].
+        grace: longest time allowed until the pilot starts to act [s].
+        seen: phases passed, in order.
+        trouble: the last fault or refusal, in words.
+        worst: the most severe safety mode seen.
+        outcome: "completed", or the reason why not.
+    """
+
+    started_at: float
+    give_up_after: float = 240.0
+    grace: float = 3.0
+    seen: tuple[Phase, ...] = ()
+    trouble: str = ""
+    worst: SafetyMode = SafetyMode.NOMINAL
+    outcome: str = ""
+
+    def after(self, step: PilotStep) -> ServiceWatch:
+        """Return the watch after one more step of the pilot."""
+        if self.outcome:
+            return self
+        phase = step.outputs.phase
+        seen = self.seen if phase in self.seen or phase not in STAGES else (*self.seen, phase)
+        texts = [event.text for event in step.outputs.events if event.severity is not Severity.INFO]
+        severities = list(SafetyMode)
+        worst = max(self.worst, step.outputs.safety, key=severities.index)
+        watch = replace(self, seen=seen, worst=worst, trouble=texts[-1] if texts else self.trouble)
+        return replace(watch, outcome=watch._verdict(step))
+
+    def _verdict(self, step: PilotStep) -> str:
+        elapsed = step.now - self.started_at
+        telemetry = step.inputs.telemetry
+        landed = telemetry is not None and telemetry.status is DroneStatus.LANDED
+        idle = step.outputs.phase is Phase.IDLE
+        if self.seen and idle and landed:
+            return COMPLETED if self.seen == STAGES else self.trouble or "landed before the service was done"
+        if not self.seen and idle and elapsed > self.grace:
+            return self.trouble or "the pilot did not start"
+        if step.outputs.safety is SafetyMode.CUT:
+            return "motors were cut"
+        if elapsed > self.give_up_after:
+            return f"not done after {self.give_up_after:.0f} s" + (f": {self.trouble}" if self.trouble else "")
+        return ""

@@ -1,0 +1,62 @@
+"""The room as the console draws it."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from housefly.app.premises import Premises
+from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
+from housefly.geometry import Vec2
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Shape, Solid
+
+CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFLATED: "i", Cell.OUTSIDE: "x"}
+
+
+def room_view(premises: Premises) -> RoomView:
+    """Return everything static that the console draws."""
+    site, room = premises.site, premises.room
+    limits = site.limits
+    return RoomView(
+        site=site.name,
+        mode=site.mode,
+        bounds=room.bounds,
+        grid=grid_view(premises.grid),
+        outlines=tuple(_outline(solid) for solid in room.solids),
+        places=tuple(PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at) for p in room.places),
+        home=room.home,
+        flight_height=site.map.flight_height,
+        visitor=room.visitor,
+        limits={
+            "speed": limits.speed,
+            "height_max": limits.height_max,
+            "battery_floor": limits.battery_floor,
+            "pose_age_level": limits.pose_age_level,
+            "pose_age_land": limits.pose_age_land,
+            "telemetry_age": limits.telemetry_age,
+        },
+    )
+
+
+def grid_view(grid: OccupancyGrid) -> GridView:
+    """Return the occupancy grid as rows of letters, lowest y first."""
+    width, height = grid.cells.shape
+    letters = [CELL_LETTERS[Cell(value)] for value in range(len(CELL_LETTERS))]
+    rows = tuple("".join(letters[value] for value in grid.cells[:, row]) for row in range(height))
+    return GridView(grid.origin, grid.resolution, width, height, rows)
+
+
+def _outline(solid: Solid) -> OutlineView:
+    red, green, blue, _ = solid.colour
+    colour = f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
+    return OutlineView(solid.thing, _corners(solid), solid.position[2] + solid.size[2] / 2, colour)
+
+
+def _corners(solid: Solid) -> tuple[Vec2, ...]:
+    x, y, _ = solid.position
+    a, b = solid.size[0] / 2, solid.size[1] / 2
+    if solid.shape is Shape.CYLINDER:
+        turns = [n * 0.5235987755982988 for n in range(12)]
+        return tuple((x + a * cos(t), y + a * sin(t)) for t in turns)
+    c, s = cos(solid.yaw), sin(solid.yaw)
+    return tuple((x + c * i - s * j, y + s * i + c * j) for i, j in ((-a, -b), (a, -b), (a, b), (-a, b)))
