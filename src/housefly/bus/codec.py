@@ -1,0 +1,139 @@
+"""Messages to bytes and back: CDR of the types in ``bus/msg``, exact to the last bit.
+
+The fields of a dataclass and of its ``.msg`` text have the same names in the same order. What differs is converted here:
+enums are numbered by the constants of the text, ``None`` is an empty sequence, points and vectors are plain tuples.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from enum import Enum
+from functools import cache, lru_cache
+from typing import Any, TypeVar, get_type_hints
+
+import numpy as np
+from rosbags.interfaces import Nodetype
+from rosbags.serde import SerdeError
+
+from housefly import messages
+from housefly.bus.interfaces import ros_name, type_store
+from housefly.errors import WireError
+from housefly.geometry import Vec2
+
+Message = TypeVar("Message")
+Convert = Callable[[Any], Any]
+Pair = tuple[Convert, Convert]
+"""A conversion to the wire and the one back."""
+
+
+def encode(message: object) -> bytes:
+    """Return the CDR bytes of a message; raises WireError when a value does not fit its field."""
+    name = type(message).__name__
+    try:
+        to_wire, _ = _record(name)
+        return bytes(type_store().serialize_cdr(to_wire(message), ros_name(name)))
+    except (struct.error, UnicodeEncodeError, OverflowError, TypeError, AttributeError, ValueError, KeyError) as error:
+        raise WireError(f"{name} cannot be encoded: {error}") from error
+
+
+def decode(kind: type[Message], data: bytes) -> Message:
+    """Return the message that the CDR bytes hold; raises WireError for anything else."""
+    name = kind.__name__
+    _, from_wire = _record(name)
+    try:
+        message: Message = from_wire(type_store().deserialize_cdr(data, ros_name(name)))
+    except (SerdeError, struct.error, ValueError, IndexError, KeyError, OverflowError, MemoryError) as error:
+        raise WireError(f"not a {name}: {error}") from error
+    return message
+
+
+def _same(value: Any) -> Any:
+    return value
+
+
+@cache
+def _standard(name: str) -> Pair | None:
+    """Conversion of the standard types that our messages hold as tuples or as a Pose."""
+    wire = type_store().types[name]
+    if name in ("geometry_msgs/msg/Point", "geometry_msgs/msg/Vector3"):
+        return lambda v: wire(*v), lambda w: (w.x, w.y, w.z)
+    if name == ros_name("Point2"):
+        return lambda v: wire(*v), lambda w: (w.x, w.y)
+    if name == "geometry_msgs/msg/Quaternion":
+        return lambda q: wire(q[1], q[2], q[3], q[0]), lambda w: (w.w, w.x, w.y, w.z)
+    return None
+
+
+def _nested(name: str) -> Pair:
+    return _standard(name) or _record(name.rsplit("/", 1)[1])
+
+
+@cache
+def _record(name: str) -> Pair:
+    """Conversion of a whole dataclass, field by field."""
+    kind = getattr(messages, name)
+    wire_name = "geometry_msgs/msg/Pose" if name == "Pose" else ros_name(name)
+    constants, fields = type_store().fielddefs[wire_name]
+    hints = get_type_hints(kind)
+    numbers = {constant: int(value) for constant, _, value in constants}
+    wire = type_store().types[wire_name]
+    pairs = [(field, *_field(field, description, hints[field], numbers)) for field, description in fields]
+    out = [(field, to_wire) for field, to_wire, _ in pairs]
+    back = [(field, from_wire) for field, _, from_wire in pairs]
+
+    def to_wire(message: Any) -> Any:
+        return wire(*[convert(getattr(message, field)) for field, convert in out])
+
+    def from_wire(value: Any) -> Any:
+        return kind(*[convert(getattr(value, field)) for field, convert in back])
+
+    return to_wire, from_wire
+
+
+def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> Pair:
+    shape, content = description
+    if shape == Nodetype.BASE:
+        return _enumerated(name, hint, numbers) if isinstance(hint, type) and issubclass(hint, Enum) else (_same, _same)
+    if shape == Nodetype.NAME:
+        return _nested(content)
+    (element, element_content), limit = content
+    if element == Nodetype.NAME:
+        return _optional(*_nested(element_content)) if limit == 1 else _tuple(*_nested(element_content))
+    return _PLAIN_SEQUENCES[element_content[0]]
+
+
+def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> Pair:
+    code = {member: numbers[f"{name.upper()}_{member.name}"] for member in kind}
+    member_of = {number: member for member, number in code.items()}
+    return code.__getitem__, member_of.__getitem__
+
+
+def _optional(to_wire: Convert, from_wire: Convert) -> Pair:
+    def back(found: list[Any]) -> Any:
+        if len(found) > 1:
+            raise ValueError(f"{len(found)} values where at most one is allowed")
+        return from_wire(found[0]) if found else None
+
+    return lambda value: [] if value is None else [to_wire(value)], back
+
+
+def _tuple(to_wire: Convert, from_wire: Convert) -> Pair:
+    return lambda values: [to_wire(value) for value in values], lambda found: tuple([from_wire(value) for value in found])
+
+
+@lru_cache(maxsize=4)
+def _flat(points: tuple[Vec2, ...]) -> Any:
+    return np.array(points, dtype=np.float64).reshape(-1)  # the same path comes a hundred times a second: hence the cache
+
+
+def _points(flat: Any) -> tuple[Vec2, ...]:
+    numbers = iter(flat.tolist())
+    return tuple(zip(numbers, numbers, strict=True))
+
+
+_PLAIN_SEQUENCES: dict[str, Pair] = {
+    "string": (_same, tuple),
+    "uint8": (lambda data: np.frombuffer(data, dtype=np.uint8), lambda found: found.tobytes()),
+    "float64": (_flat, _points),
+}

@@ -1,0 +1,43 @@
+"""The ROS 2 interface types that Housefly speaks: the standard ones, and its own in ``msg/*.msg``.
+
+One type store serves the bus, the flight recorder and the replay, so that the same bytes go everywhere.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys.store import Typestore
+
+PACKAGE = "housefly_msgs"
+"""ROS package name of our own types."""
+
+_FOREIGN = {"CompressedVideo": "foxglove_msgs"}
+"""Types that ``msg/`` holds for another package, because ROS 2 does not ship them."""
+
+
+def ros_name(name: str) -> str:
+    """Return the full ROS 2 name of a type whose text lies in ``msg/``, for example ``housefly_msgs/msg/Order``."""
+    return f"{_FOREIGN.get(name, PACKAGE)}/msg/{name}"
+
+
+@cache
+def type_store() -> Typestore:
+    """Return the types of ROS 2 Jazzy with ours added."""
+    store = get_typestore(Stores.ROS2_JAZZY)
+    own: dict[str, Any] = {}
+    for entry in files("housefly.bus").joinpath("msg").iterdir():
+        if entry.name.endswith(".msg"):
+            name = entry.name.removesuffix(".msg")
+            own.update(get_types_from_msg(entry.read_text(encoding="utf-8"), ros_name(name)))
+    store.register(own)
+    return store
+
+
+def definition(type_name: str) -> str:
+    """Return the complete ``ros2msg`` schema text of a type, nested types included."""
+    text, _ = type_store().generate_msgdef(type_name, ros_version=2)
+    return str(text)
