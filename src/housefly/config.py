@@ -6,6 +6,7 @@ in its name. ``docs/site.md`` lists every key, made from this file.
 
 from __future__ import annotations
 
+import json
 import tomllib
 from pathlib import Path
 from typing import Any, Literal, Self
@@ -204,17 +205,18 @@ class Site(Section):
 
 
 def load_site(path: Path) -> Site:
-    """Read and check a site file.
+    """Read and check a site file (TOML; JSON when it ends in ``.json``).
 
     Raises:
         ConfigError: naming the key, the value and the allowed range.
     """
     try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        tree = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
     except OSError as error:
         raise ConfigError("site file", f"cannot be read ({error.strerror})", str(path)) from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigError("site file", f"is not valid TOML: {error}", str(path)) from error
+    except ValueError as error:
+        raise ConfigError("site file", f"cannot be parsed: {error}", str(path)) from error
     return site_from_tree(tree, str(path))
 
 

@@ -1,0 +1,76 @@
+"""A whole service over real wires, watched and recorded from outside: twin, pilot and wires as in ``housefly run``, no person."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+from housefly.app.launcher import Launcher, parts_of
+from housefly.app.readiness import Readiness
+from housefly.app.runtime import Runtime
+from housefly.app.service_watch import ServiceWatch
+from housefly.bus.bus import Bus
+from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import RealClock
+from housefly.errors import LinkError
+from housefly.messages import Order, OrderKind, PilotStep
+from housefly.record.recorder import FlightRecorder
+
+START_TIMEOUT = 60.0
+"""How long pilot, twin and drone may take until everything answers [s]."""
+INTERRUPTED = "interrupted"
+
+
+def fly_headless(
+    runtime: Runtime,
+    folder: Path,
+    order: Order,
+    recorder: FlightRecorder,
+    on_step: Callable[[PilotStep], None],
+    say: Callable[[str], None],
+    give_up_after: float = 240.0,
+) -> str:
+    """Fly one service over real wires and return its outcome ("completed" or the reason).
+
+    Ctrl-C lands the drone first and gives the outcome "interrupted".
+
+    Raises:
+        LinkError: the drone or the tracking system did not answer in time.
+    """
+    site = runtime.site()
+    with Launcher(runtime, folder, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
+        missing = Readiness(site, bus, web=False, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
+        if missing:
+            raise LinkError(f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}")
+        return _serve(bus, order, recorder, on_step, give_up_after)
+
+
+def _serve(bus: Bus, order: Order, recorder: FlightRecorder, on_step: Callable[[PilotStep], None], give_up_after: float) -> str:
+    clock, done = RealClock(), threading.Event()
+    watch = ServiceWatch(clock.now(), give_up_after)
+
+    def heard(step: PilotStep) -> None:
+        nonlocal watch
+        recorder.step(step)
+        on_step(step)
+        watch = watch.after(step)
+        if watch.outcome:
+            done.set()
+
+    open_ = [bus.subscribe(STEP, heard), bus.subscribe(VIDEO, recorder.video), bus.subscribe(LINK, recorder.link)]
+    try:
+        bus.publish(ORDER, Order(order.kind, order.place, order.goal, order.look_at, order.look_s, clock.now(), "headless"))
+        try:
+            while not done.wait(0.2):
+                if clock.now() > watch.started_at + give_up_after + 5.0:
+                    return f"no word from the pilot for {give_up_after:.0f} s"
+        except KeyboardInterrupt:
+            bus.publish(ORDER, Order(OrderKind.LAND, issued_at=clock.now(), sender="Ctrl-C"))
+            done.wait(30.0)
+            return INTERRUPTED
+        return watch.outcome
+    finally:
+        for subscription in open_:
+            subscription.close()

@@ -1,0 +1,155 @@
+"""Starts the processes of one site, restarts those that die, and ends them in the right order: the drone lands first.
+
+    pilot   the only one that must be on time; the others run at lower priority
+    twin    the simulated drone and cameras; absent with real hardware
+    web     the console
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import TracebackType
+from typing import IO, Self
+
+from housefly.app.runtime import Runtime
+
+PATIENCE = 30.0
+"""How long the pilot may take to land and leave [s]."""
+RESTART_PAUSE = 0.5
+"""Pause before a dead process is started again [s]."""
+POLL_PERIOD = 0.1
+PR_SET_PDEATHSIG = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One process: its name, the module it runs with its arguments, and how much it yields to others."""
+
+    name: str
+    module: str
+    arguments: tuple[str, ...] = ()
+    niceness: int = 0
+
+
+def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
+    """Return the processes that a site needs."""
+    site = runtime.site()
+    site_argument = ("--site", str(runtime.site_file))
+    parts = [Part("pilot", "housefly.app.pilot_main")]
+    if site.twin.enabled:
+        parts.append(Part("twin", "housefly.twin.process", site_argument))
+    if web:
+        parts.append(Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5))
+    return tuple(parts)
+
+
+@dataclass(slots=True)
+class _Running:
+    part: Part
+    process: subprocess.Popen[bytes]
+    log: IO[bytes]
+    restarts: int = 0
+
+
+@dataclass(slots=True)
+class Launcher:
+    """Runs the parts of one site; use it as a context manager.
+
+    Attributes:
+        runtime: meeting points of this run.
+        folder: where each part's output goes, as NAME.log.
+        parts: what to run.
+    """
+
+    runtime: Runtime
+    folder: Path
+    parts: tuple[Part, ...]
+    _running: dict[str, _Running] = field(default_factory=dict)
+    _leaving: threading.Event = field(default_factory=threading.Event)
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+    _supervisor: threading.Thread | None = None
+
+    def __enter__(self) -> Self:
+        for part in self.parts:
+            self._running[part.name] = self._start(part)
+        self._supervisor = threading.Thread(target=self._supervise, name="supervisor", daemon=True)
+        self._supervisor.start()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.stop()
+
+    def pid(self, name: str) -> int:
+        """Return the process id of a part."""
+        with self._lock:
+            return self._running[name].process.pid
+
+    def restarts(self, name: str) -> int:
+        """Return how often a part was started again."""
+        with self._lock:
+            return self._running[name].restarts
+
+    def stop(self) -> None:
+        """Let the pilot land and leave, then end the others."""
+        self._leaving.set()
+        if self._supervisor is not None:
+            self._supervisor.join()
+        for name in sorted(self._running, key=lambda name: name != "pilot"):
+            _end(self._running[name].process, PATIENCE if name == "pilot" else 3.0)
+        for running in self._running.values():
+            running.log.close()
+        self._running.clear()
+
+    def _start(self, part: Part) -> _Running:
+        log = (self.folder / f"{part.name}.log").open("ab")
+        process = subprocess.Popen(
+            [sys.executable, "-m", part.module, *part.arguments],
+            env=self.runtime.environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+            preexec_fn=lambda: _settle(part.niceness),
+        )
+        return _Running(part, process, log)
+
+    def _supervise(self) -> None:
+        while not self._leaving.wait(POLL_PERIOD):
+            for name, running in list(self._running.items()):
+                if running.process.poll() is None:
+                    continue
+                if self._leaving.wait(RESTART_PAUSE):
+                    return
+                running.log.close()
+                fresh = self._start(running.part)
+                fresh.restarts = running.restarts + 1
+                with self._lock:
+                    self._running[name] = fresh
+
+
+def _settle(niceness: int) -> None:
+    """Runs in the child before it starts: yield to the pilot, and leave when the launcher is gone."""
+    if niceness:
+        os.nice(niceness)
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+def _end(process: subprocess.Popen[bytes], patience: float) -> None:
+    if process.poll() is not None:
+        return
+    process.terminate()
+    deadline = time.monotonic() + patience
+    while process.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.02)
+    if process.poll() is None:
+        process.kill()
+    process.wait()

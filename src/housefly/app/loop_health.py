@@ -1,0 +1,41 @@
+"""How punctual the pilot loop is and how fast things arrive."""
+
+from __future__ import annotations
+
+from collections import deque
+
+
+class Lateness:
+    """Lateness of the loop's ticks over a sliding window."""
+
+    def __init__(self, window: int) -> None:
+        self._late: deque[float] = deque(maxlen=window)
+
+    def add(self, late: float) -> None:
+        """Record one tick's lateness [s]."""
+        self._late.append(max(0.0, late))
+
+    def percentiles(self) -> tuple[float, float, float]:
+        """Return median, 99th percentile and maximum [s]; zeros before the first tick."""
+        if not self._late:
+            return 0.0, 0.0, 0.0
+        ordered = sorted(self._late)
+        last = len(ordered) - 1
+        return ordered[last // 2], ordered[round(last * 0.99)], ordered[last]
+
+
+class Frequency:
+    """Arrivals per second over the last second."""
+
+    def __init__(self) -> None:
+        self._arrivals: deque[float] = deque(maxlen=2000)
+
+    def add(self, now: float) -> None:
+        """Record one arrival."""
+        self._arrivals.append(now)
+
+    def rate_hz(self, now: float) -> float:
+        """Return how many arrived within the last second."""
+        while self._arrivals and self._arrivals[0] <= now - 1.0:
+            self._arrivals.popleft()
+        return float(len(self._arrivals))

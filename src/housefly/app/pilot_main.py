@@ -1,0 +1,56 @@
+"""The pilot process: ``python -m housefly.app.pilot_main``, started by the launcher."""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import os
+import signal
+from contextlib import suppress
+
+from housefly.app.pilot_shell import PilotShell
+from housefly.app.premises import Premises, open_premises
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.bus.stop import StopListener
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import RealClock
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.pilot import warm_up
+from housefly.tracking.vicon import ViconTracker
+
+URGENCY = -10
+"""Nice value that the pilot takes where the system lets it."""
+
+
+def main() -> None:
+    """Run the pilot until it is told to leave."""
+    runtime = runtime_from_environment()
+    premises = open_premises(runtime.site())
+    warm_up(premises.site, premises.room, premises.grid)
+    with suppress(PermissionError):
+        os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
+    gc.collect()
+    gc.freeze()
+    with suppress(KeyboardInterrupt):
+        asyncio.run(_run(runtime, premises))
+
+
+async def _run(runtime: Runtime, premises: Premises) -> None:
+    site, clock = premises.site, RealClock()
+    with ZenohBus(listen=runtime.bus) as bus:
+        drone = ArDrone(site.drone, site.limits, clock)
+        shell = PilotShell(premises, bus, ViconTracker(site.tracking, clock), drone)
+        stop = StopListener("127.0.0.1", runtime.stop_port, runtime.secret, shell.stop)
+        await stop.start()
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, shell.leave)
+        print("pilot ready", flush=True)
+        try:
+            await shell.run()
+        finally:
+            stop.close()
+
+
+if __name__ == "__main__":
+    main()

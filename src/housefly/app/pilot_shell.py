@@ -1,0 +1,172 @@
+"""The pilot's shell: wires on both sides of the pure step, and a clock.
+
+    tracker ──sightings──►            ──command──► drone
+                          pilot.step
+    orders, STOP ────────►            ──step─────► bus (whoever listens)
+
+The only process that must be on time. Nothing here waits for a listener.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from typing import TYPE_CHECKING
+
+from housefly.app.loop_health import Frequency, Lateness
+from housefly.app.premises import Premises
+from housefly.app.questions import Questions
+from housefly.bus.bus import Bus
+from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
+from housefly.clock import Rate, RealClock
+from housefly.drones.contracts import Drone
+from housefly.errors import LinkError
+from housefly.messages import (
+    Action,
+    Command,
+    DroneStatus,
+    Inputs,
+    LinkStatus,
+    Order,
+    OrderKind,
+    PilotStep,
+    Sighting,
+    VideoFrame,
+)
+from housefly.pilot import Pilot
+from housefly.tracking.contracts import Tracker
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+LINK_PERIOD = 0.5
+"""How often the health of the wires is published [s]."""
+LANDING_PATIENCE = 25.0
+"""How long an ordered shutdown waits for the drone to land [s]."""
+
+
+class PilotShell:
+    """Runs one pilot on real wires; everything happens on one asyncio loop."""
+
+    def __init__(self, premises: Premises, bus: Bus, tracker: Tracker, drone: Drone) -> None:
+        self._questions = Questions(premises, bus)
+        self.pilot = Pilot(premises.site, premises.room, premises.grid)
+        self._body = premises.site.tracking.body
+        self._rate_hz = premises.site.control.rate_hz
+        self._bus, self._tracker, self._drone = bus, tracker, drone
+        self._clock = RealClock()
+        self._sightings: list[Sighting] = []
+        self._orders: list[Order] = []
+        self._sequence = 0
+        self._tracking, self._video = Frequency(), Frequency()
+        self._lateness = Lateness(int(10 * self._rate_hz))
+        self._rate = Rate(self._rate_hz, self._clock)
+        self._leaving = False
+        self._drone_problem = ""
+
+    async def run(self) -> None:
+        """Fly until ``leave`` is called and the drone is down."""
+        loop = asyncio.get_running_loop()
+        orders = self._bus.subscribe(ORDER, lambda order: _soon(loop, lambda: self._orders.append(order)))
+        self._drone.on_video(self._on_video)
+        tasks = [asyncio.create_task(self._tracker.run(self._on_sightings)), asyncio.create_task(self._connect_drone())]
+        tasks.append(asyncio.create_task(self._report_links()))
+        try:
+            await self._fly()
+        finally:
+            orders.close()
+            self._questions.close()
+            for task in tasks:
+                task.cancel()
+            await asyncio.gather(*tasks, return_exceptions=True)
+            await self._drone.close()
+
+    def stop(self) -> None:
+        """STOP, past every queue: the drone is told to hover before anything else happens."""
+        if self._airborne():
+            self._drone.send(Command(Action.HOVER))
+        self._orders.insert(0, Order(OrderKind.STOP, issued_at=self._clock.now(), sender="STOP"))
+        self._step()
+
+    def leave(self) -> None:
+        """Land if need be, then end; a second call ends at once and leaves the drone to its own watchdog."""
+        if self._leaving:
+            raise KeyboardInterrupt
+        self._leaving = True
+        self._orders.append(Order(OrderKind.LAND, issued_at=self._clock.now(), sender="shutdown"))
+
+    async def _fly(self) -> None:
+        give_up_at = None
+        while True:
+            self._lateness.add(await self._rate.sleep())
+            self._step()
+            if self._leaving:
+                now = self._clock.now()
+                give_up_at = give_up_at or now + LANDING_PATIENCE
+                if not self._airborne() or now > give_up_at:
+                    return
+
+    def _step(self) -> None:
+        now = self._clock.now()
+        inputs = Inputs(tuple(self._sightings), self._drone.telemetry, tuple(self._orders))
+        self._sightings.clear()
+        self._orders.clear()
+        outputs = self.pilot.step(now, inputs)
+        self._drone.send(outputs.command)
+        step = PilotStep(self._sequence, now, inputs, outputs)
+        self._sequence += 1
+        self._questions.heard(step)
+        self._bus.publish(STEP, step)
+
+    def _airborne(self) -> bool:
+        telemetry = self._drone.telemetry
+        return telemetry is not None and telemetry.status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+
+    def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
+        self._sightings.extend(sightings)
+        for sighting in sightings:
+            if sighting.body == self._body:
+                self._tracking.add(sighting.received_at)
+
+    def _on_video(self, frame: VideoFrame) -> None:
+        self._video.add(frame.received_at)
+        self._bus.publish(VIDEO, frame)
+
+    async def _connect_drone(self) -> None:
+        while True:
+            try:
+                await self._drone.connect()
+            except LinkError as error:
+                self._drone_problem = str(error)
+                await asyncio.sleep(1.0)
+            else:
+                self._drone_problem = ""
+                return
+
+    async def _report_links(self) -> None:
+        while True:
+            await asyncio.sleep(LINK_PERIOD)
+            self._bus.publish(LINK, self._link_status())
+
+    def _link_status(self) -> LinkStatus:
+        now = self._clock.now()
+        median, p99, worst = self._lateness.percentiles()
+        return LinkStatus(
+            at=now,
+            tracking_connected=self._tracker.connected,
+            drone_connected=self._drone.connected,
+            video_connected=self._drone.video_connected,
+            tracking_rate_hz=self._tracking.rate_hz(now),
+            telemetry_rate_hz=self._drone.telemetry_rate_hz,
+            video_rate_hz=self._video.rate_hz(now),
+            loop_p50_s=median,
+            loop_p99_s=p99,
+            loop_max_s=worst,
+            missed_ticks=self._rate.missed,
+            notes=tuple(note for note in (self._tracker.problem, self._drone_problem) if note),
+        )
+
+
+def _soon(loop: asyncio.AbstractEventLoop, action: Callable[[], None]) -> None:
+    with contextlib.suppress(RuntimeError):
+        loop.call_soon_threadsafe(action)

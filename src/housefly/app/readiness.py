@@ -1,0 +1,74 @@
+"""Says when a run is ready to fly, and what it still waits for."""
+
+from __future__ import annotations
+
+import socket
+import threading
+import time
+from collections.abc import Callable
+
+from housefly.bus.bus import Bus
+from housefly.bus.topics import LINK, STEP, VIDEO
+from housefly.config import Site
+from housefly.messages import LinkStatus, PilotStep, VideoFrame
+
+
+class Readiness:
+    """Listens to a starting run."""
+
+    def __init__(self, site: Site, bus: Bus, *, web: bool, video: bool) -> None:
+        self._site = site
+        self._lock = threading.Lock()
+        self._seen: set[str] = set()
+        self._wanted = ["pilot", "tracking", "drone", *(["picture"] if video else []), *(["console"] if web else [])]
+        self._notes: tuple[str, ...] = ()
+        self._open = [bus.subscribe(STEP, self._on_step), bus.subscribe(LINK, self._on_link), bus.subscribe(VIDEO, self._on_video)]
+
+    def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:
+        """Wait until everything answers; return "" or what is still missing after the timeout [s], in words."""
+        deadline = time.monotonic() + timeout
+        while True:
+            missing = self._missing()
+            if not missing or time.monotonic() > deadline:
+                for subscription in self._open:
+                    subscription.close()
+                return self._words(missing)
+            on_missing(self._words(missing))
+            time.sleep(0.05)
+
+    def _missing(self) -> list[str]:
+        if "console" in self._wanted and "console" not in self._seen and _listens(self._site.web.host, self._site.web.port):
+            self._see("console")
+        with self._lock:
+            return [name for name in self._wanted if name not in self._seen]
+
+    def _words(self, missing: list[str]) -> str:
+        if not missing:
+            return ""
+        notes = f" ({'; '.join(self._notes)})" if self._notes else ""
+        return f"waiting for {', '.join(missing)}{notes}"
+
+    def _see(self, name: str) -> None:
+        with self._lock:
+            self._seen.add(name)
+
+    def _on_step(self, step: PilotStep) -> None:
+        self._see("pilot")
+        if step.outputs.estimate is not None:
+            self._see("tracking")
+        if step.inputs.telemetry is not None:
+            self._see("drone")
+
+    def _on_link(self, link: LinkStatus) -> None:
+        self._notes = link.notes
+
+    def _on_video(self, frame: VideoFrame) -> None:
+        self._see("picture")
+
+
+def _listens(host: str, port: int) -> bool:
+    try:
+        with socket.create_connection((host, port), timeout=0.2):
+            return True
+    except OSError:
+        return False

@@ -1,0 +1,67 @@
+"""What the launcher tells each process: endpoints, secrets and the checked site, through files and the environment."""
+
+from __future__ import annotations
+
+import os
+import secrets
+import socket
+from dataclasses import dataclass
+from pathlib import Path
+
+from housefly.config import Site, load_site
+from housefly.errors import ConfigError
+
+SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
+
+
+@dataclass(frozen=True, slots=True)
+class Runtime:
+    """One run's meeting points.
+
+    Attributes:
+        site_file: the checked site with all changes applied, as JSON.
+        bus: zenoh endpoint on which the pilot listens.
+        stop_port: loopback UDP port of the STOP path.
+        secret: key of the STOP path.
+        token: one-time token of the console's address.
+    """
+
+    site_file: Path
+    bus: str
+    stop_port: int
+    secret: str
+    token: str
+
+    def environment(self) -> dict[str, str]:
+        """Return the environment for a child process."""
+        mine = {SITE: str(self.site_file), BUS: self.bus, STOP_PORT: str(self.stop_port), SECRET: self.secret, TOKEN: self.token}
+        return {**os.environ, **mine}
+
+    def site(self) -> Site:
+        """Return the site."""
+        return load_site(self.site_file)
+
+
+def new_runtime(site: Site, folder: Path) -> Runtime:
+    """Write the site into the folder and choose free ports and fresh secrets."""
+    site_file = folder / "site.json"
+    site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
+    bus_port, stop_port = free_port(socket.SOCK_STREAM), free_port(socket.SOCK_DGRAM)
+    return Runtime(site_file, f"tcp/127.0.0.1:{bus_port}", stop_port, secrets.token_hex(16), secrets.token_urlsafe(16))
+
+
+def runtime_from_environment() -> Runtime:
+    """Return the run that this process belongs to; raises ConfigError when it was not started by the launcher."""
+    try:
+        return Runtime(
+            Path(os.environ[SITE]), os.environ[BUS], int(os.environ[STOP_PORT]), os.environ[SECRET], os.environ[TOKEN]
+        )
+    except (KeyError, ValueError) as error:
+        raise ConfigError("environment", f"{error}: start this process with `housefly run` or `housefly demo`") from error
+
+
+def free_port(kind: socket.SocketKind) -> int:
+    """Return a loopback port that is free now."""
+    with socket.socket(socket.AF_INET, kind) as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
