@@ -8,7 +8,7 @@ Pure bytes-to-values and back; drivers and the twin share it. Every parser of ou
 ``navdata``   UDP 5554. ``decode_navdata(bytes) -> NavdataPacket`` (``state``, ``has(bits)``, ``sequence``, ``option(Demo)``,
               ``decoded()``, ``unknown``), ``encode_navdata(state, sequence, options)``; no options = the bootstrap packet.
               ``DroneState`` names the state bits.
-``navdata_options``  a dataclass for each tag 0..26 (``Demo() ... Wifi()`` are zero-filled and of the right size); ``OPTIONS[tag]``.
+``navdata_options``  a dataclass for each tag 0..26 (``Demo() ... Wifi()`` are zero-filled, of the right size); ``OPTIONS[tag]``.
 ``config``    TCP 5559 and CONFIG. ``BY_NAME[key]``, ``default_values()``, ``format_value``, ``parse_value``, ``encode_dump``,
               ``parse_dump``, ``encode_custom_list``, ``config_id(name)``, ``is_id``; ``config_keys.ConfigKey.needs_ids``.
 ``pave``      TCP 5555. ``PaveHeader``, ``encode_frame(header, payload)``, ``VideoReassembler().feed(bytes) -> frames``,
