@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -26,9 +25,3 @@ def shared_data() -> Path:
     if not folder.is_dir():
         pytest.skip("the folder ../shared/data with recorded data is absent")
     return folder
-
-
-@pytest.fixture
-def stepped_times() -> Iterator[float]:
-    """Yield an endless stream of times 10 ms apart."""
-    return (0.01 * n for n in itertools.count())

@@ -1,0 +1,84 @@
+"""Writes ``docs/site.md``: every key of a site file with range, default and meaning, from the types themselves.
+
+``python -m housefly.app.site_doc > docs/site.md``
+"""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+from pydantic.fields import FieldInfo
+
+from housefly.config import Section, Site
+
+HEAD = """# The site file
+
+A site file (TOML) names the room, the drone, the tracking system and the limits of one place where Housefly flies. Every key has a
+default: an empty file is a valid site (the simulated B-sen). A value of the wrong type or outside its range, an unknown key, or a
+combination that cannot fly is refused with the key and what is allowed. All numbers are SI; a key whose unit is not SI says so in its name.
+
+```toml
+name = "my lab"
+
+[room]
+model = "."            # the folder that `housefly room import map.yaml --out DIR` wrote
+
+[drone]
+address = "192.168.1.1"    # a real AR.Drone 2.0
+
+[tracking]
+address = "10.0.0.5"       # the machine that runs Vicon Tracker
+port = 801
+body = "ardrone"
+
+[twin]
+enabled = false
+```
+
+This page is made from the code (`python -m housefly.app.site_doc`); a test keeps it current.
+"""
+
+
+def site_page() -> str:
+    """Return the page as Markdown."""
+    parts = [HEAD, _table("Top level", {k: v for k, v in Site.model_fields.items() if not _is_section(v)})]
+    for key, found in Site.model_fields.items():
+        if _is_section(found):
+            section: type[Section] = found.annotation  # type: ignore[assignment]
+            parts.append(_table(f"[{key}]", section.model_fields, (section.__doc__ or "").strip()))
+    return "\n".join(parts)
+
+
+def _is_section(found: FieldInfo) -> bool:
+    return isinstance(found.annotation, type) and issubclass(found.annotation, Section)
+
+
+def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
+    lines = [f"## {title}", "", *([meaning, ""] if meaning else []), "| key | default | allowed | meaning |", "|---|---|---|---|"]
+    lines += [f"| `{key}` | {_default(found)} | {_allowed(found)} | {found.description or ''} |" for key, found in fields.items()]
+    return "\n".join(lines) + "\n"
+
+
+def _default(found: FieldInfo) -> str:
+    value = found.get_default(call_default_factory=False)
+    if isinstance(value, bool):
+        return "`true`" if value else "`false`"
+    if isinstance(value, str):
+        return f'`"{value}"`'
+    return f"`{list(value)}`" if isinstance(value, tuple) else f"`{value}`"
+
+
+def _allowed(found: FieldInfo) -> str:
+    choices = [value for value in get_args(found.annotation) if isinstance(value, str)]
+    if choices:
+        return ", ".join(f'`"{choice}"`' for choice in choices)
+    bounds: list[Any] = [getattr(item, side) for side in ("ge", "le") for item in found.metadata if hasattr(item, side)]
+    if len(bounds) == 2:
+        extra = found.json_schema_extra if isinstance(found.json_schema_extra, dict) else {}
+        unit = str(extra.get("unit", "1"))
+        return f"{bounds[0]:g} to {bounds[1]:g}" + ("" if unit == "1" else f" {unit}")
+    return {bool: "`true`, `false`", str: "text"}.get(found.annotation, "a table or list, see the meaning")  # type: ignore[arg-type]
+
+
+if __name__ == "__main__":
+    print(site_page(), end="")
