@@ -1,0 +1,304 @@
+"""The objects of a CGStream packet that Housefly speaks; each knows its own layout.
+
+Facts: reference/bus-and-interop.md section 5, measured against the SDK's own client. All other kinds are skipped by length.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import ClassVar, Protocol, Self
+
+from housefly.geometry import Vec3
+from housefly.wires.vicon.buffer import F64, I64, U8, U32, U64, Reader, Writer
+
+ROOT = 0xFFFFFFFF
+"""Parent of a subject's root segment."""
+
+Matrix = tuple[float, float, float, float, float, float, float, float, float]
+
+_SEGMENT_HEAD = struct.Struct("<II6f")
+_SEGMENT_POSE = struct.Struct("<I12d")
+_PAIR = struct.Struct("<II")
+
+
+class Item(Protocol):
+    """One object of a packet."""
+
+    KIND: ClassVar[int]
+
+    def write(self, out: Writer) -> None:
+        """Append the body, without its header."""
+        ...
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body; raises WireError. What follows the known fields is ignored, as newer servers append fields."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectEnums:
+    """The kinds that a server offers (first packet) or that a client asks for."""
+
+    KIND: ClassVar[int] = 100001
+    kinds: frozenset[int]
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        _write_set(out, self.kinds)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(_read_set(source))
+
+
+@dataclass(frozen=True, slots=True)
+class RequestFrame:
+    """The client wants every frame (``streaming``), or just the present one."""
+
+    KIND: ClassVar[int] = 100002
+    streaming: bool
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.put(U8, self.streaming)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.take(U8)[0] != 0)
+
+
+@dataclass(frozen=True, slots=True)
+class RequestNextFrame:
+    """The client wants this many of the coming frames."""
+
+    KIND: ClassVar[int] = 100008
+    number: int = 1
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.u32(self.number)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.u32())
+
+
+@dataclass(frozen=True, slots=True)
+class Ping:
+    """Echoed by the server as it came."""
+
+    KIND: ClassVar[int] = 42
+    identity: int
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.put(U64, self.identity)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(int(source.take(U64)[0]))
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """What a frame holds: (kind, number of objects), and the kinds left out because they did not change."""
+
+    KIND: ClassVar[int] = 100004
+    numbers: tuple[tuple[int, int], ...]
+    unchanged: frozenset[int] = frozenset()
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.u32(len(self.numbers))
+        for kind, number in self.numbers:
+            out.put(_PAIR, kind, number)
+        _write_set(out, self.unchanged)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        pairs = [source.take(_PAIR) for _ in range(source.count(_PAIR.size))]
+        return cls(tuple((int(kind), int(number)) for kind, number in pairs), _read_set(source))
+
+
+@dataclass(frozen=True, slots=True)
+class StreamInfo:
+    """Time between two frame numbers, in ticks of 135 MHz."""
+
+    KIND: ClassVar[int] = 1
+    period_ticks: int
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.put(I64, self.period_ticks)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(int(source.take(I64)[0]))
+
+
+@dataclass(frozen=True, slots=True)
+class ApplicationInfo:
+    """Which axis points up: z (Vicon's default) or y."""
+
+    KIND: ClassVar[int] = 37
+    y_up: bool = False
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.put(U8, self.y_up)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.take(U8)[0] != 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """One rigid part of a subject; the part whose parent is ROOT carries the subject's pose."""
+
+    identity: int
+    name: str
+    parent: int = ROOT
+
+
+@dataclass(frozen=True, slots=True)
+class SubjectInfo:
+    """A tracked subject; its markers and attachments are not read."""
+
+    KIND: ClassVar[int] = 2
+    identity: int
+    name: str
+    segments: tuple[Segment, ...]
+
+    def write(self, out: Writer) -> None:
+        """Append the body, with empty bounds and without markers and attachments."""
+        out.u32(self.identity)
+        out.text(self.name)
+        out.u32(len(self.segments))
+        for segment in self.segments:
+            out.put(_SEGMENT_HEAD, segment.parent, segment.identity, *[0.0] * 6)
+            out.text(segment.name)
+        out.u32(0)
+        out.u32(0)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body up to the segments."""
+        identity, name = source.u32(), source.text()
+        segments = []
+        for _ in range(source.count(_SEGMENT_HEAD.size + U32.size)):
+            parent, segment, *_bounds = source.take(_SEGMENT_HEAD)
+            segments.append(Segment(int(segment), source.text(), int(parent)))
+        return cls(identity, name, tuple(segments))
+
+
+@dataclass(frozen=True, slots=True)
+class FrameInfo:
+    """The frame number; it counts periods, so lost frames leave gaps."""
+
+    KIND: ClassVar[int] = 5
+    number: int
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.u32(self.number)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.u32())
+
+
+@dataclass(frozen=True, slots=True)
+class LatencyInfo:
+    """What the server knows of the delay from exposure to sending: name and duration [s] of each stage."""
+
+    KIND: ClassVar[int] = 26
+    samples: tuple[tuple[str, float], ...]
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.u32(len(self.samples))
+        for name, duration in self.samples:
+            out.text(name)
+            out.put(F64, duration)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        number = source.count(U32.size + F64.size)
+        return cls(tuple((source.text(), float(source.take(F64)[0])) for _ in range(number)))
+
+
+@dataclass(frozen=True, slots=True)
+class SegmentPose:
+    """Where a segment is: translation [mm] and rotation (row-major matrix, segment to world)."""
+
+    identity: int
+    translation_mm: Vec3
+    rotation: Matrix
+
+
+@dataclass(frozen=True, slots=True)
+class GlobalSegments:
+    """The seen segments of one subject; a subject that the cameras lost is left out of the packet."""
+
+    KIND: ClassVar[int] = 9
+    subject: int
+    segments: tuple[SegmentPose, ...]
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.u32(self.subject)
+        out.u32(len(self.segments))
+        for segment in self.segments:
+            out.put(_SEGMENT_POSE, segment.identity, *segment.translation_mm, *segment.rotation)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        subject = source.u32()
+        segments = []
+        for _ in range(source.count(_SEGMENT_POSE.size)):
+            identity, x, y, z, *rotation = source.take(_SEGMENT_POSE)
+            a, b, c, d, e, f, g, h, i = rotation
+            segments.append(SegmentPose(int(identity), (x, y, z), (a, b, c, d, e, f, g, h, i)))
+        return cls(subject, tuple(segments))
+
+
+ITEMS: dict[int, type[Item]] = {
+    item.KIND: item
+    for item in (
+        ObjectEnums,
+        RequestFrame,
+        RequestNextFrame,
+        Ping,
+        Contents,
+        StreamInfo,
+        ApplicationInfo,
+        SubjectInfo,
+        FrameInfo,
+        LatencyInfo,
+        GlobalSegments,
+    )
+}
+"""Every kind that the codec reads."""
+
+
+def _write_set(out: Writer, kinds: frozenset[int]) -> None:
+    out.u32(len(kinds))
+    for kind in sorted(kinds):
+        out.u32(kind)
+
+
+def _read_set(source: Reader) -> frozenset[int]:
+    return frozenset(source.u32() for _ in range(source.count(U32.size)))

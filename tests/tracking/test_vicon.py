@@ -1,0 +1,161 @@
+"""Our Vicon client against our server, and against servers that misbehave."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from itertools import pairwise
+from math import pi
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from housefly.clock import RealClock
+from housefly.config import TrackingConfig
+from housefly.geometry import quaternion_from_euler
+from housefly.messages import Pose, Sighting
+from housefly.tracking.vicon import ViconTracker
+from housefly.twin.contracts import MocapFrame
+from housefly.twin.vicon_server import ViconServer
+
+pytestmark = pytest.mark.wire
+
+DRONE = Pose((1.25, -0.5, 1.1), quaternion_from_euler(0.05, -0.03, pi / 2))
+VISITOR = Pose((3.0, 2.0, 0.9))
+LATENCY = 0.015
+
+
+def config(address: str) -> TrackingConfig:
+    return TrackingConfig(address=address)
+
+
+async def feed(server: ViconServer, rate_hz: float, drone: Pose | None = DRONE) -> None:
+    start, clock = RealClock().now(), RealClock()
+    number = 0
+    while True:
+        number += 1
+        captured = start + number / rate_hz
+        await asyncio.sleep(captured + LATENCY - clock.now())
+        server.publish(MocapFrame(number, captured, captured + LATENCY, (("ardrone", drone), ("visitor", VISITOR))))
+
+
+@asynccontextmanager
+async def running(*work: object) -> AsyncIterator[None]:
+    tasks = [asyncio.ensure_future(item) for item in work]  # type: ignore[arg-type]
+    try:
+        yield
+    finally:
+        for task in tasks:
+            task.cancel()
+            with suppress(asyncio.CancelledError):
+                await task
+
+
+async def until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not condition():
+            await asyncio.sleep(0.005)
+
+
+@pytest.mark.parametrize("rate_hz", [100.0, 30.0, 10.0])
+async def test_poses_arrive_at_every_rate_with_their_capture_times(loopback: str, rate_hz: float) -> None:
+    server = ViconServer(loopback, 8010, rate_hz)
+    await server.start()
+    tracker = ViconTracker(config(loopback))
+    frames: list[tuple[Sighting, ...]] = []
+    async with running(feed(server, rate_hz), tracker.run(frames.append)):
+        await until(lambda: len(frames) >= 15)
+        assert tracker.connected
+        assert tracker.problem == ""
+    await server.stop()
+    for drone, visitor in frames:
+        assert (drone.body, visitor.body) == ("ardrone", "visitor")
+        assert drone.pose.position == pytest.approx(DRONE.position)
+        assert drone.pose.orientation == pytest.approx(DRONE.orientation)
+        assert drone.captured_at <= drone.received_at - LATENCY + 1e-9
+    steps = [(b[0].captured_at - a[0].captured_at) * rate_hz for a, b in pairwise(frames[5:])]
+    assert sorted(steps)[len(steps) // 2] == pytest.approx(1.0, abs=0.05)
+
+
+async def test_a_body_that_the_cameras_lost_is_not_in_the_frame(loopback: str) -> None:
+    server = ViconServer(loopback)
+    await server.start()
+    tracker = ViconTracker(config(loopback))
+    frames: list[tuple[Sighting, ...]] = []
+    async with running(feed(server, 100.0, drone=None), tracker.run(frames.append)):
+        await until(lambda: len(frames) >= 3)
+    await server.stop()
+    assert {seen.body for frame in frames for seen in frame} == {"visitor"}
+
+
+async def test_the_client_comes_back_when_the_server_does(loopback: str) -> None:
+    tracker = ViconTracker(config(loopback))
+    frames: list[tuple[Sighting, ...]] = []
+    async with running(tracker.run(frames.append)):
+        await until(lambda: "nobody answers" in tracker.problem)
+        assert tracker.problem == f"nobody answers at {loopback}:8010; is the Vicon Tracker running and streaming?"
+        for _ in range(2):
+            frames.clear()
+            server = ViconServer(loopback)
+            await server.start()
+            async with running(feed(server, 100.0)):
+                await until(lambda: len(frames) >= 3)
+                assert tracker.problem == ""
+            await server.stop()
+            await until(lambda: tracker.problem != "")
+        assert tracker.counts.backward == 0
+
+
+async def test_a_server_without_frames_is_named(loopback: str) -> None:
+    server = ViconServer(loopback)
+    await server.start()
+    tracker = ViconTracker(config(loopback))
+    async with running(tracker.run(lambda frame: None)):
+        await until(lambda: "no frames arrive" in tracker.problem)
+        assert not tracker.connected
+    await server.stop()
+
+
+async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: str) -> None:
+    async def speak_http(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(b"HTTP/1.1 400 Bad Request\r\n\r\n")
+        await reader.read()
+        writer.close()
+
+    stranger = await asyncio.start_server(speak_http, loopback, 8010)
+    tracker = ViconTracker(config(loopback))
+    async with running(tracker.run(lambda frame: None)):
+        await until(lambda: tracker.malformed >= 2)
+        assert "does not speak Vicon DataStream" in tracker.problem
+    stranger.close()
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.lists(st.binary(max_size=200), max_size=4), st.booleans())
+async def test_garbage_never_ends_the_client(loopback: str, chunks: list[bytes], with_header: bool) -> None:
+    async def babble(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        for chunk in chunks:
+            header = b"\x01\x00\x2b\x1a" + len(chunk).to_bytes(4, "little") if with_header else b""
+            writer.write(header + chunk)
+        writer.close()
+
+    server = await asyncio.start_server(babble, loopback, 8010)
+    task = asyncio.create_task(ViconTracker(config(loopback)).run(lambda frame: None))
+    await asyncio.sleep(0.02)
+    assert not task.done()
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
+    server.close()
+    await server.wait_closed()
+
+
+async def test_a_cancelled_client_closes_its_connection(loopback: str) -> None:
+    server = ViconServer(loopback)
+    await server.start()
+    async with running(ViconTracker(config(loopback)).run(lambda frame: None)):
+        await until(lambda: server.clients == 1)
+    await until(lambda: server.clients == 0)
+    await server.stop()
