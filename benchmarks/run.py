@@ -1,0 +1,73 @@
+"""Runs every benchmark and writes docs/results.md.
+
+``make bench`` runs them all; ``python benchmarks/run.py planner bus`` runs some and keeps the other sections as they are.
+Each benchmark is a script that prints Markdown. Machines differ and are shared: trust the ratios within one run.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+RESULTS = FOLDER.parent / "docs" / "results.md"
+TIMEOUT_S = 900
+HEAD = """# Results
+
+Every figure here was printed by the command above it. Machines are shared and noisy: trust the ratios inside a section, not the absolute
+figures, and run `make bench` on yours.
+"""
+
+
+def names() -> list[str]:
+    """Return the benchmarks in alphabetical order."""
+    return sorted(path.stem for path in FOLDER.glob("*.py") if path.stem != "run" and not path.stem.startswith("_"))
+
+
+def measure(name: str) -> str:
+    """Run one benchmark and return its section."""
+    print(f"{name} ...", flush=True)
+    start = time.monotonic()
+    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    if done.returncode:
+        sys.exit(f"{name} failed:\n{done.stdout}\n{done.stderr}")
+    print(f"  {time.monotonic() - start:.0f} s", flush=True)
+    return f"<!-- {name} -->\n`python benchmarks/{name}.py`\n\n{done.stdout.strip()}\n"
+
+
+def machine() -> str:
+    """Return one line about this machine."""
+    cpu = next((line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line), "?")
+    cores = len(os.sched_getaffinity(0))
+    return f"Measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python {platform.python_version()}, no GPU."
+
+
+def kept_sections() -> dict[str, str]:
+    """Return the sections of the page as it is, by benchmark."""
+    if not RESULTS.is_file():
+        return {}
+    parts = re.split(r"(?m)^(?=<!-- \w+ -->$)", RESULTS.read_text(encoding="utf-8"))
+    return {part.split(" ", 2)[1]: part.rstrip() + "\n" for part in parts[1:]}
+
+
+def main() -> None:
+    """Run the named benchmarks, or all."""
+    wanted = sys.argv[1:] or names()
+    unknown = set(wanted) - set(names())
+    if unknown:
+        sys.exit(f"no benchmark called {', '.join(sorted(unknown))}; there are: {', '.join(names())}")
+    sections = kept_sections() if sys.argv[1:] else {}
+    for name in wanted:
+        sections[name] = measure(name)
+    body = "\n".join(sections[name] for name in sorted(sections))
+    RESULTS.write_text(f"{HEAD}\n{machine()}\n\n{body}", encoding="utf-8")
+    print(f"written: {RESULTS.relative_to(FOLDER.parent)}")
+
+
+if __name__ == "__main__":
+    main()

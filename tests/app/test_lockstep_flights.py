@@ -1,0 +1,67 @@
+"""Whole services on a stepped clock, through the command line."""
+
+import json
+from pathlib import Path
+
+import pytest
+from mcap.reader import make_reader
+
+from housefly.cli import main
+
+
+def fly(out: Path, *arguments: str) -> dict[str, object]:
+    code = main(["fly", "entrance", "--headless", "--lockstep", "--look", "2", "--out", str(out), *arguments])
+    summary: dict[str, object] = json.loads((out / "summary.json").read_text())
+    assert (code == 0) == (summary["outcome"] == "completed")
+    return summary
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("rate", [100, 30, 10])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_the_service_is_completed_at_every_tracking_rate(tmp_path: Path, rate: int, seed: int) -> None:
+    summary = fly(tmp_path, "--mocap-rate", str(rate), "--seed", str(seed))
+    assert summary["outcome"] == "completed"
+    assert summary["seed"] == seed
+    assert abs(float(str(summary["mocap_rate_hz"])) - rate) < 0.1 * rate
+    assert float(str(summary["rms_error_m"])) < 0.12
+    assert float(str(summary["arrival_error_m"])) < 0.25
+    assert float(str(summary["landed_error_m"])) < 0.35
+    assert float(str(summary["min_clearance_m"])) > 0.0
+
+
+@pytest.mark.slow
+def test_the_same_seed_gives_the_same_flight_and_another_seed_another(tmp_path: Path) -> None:
+    first, again, other = (fly(tmp_path / name, "--seed", seed) for name, seed in (("a", "3"), ("b", "3"), ("c", "4")))
+    assert first == again
+    assert first != other
+
+
+@pytest.mark.slow
+def test_a_replay_of_the_recording_gives_the_same_commands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    fly(tmp_path)
+    assert main(["replay", str(tmp_path)]) == 0
+    assert "bit for bit" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_the_recording_holds_ros_2_types_that_the_mcap_library_reads(tmp_path: Path) -> None:
+    fly(tmp_path)
+    with (tmp_path / "flight.mcap").open("rb") as stream:
+        summary = make_reader(stream).get_summary()
+    assert summary is not None
+    schemas = {schema.name for schema in summary.schemas.values()}
+    assert {"geometry_msgs/msg/PoseStamped", "nav_msgs/msg/Odometry", "nav_msgs/msg/Path", "sensor_msgs/msg/BatteryState"} <= schemas
+    assert (tmp_path / "report.html").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_the_paper_mode_flies_the_service_too(tmp_path: Path) -> None:
+    summary = fly(tmp_path, "--mode", "paper")
+    assert summary["mode"] == "paper"
+    assert summary["outcome"] == "completed"
+
+
+def test_an_unknown_place_is_refused_with_the_known_ones(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["fly", "cellar", "--headless", "--lockstep", "--out", str(tmp_path)]) == 2
+    assert "entrance" in capsys.readouterr().err

@@ -1,0 +1,77 @@
+"""Whole services over real sockets: launcher, pilot and twin processes, bus, recorder."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import av
+import pytest
+
+pytestmark = [pytest.mark.wire, pytest.mark.slow]
+
+
+def start(site: Path, out: Path, *arguments: str) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "housefly.cli", "fly", *arguments, "--headless", "--site", str(site), "--out", str(out)]
+    return subprocess.Popen([*command, "--look", "2"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def summary_of(out: Path) -> dict[str, Any]:
+    summary: dict[str, Any] = json.loads((out / "summary.json").read_text())
+    return summary
+
+
+@pytest.mark.timeout(400)
+def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: Path, write_site: Any) -> None:
+    flights = {rate: start(write_site(rate=rate, video=rate == 100), tmp_path / str(rate), "entrance") for rate in (100, 30, 10)}
+    for rate, flight in flights.items():
+        output = flight.communicate(timeout=300)[0]
+        assert flight.returncode == 0, f"{rate} Hz: {output}"
+        summary = summary_of(tmp_path / str(rate))
+        assert summary["outcome"] == "completed"
+        assert summary["arrival_error_m"] < 0.3
+        assert summary["min_clearance_m"] > 0.0
+    assert summary_of(tmp_path / "100")["video_frames"] > 300
+    with av.open(str(tmp_path / "100" / "video.mp4")) as movie:
+        frames = [frame for _, frame in zip(range(60), movie.decode(video=0), strict=False)]
+    assert len(frames) == 60
+    assert (frames[0].width, frames[0].height) == (640, 360)
+
+
+@pytest.mark.timeout(300)
+def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
+    flight = start(write_site(), tmp_path / "out", "entrance")
+    time.sleep(18.0)
+    os.kill(flight.pid, signal.SIGINT)
+    flight.communicate(timeout=90)
+    summary = summary_of(tmp_path / "out")
+    assert flight.returncode == 1
+    assert summary["outcome"] == "interrupted"
+    assert summary["path_length_m"] > 0
+    assert any("land" in json.dumps(event).lower() for event in summary["events"])
+
+
+@pytest.mark.timeout(300)
+def test_a_recording_made_over_the_wires_replays_bit_for_bit(tmp_path: Path, write_site: Any) -> None:
+    out = tmp_path / "out"
+    flight = start(write_site(rate=30), out, "sofa")
+    assert flight.wait(timeout=200) == 0
+    replayed = subprocess.run([sys.executable, "-m", "housefly.cli", "replay", str(out)], capture_output=True, text=True, check=False)
+    assert replayed.returncode == 0, replayed.stdout
+
+
+@pytest.mark.timeout(300)
+def test_the_imported_aws_house_flies(tmp_path: Path, write_site: Any, shared_data: Path) -> None:
+    house, out = tmp_path / "house", tmp_path / "out"
+    map_file = str(shared_data / "rooms" / "small_house" / "map.yaml")
+    subprocess.run([sys.executable, "-m", "housefly.cli", "room", "import", map_file, "--out", str(house)], check=True)
+    places = [line.split('"')[1] for line in (house / "room.toml").read_text().splitlines() if line.startswith("name = ")]
+    goal = next(place for place in places if place != "home" and " " not in place)
+    flight = start(write_site(model=str(house)), out, goal)
+    output = flight.communicate(timeout=250)[0]
+    assert flight.returncode == 0, output
+    assert summary_of(out)["outcome"] == "completed"
