@@ -23,16 +23,24 @@ class Delivery(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Topic(Generic[Message]):
-    """A named stream of one message type."""
+    """A named stream of one message type.
+
+    Attributes:
+        key: name on the wire.
+        type: what it carries.
+        delivery: what happens when a subscriber is slow.
+        depth: unread messages that a slow subscriber of a LATEST topic keeps; older ones are dropped.
+    """
 
     key: str
     type: type[Message]
     delivery: Delivery
+    depth: int = 1
 
 
-STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST)
+STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=100)
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
-VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST)
+VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
 
 TOPICS = (STEP, LINK, VIDEO, ORDER)
