@@ -1,0 +1,47 @@
+"""Another project's strict parser reads our packets: unknown tags, wrong sizes and bad checksums make it raise."""
+
+from __future__ import annotations
+
+import pytest
+
+from housefly.wires.ardrone import navdata_options as options
+from housefly.wires.ardrone.navdata import DroneState, RawOption, encode_navdata
+
+pyardrone_navdata = pytest.importorskip("pyardrone.navdata")
+
+
+def test_pyardrone_reads_our_demo_packet() -> None:
+    demo = options.Demo(ctrl_state=3 << 16, battery_percent=76, theta=-92.0, psi=14668.0, altitude=534, vx=268.5)
+    theirs = pyardrone_navdata.NavData(encode_navdata(DroneState.FLYING, 42, [demo, options.VisionDetect()]))
+    assert (theirs.metadata.sequence_number, theirs.metadata.state) == (42, DroneState.FLYING)
+    assert (theirs.demo.ctrl_state >> 16, theirs.demo.vbat_flying_percentage, theirs.demo.altitude) == (3, 76, 534)
+    assert (theirs.demo.theta, theirs.demo.psi, theirs.demo.vx) == (-92.0, 14668.0, 268.5)
+
+
+def test_pyardrone_reads_all_our_options() -> None:
+    theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, [kind() for kind in options.OPTIONS]))
+    assert theirs.magneto.magneto_radius == 0.0
+
+
+def test_pyardrone_reads_the_fields_where_we_write_them() -> None:
+    sent = [
+        options.RawMeasures(battery_millivolts=11686, altitude_raw=243),
+        options.KalmanPressure(ground_effect=1, innovation_sum=2.5, gaz_altitude=7.5),
+        options.References(ui_sequence=-3),
+        options.Magneto(radius=9.5),
+        options.Pwm(motors=(1, 2, 3, 4), altitude_derivative=0.25),
+    ]
+    theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, sent))
+    assert (theirs.raw_measures.vbat_raw, theirs.raw_measures.alt_temp_raw) == (11686, 243)
+    assert (theirs.kalman_pressure.bool_effet_sol, theirs.kalman_pressure.somme_inno, theirs.kalman_pressure.gaz_altitude) == (
+        1,
+        2.5,
+        7.5,
+    )
+    assert (theirs.references.ui_seq, theirs.magneto.magneto_radius) == (-3, 9.5)
+    assert (theirs.pwm.motor4, theirs.pwm.altitude_der) == (4, 0.25)
+
+
+def test_pyardrone_refuses_what_is_wrong() -> None:
+    with pytest.raises(Exception):  # noqa: B017 - proves that this judge can say no; its error types are its own
+        pyardrone_navdata.NavData(encode_navdata(0, 1, [RawOption(0, bytes(7))]))
