@@ -1,0 +1,126 @@
+"""The rigid body in its room: MuJoCo integrates it, touches furniture with it, and answers rays.
+
+The free joint's forces act in the world at the origin, its torques about the body axes; horizontal drag is the joint's own
+damping, so that MuJoCo integrates it implicitly.
+"""
+
+from __future__ import annotations
+
+import os
+from math import exp
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.config import Site
+from housefly.errors import MissingPartError
+from housefly.geometry import Quaternion, Vec3, rotate
+from housefly.messages import Pose
+from housefly.room.mjcf import room_to_mjcf
+from housefly.room.model import Room
+from housefly.twin.body import BODY, MASS, STANDING_HEIGHT, drone_body
+from housefly.twin.onboard_loops import Wrench
+from housefly.twin.sensors import PERIOD, BodyState
+
+try:
+    import mujoco
+except ImportError as error:
+    raise MissingPartError("MuJoCo (the simulated room)", "pip install 'housefly[twin]'") from error
+except AttributeError as error:
+    raise MissingPartError(
+        f"the OpenGL library that MUJOCO_GL={os.environ.get('MUJOCO_GL', '')!r} names", "unset MUJOCO_GL"
+    ) from error
+
+SUBSTEPS = 2
+"""Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full speed."""
+AWAY = -30.0
+"""How far a visitor who is not there is moved along z [m]."""
+CUSHION = 0.02
+CUSHION_HEIGHT = 0.15
+"""Extra share of thrust on the floor, and the height [m] over which it fades."""
+
+VISITOR = "visitor"
+
+
+def scene_mjcf(site: Site, room: Room) -> str:
+    """Return the MuJoCo model of the room with the drone on its pad."""
+    return room_to_mjcf(room, bodies=drone_body(site.drone, room.home, room.home_yaw))
+
+
+class Physics:
+    """One drone among the furniture; moves by whole control periods."""
+
+    def __init__(self, site: Site, room: Room) -> None:
+        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room))
+        self.model.opt.timestep = PERIOD / SUBSTEPS
+        self.data: Any = mujoco.MjData(self.model)
+        self.drone_id: int = self.model.body(BODY).id
+        joint = self.model.body(BODY).dofadr[0]
+        self.model.dof_damping[joint : joint + 2] = site.drone.drag * MASS
+        place = self.model.joint(self.model.body(BODY).jntadr[0]).qposadr[0]
+        self._qpos = self.data.qpos[place : place + 7]
+        self._qvel = self.data.qvel[joint : joint + 6]
+        self._qacc = self.data.qacc[joint : joint + 6]
+        self._force = self.data.qfrc_applied[joint : joint + 6]
+        self._floors = frozenset(np.flatnonzero(self.model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist())
+        self.visitor_id: int = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, VISITOR)
+        self._visitor = int(self.model.body_mocapid[self.visitor_id]) if self.visitor_id >= 0 else -1
+        self._visitor_at = self.data.mocap_pos[self._visitor].copy() if self._visitor >= 0 else None
+        self._visitor_sites = [n for n in range(self.model.nsite) if self.model.site(n).name.startswith("visitor_marker_")]
+        mujoco.mj_forward(self.model, self.data)
+
+    def state(self) -> BodyState:
+        """Return the true state of the drone."""
+        x, y, z, qw, qx, qy, qz = self._qpos.tolist()
+        vx, vy, vz, p, q, r = self._qvel.tolist()
+        ax, ay, az = self._qacc[:3].tolist()
+        return BodyState((x, y, z), (qw, qx, qy, qz), (vx, vy, vz), (ax, ay, az), (p, q, r))
+
+    def advance(self, wrench: Wrench, body: BodyState) -> None:
+        """Hold thrust and torques for one control period."""
+        lift = wrench.thrust * _near_floor(body.position[2])
+        self._force[:3] = rotate(body.orientation, (0.0, 0.0, lift))
+        self._force[3:] = wrench[1:]
+        mujoco.mj_step(self.model, self.data, SUBSTEPS)
+
+    def contacts(self) -> int:
+        """Return at how many points the drone touches something other than the floor."""
+        data = self.data
+        if data.ncon == 0:
+            return 0
+        pairs = data.contact.geom[: data.ncon]
+        bodies = self.model.geom_bodyid[pairs]
+        touching = (bodies == self.drone_id).any(axis=1)
+        return sum(1 for a, b in pairs[touching].tolist() if a not in self._floors and b not in self._floors)
+
+    def place(self, position: Vec3, orientation: Quaternion) -> None:
+        """Put the drone somewhere, at rest."""
+        self._qpos[:] = (*position, *orientation)
+        self._qvel[:] = 0.0
+        mujoco.mj_forward(self.model, self.data)
+
+    def set_visitor(self, present: bool) -> None:
+        """Move the visitor, where the room has one, to the door or out of the building."""
+        if self._visitor_at is None:
+            return
+        self.data.mocap_pos[self._visitor] = self._visitor_at + (0.0 if present else np.array((0.0, 0.0, AWAY)))
+        mujoco.mj_kinematics(self.model, self.data)
+
+    def visitor_pose(self) -> Pose | None:
+        """Return where the visitor stands now; None in a room without one."""
+        if self._visitor_at is None:
+            return None
+        x, y, z = self.data.mocap_pos[self._visitor].tolist()
+        qw, qx, qy, qz = self.data.mocap_quat[self._visitor].tolist()
+        return Pose((x, y, z), (qw, qx, qy, qz))
+
+    def visitor_markers(self) -> NDArray[np.float64]:
+        """Return the world positions of the visitor's markers [m], shape (n, 3)."""
+        positions: NDArray[np.float64] = self.data.site_xpos[self._visitor_sites].copy()
+        return positions
+
+
+def _near_floor(height: float) -> float:
+    """Return the gain of thrust at a height of the origin [m]: the part of the ground cushion that the loops do not cancel."""
+    return 1.0 + CUSHION * exp(-(height - STANDING_HEIGHT) / CUSHION_HEIGHT)

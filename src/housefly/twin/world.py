@@ -1,0 +1,175 @@
+"""The simulated room with one drone in it: physics, firmware, tracking, battery and visitor on one clock.
+
+World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed, and no observer can change
+the course of a flight: the same seed and the same commands give the same flight bit for bit.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+
+import numpy as np
+
+from housefly.config import Site
+from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, rotate
+from housefly.messages import Pose
+from housefly.room.model import Room
+from housefly.twin.battery import Battery
+from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
+from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
+from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
+from housefly.twin.mocap import Cameras, FrameMaker
+from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
+from housefly.twin.physics import Physics
+from housefly.twin.sensors import PERIOD, Sensors
+from housefly.twin.visitor import Visitor
+
+WEIGHT = MASS * GRAVITY
+
+
+class SimulatedWorld:
+    """Implements ``twin.contracts.World``."""
+
+    def __init__(self, site: Site, room: Room) -> None:
+        sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
+        self._site, self._room = site, room
+        self._delay = site.twin.command_delay
+        self._physics = Physics(site, room)
+        self._sensors = Sensors(sensing)
+        self._firmware = Firmware(site.drone)
+        self._battery = Battery(site.twin.battery)
+        self._cameras = Cameras(room.cameras, self._physics.model, self._physics.data)
+        self._frames = FrameMaker(site, tracking)
+        self._visitor = Visitor(self._physics, self._cameras)
+        self._orders: deque[tuple[float, Callable[[], None]]] = deque()
+        self._now = 0.0
+        self._ticks = 0
+        self._heard_at = 0.0
+        self._wrench: Wrench = REST
+        self._body = self._physics.state()
+        self._measured = self._sensors.read(self._body)
+        self.set_visitor(site.twin.visitor_present)
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        return self._now
+
+    def advance(self, seconds: float) -> None:
+        """Run everything for this long; what is less than a control period waits for the next call."""
+        self._now += seconds
+        while (self._ticks + 1) * PERIOD <= self._now + _ROUNDING:
+            self._tick()
+
+    def stick(self, stick: Stick) -> None:
+        """Hand over a movement command; takes effect after the command delay."""
+        self._order(lambda: self._firmware.stick(stick))
+
+    def keep_alive(self) -> None:
+        """Any command arrived: feed the firmware's communication watchdogs."""
+        self._heard_at = self._now
+
+    def request_take_off(self) -> None:
+        """REF bit 9 set."""
+        self._order(self._firmware.request_take_off)
+
+    def request_land(self) -> None:
+        """REF bit 9 clear."""
+        self._order(self._firmware.request_land)
+
+    def toggle_emergency(self) -> None:
+        """REF bit 8: cut the motors, or leave the emergency state."""
+        self._order(self._firmware.toggle_emergency)
+
+    def flat_trim(self) -> None:
+        """Zero the attitude offsets; counts only when landed."""
+        self._order(self._trim)
+
+    def set_limits(self, limits: OnboardLimits) -> None:
+        """Configuration changed the maxima."""
+        self._firmware.limits = limits
+
+    def set_visitor(self, present: bool) -> None:
+        """A visitor comes to the door or leaves."""
+        self._visitor.set_present(present)
+
+    def mocap_frames(self) -> tuple[MocapFrame, ...]:
+        """Return the frames whose ``due_at`` has come since the last call, oldest first."""
+        return self._frames.take(self._now)
+
+    def truth(self) -> Truth:
+        """Return what really is now."""
+        body = self._body
+        return Truth(self._ticks * PERIOD, Pose(body.position, body.orientation), body.velocity, self._physics.contacts())
+
+    def onboard(self) -> Onboard:
+        """Return what the firmware believes now."""
+        firmware, measured, silence = self._firmware, self._measured, self._now - self._heard_at
+        return Onboard(
+            at=self._ticks * PERIOD,
+            flight=firmware.flight,
+            battery=self._battery.charge,
+            battery_voltage=self._battery.voltage,
+            phi=measured.phi,
+            theta=measured.theta,
+            psi=measured.psi,
+            height=measured.height,
+            velocity=(measured.forward, measured.left, measured.climb),
+            acceleration=measured.acceleration,
+            angular_rate=measured.rate,
+            motors=motor_duties(self._wrench),
+            low_battery=firmware.low_battery,
+            com_watchdog=silence > WATCHDOG_FLAG,
+            com_lost=firmware.com_lost,
+            angles_out_of_range=firmware.tilted,
+            motors_problem=not firmware.powered,
+        )
+
+    def put_drone(self, position: Vec3 | None = None, yaw: float | None = None) -> None:
+        """Pick the drone up and stand it somewhere, at rest: on its pad unless told otherwise."""
+        home = (*self._room.home, STANDING_HEIGHT)
+        heading = self._room.home_yaw if yaw is None else yaw
+        self._physics.place(position or home, quaternion_from_euler(0.0, 0.0, heading))
+        self._body = self._physics.state()
+
+    def _order(self, order: Callable[[], None]) -> None:
+        self._orders.append((self._now + self._delay, order))
+
+    def _trim(self) -> None:
+        if self._firmware.flight is Flight.LANDED:
+            self._sensors.flat_trim()
+
+    def _tick(self) -> None:
+        """Run one control period: orders, sensors, firmware, physics, battery, tracking."""
+        began = self._ticks * PERIOD
+        while self._orders and self._orders[0][0] <= began + _ROUNDING:
+            self._orders.popleft()[1]()
+        self._measured = self._sensors.read(self._body)
+        self._wrench = self._firmware.step(self._measured, self._battery.voltage, began - self._heard_at)
+        self._physics.advance(self._wrench, self._body)
+        self._battery.drain(PERIOD, self._wrench.thrust / WEIGHT)
+        self._body = self._physics.state()
+        self._ticks += 1
+        if self._frames.is_due(self._ticks * PERIOD):
+            self._expose(self._ticks * PERIOD)
+
+    def _expose(self, now: float) -> None:
+        body, tracking = self._body, self._site.tracking
+        markers = np.array([rotate(body.orientation, marker) for marker in MARKERS]) + body.position
+        seen = self._cameras.see(markers, self._physics.drone_id)
+        drone = Pose(body.position, body.orientation) if seen else None
+        self._frames.expose(now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen)))
+
+
+_ROUNDING = 1e-9
+
+
+def motor_duties(wrench: Wrench) -> tuple[float, float, float, float]:
+    """Return the duty cycles from 0 to 1 of front left, front right, rear right and rear left motor."""
+    if wrench.thrust <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0
+    lift, roll, pitch = wrench.thrust / 4, wrench.roll / (4 * MOTOR_ARM), wrench.pitch / (4 * MOTOR_ARM)
+    forces = (lift + roll - pitch, lift - roll - pitch, lift - roll + pitch, lift + roll + pitch)
+    front_left, front_right, rear_right, rear_left = (min(max(4 * force / THRUST_MAX, 0.0), 1.0) for force in forces)
+    return front_left, front_right, rear_right, rear_left
