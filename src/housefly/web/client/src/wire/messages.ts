@@ -1,0 +1,241 @@
+// Generated from housefly/web/vocabulary.py by `python -m housefly.web.typescript`. Do not edit.
+
+export interface Hello {
+  type: "hello";
+  tab: string;
+  name?: string;
+}
+
+export interface Ping {
+  type: "ping";
+  sent: number;
+}
+
+export interface StopRequest {
+  type: "stop";
+  id?: number;
+}
+
+export type OrderKind = "take_off" | "land" | "hover" | "go" | "service" | "home" | "stop" | "resume" | "cut" | "reset";
+
+export interface OrderRequest {
+  type: "order";
+  id: number;
+  order: OrderKind;
+  place?: string;
+  goal?: [number, number] | null;
+  look_s?: number;
+}
+
+export interface PlanQuestion {
+  type: "plan";
+  id: number;
+  place?: string;
+  goal?: [number, number] | null;
+}
+
+export interface LeaseRequest {
+  type: "lease";
+  id: number;
+  action: "take" | "release" | "give";
+  to?: number;
+  held?: boolean;
+}
+
+export interface InviteRequest {
+  type: "invite";
+  id: number;
+}
+
+export type Severity = "info" | "warning" | "fault";
+
+export interface EventView {
+  number: number;
+  at: number;
+  severity: Severity;
+  code: string;
+  text: string;
+}
+
+export interface Welcome {
+  you: number;
+  now: number;
+  events: EventView[];
+  trail: ([number, number])[];
+  type: "welcome";
+}
+
+export interface GridView {
+  origin: [number, number];
+  resolution: number;
+  width: number;
+  height: number;
+  rows: string[];
+}
+
+export interface OutlineView {
+  thing: string;
+  corners: ([number, number])[];
+  top: number;
+  colour: string;
+}
+
+export interface PlaceView {
+  name: string;
+  title: string;
+  viewpoint: [number, number];
+  look_at: [number, number, number];
+}
+
+export interface RoomView {
+  site: string;
+  mode: string;
+  bounds: [number, number, number, number];
+  grid: GridView;
+  outlines: OutlineView[];
+  places: PlaceView[];
+  home: [number, number];
+  flight_height: number;
+  visitor: [number, number] | null;
+  limits: Record<string, number>;
+}
+
+export interface RoomNews {
+  room: RoomView;
+  type: "room";
+}
+
+export type DroneStatus = "unknown" | "landed" | "taking off" | "flying" | "landing" | "emergency";
+
+export type Behavior = "hover" | "altitudeControl" | "yawControl" | "pathTracking";
+
+export type Phase = "idle" | "taking off" | "flying to goal" | "looking" | "holding" | "returning" | "landing";
+
+export type SafetyMode = "nominal" | "level" | "stopped" | "land" | "cut";
+
+export type Action = "idle" | "take off" | "fly" | "hover" | "land" | "cut motors" | "reset emergency";
+
+export interface OtherBody {
+  name: string;
+  position: [number, number];
+}
+
+export interface State {
+  sequence: number;
+  heard_at: number;
+  status: DroneStatus | null;
+  battery: number | null;
+  battery_return: number;
+  flight_s: number | null;
+  telemetry_age: number | null;
+  faults: string[];
+  height: number | null;
+  position: [number, number, number] | null;
+  velocity: [number, number, number] | null;
+  yaw: number | null;
+  pose_age: number | null;
+  position_std: number | null;
+  wanted: [number, number, number] | null;
+  behavior: Behavior;
+  phase: Phase;
+  safety: SafetyMode;
+  action: Action;
+  goal_name: string;
+  reason: string;
+  path: number;
+  waypoint: number;
+  others: OtherBody[];
+  type: "state";
+}
+
+export interface PathNews {
+  number: number;
+  waypoints: ([number, number])[];
+  length: number;
+  type: "path";
+}
+
+export interface LinkStatus {
+  at: number;
+  tracking_connected: boolean;
+  drone_connected: boolean;
+  video_connected: boolean;
+  tracking_rate_hz: number;
+  telemetry_rate_hz: number;
+  video_rate_hz: number;
+  loop_p50_s: number;
+  loop_p99_s: number;
+  loop_max_s: number;
+  missed_ticks: number;
+  notes: string[];
+}
+
+export interface LinkNews {
+  heard_at: number;
+  link: LinkStatus;
+  type: "link";
+}
+
+export interface EventNews {
+  events: EventView[];
+  type: "events";
+}
+
+export interface ViewerView {
+  id: number;
+  name: string;
+}
+
+export interface ViewersNews {
+  pilot: number | null;
+  viewers: ViewerView[];
+  type: "viewers";
+}
+
+export interface Path {
+  waypoints: ([number, number])[];
+  length: number;
+  clearance: number;
+}
+
+export interface PlanAnswer {
+  start: [number, number];
+  goal: [number, number];
+  path: Path | null;
+  reason: string;
+  suggestion: [number, number] | null;
+  duration: number;
+}
+
+export interface PlanNews {
+  id: number;
+  answer: PlanAnswer;
+  type: "plan";
+}
+
+export interface Accepted {
+  id: number;
+  type: "accepted";
+}
+
+export interface Refused {
+  id: number;
+  reason: string;
+  type: "refused";
+}
+
+export interface Pong {
+  sent: number;
+  now: number;
+  type: "pong";
+}
+
+export interface InviteNews {
+  id: number;
+  path: string;
+  type: "invite";
+}
+
+export type ClientMessage = Hello | Ping | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest;
+
+export type ServerMessage = Welcome | RoomNews | State | PathNews | LinkNews | EventNews | ViewersNews | PlanNews | Accepted | Refused | Pong | InviteNews;

@@ -1,0 +1,69 @@
+"""The console's line to the pilot: STOP at once, orders in their order, questions without holding anybody up."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+
+from housefly.bus.bus import Bus
+from housefly.bus.queries import PlanRequest, RoomView
+from housefly.bus.queries_json import from_json, to_json
+from housefly.bus.topics import ORDER, PLAN_QUERY, ROOM_QUERY
+from housefly.clock import Clock
+from housefly.errors import HouseflyError
+from housefly.messages import Order, OrderKind, PlanAnswer
+
+log = logging.getLogger(__name__)
+
+
+class PilotLink:
+    """Sends to the pilot; everything that may wait, waits on a thread.
+
+    Args:
+        bus: where orders and questions go.
+        stop: sends STOP on its own path; must return at once.
+        clock: stamps the orders.
+    """
+
+    def __init__(self, bus: Bus, stop: Callable[[], None], clock: Clock) -> None:
+        self._bus, self._stop, self._clock = bus, stop, clock
+        self._orders = ThreadPoolExecutor(1, "orders")
+        self._questions = ThreadPoolExecutor(2, "questions")
+
+    def stop(self, sender: str) -> None:
+        """STOP: first its own path, before anything else is done; then the bus as the second path."""
+        try:
+            self._stop()
+        except (OSError, HouseflyError):
+            log.exception("the STOP path failed; STOP goes over the bus alone")
+        self._orders.submit(self._publish, Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender))
+
+    def send(self, order: Order) -> asyncio.Future[str]:
+        """Publish an order after those before it; the future holds "" or what went wrong."""
+        return asyncio.wrap_future(self._orders.submit(self._publish, order))
+
+    async def room(self) -> RoomView:
+        """Ask for the room; raises LinkError or WireError."""
+        return from_json(RoomView, await self._ask(ROOM_QUERY, ""))
+
+    async def plan(self, request: PlanRequest) -> PlanAnswer:
+        """Ask for a path; raises LinkError or WireError."""
+        return from_json(PlanAnswer, await self._ask(PLAN_QUERY, to_json(request)))
+
+    def close(self) -> None:
+        """Let go of the threads without waiting for answers."""
+        self._orders.shutdown(wait=False, cancel_futures=True)
+        self._questions.shutdown(wait=False, cancel_futures=True)
+
+    async def _ask(self, query: str, request: str) -> str:
+        return await asyncio.get_running_loop().run_in_executor(self._questions, self._bus.ask, query, request)
+
+    def _publish(self, order: Order) -> str:
+        try:
+            self._bus.publish(ORDER, order)
+        except HouseflyError as error:
+            log.exception("the order to %s was lost", order.kind.value)
+            return str(error)
+        return ""

@@ -1,0 +1,142 @@
+"""The console's process: ``python -m housefly.web.process --site FILE --bus ENDPOINT``.
+
+The launcher hands over secrets in the environment, where other users of the machine cannot read them.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import logging
+import os
+import secrets
+import signal
+import socket
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from types import FrameType
+
+import uvicorn
+from starlette.applications import Starlette
+
+from housefly.bus.stop import StopSender
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config import Site, load_site
+from housefly.errors import ConfigError, HouseflyError
+from housefly.web.security import LOOPBACK_NAMES, check_bind
+from housefly.web.server import create_app
+
+TOKEN, SECRET, STOP_PORT = "HOUSEFLY_TOKEN", "HOUSEFLY_SECRET", "HOUSEFLY_STOP_PORT"
+MESSAGE_MAX = 16 * 1024
+"""Largest message that a browser may send [bytes]."""
+ANY_ADDRESS = frozenset({"0.0.0.0", "::"})
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Serve the console until told to leave; returns the exit status."""
+    options = _parser().parse_args(arguments)
+    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
+    # uvicorn raises the signal again after it has ended; the bus must still be closed then.
+    signal.signal(signal.SIGTERM, _leave)
+    try:
+        site = load_site(options.site)
+        asyncio.run(run_web(site, options.bus, options.host, options.port, insecure=options.insecure, names=options.name))
+    except HouseflyError as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+async def run_web(
+    site: Site,
+    endpoint: str,
+    host: str | None = None,
+    port: int | None = None,
+    *,
+    insecure: bool = False,
+    names: Sequence[str] = (),
+) -> None:
+    """Serve the console of a site on its bus until cancelled or signalled.
+
+    Args:
+        site: says where to listen.
+        endpoint: zenoh endpoint of the pilot.
+        host: address to listen on instead of the site's.
+        port: TCP port instead of the site's; 0 takes a free one.
+        insecure: allow an address that other machines reach.
+        names: further host names to answer to.
+
+    Raises:
+        ConfigError: the address is not allowed or taken, or a secret is missing.
+    """
+    host, port = host or site.web.host, site.web.port if port is None else port
+    check_bind(host, insecure=insecure)
+    if host in ANY_ADDRESS and not names:
+        raise ConfigError("web.host", f"is {host!r}: say with --name under which names browsers will ask for the console")
+    token = os.environ.get(TOKEN) or secrets.token_urlsafe(24)
+    with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus, _stop_sender() as stop:
+        app = create_app(
+            bus,
+            token,
+            stop.send,
+            hosts=LOOPBACK_NAMES | {host, *names},
+            secret=os.environ.get(SECRET, ""),
+            drone_body=site.tracking.body,
+        )
+        address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
+        print(f"console ready: {address}/?token={token}", flush=True)
+        await make_server(app).serve([listener])
+
+
+def make_server(app: Starlette) -> uvicorn.Server:
+    """Return the HTTP server for the application; it leaves within a second even with browsers connected."""
+    return uvicorn.Server(
+        uvicorn.Config(
+            app,
+            log_level="warning",
+            access_log=False,
+            server_header=False,
+            ws_max_size=MESSAGE_MAX,
+            ws_per_message_deflate=False,
+            timeout_graceful_shutdown=1,
+        )
+    )
+
+
+def _leave(number: int, frame: FrameType | None) -> None:
+    raise SystemExit(0)
+
+
+def _listening(host: str, port: int) -> socket.socket:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind((host, port))
+    except OSError as error:
+        listener.close()
+        raise ConfigError("web.port", f"cannot listen on {host} port {port} ({error.strerror}); choose another port") from error
+    return listener
+
+
+def _stop_sender() -> StopSender:
+    try:
+        return StopSender("127.0.0.1", int(os.environ[STOP_PORT]), os.environ[SECRET])
+    except (KeyError, ValueError) as error:
+        raise ConfigError("environment", f"{error}: the console is started by `housefly run` or `housefly demo`") from error
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m housefly.web.process", description="Serve the console of one site.")
+    parser.add_argument("--site", type=Path, required=True, help="site file")
+    parser.add_argument("--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447")
+    parser.add_argument("--host", help="address to listen on instead of the site's")
+    parser.add_argument("--port", type=int, help="TCP port instead of the site's; 0 takes a free one")
+    parser.add_argument("--name", action="append", default=[], help="further host name to answer to; may be repeated")
+    parser.add_argument("--insecure", action="store_true", help="allow an address that other machines reach, without encryption")
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,342 @@
+"""A pretended pilot, to work on the console without room, drone or twin: ``python -m housefly.web.rehearsal``.
+
+It answers the pilot's queries, obeys orders with the kinematics of a point, and publishes the same topics. The browser tests and
+the console's benchmark use it as well. It decides nothing that the real pilot decides, and it never leaves this machine.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections import deque
+from dataclasses import dataclass, field
+from math import atan2, dist, hypot
+
+from housefly.bus.bus import Bus
+from housefly.bus.queries import GridView, OutlineView, PlaceView, PlanRequest, RoomView
+from housefly.bus.queries_json import from_json, to_json
+from housefly.bus.topics import LINK, ORDER, PLAN_QUERY, ROOM_QUERY, STEP
+from housefly.clock import Clock, RealClock
+from housefly.geometry import Vec2, wrap_angle
+from housefly.messages import (
+    Action,
+    Behavior,
+    Command,
+    DroneStatus,
+    Estimate,
+    Event,
+    Inputs,
+    LinkStatus,
+    Order,
+    OrderKind,
+    Outputs,
+    Path,
+    Phase,
+    PilotStep,
+    PlanAnswer,
+    Pose,
+    Reference,
+    SafetyMode,
+    Severity,
+    Sighting,
+    Telemetry,
+)
+
+SPEED = 0.5
+CLIMB = 0.6
+TURN = 1.2
+DRAIN = 1.0 / 720.0
+
+Cell = tuple[int, int]
+
+
+def example_room() -> RoomView:
+    """Return a small furnished room."""
+    width, height, resolution = 60, 32, 0.125
+    table, sofa, rug = (20, 12, 34, 20), (40, 24, 58, 30), (2, 24, 14, 30)
+
+    def letter(i: int, j: int) -> str:
+        for name, (x0, y0, x1, y1) in (("#", table), ("#", sofa), ("v", rug)):
+            if x0 <= i < x1 and y0 <= j < y1:
+                return name
+            if name == "#" and x0 - 3 <= i < x1 + 3 and y0 - 3 <= j < y1 + 3:
+                return "i"
+        return "." if 2 < i < width - 3 and 2 < j < height - 3 else "i"
+
+    def outline(thing: str, cells: tuple[int, int, int, int], colour: str) -> OutlineView:
+        x0, y0, x1, y1 = (resolution * value for value in cells)
+        return OutlineView(thing, ((x0, y0), (x1, y0), (x1, y1), (x0, y1)), 0.8, colour)
+
+    rows = tuple("".join(letter(i, j) for i in range(width)) for j in range(height))
+    return RoomView(
+        site="Rehearsal",
+        mode="default",
+        bounds=(0.0, 0.0, width * resolution, height * resolution),
+        grid=GridView((0.0, 0.0), resolution, width, height, rows),
+        outlines=(outline("table", table, "#b08d57"), outline("sofa", sofa, "#6b7a8f")),
+        places=(
+            PlaceView("home", "Home", (1.0, 1.0), (2.0, 1.0, 1.0)),
+            PlaceView("entrance", "Entrance", (6.4, 1.0), (7.5, 1.0, 1.2)),
+            PlaceView("sofa", "Sofa", (4.2, 3.3), (6.0, 3.4, 0.6)),
+        ),
+        home=(1.0, 1.0),
+        flight_height=1.1,
+        visitor=(7.1, 1.0),
+        limits={"speed": SPEED, "height_max": 2.0, "battery_floor": 0.15, "pose_age_level": 0.25, "pose_age_land": 2.0},
+    )
+
+
+@dataclass(slots=True)
+class PretendedPilot:
+    """A point that flies where it is told.
+
+    Attributes:
+        bus: where it publishes and answers.
+        room: what it flies in.
+        clock: its time.
+        orders: every order it heard, oldest first.
+    """
+
+    bus: Bus
+    room: RoomView
+    clock: Clock = field(default_factory=RealClock)
+    orders: list[Order] = field(default_factory=list)
+    position: Vec2 = (0.0, 0.0)
+    height: float = 0.0
+    yaw: float = 0.0
+    battery: float = 0.86
+    status: DroneStatus = DroneStatus.LANDED
+    phase: Phase = Phase.IDLE
+    stopped: bool = False
+    errand: Order | None = None
+    path: Path | None = None
+    waypoint: int = 0
+    looking_until: float = 0.0
+    pose_age: float = 0.024
+    sequence: int = 0
+    publishing: bool = True
+    _events: list[Event] = field(default_factory=list)
+    _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def __post_init__(self) -> None:
+        self.position = self.room.home
+        self.bus.subscribe(ORDER, self._obey)
+        self.bus.answer(ROOM_QUERY, lambda _: to_json(self.room))
+        self.bus.answer(PLAN_QUERY, lambda text: to_json(self._answer(from_json(PlanRequest, text))))
+
+    async def run(self, rate_hz: float = 100.0) -> None:
+        """Fly in real time until cancelled."""
+        while True:
+            await asyncio.sleep(1.0 / rate_hz)
+            self.advance(1.0 / rate_hz)
+            if self.sequence % int(rate_hz / 2) == 0:
+                self.tell_link()
+
+    def tell_link(self) -> None:
+        """Publish a healthy link."""
+        if self.publishing:
+            self.bus.publish(LINK, LinkStatus(self.clock.now(), True, True, True, 100.0, 15.0, 30.0, 1e-4, 4e-4, 2e-3))
+
+    def advance(self, dt: float) -> None:
+        """Move by dt [s] and publish the step."""
+        with self._lock:
+            self._move(dt)
+            step = self._step()
+            self._events.clear()
+        if self.publishing:
+            self.bus.publish(STEP, step)
+
+    def say(self, severity: Severity, code: str, text: str) -> None:
+        """Put an event into the next step."""
+        with self._lock:
+            self._events.append(Event(self.clock.now(), severity, code, text))
+
+    # --- orders -------------------------------------------------------------------------------------
+
+    def _obey(self, order: Order) -> None:
+        with self._lock:
+            self.orders.append(order)
+            flying = self.status in (DroneStatus.FLYING, DroneStatus.TAKING_OFF)
+            match order.kind:
+                case OrderKind.TAKE_OFF:
+                    self._begin(DroneStatus.TAKING_OFF, Phase.TAKING_OFF)
+                case OrderKind.GO | OrderKind.SERVICE:
+                    self._set_out(order, flying)
+                case OrderKind.HOME:
+                    self._return()
+                case OrderKind.LAND:
+                    self._begin(DroneStatus.LANDING, Phase.LANDING)
+                case OrderKind.HOVER:
+                    self.path, self.errand, self.phase = None, None, Phase.HOLDING
+                case OrderKind.STOP:
+                    self.stopped = True
+                case OrderKind.RESUME:
+                    self.stopped, self.path, self.errand = False, None, None
+                    self.phase = Phase.HOLDING if flying else Phase.IDLE
+                case OrderKind.CUT:
+                    self.status, self.path, self.errand, self.phase = DroneStatus.EMERGENCY, None, None, Phase.IDLE
+                    self.say(Severity.FAULT, "cut", "Motors cut by order")
+                case OrderKind.RESET:
+                    self.status = DroneStatus.LANDED
+
+    def _begin(self, status: DroneStatus, phase: Phase) -> None:
+        self.status, self.phase = status, phase
+        if phase is Phase.LANDING:
+            self.path, self.errand = None, None
+
+    def _set_out(self, order: Order, flying: bool) -> None:
+        self.errand = order
+        answer = self._answer(PlanRequest(order.place, order.goal))
+        self.path, self.waypoint = answer.path, 1
+        self.say(Severity.INFO, "errand", f"Path of {answer.path.length:.1f} m planned" if answer.path else answer.reason)
+        if flying:
+            self.phase = Phase.OUTBOUND
+        else:
+            self._begin(DroneStatus.TAKING_OFF, Phase.TAKING_OFF)
+
+    def _return(self) -> None:
+        answer = self._answer(PlanRequest(goal=self.room.home))
+        self.path, self.waypoint, self.phase = answer.path, 1, Phase.RETURNING
+
+    # --- motion -------------------------------------------------------------------------------------
+
+    def _move(self, dt: float) -> None:
+        if self.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
+            self.height = max(0.0, self.height - 3.0 * dt)
+            return
+        self.battery = max(0.0, self.battery - DRAIN * dt)
+        if self.status is DroneStatus.TAKING_OFF:
+            self._climb(dt)
+        elif self.status is DroneStatus.LANDING:
+            self.height = max(0.0, self.height - CLIMB * dt)
+            if self.height == 0.0:
+                self.status, self.phase = DroneStatus.LANDED, Phase.IDLE
+                self.say(Severity.INFO, "landed", "Landed")
+        elif not self.stopped:
+            self._follow(dt)
+
+    def _climb(self, dt: float) -> None:
+        self.height = min(self.room.flight_height, self.height + CLIMB * dt)
+        if self.height == self.room.flight_height:
+            self.status = DroneStatus.FLYING
+            self.phase = Phase.OUTBOUND if self.errand else Phase.HOLDING
+            self.say(Severity.INFO, "airborne", "Airborne")
+
+    def _follow(self, dt: float) -> None:
+        if self.phase is Phase.LOOKING and self.clock.now() > self.looking_until:
+            self._return()
+        if self.path is None or self.phase not in (Phase.OUTBOUND, Phase.RETURNING):
+            return
+        target = self.path.waypoints[min(self.waypoint, len(self.path.waypoints) - 1)]
+        dx, dy = target[0] - self.position[0], target[1] - self.position[1]
+        if (left := hypot(dx, dy)) > 1e-9:
+            turn = wrap_angle(atan2(dy, dx) - self.yaw)
+            self.yaw = wrap_angle(self.yaw + max(-TURN * dt, min(TURN * dt, turn)))
+            stride = min(left, SPEED * dt)
+            self.position = (self.position[0] + dx / left * stride, self.position[1] + dy / left * stride)
+        if left <= SPEED * dt:
+            self.waypoint += 1
+            if self.waypoint >= len(self.path.waypoints):
+                self._arrive()
+
+    def _arrive(self) -> None:
+        self.path = None
+        if self.phase is Phase.RETURNING:
+            self._begin(DroneStatus.LANDING, Phase.LANDING)
+        elif self.errand is not None and self.errand.kind is OrderKind.SERVICE:
+            self.phase, self.looking_until = Phase.LOOKING, self.clock.now() + self.errand.look_s
+            self.say(Severity.INFO, "arrived", f"Arrived at {self._goal_name()}, looking")
+        else:
+            self.phase = Phase.HOLDING
+
+    # --- what it says -------------------------------------------------------------------------------
+
+    def _goal_name(self) -> str:
+        if self.phase is Phase.RETURNING:
+            return "Home"
+        if self.errand is None:
+            return ""
+        named = [place.title for place in self.room.places if place.name == self.errand.place]
+        return named[0] if named else "the chosen point"
+
+    def _step(self) -> PilotStep:
+        now = self.clock.now()
+        self.sequence += 1
+        x, y = self.position
+        estimate = Estimate(now, (x, y, self.height), (0.0, 0.0, 0.0), self.yaw, self.pose_age, 0.004)
+        sightings = ()
+        if self.room.visitor is not None:
+            sightings = (Sighting("visitor", Pose((*self.room.visitor, 1.0)), now, now),)
+        telemetry = Telemetry(now - 0.03, self.status, self.battery, height=self.height)
+        outputs = Outputs(
+            Command(Action.FLY if self.status is DroneStatus.FLYING else Action.IDLE),
+            estimate,
+            Reference((x, y, self.room.flight_height), (0.0, 0.0, 0.0), self.yaw),
+            Behavior.PATH_TRACKING if self.path and self.status is DroneStatus.FLYING else Behavior.HOVER,
+            self.phase,
+            SafetyMode.STOPPED if self.stopped else SafetyMode.NOMINAL,
+            self._goal_name(),
+            self.path,
+            self.waypoint,
+            "stopped until resume" if self.stopped else "",
+            tuple(self._events),
+        )
+        return PilotStep(self.sequence, now, Inputs(sightings, telemetry), outputs)
+
+    def _answer(self, request: PlanRequest) -> PlanAnswer:
+        start = request.start or self.position
+        goal = request.goal
+        if request.place:
+            goal = next((place.viewpoint for place in self.room.places if place.name == request.place), None)
+        if goal is None:
+            return PlanAnswer(start, start, None, f"no place called {request.place!r}")
+        return plan_on(self.room.grid, start, goal)
+
+
+def plan_on(grid: GridView, start: Vec2, goal: Vec2) -> PlanAnswer:
+    """Return a shortest way over the free cells of a view of the grid (breadth first, for show only)."""
+    first, last = _cell(grid, start), _cell(grid, goal)
+    if not _free(grid, last):
+        return PlanAnswer(start, goal, None, "an obstacle is too close to this point", _nearest_free(grid, goal))
+    came: dict[Cell, Cell] = {first: first}
+    waiting = deque([first])
+    while waiting and last not in came:
+        i, j = waiting.popleft()
+        for neighbour in ((i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)):
+            if neighbour not in came and _free(grid, neighbour):
+                came[neighbour] = (i, j)
+                waiting.append(neighbour)
+    if last not in came:
+        return PlanAnswer(start, goal, None, "no free way leads to this point")
+    cells = [last]
+    while cells[-1] != first:
+        cells.append(came[cells[-1]])
+    corners = _corners(cells[::-1])
+    way = (start, *(_centre(grid, cell) for cell in corners[1:-1]), goal)
+    length = sum(dist(a, b) for a, b in zip(way, way[1:], strict=False))
+    return PlanAnswer(start, goal, Path(way, length, 0.42), duration=length / SPEED + 2.0)
+
+
+def _corners(cells: list[Cell]) -> list[Cell]:
+    def straight(k: int) -> bool:
+        (a, b), (c, d), (e, f) = cells[k - 1 : k + 2]
+        return (c - a, d - b) == (e - c, f - d)
+
+    return [cell for k, cell in enumerate(cells) if k in (0, len(cells) - 1) or not straight(k)]
+
+
+def _cell(grid: GridView, point: Vec2) -> Cell:
+    return int((point[0] - grid.origin[0]) / grid.resolution), int((point[1] - grid.origin[1]) / grid.resolution)
+
+
+def _centre(grid: GridView, cell: Cell) -> Vec2:
+    return grid.origin[0] + (cell[0] + 0.5) * grid.resolution, grid.origin[1] + (cell[1] + 0.5) * grid.resolution
+
+
+def _free(grid: GridView, cell: Cell) -> bool:
+    return 0 <= cell[0] < grid.width and 0 <= cell[1] < grid.height and grid.rows[cell[1]][cell[0]] == "."
+
+
+def _nearest_free(grid: GridView, point: Vec2) -> Vec2 | None:
+    free = ((i, j) for j in range(grid.height) for i in range(grid.width) if _free(grid, (i, j)))
+    return min((_centre(grid, cell) for cell in free), key=lambda centre: dist(centre, point), default=None)

@@ -1,0 +1,134 @@
+"""The console's server as one ASGI application.
+
+/                the console (with ``?token=`` : exchanges a one-time link for a session)
+/socket          WebSocket: state to the browser, orders from it
+/video           WebSocket: the drone's H.264
+/stop            POST: STOP, for a browser whose socket is down
+/static/...      the built client
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import secrets
+import signal
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import FileResponse, JSONResponse, RedirectResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket
+
+from housefly.bus.bus import Bus
+from housefly.clock import Clock, RealClock
+from housefly.web import socket
+from housefly.web.broadcast import Broadcast
+from housefly.web.console import Console
+from housefly.web.news import PilotNews
+from housefly.web.pages import link_used, no_session
+from housefly.web.pilot_link import PilotLink
+from housefly.web.security import LOOPBACK_NAMES, Doorkeeper, Guard, cookie_name, same_origin
+from housefly.web.video import VideoRoom
+
+log = logging.getLogger(__name__)
+
+STATIC = Path(__file__).parent / "static"
+
+
+def create_app(
+    bus: Bus,
+    token: str,
+    stop: Callable[[], None],
+    *,
+    hosts: frozenset[str] = LOOPBACK_NAMES,
+    secret: str = "",
+    drone_body: str = "ardrone",
+    clock: Clock | None = None,
+) -> Starlette:
+    """Build the application.
+
+    Args:
+        bus: where the pilot is.
+        token: one-time token of the first link.
+        stop: sends STOP on its own path, past the bus; must return at once.
+        hosts: names that the server answers to.
+        secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty makes a fresh one.
+        drone_body: name of the drone among the tracked bodies.
+        clock: tests may bring their own.
+    """
+    clock = clock or RealClock()
+    doorkeeper = Doorkeeper(token, secret or secrets.token_urlsafe(32))
+    link = PilotLink(bus, stop, clock)
+    console = Console(PilotNews(clock, drone_body), link, doorkeeper, clock)
+    video = VideoRoom(bus)
+
+    @asynccontextmanager
+    async def lifespan(app: Starlette) -> AsyncIterator[None]:
+        console.news.listen(bus)
+        video.listen(asyncio.get_running_loop())
+        task = asyncio.create_task(Broadcast(console).run())
+        task.add_done_callback(_leave_on_failure)
+        yield
+        task.cancel()
+        with suppress(asyncio.CancelledError):
+            await task
+        link.close()
+
+    async def index(request: Request) -> Response:
+        if (offered := request.query_params.get("token")) is not None:
+            return _enter(request, doorkeeper, offered)
+        if not doorkeeper.knows(request):
+            return no_session()
+        return FileResponse(STATIC / "index.html", headers={"cache-control": "no-store"})
+
+    async def stop_now(request: Request) -> Response:
+        if not (same_origin(request) and doorkeeper.knows(request)):
+            return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
+        console.stop("a browser without a socket")
+        return JSONResponse({"stopped": True})
+
+    async def console_socket(websocket: WebSocket) -> None:
+        if await socket.allowed(websocket, doorkeeper):
+            await socket.serve(websocket, console)
+
+    async def video_socket(websocket: WebSocket) -> None:
+        if await socket.allowed(websocket, doorkeeper):
+            await video.serve(websocket)
+
+    return Starlette(
+        routes=[
+            Route("/", index),
+            Route("/stop", stop_now, methods=["POST"]),
+            WebSocketRoute("/socket", console_socket),
+            WebSocketRoute("/video", video_socket),
+            Mount("/static", StaticFiles(directory=STATIC)),
+        ],
+        middleware=[Middleware(Guard, hosts=hosts)],
+        lifespan=lifespan,
+    )
+
+
+def _leave_on_failure(task: asyncio.Task[None]) -> None:
+    """A console that no longer tells the truth must not stay up: end, and let the launcher start a fresh one."""
+    if not task.cancelled() and (error := task.exception()) is not None:
+        log.critical("the console cannot go on", exc_info=error)
+        signal.raise_signal(signal.SIGTERM)
+
+
+def _enter(request: Request, doorkeeper: Doorkeeper, token: str) -> Response:
+    if doorkeeper.knows(request):
+        # A reload of the printed address in a browser that is already in must not use up anything.
+        return RedirectResponse("/", 303)
+    session = doorkeeper.redeem(token)
+    if session is None:
+        return link_used()
+    answer = RedirectResponse("/", 303, headers={"cache-control": "no-store"})
+    secure = request.url.scheme == "https"
+    answer.set_cookie(cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/")
+    return answer

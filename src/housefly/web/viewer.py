@@ -1,0 +1,79 @@
+"""One open console: what waits to be sent to it, bounded, so that a slow browser slows nobody else."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from dataclasses import dataclass, field
+
+from starlette.websockets import WebSocket
+
+from housefly.web.limits import Bucket
+from housefly.web.vocabulary import PlanQuestion, ServerMessage, to_text
+
+WAITING_MAX = 1000
+"""Answers and events that may wait for one browser; when more do, its socket is closed and it starts afresh."""
+
+
+@dataclass(eq=False, slots=True)
+class Viewer:
+    """A socket with its queue of messages that must arrive and its slots of which only the newest counts.
+
+    Attributes:
+        number: who this is; kept over reconnects of the same tab.
+        name: shown to the others.
+        event: last line of the event log that was sent.
+        bucket: what the socket may still send.
+        question: the newest plan question not yet answered.
+        asking: whether a plan question is being answered now.
+    """
+
+    socket: WebSocket
+    number: int = 0
+    name: str = ""
+    event: int = 0
+    bucket: Bucket = field(default_factory=Bucket)
+    question: PlanQuestion | None = None
+    asking: bool = False
+    _queue: deque[str] = field(default_factory=deque)
+    _slots: dict[str, str] = field(default_factory=dict)
+    _wake: asyncio.Event = field(default_factory=asyncio.Event)
+    _closing: tuple[int, str] | None = None
+
+    @property
+    def present(self) -> bool:
+        """Whether the browser has said hello."""
+        return self.number > 0
+
+    def send(self, message: ServerMessage) -> None:
+        """Queue a message that must arrive."""
+        self._queue.append(to_text(message))
+        if len(self._queue) > WAITING_MAX:
+            self.close(1013, "this browser is too slow")
+        self._wake.set()
+
+    def show(self, kind: str, text: str) -> None:
+        """Put the newest message of a kind in its slot; an older one that still waits is dropped."""
+        self._slots[kind] = text
+        self._wake.set()
+
+    def close(self, code: int, reason: str) -> None:
+        """Close the socket as soon as the writer comes to it."""
+        self._closing = (code, reason)
+        self._wake.set()
+
+    async def write(self) -> None:
+        """Send what waits until the socket closes."""
+        while True:
+            await self._wake.wait()
+            self._wake.clear()
+            while (self._queue or self._slots) and not self._closing:
+                await self.socket.send_text(self._next())
+            if self._closing:
+                await self.socket.close(*self._closing)
+                return
+
+    def _next(self) -> str:
+        if self._queue:
+            return self._queue.popleft()
+        return self._slots.pop(next(iter(self._slots)))
