@@ -1,0 +1,173 @@
+"""A World without MuJoCo: a point that leans, climbs and turns as told, in an empty room.
+
+For tests of the wires and for machines without the simulated room. Tilt and turn follow at once, speed follows tilt against
+linear drag (ardrone-wire section 4, c1), climb follows at once; no noise, no delays, no tracking.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin, tan
+
+from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, wrap_angle
+from housefly.messages import Pose
+from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
+
+STEP = 0.005
+DRAG = 0.58
+"""Deceleration per speed [1/s]."""
+TAKE_OFF_HEIGHT = 1.0
+TAKE_OFF_CLIMB = 0.8
+SINK = 0.5
+FLAG_AFTER = 0.05
+LOST_AFTER = 2.0
+
+AIRBORNE = frozenset({Flight.TAKING_OFF, Flight.FLYING, Flight.HOVERING, Flight.LANDING})
+
+
+class KinematicWorld:
+    """Implements ``twin.contracts.World``.
+
+    Attributes:
+        flight: major control state.
+        asked: the last stick.
+        limits: maxima in force.
+        battery: charge, 0 to 1; set it as a test needs.
+        trims: flat trims that counted.
+    """
+
+    def __init__(self) -> None:
+        self.flight = Flight.LANDED
+        self.asked = Stick()
+        self.limits = OnboardLimits()
+        self.battery = 1.0
+        self.trims = 0
+        self.visitor = False
+        self._now = 0.0
+        self._heard_at = 0.0
+        self._position = [0.0, 0.0, 0.0]
+        self._speed = [0.0, 0.0]
+        self._climb = 0.0
+        self._tilt = (0.0, 0.0)
+        self._psi = 0.0
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        return self._now
+
+    def advance(self, seconds: float) -> None:
+        """Move in steps of at most ``STEP``."""
+        end = self._now + seconds
+        while self._now < end - 1e-9:
+            self._step(min(STEP, end - self._now))
+
+    def stick(self, stick: Stick) -> None:
+        """Take a movement command."""
+        self.asked = stick
+
+    def keep_alive(self) -> None:
+        """Note that a command came."""
+        self._heard_at = self._now
+
+    def request_take_off(self) -> None:
+        """Take off from the ground."""
+        if self.flight is Flight.LANDED:
+            self.flight = Flight.TAKING_OFF
+
+    def request_land(self) -> None:
+        """Land from the air."""
+        if self.flight in AIRBORNE:
+            self.flight = Flight.LANDING
+
+    def toggle_emergency(self) -> None:
+        """Cut the motors, or be ready again."""
+        self.flight = Flight.LANDED if self.flight is Flight.EMERGENCY else Flight.EMERGENCY
+
+    def flat_trim(self) -> None:
+        """Count a trim on the ground."""
+        self.trims += self.flight is Flight.LANDED
+
+    def set_limits(self, limits: OnboardLimits) -> None:
+        """Take new maxima."""
+        self.limits = limits
+
+    def onboard(self) -> Onboard:
+        """Return what is, without error."""
+        silence = self._now - self._heard_at
+        theta, phi = self._tilt
+        duty = 0.6 if self.flight in AIRBORNE else 0.0
+        return Onboard(
+            at=self._now,
+            flight=self.flight,
+            battery=self.battery,
+            battery_voltage=9.0 + 3.6 * self.battery,
+            phi=phi,
+            theta=theta,
+            psi=self._psi,
+            height=self._position[2],
+            velocity=self._body_velocity(),
+            acceleration=(0.0, 0.0, GRAVITY),
+            angular_rate=(0.0, 0.0, self._turn_rate()),
+            motors=(duty, duty, duty, duty),
+            low_battery=self.battery < 0.2,
+            com_watchdog=silence > FLAG_AFTER,
+            com_lost=silence > LOST_AFTER,
+        )
+
+    def truth(self) -> Truth:
+        """Return where the point is."""
+        x, y, z = self._position
+        theta, phi = self._tilt
+        pose = Pose((x, y, z), quaternion_from_euler(phi, theta, self._psi))
+        return Truth(self._now, pose, (self._speed[0], self._speed[1], self._climb), 0 if z > 0.0 else 1)
+
+    def mocap_frames(self) -> tuple[MocapFrame, ...]:
+        """Return nothing: no cameras hang here."""
+        return ()
+
+    def set_visitor(self, present: bool) -> None:
+        """Note whether someone is at the door."""
+        self.visitor = present
+
+    def _step(self, dt: float) -> None:
+        self._now += dt
+        stick = Stick() if self.asked.hover or self.flight not in (Flight.FLYING, Flight.HOVERING) else self.asked
+        self._tilt = (stick.forward * self.limits.tilt, -stick.left * self.limits.tilt)
+        self._climb = self._wanted_climb(stick)
+        self._psi = wrap_angle(self._psi + dt * self._turn_rate())
+        for axis, push in enumerate(self._push()):
+            braking = DRAG if not stick.hover else 3.0
+            self._speed[axis] += dt * (push - braking * self._speed[axis])
+            self._position[axis] += dt * self._speed[axis]
+        self._position[2] = max(0.0, self._position[2] + dt * self._climb)
+        self._change_state()
+
+    def _change_state(self) -> None:
+        height = self._position[2]
+        if self.flight is Flight.TAKING_OFF and height >= TAKE_OFF_HEIGHT:
+            self.flight = Flight.HOVERING
+        elif self.flight in (Flight.FLYING, Flight.HOVERING):
+            self.flight = Flight.HOVERING if self.asked.hover else Flight.FLYING
+        elif self.flight is Flight.LANDING and height <= 0.0:
+            self.flight = Flight.LANDED
+        if self.flight in AIRBORNE and self._now - self._heard_at > LOST_AFTER:
+            self.flight = Flight.LANDING
+
+    def _wanted_climb(self, stick: Stick) -> float:
+        fixed = {Flight.TAKING_OFF: TAKE_OFF_CLIMB, Flight.LANDING: -SINK, Flight.EMERGENCY: -3.0}
+        climb = fixed.get(self.flight, stick.up * self.limits.climb)
+        return min(climb, 0.0) if self._position[2] >= self.limits.altitude else climb
+
+    def _turn_rate(self) -> float:
+        return 0.0 if self.asked.hover or self.flight is not Flight.FLYING else self.asked.turn * self.limits.yaw_rate
+
+    def _push(self) -> tuple[float, float]:
+        theta, phi = self._tilt
+        forward, left = GRAVITY * tan(theta), -GRAVITY * tan(phi)
+        c, s = cos(self._psi), sin(self._psi)
+        return c * forward - s * left, s * forward + c * left
+
+    def _body_velocity(self) -> Vec3:
+        c, s = cos(self._psi), sin(self._psi)
+        vx, vy = self._speed
+        return c * vx + s * vy, -s * vx + c * vy, self._climb

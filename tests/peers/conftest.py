@@ -1,0 +1,135 @@
+"""A twin in real time on its real ports, for clients that other people wrote."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import shutil
+from collections.abc import AsyncIterator, Awaitable, Callable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from math import cos, sin
+from pathlib import Path
+from typing import Any
+
+import av
+import numpy as np
+import pytest
+
+from housefly.clock import Rate, RealClock
+from housefly.geometry import wrap_angle
+from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.contracts import Flight, Truth, World
+from housefly.twin.kinematic import KinematicWorld
+from housefly.twin.real_time import RealTime
+
+HERE = Path(__file__).resolve().parent
+NODE_TIMEOUT = 60.0
+
+RunNode = Callable[..., Awaitable[list[Any]]]
+
+
+@dataclass(frozen=True)
+class Picture:
+    number: int
+    data: bytes
+    keyframe: bool
+    width: int
+    height: int
+    at: float
+
+
+@dataclass
+class Twin:
+    """A world in real time behind a server, and what really happened in it."""
+
+    world: World
+    server: ArDroneServer
+    address: str
+    trail: list[Truth] = field(default_factory=list)
+
+    @property
+    def flight(self) -> Flight:
+        return self.world.onboard().flight
+
+    @property
+    def displacement(self) -> tuple[float, float]:
+        """How far forward and left [m] of where it started, in the heading that it had then."""
+        start, end = self.trail[0].pose, self.world.truth().pose
+        dx, dy = (end.position[axis] - start.position[axis] for axis in (0, 1))
+        return cos(start.yaw) * dx + sin(start.yaw) * dy, cos(start.yaw) * dy - sin(start.yaw) * dx
+
+    @property
+    def turned(self) -> float:
+        """Change of heading since the start [rad]."""
+        return wrap_angle(self.world.truth().pose.yaw - self.trail[0].pose.yaw)
+
+    @property
+    def highest(self) -> float:
+        return max(truth.pose.position[2] for truth in self.trail)
+
+
+@pytest.fixture
+async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
+    world = KinematicWorld()
+    server = ArDroneServer(world, loopback)
+    await server.start()
+    flying = Twin(world, server, loopback)
+    tasks = [asyncio.create_task(coroutine) for coroutine in (RealTime(world, RealClock()).run(), _film(flying, pictures))]
+    try:
+        yield flying
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        await server.stop()
+
+
+async def _film(twin: Twin, pictures: list[Picture]) -> None:
+    rate = Rate(30.0)
+    number = 0
+    while True:
+        await rate.sleep()
+        number += 1
+        twin.trail.append(twin.world.truth())
+        known = pictures[number % len(pictures)]
+        twin.server.publish(Picture(number, known.data, known.keyframe, known.width, known.height, twin.world.now))
+
+
+@pytest.fixture(scope="session")
+def pictures() -> list[Picture]:
+    """Thirty pictures of a moving edge, H.264 640x360 in groups of 15."""
+    encoder = av.CodecContext.create("libx264", "w")
+    encoder.width, encoder.height, encoder.pix_fmt = 640, 360, "yuv420p"
+    encoder.time_base = Fraction(1, 30)
+    encoder.options = {"preset": "ultrafast", "tune": "zerolatency", "x264-params": "keyint=15:min-keyint=15:scenecut=0"}
+    made: list[Picture] = []
+    for number in range(30):
+        image = np.zeros((360, 640, 3), np.uint8)
+        image[:, : 20 * number] = 200
+        for packet in encoder.encode(av.VideoFrame.from_ndarray(image, format="rgb24")):
+            made.append(Picture(number, bytes(packet), packet.is_keyframe, 640, 360, number / 30))
+    return made
+
+
+@pytest.fixture
+def run_node() -> RunNode:
+    """Return a function that runs a script of this folder and reads its lines of JSON."""
+    node = shutil.which("node")
+    if node is None or not (HERE / "node_modules").is_dir():
+        pytest.skip("node, or the packages of tests/peers, are not installed: npm ci --prefix tests/peers")
+
+    async def run(script: str, *arguments: str, text: str = "") -> list[Any]:
+        process = await asyncio.create_subprocess_exec(
+            node, script, *arguments, cwd=HERE, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, stderr=-1
+        )
+        try:
+            output, complaints = await asyncio.wait_for(process.communicate(text.encode()), NODE_TIMEOUT)
+        finally:
+            if process.returncode is None:
+                process.kill()
+        lines = [line for line in output.decode().splitlines() if line.startswith("{")]
+        assert process.returncode == 0, complaints.decode()
+        return [json.loads(line) for line in lines]
+
+    return run
