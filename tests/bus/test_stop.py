@@ -17,18 +17,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.bus import stop as module
-from housefly.bus.stop import (
-    SECRET_VARIABLE,
-    StopListener,
-    StopSender,
-    new_secret,
-    secret_from_environment,
-    secret_to_environment,
-)
+from housefly.bus.stop import StopListener, StopSender
 from housefly.errors import ConfigError, LinkError, WireError
 
 pytestmark = pytest.mark.wire
-SECRET = bytes(range(32))
+SECRET = "sixteen or more characters"
 
 
 class Room:
@@ -36,7 +29,7 @@ class Room:
 
     def __init__(self, address: str) -> None:
         self.stops = 0
-        self.listener = StopListener((address, 0), SECRET, self._stop)
+        self.listener = StopListener(address, 0, SECRET, self._stop)
 
     def _stop(self) -> None:
         self.stops += 1
@@ -50,8 +43,8 @@ async def room(loopback: str) -> AsyncIterator[Room]:
     room.listener.close()
 
 
-def signed_stop(sent_ns: int, secret: bytes = SECRET, nonce: bytes = b"12345678") -> bytes:
-    return module._Token(sent_ns, nonce).signed(module._STOP, secret)
+def signed_stop(sent_ns: int, secret: str = SECRET, nonce: bytes = b"12345678") -> bytes:
+    return module._Token(sent_ns, nonce).signed(module._STOP, secret.encode())
 
 
 async def throw(room: Room, *datagrams: bytes) -> None:
@@ -59,26 +52,26 @@ async def throw(room: Room, *datagrams: bytes) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as link:
         for datagram in datagrams:
             link.sendto(datagram, room.listener.address)
-    await asyncio.wrap_future(StopSender(room.listener.address, SECRET).send())
+    await asyncio.wrap_future(StopSender(*room.listener.address, SECRET).send())
     room.stops -= 1
 
 
 async def test_a_stop_arrives_once_and_is_acknowledged(room: Room) -> None:
-    outcome = StopSender(room.listener.address, SECRET).send()
+    outcome = StopSender(*room.listener.address, SECRET).send()
     assert await asyncio.wrap_future(outcome)
     await asyncio.sleep(0.03)
     assert room.stops == 1
 
 
 async def test_each_stop_counts(room: Room) -> None:
-    sender = StopSender(room.listener.address, SECRET)
+    sender = StopSender(*room.listener.address, SECRET)
     outcomes = [sender.send() for _ in range(20)]
     assert all([await asyncio.wrap_future(outcome) for outcome in outcomes])
     assert room.stops == 20
 
 
 async def test_stops_of_many_threads_all_arrive(room: Room) -> None:
-    sender = StopSender(room.listener.address, SECRET)
+    sender = StopSender(*room.listener.address, SECRET)
     outcomes: list[Any] = []
     threads = [threading.Thread(target=lambda: outcomes.append(sender.send())) for _ in range(8)]
     for thread in threads:
@@ -94,9 +87,9 @@ async def test_a_stop_arrives_although_its_first_copies_are_lost(loopback: str) 
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind((loopback, 0))
         port = taken.getsockname()[1]
-    outcome = StopSender((loopback, port), SECRET).send()
+    outcome = StopSender(loopback, port, SECRET).send()
     await asyncio.sleep(0.1)
-    room.listener = StopListener((loopback, port), SECRET, room._stop)
+    room.listener = StopListener(loopback, port, SECRET, room._stop)
     await room.listener.start()
     assert await asyncio.wrap_future(outcome)
     room.listener.close()
@@ -104,11 +97,11 @@ async def test_a_stop_arrives_although_its_first_copies_are_lost(loopback: str) 
 
 
 async def test_nobody_there_is_told_to_the_sender_and_not_raised(loopback: str) -> None:
-    assert not await asyncio.wrap_future(StopSender((loopback, 9), SECRET).send())
+    assert not await asyncio.wrap_future(StopSender(loopback, 9, SECRET).send())
 
 
 async def test_a_wrong_secret_is_ignored(room: Room) -> None:
-    await throw(room, signed_stop(time.monotonic_ns(), b"x" * 32))
+    await throw(room, signed_stop(time.monotonic_ns(), "x" * 32))
     assert (room.stops, room.listener.ignored) == (0, 1)
 
 
@@ -135,22 +128,21 @@ async def test_garbage_is_ignored(room: Room) -> None:
 @given(st.binary(max_size=100))
 def test_a_datagram_without_the_secret_is_never_verified(data: bytes) -> None:
     with contextlib.suppress(WireError):
-        module._verified(data, module._STOP, SECRET)
+        module._verified(data, module._STOP, SECRET.encode())
         raise AssertionError("a signature was guessed")
 
 
 async def test_an_acknowledgement_cannot_be_sent_back_as_a_stop(room: Room) -> None:
-    await throw(room, module._Token(time.monotonic_ns(), b"12345678").signed(module._ACKNOWLEDGED, SECRET))
+    await throw(room, module._Token(time.monotonic_ns(), b"12345678").signed(module._ACKNOWLEDGED, SECRET.encode()))
     assert room.stops == 0
 
 
 async def test_another_process_stops_us(room: Room) -> None:
-    code = "import sys; from housefly.bus.stop import *; a, p = sys.argv[1:]"
-    code += "; print(StopSender((a, int(p)), secret_from_environment()).send().result(5))"
-    address, port = room.listener.address
-    process = await asyncio.create_subprocess_exec(
-        sys.executable, "-c", code, address, str(port), env=secret_to_environment(SECRET), stdout=subprocess.PIPE
-    )
+    code = "import sys; from housefly.bus.stop import StopSender; host, port, secret = sys.argv[1:]"
+    code += "\nwith StopSender(host, int(port), secret) as sender: outcome = sender.send()"
+    code += "\nprint(outcome.done() and outcome.result())"
+    arguments = [*map(str, room.listener.address), SECRET]
+    process = await asyncio.create_subprocess_exec(sys.executable, "-c", code, *arguments, stdout=subprocess.PIPE)
     output, _ = await process.communicate()
     assert output.strip() == b"True"
     assert room.stops == 1
@@ -158,22 +150,14 @@ async def test_another_process_stops_us(room: Room) -> None:
 
 async def test_a_port_in_use_is_a_link_error(room: Room) -> None:
     with pytest.raises(LinkError, match="cannot listen for STOP"):
-        await StopListener(room.listener.address, SECRET, lambda: None).start()
+        await StopListener(*room.listener.address, SECRET, lambda: None).start()
 
 
 def test_only_the_loopback_interface_is_listened_on() -> None:
     with pytest.raises(ConfigError, match="loopback"):
-        StopListener(("0.0.0.0", 0), SECRET, lambda: None)
+        StopListener("0.0.0.0", 0, SECRET, lambda: None)
 
 
-def test_a_secret_travels_by_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
-    secret = new_secret()
-    monkeypatch.setenv(SECRET_VARIABLE, secret_to_environment(secret)[SECRET_VARIABLE])
-    assert secret_from_environment() == secret
-
-
-@pytest.mark.parametrize("value", ["", "abcd", "not hex"])
-def test_a_missing_or_short_secret_is_refused(monkeypatch: pytest.MonkeyPatch, value: str) -> None:
-    monkeypatch.setenv(SECRET_VARIABLE, value)
-    with pytest.raises(ConfigError, match=SECRET_VARIABLE):
-        secret_from_environment()
+def test_a_short_secret_is_refused() -> None:
+    with pytest.raises(ConfigError, match="16 characters"):
+        StopSender("127.0.0.1", 1, "short")

@@ -10,22 +10,20 @@ import asyncio
 import hashlib
 import hmac
 import ipaddress
-import os
 import secrets
 import socket
 import struct
 import threading
 import time
 from collections.abc import Callable
-from concurrent.futures import Future
+from concurrent.futures import Future, wait
 from dataclasses import dataclass
+from types import TracebackType
+from typing import Self
 
 from housefly.errors import ConfigError, LinkError, WireError
 
 Address = tuple[str, int]
-
-SECRET_VARIABLE = "HOUSEFLY_STOP_SECRET"
-"""Environment variable by which the launcher hands the secret to its processes."""
 
 _STOP, _ACKNOWLEDGED = b"HFs1", b"HFa1"
 _BODY = struct.Struct("<4sQ8s")
@@ -36,25 +34,10 @@ _REPEATS = (0.005, 0.005, *[0.05] * 20)
 """Pauses [s] before each further copy, until an acknowledgement comes."""
 
 
-def new_secret() -> bytes:
-    """Return a fresh secret for one run of the launcher."""
-    return secrets.token_bytes(32)
-
-
-def secret_to_environment(secret: bytes) -> dict[str, str]:
-    """Return the environment variable that hands the secret to a child process."""
-    return {SECRET_VARIABLE: secret.hex()}
-
-
-def secret_from_environment() -> bytes:
-    """Return the secret that the launcher gave; raises ConfigError when it did not, or when it is too short."""
-    try:
-        secret = bytes.fromhex(os.environ.get(SECRET_VARIABLE, ""))
-    except ValueError as error:
-        raise ConfigError(SECRET_VARIABLE, "is not hexadecimal", "environment") from error
+def _key(secret: str) -> bytes:
     if len(secret) < 16:
-        raise ConfigError(SECRET_VARIABLE, "must hold at least 16 bytes in hexadecimal", "environment")
-    return secret
+        raise ConfigError("STOP secret", "must have at least 16 characters")
+    return secret.encode()
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,20 +67,25 @@ class StopListener:
     """Waits for STOP in the pilot's asyncio loop.
 
     Args:
-        address: loopback address and UDP port; port 0 chooses a free one.
-        secret: shared with the senders.
+        host: loopback address.
+        port: UDP port; 0 chooses a free one.
+        secret: shared with the senders, at least 16 characters.
         handler: called on the loop once for each STOP; must be quick.
 
+    Attributes:
+        address: host and port, after ``start`` as chosen.
+        ignored: datagrams that were not a fresh STOP of ours.
+
     Raises:
-        ConfigError: the address is not a loopback address.
+        ConfigError: the address is not a loopback address, or the secret is too short.
     """
 
-    def __init__(self, address: Address, secret: bytes, handler: Callable[[], None]) -> None:
-        if not ipaddress.ip_address(address[0]).is_loopback:
-            raise ConfigError("stop address", f"is {address[0]}; only a loopback address is allowed")
-        self.address = address
+    def __init__(self, host: str, port: int, secret: str, handler: Callable[[], None]) -> None:
+        if not ipaddress.ip_address(host).is_loopback:
+            raise ConfigError("STOP address", f"is {host}; only a loopback address is allowed")
+        self.address: Address = (host, port)
         self.ignored = 0
-        self._secret = secret
+        self._secret = _key(secret)
         self._handler = handler
         self._seen: dict[_Token, None] = {}
         self._transport: asyncio.DatagramTransport | None = None
@@ -144,16 +132,21 @@ class _Protocol(asyncio.DatagramProtocol):
 
 
 class StopSender:
-    """Sends STOP from any thread.
+    """Sends STOP from any thread; as a context manager it leaves no STOP half sent.
 
     Args:
-        address: where the listener is.
-        secret: shared with the listener.
+        host: where the listener is.
+        port: its UDP port.
+        secret: shared with the listener, at least 16 characters.
+
+    Raises:
+        ConfigError: the secret is too short.
     """
 
-    def __init__(self, address: Address, secret: bytes) -> None:
-        self._address = address
-        self._secret = secret
+    def __init__(self, host: str, port: int, secret: str) -> None:
+        self._address: Address = (host, port)
+        self._secret = _key(secret)
+        self._pending: set[Future[bool]] = set()
 
     def send(self) -> Future[bool]:
         """Send STOP now and return; copies follow in the background until it is acknowledged, for about a second.
@@ -167,8 +160,20 @@ class StopSender:
         datagram = token.signed(_STOP, self._secret)
         _transmit(link, datagram)
         outcome: Future[bool] = Future()
+        self._pending.add(outcome)
+        outcome.add_done_callback(self._pending.discard)
         threading.Thread(target=self._repeat, args=(link, token, datagram, outcome), name="stop", daemon=True).start()
         return outcome
+
+    def close(self) -> None:
+        """Wait until every STOP is acknowledged or given up, about a second at most."""
+        wait(tuple(self._pending))
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
 
     def _repeat(self, link: socket.socket, token: _Token, datagram: bytes, outcome: Future[bool]) -> None:
         with link:
