@@ -1,0 +1,152 @@
+"""B-sen's walls, windows and doors, from its 0.1 m grid and the door and windows of its 3-D model; lengths in metres."""
+
+from __future__ import annotations
+
+from housefly.room.model import Solid
+from housefly.room.parts import BIRCH, CHARCOAL, CREAM, GLASS, OAK, STEEL, WALNUT, WHITE, Part, box, paint, placed
+
+HEIGHT = 2.70
+THICK = 0.10
+SKIRTING = 0.012
+
+WALL = paint(0.92, 0.90, 0.85)
+ACCENT = paint(0.63, 0.72, 0.70)
+DOOR_LEAF = paint(0.36, 0.22, 0.14)
+
+Rectangle = tuple[float, float, float, float]
+
+# Inner faces: corridor x 0.15..4.75, y 3.35..5.05; living area x 4.75..14.75, y 0.55..6.25; an alcove at its north-west.
+WALLS: tuple[tuple[str, Rectangle], ...] = (
+    ("corridor south", (0.05, 3.25, 4.75, 3.35)),
+    ("corridor north", (0.05, 5.05, 6.15, 5.15)),
+    ("living west", (4.65, 0.45, 4.75, 3.25)),
+    ("living south", (4.75, 0.45, 14.85, 0.55)),
+    ("alcove west", (6.05, 5.15, 6.15, 6.75)),
+    ("alcove north", (6.15, 6.65, 7.45, 6.75)),
+    ("alcove east", (7.35, 6.25, 7.45, 6.65)),
+    ("living north", (7.45, 6.25, 14.85, 6.35)),
+    ("kitchen side", (10.59, 5.54, 10.61, 6.25)),
+)
+
+WINDOWS = ((0.70, 1.50), (1.58, 2.38), (2.46, 3.26), (3.34, 4.14), (4.22, 5.02))
+WINDOW_BOTTOM, WINDOW_TOP = 1.10, 2.45
+
+# The entrance: a leaf, a narrow glazed side panel and a fanlight in one frame of 1.38 m x 2.61 m.
+LEAF = (3.975, 4.875)
+SIDE = (3.525, 3.945)
+
+
+def shell() -> tuple[Solid, ...]:
+    """Return all walls, windows, doors and skirting boards of B-sen."""
+    walls = [box(name, (r[0], r[1], 0.0), (r[2], r[3], HEIGHT), WALL, "wall") for name, r in WALLS]
+    return (
+        *placed("wall", walls, 0.0, 0.0),
+        *placed("wall", _east_wall(), 0.0, 0.0),
+        *placed("wall", _west_wall(), 0.0, 0.0),
+        *placed("window", _windows(), 0.0, 0.0),
+        *placed("entrance door", _entrance(), 0.0, 0.0),
+        *placed("room door", _room_door(), 6.75, 6.65, 0.0),
+        *placed("skirting", _skirting(), 0.0, 0.0),
+    )
+
+
+def _east_wall() -> list[Part]:
+    x0, x1 = 14.75, 14.85
+    edges = [0.45, *(edge for window in WINDOWS for edge in window), 6.25]
+    piers = zip(edges[::2], edges[1::2], strict=True)
+    return [
+        box("east sill", (x0, 0.45, 0.0), (x1, 6.25, WINDOW_BOTTOM), WALL, "wall"),
+        box("east lintel", (x0, 0.45, WINDOW_TOP), (x1, 6.25, HEIGHT), WALL, "wall"),
+        *(box(f"east pier {i}", (x0, a, WINDOW_BOTTOM), (x1, b, WINDOW_TOP), WALL, "wall") for i, (a, b) in enumerate(piers)),
+    ]
+
+
+def _windows() -> list[Part]:
+    parts: list[Part] = []
+    for i, (a, b) in enumerate(WINDOWS):
+        parts += [
+            box(f"pane {i}", (14.79, a, WINDOW_BOTTOM), (14.81, b, WINDOW_TOP), paint(0.70, 0.85, 0.95), "daylight"),
+            box(f"bar {i}", (14.76, (a + b) / 2 - 0.02, WINDOW_BOTTOM), (14.80, (a + b) / 2 + 0.02, WINDOW_TOP), WHITE),
+            box(f"sill {i}", (14.66, a, WINDOW_BOTTOM - 0.03), (14.75, b, WINDOW_BOTTOM), WHITE),
+        ]
+    return parts
+
+
+def _west_wall() -> list[Part]:
+    return [
+        box("west right", (0.05, 3.35, 0.0), (0.15, 3.49, HEIGHT), ACCENT, "wall"),
+        box("west left", (0.05, 4.91, 0.0), (0.15, 5.05, HEIGHT), ACCENT, "wall"),
+        box("west top", (0.05, 3.49, 2.61), (0.15, 4.91, HEIGHT), ACCENT, "wall"),
+    ]
+
+
+def _entrance() -> list[Part]:
+    (leaf_right, leaf_left), (side_right, side_left) = LEAF, SIDE
+    frame = [
+        box("frame right", (0.05, 3.49, 0.0), (0.19, side_right, 2.61), WHITE),
+        box("frame left", (0.05, leaf_left, 0.0), (0.19, 4.91, 2.61), WHITE),
+        box("frame middle", (0.05, side_left, 0.0), (0.19, leaf_right, 2.21), WHITE),
+        box("frame rail", (0.05, side_right, 2.21), (0.19, leaf_left, 2.26), WHITE),
+        box("frame top", (0.05, side_right, 2.57), (0.19, leaf_left, 2.61), WHITE),
+        box("fanlight", (0.09, side_right, 2.26), (0.11, leaf_left, 2.57), paint(0.78, 0.88, 0.95), "daylight"),
+        box("side glass", (0.09, side_right, 0.20), (0.11, side_left, 2.21), paint(0.78, 0.88, 0.95), "daylight"),
+        box("side foot", (0.07, side_right, 0.0), (0.13, side_left, 0.20), DOOR_LEAF, "wood"),
+        *(box(f"side bar {i}", (0.08, side_right, z), (0.13, side_left, z + 0.03), WHITE) for i, z in enumerate((0.86, 1.53))),
+    ]
+    leaf = [
+        box("leaf", (0.07, leaf_right, 0.01), (0.13, leaf_left, 2.21), DOOR_LEAF, "wood"),
+        *(
+            box(f"panel {i}", (0.13, a, low), (0.142, b, high), paint(0.45, 0.29, 0.18), "wood")
+            for i, (a, b, low, high) in enumerate(
+                (
+                    (leaf_right + 0.12, leaf_right + 0.42, 0.18, 0.92),
+                    (leaf_left - 0.42, leaf_left - 0.12, 0.18, 0.92),
+                    (leaf_right + 0.12, leaf_right + 0.42, 1.12, 2.06),
+                    (leaf_left - 0.42, leaf_left - 0.12, 1.12, 2.06),
+                )
+            )
+        ),
+        box("lock plate", (0.13, leaf_right + 0.03, 0.90), (0.145, leaf_right + 0.09, 1.16), STEEL),
+        box("handle stem", (0.145, leaf_right + 0.05, 1.03), (0.19, leaf_right + 0.07, 1.05), STEEL),
+        box("handle", (0.175, leaf_right + 0.05, 1.03), (0.195, leaf_right + 0.20, 1.055), STEEL),
+        box(
+            "viewer",
+            (0.13, (leaf_right + leaf_left) / 2 - 0.015, 1.50),
+            (0.15, (leaf_right + leaf_left) / 2 + 0.015, 1.53),
+            STEEL,
+        ),
+        box("mat", (0.25, 3.98, 0.0), (0.85, 4.87, 0.012), CHARCOAL, "rug", collides=False),
+    ]
+    return frame + leaf
+
+
+def _room_door() -> list[Part]:
+    return [
+        box("leaf", (-0.40, -0.02, 0.0), (0.40, 0.0, 2.02), BIRCH, "wood"),
+        box("frame left", (-0.46, -0.03, 0.0), (-0.40, 0.0, 2.08), OAK),
+        box("frame right", (0.40, -0.03, 0.0), (0.46, 0.0, 2.08), OAK),
+        box("frame top", (-0.40, -0.03, 2.02), (0.40, 0.0, 2.08), OAK),
+        box("handle", (0.26, -0.06, 1.0), (0.36, -0.02, 1.03), STEEL),
+        box("pane", (-0.12, -0.025, 1.25), (0.12, -0.019, 1.85), GLASS),
+    ]
+
+
+def _skirting() -> list[Part]:
+    s, top = SKIRTING, 0.08
+    runs: tuple[tuple[str, Rectangle], ...] = (
+        ("corridor south", (0.15, 3.35, 4.75, 3.35 + s)),
+        ("corridor north", (0.15, 5.05 - s, 6.15, 5.05)),
+        ("living west", (4.75, 0.55, 4.75 + s, 3.25)),
+        ("living south", (4.75, 0.55, 14.75, 0.55 + s)),
+        ("living east", (14.75 - s, 0.55, 14.75, 6.25)),
+        ("alcove west", (6.15, 5.15, 6.15 + s, 6.65)),
+        ("living north", (13.95, 6.25 - s, 14.75, 6.25)),
+    )
+    boards = [box(name, (r[0], r[1], 0.0), (r[2], r[3], top), WALNUT, collides=False) for name, r in runs]
+    pictures = [
+        box("picture frame", (3.05, 5.025, 1.35), (3.75, 5.05, 1.85), CHARCOAL, collides=False),
+        box("picture", (3.09, 5.02, 1.39), (3.71, 5.03, 1.81), CREAM, "painting", collides=False),
+        box("picture frame south", (1.35, 3.35, 1.35), (1.85, 3.375, 1.95), CHARCOAL, collides=False),
+        box("picture south", (1.39, 3.37, 1.39), (1.81, 3.38, 1.91), CREAM, "painting", collides=False),
+    ]
+    return boards + pictures

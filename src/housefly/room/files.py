@@ -1,0 +1,211 @@
+"""Rooms as files: ``room.toml`` read with every value checked, and written.
+
+Lengths in metres, angles in radians, colours from 0 to 1; a solid is one line.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated, Any, Self
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from housefly.errors import ConfigError, RoomError
+from housefly.geometry import Quaternion, normalized
+from housefly.room.bsen import bsen
+from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
+
+BUILT_IN = {"bsen": bsen}
+FILE_NAME = "room.toml"
+
+Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+Extent = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
+Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
+Fraction = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
+Name = Annotated[str, Field(min_length=1, max_length=80)]
+
+
+class _Entry(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class SolidEntry(_Entry):
+    """One solid of ``room.toml``."""
+
+    name: Name
+    thing: Name
+    shape: Shape = Shape.BOX
+    position: tuple[Coordinate, Coordinate, Coordinate]
+    size: tuple[Extent, Extent, Extent]
+    yaw: Angle = 0.0
+    colour: tuple[Fraction, Fraction, Fraction, Fraction] = (0.7, 0.7, 0.7, 1.0)
+    collides: bool = True
+    texture: str = Field(default="", max_length=40)
+
+
+class PlaceEntry(_Entry):
+    """One place of ``room.toml``."""
+
+    name: str = Field(pattern=r"^[a-z0-9][a-z0-9 _-]{0,39}$")
+    viewpoint: tuple[Coordinate, Coordinate]
+    look_at: tuple[Coordinate, Coordinate, Coordinate]
+    title: str = Field(default="", max_length=60)
+
+
+class CameraEntry(_Entry):
+    """One tracking camera of ``room.toml``."""
+
+    name: Name
+    position: tuple[Coordinate, Coordinate, Coordinate]
+    orientation: tuple[Coordinate, Coordinate, Coordinate, Coordinate]
+    field_of_view: tuple[
+        Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)], Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)]
+    ]
+    reach: Extent = 12.0
+
+
+class RoomEntry(_Entry):
+    """The whole of ``room.toml``."""
+
+    name: str = Field(min_length=1, max_length=60)
+    bounds: tuple[Coordinate, Coordinate, Coordinate, Coordinate]
+    height: Annotated[float, Field(ge=1.0, le=100.0, allow_inf_nan=False)]
+    home: tuple[Coordinate, Coordinate]
+    home_yaw: Angle = 0.0
+    visitor: tuple[Coordinate, Coordinate] | None = None
+    visitor_yaw: Angle = 0.0
+    solids: tuple[SolidEntry, ...] = ()
+    places: tuple[PlaceEntry, ...]
+    cameras: tuple[CameraEntry, ...] = ()
+
+    @model_validator(mode="after")
+    def _combinations(self) -> Self:
+        x_min, y_min, x_max, y_max = self.bounds
+        if not (x_min < x_max and y_min < y_max):
+            raise ValueError("bounds are x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max")
+        if not (x_min <= self.home[0] <= x_max and y_min <= self.home[1] <= y_max):
+            raise ValueError(f"home {self.home} m must lie within bounds {self.bounds} m")
+        if "home" not in {place.name for place in self.places}:
+            raise ValueError('places must contain one called "home"')
+        for kind, names in (("solids", [s.name for s in self.solids]), ("places", [p.name for p in self.places])):
+            twice = sorted({name for name in names if names.count(name) > 1}) if len(set(names)) < len(names) else []
+            if twice:
+                raise ValueError(f"names of {kind} must differ; used twice: {twice[0]!r}")
+        return self
+
+
+def load_room(model: str, base: Path | None = None) -> Room:
+    """Return a built-in room by name, or the room of a directory that holds ``room.toml``.
+
+    Args:
+        model: "bsen", or the path of a directory, relative to ``base``.
+        base: directory of the site file.
+
+    Raises:
+        RoomError: there is no such room.
+        ConfigError: a value of ``room.toml`` is bad; names the key and what is allowed.
+    """
+    if model in BUILT_IN:
+        return BUILT_IN[model]()
+    path = (base or Path()) / model / FILE_NAME
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        known = ", ".join(sorted(BUILT_IN))
+        raise RoomError(
+            f"room.model {model!r} is neither a built-in room ({known}) nor a directory with a readable {FILE_NAME}: {error}"
+        ) from error
+    return room_from_toml(text, str(path))
+
+
+def room_from_toml(text: str, source: str = "") -> Room:
+    """Return the room that a ``room.toml`` describes; raises ConfigError for the first bad value."""
+    try:
+        entry = RoomEntry.model_validate(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigError(FILE_NAME, f"is not valid TOML: {error}", source) from error
+    except ValidationError as error:
+        first = error.errors()[0]
+        raise ConfigError(_key(first["loc"]), _explain(first), source) from error
+    return Room(
+        name=entry.name,
+        bounds=entry.bounds,
+        height=entry.height,
+        solids=tuple(Solid(**dict(solid)) for solid in entry.solids),
+        places=tuple(Place(**dict(place)) for place in entry.places),
+        cameras=tuple(_camera(n, camera, source) for n, camera in enumerate(entry.cameras)),
+        home=entry.home,
+        home_yaw=entry.home_yaw,
+        visitor=entry.visitor,
+        visitor_yaw=entry.visitor_yaw,
+    )
+
+
+def room_to_toml(room: Room) -> str:
+    """Return the text of a ``room.toml`` from which ``room_from_toml`` makes the same room again."""
+    return "\n".join(_lines(room)) + "\n"
+
+
+def save_room(room: Room, directory: Path) -> Path:
+    """Write ``room.toml`` into a directory, made when absent, and return its path; raises RoomError when that fails."""
+    path = directory / FILE_NAME
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        path.write_text(room_to_toml(room), encoding="utf-8")
+    except OSError as error:
+        raise RoomError(f"{path} cannot be written: {error.strerror}") from error
+    return path
+
+
+def _lines(room: Room) -> Iterator[str]:
+    yield "# A room for Housefly. Metres, radians; sizes are full extents; colours are red, green, blue, alpha from 0 to 1."
+    for key in ("name", "bounds", "height", "home", "home_yaw", "visitor", "visitor_yaw"):
+        value = getattr(room, key)
+        if value is not None:
+            yield f"{key} = {_toml(value)}"
+    for key, entries in (("places", room.places), ("cameras", room.cameras), ("solids", room.solids)):
+        yield f"{key} = ["
+        for entry in entries:
+            fields = ", ".join(f"{name} = {_toml(getattr(entry, name))}" for name in type(entry).__dataclass_fields__)
+            yield f"  {{ {fields} }},"
+        yield "]"
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, Shape):
+        return json.dumps(value.value)
+    if isinstance(value, tuple):
+        return "[" + ", ".join(_toml(item) for item in value) + "]"
+    if isinstance(value, float):
+        return repr(value)
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _camera(number: int, entry: CameraEntry, source: str) -> TrackingCamera:
+    fields = dict(entry)
+    fields["orientation"] = _unit(entry.orientation, f"cameras.{number}.orientation", source)
+    return TrackingCamera(**fields)
+
+
+def _unit(q: Quaternion, key: str, source: str) -> Quaternion:
+    length = sum(part * part for part in q) ** 0.5
+    if abs(length - 1.0) > 0.01:
+        raise ConfigError(key, f"is {q!r}; allowed: a unit quaternion w, x, y, z (its length is {length:.3g})", source)
+    return q if abs(length - 1.0) < 1e-9 else normalized(q)
+
+
+def _key(location: tuple[int | str, ...]) -> str:
+    return ".".join(str(part) for part in location) or FILE_NAME
+
+
+def _explain(problem: Any) -> str:
+    if problem["type"] == "extra_forbidden":
+        return "is not a known key"
+    if problem["type"] == "missing":
+        return "is missing"
+    if problem["type"] == "value_error":
+        return str(problem["ctx"]["error"])
+    return f"is {problem['input']!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
