@@ -1,0 +1,90 @@
+"""The visitor at the door as a MuJoCo body: a person in a coat with a bag, tracked by six markers.
+
+Own frame: origin on the floor between the feet, x to where the person faces, y left, z up. Metres.
+"""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from housefly.geometry import Vec2
+
+NAME = "visitor"
+
+SKIN, HAIR, COAT, TROUSERS = "0.93 0.74 0.62 1", "0.20 0.13 0.10 1", "0.75 0.23 0.20 1", "0.18 0.21 0.30 1"
+SHOE, SCARF, BAG, DARK, WHITE = "0.14 0.12 0.12 1", "0.93 0.80 0.45 1", "0.55 0.38 0.22 1", "0.10 0.09 0.10 1", "0.97 0.97 0.96 1"
+SLEEVE, LIPS = "0.70 0.20 0.18 1", "0.72 0.32 0.30 1"
+
+# Kind, numbers as MuJoCo takes them (fromto for capsules, pos and half sizes for the rest), colour.
+CAPSULES: tuple[tuple[str, str, str], ...] = (
+    ("0 0.09 0.12 0 0.10 0.82", "0.072", TROUSERS),
+    ("0 -0.09 0.12 0 -0.10 0.82", "0.072", TROUSERS),
+    ("-0.03 0.09 0.045 0.13 0.11 0.045", "0.045", SHOE),
+    ("-0.03 -0.09 0.045 0.13 -0.11 0.045", "0.045", SHOE),
+    ("0 -0.10 1.36 0 0.10 1.36", "0.092", COAT),
+    ("0 0.205 1.38 0.01 0.265 1.12", "0.056", SLEEVE),
+    ("0.01 0.265 1.12 0.07 0.275 0.90", "0.048", SLEEVE),
+    ("0 -0.205 1.38 0.02 -0.275 1.13", "0.056", SLEEVE),
+    ("0.02 -0.275 1.13 0.22 -0.24 1.20", "0.046", SLEEVE),
+    ("0 0 1.42 0.005 0 1.53", "0.055", SKIN),
+    ("0.12 0.075 1.30 -0.12 0.19 0.96", "0.012", BAG),
+)
+ELLIPSOIDS: tuple[tuple[str, str, str], ...] = (
+    ("0.0 0 1.20", "0.125 0.205 0.27", COAT),
+    ("0.0 0 0.90", "0.145 0.215 0.22", COAT),
+    ("0 0 1.445", "0.095 0.105 0.050", SCARF),
+    ("0.075 0.045 1.33", "0.040 0.040 0.115", SCARF),
+    ("0.01 0 1.625", "0.098 0.080 0.120", SKIN),
+    ("-0.022 0 1.665", "0.105 0.092 0.105", HAIR),
+    ("-0.065 0 1.575", "0.055 0.088 0.120", HAIR),
+    ("0.078 0.030 1.640", "0.016 0.016 0.011", WHITE),
+    ("0.078 -0.030 1.640", "0.016 0.016 0.011", WHITE),
+    ("0.090 0.030 1.640", "0.007 0.008 0.009", DARK),
+    ("0.090 -0.030 1.640", "0.007 0.008 0.009", DARK),
+    ("0.110 0 1.612", "0.014 0.012 0.020", SKIN),
+    ("0.097 0 1.570", "0.008 0.024 0.006", LIPS),
+    ("0.010 0.083 1.622", "0.018 0.010 0.026", SKIN),
+    ("0.010 -0.083 1.622", "0.018 0.010 0.026", SKIN),
+    ("0.085 0.030 1.664", "0.010 0.018 0.004", HAIR),
+    ("0.085 -0.030 1.664", "0.010 0.018 0.004", HAIR),
+    ("0.095 0.278 0.835", "0.040 0.032 0.058", SKIN),
+    ("0.285 -0.235 1.235", "0.055 0.036 0.032", SKIN),
+)
+BOXES: tuple[tuple[str, str, str], ...] = (
+    ("0.124 0 1.14", "0.004 0.010 0.20", DARK),
+    ("0.141 0 0.88", "0.006 0.010 0.16", DARK),
+    ("0.112 0.075 1.02", "0.030 0.045 0.006", DARK),
+    ("0.112 -0.085 1.02", "0.030 0.045 0.006", DARK),
+    ("-0.02 0.33 0.70", "0.15 0.055 0.115", BAG),
+    ("-0.02 0.388 0.735", "0.13 0.006 0.060", "0.63 0.45 0.27 1"),
+    ("0.335 -0.235 1.275", "0.008 0.055 0.085", WHITE),
+)
+MARKERS = (
+    (0.0, 0.0, 1.778),
+    (0.03, 0.205, 1.475),
+    (0.03, -0.205, 1.475),
+    (-0.13, 0.0, 1.40),
+    (0.14, 0.05, 1.16),
+    (0.14, -0.09, 0.95),
+)
+
+
+def visitor_body(feet: Vec2, yaw: float) -> str:
+    """Return the MJCF of the visitor as mocap body "visitor" with sites "visitor_marker_0" to "visitor_marker_5".
+
+    Args:
+        feet: where the visitor stands [m].
+        yaw: where the visitor faces [rad].
+    """
+    lines = [f'<body name="{NAME}" mocap="true" pos="{feet[0]} {feet[1]} 0" quat="{cos(yaw / 2):.9g} 0 0 {sin(yaw / 2):.9g}">']
+    shapes = (
+        *(f'type="capsule" fromto="{line}" size="{radius}" rgba="{rgba}"' for line, radius, rgba in CAPSULES),
+        *(f'type="ellipsoid" pos="{at}" size="{size}" rgba="{rgba}"' for at, size, rgba in ELLIPSOIDS),
+        *(f'type="box" pos="{at}" size="{size}" rgba="{rgba}"' for at, size, rgba in BOXES),
+    )
+    lines += [f'  <geom name="{NAME} {n}" {shape} material="cloth"/>' for n, shape in enumerate(shapes)]
+    lines += [
+        f'  <site name="{NAME}_marker_{n}" pos="{x} {y} {z}" size="0.007" rgba="0.9 0.9 0.9 1" group="4"/>'
+        for n, (x, y, z) in enumerate(MARKERS)
+    ]
+    return "\n".join([*lines, "</body>"])
