@@ -80,8 +80,7 @@ def state_bits(onboard: Onboard, link: Link, demo: bool) -> int:
     """Return the 32 state bits of the header; ``demo`` tells the chosen kind of navdata."""
     flying = onboard.flight in AIRBORNE
     conditions = (
-        (flying, DroneState.FLYING | DroneState.VISION),
-        (onboard.flight is Flight.TAKING_OFF, DroneState.USER_START),
+        (flying, DroneState.FLYING | DroneState.VISION | DroneState.USER_START),
         (link.acknowledged, DroneState.COMMAND_ACK),
         (demo and not link.bootstrap, DroneState.NAVDATA_DEMO),
         (link.bootstrap, DroneState.NAVDATA_BOOTSTRAP),

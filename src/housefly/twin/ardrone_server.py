@@ -68,6 +68,11 @@ class ArDroneServer:
         """The camera whose pictures the client wants."""
         return self._config.camera
 
+    @property
+    def viewers(self) -> int:
+        """How many clients watch the video."""
+        return self._video.viewers
+
     async def start(self) -> None:
         """Open the four ports; raises LinkError when one of them cannot be had."""
         self._world.set_limits(self._config.limits)

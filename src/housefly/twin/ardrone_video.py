@@ -110,6 +110,11 @@ class VideoPort:
         self._server: asyncio.Server | None = None
         self._bytes_sent = 0
 
+    @property
+    def viewers(self) -> int:
+        """How many clients are connected."""
+        return len(self._viewers)
+
     async def start(self, address: str) -> None:
         """Listen; raises OSError when the address is taken."""
         loop = asyncio.get_running_loop()
