@@ -78,19 +78,20 @@ def drone_body(config: DroneConfig, home: Vec2, home_yaw: float) -> str:
 
 def _hull(length: float, width: float) -> list[str]:
     """Approximate the foam ring by eight capsules round a plate, and the belly by a box."""
-    x, y = length / 2 - _FOAM_RADIUS, width / 2 - _FOAM_RADIUS
-    cut = min(_CORNER_CUT, x, y)
+    foam = min(_FOAM_RADIUS, length / 4, width / 4)
+    x, y = length / 2 - foam, width / 2 - foam
+    cut = min(_CORNER_CUT, 0.8 * x, 0.8 * y)
     corners = [
         (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut),
         (-x, cut - y), (cut - x, -y), (x - cut, -y), (x, cut - y),
     ]  # fmt: skip
     solid = f'group="{HULL_GROUP}" mass="0" friction="0.6 0.005 0.0001" solref="0.02 1" rgba="{_FOAM}"'
     ring = [
-        f'<geom name="drone_hull_{n}" type="capsule" size="{_FOAM_RADIUS}" fromto="{_numbers(*a, 0.0, *b, 0.0)}" {solid}/>'
+        f'<geom name="drone_hull_{n}" type="capsule" size="{foam}" fromto="{_numbers(*a, 0.0, *b, 0.0)}" {solid}/>'
         for n, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True))
     ]
-    plate = f'<geom name="drone_plate" type="box" size="{_numbers(x - 0.06, y - 0.06, 0.02)}" {solid}/>'
-    belly = f'<geom name="drone_belly" type="box" size="{_numbers(*_BELLY)}" {solid}/>'
+    plate = f'<geom name="drone_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, 0.02)}" {solid}/>'
+    belly = f'<geom name="drone_belly" type="box" size="{_numbers(min(_BELLY[0], x), min(_BELLY[1], y), _BELLY[2])}" {solid}/>'
     return [*ring, plate, belly]
 
 

@@ -1,7 +1,7 @@
 """The simulated room as the pilot's shell sees it, with the wires cut out: stepped time, same rates, delays and habits.
 
-What the AR.Drone driver does on its wire happens here by calls: commands are repeated at its cadence, a change of action leaves at
-once, requests go on until the drone shows that it understood, the emergency toggle is sent only when it is needed, a silent
+What the AR.Drone driver does on its wire happens here by calls: commands are repeated at its cadence, a change of action leaves
+at once, requests go on until the drone shows that it understood, the emergency toggle is sent only when it is needed, a silent
 pilot makes the drone hover and then land.
 """
 
@@ -52,7 +52,7 @@ class LockstepRoom:
         self._next_beat = world.now
         self._toggled_at = -TOGGLE_PATIENCE
         self._actions: dict[Action, Callable[[Setpoint], None]] = {
-            Action.IDLE: lambda setpoint: None,
+            Action.IDLE: lambda setpoint: self._idle(),
             Action.TAKE_OFF: lambda setpoint: self._world.request_take_off(),
             Action.FLY: lambda setpoint: self._world.stick(stick_of(setpoint, self._limits)),
             Action.HOVER: lambda setpoint: self._world.stick(Stick(hover=True)),
@@ -111,6 +111,11 @@ class LockstepRoom:
             command = Command(Action.LAND if silence > LAND_AFTER else Action.HOVER)
         self._actions[command.action](command.setpoint)
 
+    def _idle(self) -> None:
+        """Keep the take-off bit clear on the ground, where that says only that nobody asks for a flight."""
+        if self._world.onboard().flight in _GROUNDED:
+            self._world.request_land()
+
     def _toggle(self, *, wanted: bool) -> None:
         emergency = self._world.onboard().flight is Flight.EMERGENCY
         if emergency is not wanted and self.now - self._toggled_at >= TOGGLE_PATIENCE:
@@ -119,6 +124,7 @@ class LockstepRoom:
 
 
 _MOVING = frozenset({Action.TAKE_OFF, Action.FLY, Action.HOVER})
+_GROUNDED = frozenset({Flight.LANDED, Flight.EMERGENCY})
 
 
 def stick_of(setpoint: Setpoint, limits: OnboardLimits) -> Stick:

@@ -8,7 +8,7 @@ A body is seen when three of its markers are each seen by two cameras. A room wi
 from __future__ import annotations
 
 from collections import deque
-from math import tan
+from math import hypot, tan
 from typing import Any
 
 import mujoco
@@ -41,8 +41,9 @@ class Cameras:
         self._axes = np.array(axes).reshape(-1, 3, 3).transpose(0, 2, 1)
         self._slopes = np.array([[tan(angle / 2) for angle in camera.field_of_view] for camera in cameras]).reshape(-1, 2)
         self._reach = np.array([camera.reach for camera in cameras])
+        self._geom = np.zeros(1, np.int32)
 
-    def see(self, markers: Array, own_body: int, groups: Array | None = None) -> bool:
+    def see(self, markers: Array, own_body: int, groups: NDArray[np.uint8] | None = None) -> bool:
         """Tell whether enough of these markers are seen by enough cameras.
 
         Args:
@@ -54,15 +55,13 @@ class Cameras:
             return True
         rays = self._positions[:, None, :] - markers[None, :, :]
         in_view = self._in_view(rays)
-        good, left = 0, len(markers)
-        for index in range(len(markers)):
+        good = 0
+        for index, marker in enumerate(markers):
             candidates = rays[in_view[:, index], index]
-            if len(candidates) >= CAMERAS_NEEDED and self._free(markers[index], candidates, own_body, groups) >= CAMERAS_NEEDED:
-                good += 1
-            left -= 1
-            if good >= MARKERS_NEEDED or good + left < MARKERS_NEEDED:
-                break
-        return good >= MARKERS_NEEDED
+            good += len(candidates) >= CAMERAS_NEEDED and self._enough_reach_it(marker, candidates, own_body, groups)
+            if good >= MARKERS_NEEDED:
+                return True
+        return False
 
     def _in_view(self, rays: Array) -> NDArray[np.bool_]:
         """Return which camera may see which marker, walls aside; rays run from marker to camera, shape (cameras, markers, 3)."""
@@ -73,21 +72,28 @@ class Cameras:
         result: NDArray[np.bool_] = inside & near
         return result
 
-    def _free(self, marker: Array, rays: Array, own_body: int, groups: Array | None) -> int:
-        """Return how many of the rays from one marker reach their camera."""
-        lengths = np.sqrt(np.einsum("ij,ij->i", rays, rays))
-        directions = (rays / lengths[:, None]).ravel()
-        count = len(lengths)
-        geoms, hits = np.empty(count, np.int32), np.empty(count)
-        mujoco.mj_multiRay(
-            self._model, self._data, marker, directions, groups, 1, own_body, geoms, hits, None, count, float(lengths.max())
-        )
-        return int(np.count_nonzero((hits < 0) | (hits > lengths - _CAMERA_SIZE)))
+    def _enough_reach_it(self, marker: Array, rays: Array, own_body: int, groups: NDArray[np.uint8] | None) -> bool:
+        """Tell whether enough of the rays from a marker reach their camera; stops at the last one needed.
+
+        One call for each ray: MuJoCo prepares a batch by looking at every geom of the room, which costs more than twenty rays.
+        """
+        reached = 0
+        for ray in rays:
+            share = mujoco.mj_ray(self._model, self._data, marker, ray, groups, 1, own_body, self._geom)
+            reached += share < 0.0 or share > self._housing(ray)
+            if reached >= CAMERAS_NEEDED:
+                return True
+        return False
+
+    @staticmethod
+    def _housing(ray: Array) -> float:
+        """Return the share of a ray beyond which a hit is the camera's own housing or bracket."""
+        return 1.0 - _CAMERA_SIZE / hypot(*ray)
 
 
 _AXES: tuple[Vec3, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _CAMERA_SIZE = 0.15
-"""A hit this close to the camera is the camera's own housing or bracket [m]."""
+"""Size of a camera with its bracket [m]."""
 
 
 class FrameMaker:
