@@ -1,0 +1,63 @@
+"""The command socket: AT commands to UDP port 5556, numbered."""
+
+from __future__ import annotations
+
+import asyncio
+
+from housefly.clock import Clock
+from housefly.drones.ardrone.numbering import Numbering
+from housefly.errors import LinkError
+from housefly.wires.ardrone import at
+
+
+class CommandLink(asyncio.DatagramProtocol):
+    """Sends datagrams of commands; nothing is ever received here.
+
+    Attributes:
+        numbering: of all commands on this link.
+        datagrams: how many were sent.
+    """
+
+    def __init__(self, address: str, clock: Clock) -> None:
+        self.numbering = Numbering()
+        self.datagrams = 0
+        self._address = address
+        self._clock = clock
+        self._transport: asyncio.DatagramTransport | None = None
+
+    async def open(self) -> None:
+        """Open the socket; raises LinkError when the address cannot be used."""
+        if self._transport is not None:
+            return
+        loop = asyncio.get_running_loop()
+        try:
+            self._transport, _ = await loop.create_datagram_endpoint(lambda: self, remote_addr=(self._address, at.COMMAND_PORT))
+        except OSError as error:
+            raise LinkError(f"cannot open a socket to {self._address}:{at.COMMAND_PORT}: {error.strerror or error}") from error
+
+    @property
+    def is_open(self) -> bool:
+        """Whether ``send`` goes anywhere."""
+        return self._transport is not None
+
+    def send(self, *commands: at.Command) -> None:
+        """Send commands as one datagram at once; without a socket they are dropped."""
+        if self._transport is None:
+            return
+        first = self.numbering.take(len(commands), self._clock.now())
+        self._transport.sendto(at.encode_datagram(first, commands))
+        self.datagrams += 1
+
+    def close(self) -> None:
+        """Close the socket."""
+        if self._transport is not None:
+            self._transport.abort()
+            self._transport = None
+
+    def error_received(self, exc: Exception) -> None:
+        """Ignore that nobody listens there yet: commands are repeated anyway."""
+
+
+def led_value(animation: int, frequency_hz: float, seconds: int) -> str:
+    """Return the value of ``leds:leds_anim``: animation number, bits of the frequency, duration [s]."""
+    return f"{animation},{at.float_to_bits(frequency_hz)},{seconds}"
