@@ -1,22 +1,18 @@
 """Vicon DataStream (the CGStream protocol of Vicon Tracker): pure codec, both sides of the wire."""
 
-from housefly.wires.vicon.items import (
+from housefly.wires.vicon.frame import (
     ROOT,
     ApplicationInfo,
     Contents,
     FrameInfo,
     GlobalSegments,
-    Item,
     LatencyInfo,
-    ObjectEnums,
-    Ping,
-    RequestFrame,
-    RequestNextFrame,
     Segment,
     SegmentPose,
     StreamInfo,
     SubjectInfo,
 )
+from housefly.wires.vicon.handshake import Item, ObjectEnums, Ping, RequestFrame, RequestNextFrame
 from housefly.wires.vicon.packet import HEADER_SIZE, MAX_PACKET, decode_packet, encode_packet, packet_length
 from housefly.wires.vicon.rotation import matrix_from_quaternion, quaternion_from_matrix
 

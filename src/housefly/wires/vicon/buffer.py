@@ -57,6 +57,10 @@ class Reader:
         start, self._at = self._at, self._at + length
         return self._data[start : self._at].decode("utf-8", errors="replace")
 
+    def numbers(self) -> frozenset[int]:
+        """Read a counted set of unsigned 32-bit numbers."""
+        return frozenset(self.u32() for _ in range(self.count(U32.size)))
+
     def skip(self, length: int) -> Reader:
         """Return a reader of the next ``length`` bytes and step over them."""
         if length > self.left:
@@ -89,3 +93,9 @@ class Writer:
             raise WireError(f"a Vicon name has at most {MAX_NAME} bytes, not {len(encoded)}")
         self.u32(len(encoded))
         self.data += encoded
+
+    def numbers(self, numbers: frozenset[int]) -> None:
+        """Append a counted set of unsigned 32-bit numbers, in ascending order as the SDK does."""
+        self.u32(len(numbers))
+        for number in sorted(numbers):
+            self.u32(number)

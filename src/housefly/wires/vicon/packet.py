@@ -7,7 +7,16 @@ from collections.abc import Iterable
 
 from housefly.errors import WireError
 from housefly.wires.vicon.buffer import Reader, Writer
-from housefly.wires.vicon.items import ITEMS, Item
+from housefly.wires.vicon.frame import (
+    ApplicationInfo,
+    Contents,
+    FrameInfo,
+    GlobalSegments,
+    LatencyInfo,
+    StreamInfo,
+    SubjectInfo,
+)
+from housefly.wires.vicon.handshake import Item, ObjectEnums, Ping, RequestFrame, RequestNextFrame
 
 _HEADER = struct.Struct("<II")
 _OBJECTS = 0x1A2B0001
@@ -16,6 +25,24 @@ HEADER_SIZE = _HEADER.size
 MAX_PACKET = 4 * 1024 * 1024
 """Largest packet body accepted [bytes]; a frame of a hundred subjects has about 60 kB."""
 _MAX_BLOCKS = 4096
+
+ITEMS: dict[int, type[Item]] = {
+    item.KIND: item
+    for item in (
+        ObjectEnums,
+        RequestFrame,
+        RequestNextFrame,
+        Ping,
+        Contents,
+        StreamInfo,
+        ApplicationInfo,
+        SubjectInfo,
+        FrameInfo,
+        LatencyInfo,
+        GlobalSegments,
+    )
+}
+"""Every kind that the codec reads."""
 
 
 def packet_length(header: bytes, largest: int = MAX_PACKET) -> int:

@@ -6,7 +6,7 @@ from math import isfinite, sqrt
 
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, normalized
-from housefly.wires.vicon.items import Matrix
+from housefly.wires.vicon.frame import Matrix
 
 TOLERANCE = 1e-3
 """How far a matrix may be from orthonormal, per element of R R^T - 1 and of the determinant."""

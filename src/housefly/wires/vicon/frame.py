@@ -1,4 +1,4 @@
-"""The objects of a CGStream packet that Housefly speaks; each knows its own layout.
+"""The objects of a frame that Housefly speaks; each knows its own layout.
 
 Facts: reference/bus-and-interop.md section 5, measured against the SDK's own client. All other kinds are skipped by length.
 """
@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
-from typing import ClassVar, Protocol, Self
+from typing import ClassVar, Self
 
 from housefly.geometry import Vec3
-from housefly.wires.vicon.buffer import F64, I64, U8, U32, U64, Reader, Writer
+from housefly.wires.vicon.buffer import F64, I64, U8, U32, Reader, Writer
 
 ROOT = 0xFFFFFFFF
 """Parent of a subject's root segment."""
@@ -20,89 +20,6 @@ Matrix = tuple[float, float, float, float, float, float, float, float, float]
 _SEGMENT_HEAD = struct.Struct("<II6f")
 _SEGMENT_POSE = struct.Struct("<I12d")
 _PAIR = struct.Struct("<II")
-
-
-class Item(Protocol):
-    """One object of a packet."""
-
-    KIND: ClassVar[int]
-
-    def write(self, out: Writer) -> None:
-        """Append the body, without its header."""
-        ...
-
-    @classmethod
-    def read(cls, source: Reader) -> Self:
-        """Read the body; raises WireError. What follows the known fields is ignored, as newer servers append fields."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class ObjectEnums:
-    """The kinds that a server offers (first packet) or that a client asks for."""
-
-    KIND: ClassVar[int] = 100001
-    kinds: frozenset[int]
-
-    def write(self, out: Writer) -> None:
-        """Append the body."""
-        _write_set(out, self.kinds)
-
-    @classmethod
-    def read(cls, source: Reader) -> Self:
-        """Read the body."""
-        return cls(_read_set(source))
-
-
-@dataclass(frozen=True, slots=True)
-class RequestFrame:
-    """The client wants every frame (``streaming``), or just the present one."""
-
-    KIND: ClassVar[int] = 100002
-    streaming: bool
-
-    def write(self, out: Writer) -> None:
-        """Append the body."""
-        out.put(U8, self.streaming)
-
-    @classmethod
-    def read(cls, source: Reader) -> Self:
-        """Read the body."""
-        return cls(source.take(U8)[0] != 0)
-
-
-@dataclass(frozen=True, slots=True)
-class RequestNextFrame:
-    """The client wants this many of the coming frames."""
-
-    KIND: ClassVar[int] = 100008
-    number: int = 1
-
-    def write(self, out: Writer) -> None:
-        """Append the body."""
-        out.u32(self.number)
-
-    @classmethod
-    def read(cls, source: Reader) -> Self:
-        """Read the body."""
-        return cls(source.u32())
-
-
-@dataclass(frozen=True, slots=True)
-class Ping:
-    """Echoed by the server as it came."""
-
-    KIND: ClassVar[int] = 42
-    identity: int
-
-    def write(self, out: Writer) -> None:
-        """Append the body."""
-        out.put(U64, self.identity)
-
-    @classmethod
-    def read(cls, source: Reader) -> Self:
-        """Read the body."""
-        return cls(int(source.take(U64)[0]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,13 +35,13 @@ class Contents:
         out.u32(len(self.numbers))
         for kind, number in self.numbers:
             out.put(_PAIR, kind, number)
-        _write_set(out, self.unchanged)
+        out.numbers(self.unchanged)
 
     @classmethod
     def read(cls, source: Reader) -> Self:
         """Read the body."""
         pairs = [source.take(_PAIR) for _ in range(source.count(_PAIR.size))]
-        return cls(tuple((int(kind), int(number)) for kind, number in pairs), _read_set(source))
+        return cls(tuple((int(kind), int(number)) for kind, number in pairs), source.numbers())
 
 
 @dataclass(frozen=True, slots=True)
@@ -273,32 +190,3 @@ class GlobalSegments:
             a, b, c, d, e, f, g, h, i = rotation
             segments.append(SegmentPose(int(identity), (x, y, z), (a, b, c, d, e, f, g, h, i)))
         return cls(subject, tuple(segments))
-
-
-ITEMS: dict[int, type[Item]] = {
-    item.KIND: item
-    for item in (
-        ObjectEnums,
-        RequestFrame,
-        RequestNextFrame,
-        Ping,
-        Contents,
-        StreamInfo,
-        ApplicationInfo,
-        SubjectInfo,
-        FrameInfo,
-        LatencyInfo,
-        GlobalSegments,
-    )
-}
-"""Every kind that the codec reads."""
-
-
-def _write_set(out: Writer, kinds: frozenset[int]) -> None:
-    out.u32(len(kinds))
-    for kind in sorted(kinds):
-        out.u32(kind)
-
-
-def _read_set(source: Reader) -> frozenset[int]:
-    return frozenset(source.u32() for _ in range(source.count(U32.size)))
