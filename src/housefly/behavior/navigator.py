@@ -1,0 +1,43 @@
+"""What behavior asks of whoever knows the room: where a place is, and the way there."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from housefly.behavior.errand import Mission
+from housefly.behavior.tracking import Track
+from housefly.geometry import Vec2
+from housefly.messages import Order, Path, PlanAnswer
+
+
+class Follower(Protocol):
+    """A path and how far the drone was sent on it; mode default and mode paper have one each."""
+
+    def step(self, position: Vec2, moving: bool, dt: float) -> Track:
+        """Go on by dt [s] with the drone at a position [m] and return what to track."""
+        ...
+
+    @property
+    def goal(self) -> Vec2:
+        """The end of the path [m]."""
+        ...
+
+
+class Navigator(Protocol):
+    """Knows the room and plans in it."""
+
+    def mission(self, order: Order) -> Mission | str:
+        """Return what an order means in this room, or in words why it means nothing."""
+        ...
+
+    def home(self) -> Mission:
+        """Return the mission that comes home and lands."""
+        ...
+
+    def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
+        """Return the way; a start in a blocked cell is left by the shortest straight line first."""
+        ...
+
+    def follower(self, path: Path, yaw: float) -> Follower:
+        """Return a follower of the mode for this path, starting at heading yaw [rad]."""
+        ...

@@ -1,0 +1,42 @@
+"""What behavior knows at one step."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.geometry import Vec2
+from housefly.messages import DroneStatus, Estimate
+
+LANDED_OR_CUT = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY, DroneStatus.UNKNOWN})
+"""States in which the drone may be standing somewhere."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """The drone's word, its place and the gate's last verdict.
+
+    Attributes:
+        now: time [s].
+        status: what the drone last said of itself.
+        battery: charge, 0 to 1.
+        telemetry_age: [s].
+        estimate: where it is, None before the first sighting.
+        landing_forced: the safety gate is landing the drone.
+    """
+
+    now: float
+    status: DroneStatus
+    battery: float
+    telemetry_age: float
+    estimate: Estimate | None
+    landing_forced: bool
+
+    @property
+    def place(self) -> Vec2 | None:
+        """Position in the plane [m]."""
+        return self.estimate.position[:2] if self.estimate else None
+
+    @property
+    def pose_age(self) -> float:
+        """Age of the pose [s]; infinite before the first."""
+        return self.estimate.pose_age if self.estimate else float("inf")

@@ -1,0 +1,78 @@
+"""The part that both estimators share: the drone's own sightings, checked, in order, with a restart on the ground."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from math import inf
+
+from housefly.estimation.height_yaw import HeightAndYaw
+from housefly.estimation.intake import Complaints, Refusal, Refused, fault_of
+from housefly.messages import Event, Severity, Sighting
+
+RESTART_AFTER = 0.5
+"""On the ground, after refusing jumps for this long, the new place is believed [s]."""
+
+
+class Door(ABC):
+    """Lets believable sightings of one body into a filter; the filter itself is in the subclasses."""
+
+    def __init__(self, body: str, position_noise: float) -> None:
+        self._body = body
+        self._position_noise = position_noise
+        self._complaints = Complaints()
+        self._last_capture = -inf
+        self._upright: HeightAndYaw | None = None
+
+    @property
+    def refused(self) -> Refused:
+        """How many sightings were not believed, and why."""
+        return self._complaints.refused
+
+    def see(self, sightings: tuple[Sighting, ...], now: float, grounded: bool) -> tuple[Event, ...]:
+        """Take in sightings of the drone's body; on the ground the filter may start anew where the drone was carried to."""
+        events: list[Event] = []
+        for sighting in sightings:
+            if sighting.body == self._body:
+                events.extend(self._see_one(sighting, now, grounded))
+        return tuple(events)
+
+    def _see_one(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
+        fault = fault_of(sighting, now, self._last_capture)
+        if fault is not None:
+            return self._complaints.refuse(fault, now)
+        if self._upright is None:
+            self._begin(sighting, now)
+            return ()
+        if self._upright.believes(sighting.pose, sighting.captured_at) and self._believes(sighting, now):
+            self._upright.take(sighting.pose, sighting.captured_at)
+            self._take(sighting, now)
+            self._last_capture = sighting.captured_at
+            self._complaints.believed()
+            return ()
+        return self._refuse_jump(sighting, now, grounded)
+
+    def _refuse_jump(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
+        events = self._complaints.refuse(Refusal.JUMP, now)
+        since = self._complaints.refused_since
+        if not grounded or since is None or now - since < RESTART_AFTER:
+            return events
+        self._begin(sighting, now)
+        return (Event(now, Severity.INFO, "tracking_restarted", "the drone was moved on the ground: tracking starts anew"),)
+
+    def _begin(self, sighting: Sighting, now: float) -> None:
+        self._upright = HeightAndYaw(sighting.pose, sighting.captured_at, self._position_noise)
+        self._last_capture = sighting.captured_at
+        self._complaints.believed()
+        self._start(sighting, now)
+
+    @abstractmethod
+    def _start(self, sighting: Sighting, now: float) -> None:
+        """Start the horizontal filter at this sighting."""
+
+    @abstractmethod
+    def _believes(self, sighting: Sighting, now: float) -> bool:
+        """Return whether the drone can be there."""
+
+    @abstractmethod
+    def _take(self, sighting: Sighting, now: float) -> None:
+        """Correct the horizontal filter."""

@@ -1,0 +1,279 @@
+"""A closed loop for the pilot: the reduced-order drone with a small firmware, and a stamped, noisy, lossy tracking system."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+import pytest
+
+from housefly.config import Site, changed
+from housefly.control.model import Body, Constants, body_step
+from housefly.geometry import Vec2, Vec3, distance, quaternion_from_euler
+from housefly.messages import (
+    Action,
+    Behavior,
+    Command,
+    DroneStatus,
+    Event,
+    Inputs,
+    Order,
+    OrderKind,
+    Outputs,
+    Phase,
+    Pose,
+    Sighting,
+    Telemetry,
+)
+from housefly.pilot import Pilot
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Place, Room, Shape, Solid
+
+TICK = 0.01
+
+
+def make_room() -> Room:
+    """A hall of 12.5 m x 5 m with a wall stub in the way to the door."""
+    block = Solid("block", "block", Shape.BOX, (6.0, 1.0, 1.0), (0.5, 2.0, 2.0))
+    places = (
+        Place("home", (2.0, 1.25), (4.0, 1.25, 1.0)),
+        Place("entrance", (10.75, 1.25), (10.75, 0.0, 1.5), "Entrance"),
+    )
+    return Room("hall", (0.0, 0.0, 12.5, 5.0), 2.6, (block,), places, (), (2.0, 1.25))
+
+
+def make_grid(resolution: float, keep: float) -> OccupancyGrid:
+    """The map of the hall: the block at x 5.75..6.25, y 0..2, grown by ``keep`` [m]."""
+    nx, ny = round(12.5 / resolution), round(5.0 / resolution)
+    x = (np.arange(nx) + 0.5)[:, None] * resolution
+    y = (np.arange(ny) + 0.5)[None, :] * resolution
+    block = np.hypot(np.maximum(0.0, np.abs(x - 6.0) - 0.25), np.maximum(0.0, y - 2.0))
+    walls = np.minimum(np.minimum(x, 12.5 - x), np.minimum(y, 5.0 - y))
+    clearance = np.minimum(block, walls)
+    cells = np.where(clearance < keep, Cell.INFLATED, Cell.FREE).astype(np.uint8)
+    cells[block <= 0.0] = Cell.OCCUPIED
+    return OccupancyGrid((0.0, 0.0), resolution, cells, clearance)
+
+
+@dataclass
+class Tracking:
+    """How the tracking system misbehaves: rate [Hz], latency [s], noise [m], share of lost frames, gaps (from, to) [s]."""
+
+    rate_hz: float = 100.0
+    latency: float = 0.02
+    noise: float = 0.001
+    loss: float = 0.0
+    gaps: tuple[tuple[float, float], ...] = ()
+
+
+@dataclass
+class Score:
+    """What a flight was worth, measured on the truth."""
+
+    errors: list[float] = field(default_factory=list)
+    switches: int = 0
+    flown_s: float = 0.0
+
+    @property
+    def rms(self) -> float:
+        """Root mean square distance from the path while flying it [m]."""
+        return float(np.sqrt(np.mean(np.square(self.errors))))
+
+
+class Flight:
+    """One pilot, one drone, one clock."""
+
+    def __init__(
+        self,
+        site: Site,
+        tracking: Tracking | None = None,
+        constants: Constants | None = None,
+        wind: Vec2 = (0.0, 0.0),
+        delay: float = 0.06,
+        seed: int = 1,
+    ) -> None:
+        self.site, self.room = site, make_room()
+        self.grid = make_grid(0.5, 0.3) if site.mode == "paper" else make_grid(0.1, 0.5)
+        self.pilot = Pilot(site, self.room, self.grid)
+        self.tracking = tracking or Tracking()
+        self.constants = constants or Constants()
+        self.wind = wind
+        self.random = np.random.default_rng(seed)
+        self.now, self.frame = 0.0, 0
+        self.body = Body(x=self.room.home[0], y=self.room.home[1], psi=self.room.home_yaw)
+        self.status, self.since = DroneStatus.LANDED, 0.0
+        self.battery = 0.9
+        self.talks = True
+        self.pending: deque[tuple[float, Command]] = deque()
+        self.delay = delay
+        self.command = Command(Action.IDLE)
+        self.in_flight: list[Sighting] = []
+        self.outputs: Outputs | None = None
+        self.events: list[Event] = []
+        self.phases: list[Phase] = []
+        self.score = Score()
+        self.heard = Telemetry(0.0, DroneStatus.LANDED, self.battery)
+
+    # --- the drone ---
+
+    def _firmware(self) -> None:
+        action = self.command.action
+        if action is Action.CUT and self.status is not DroneStatus.EMERGENCY:
+            self._become(DroneStatus.EMERGENCY)
+        elif action is Action.RESET and self.status is DroneStatus.EMERGENCY:
+            self._become(DroneStatus.LANDED)
+        elif action is Action.TAKE_OFF and self.status is DroneStatus.LANDED:
+            self._become(DroneStatus.TAKING_OFF)
+        elif self.status is DroneStatus.TAKING_OFF and self.now - self.since > 4.0:
+            self._become(DroneStatus.FLYING)
+        elif action is Action.LAND and self.status in (DroneStatus.FLYING, DroneStatus.TAKING_OFF):
+            self._become(DroneStatus.LANDING)
+        elif self.status is DroneStatus.LANDING and self.body.z <= 0.02:
+            self._become(DroneStatus.LANDED)
+
+    def _become(self, status: DroneStatus) -> None:
+        self.status, self.since = status, self.now
+
+    def _fly(self) -> None:
+        while self.pending and self.pending[0][0] <= self.now + 1e-9:
+            self.command = self.pending.popleft()[1]
+        self._firmware()
+        b, wind = self.body, self.wind
+        wanted = (0.0, 0.0, 0.0, 0.0)
+        if self.status is DroneStatus.FLYING and self.command.action is Action.FLY:
+            s = self.command.setpoint
+            wanted = (s.theta, s.phi, s.vz, s.yaw_rate)
+        elif self.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
+            self.body = Body(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * TICK), psi=b.psi)
+            return
+        else:
+            climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(self.status, 0.0)
+            flow = self.random.normal(0.0, 0.02, 2)
+            c, s = np.cos(b.psi), np.sin(b.psi)
+            ax, ay = -0.8 * (b.vx + flow[0]) - wind[0], -0.8 * (b.vy + flow[1]) - wind[1]
+            wanted = (0.1 * (c * ax + s * ay), -0.1 * (-s * ax + c * ay), climb * 1.5, 0.0)
+        for _ in range(2):
+            self.body = body_step(self.body, *wanted, wind, self.constants, TICK / 2)
+
+    # --- the tracking system ---
+
+    def _look(self) -> tuple[Sighting, ...]:
+        t = self.tracking
+        while self.frame / t.rate_hz <= self.now + 1e-9:
+            at = self.frame / t.rate_hz
+            self.frame += 1
+            blind = any(a <= at < b for a, b in t.gaps) or self.random.random() < t.loss
+            noise = self.random.normal(0.0, t.noise, 4)
+            if blind:
+                continue
+            b = self.body
+            position: Vec3 = (b.x + noise[0], b.y + noise[1], b.z + noise[2])
+            pose = Pose(position, quaternion_from_euler(b.phi, b.theta, b.psi + 2.0 * noise[3]))
+            self.in_flight.append(Sighting("ardrone", pose, at, at + t.latency))
+        arrived = tuple(s for s in self.in_flight if s.received_at <= self.now + 1e-9)
+        self.in_flight = [s for s in self.in_flight if s.received_at > self.now + 1e-9]
+        return arrived
+
+    # --- the loop ---
+
+    def order(self, kind: OrderKind, **values: object) -> Order:
+        """Return an order given now."""
+        return Order(kind, issued_at=self.now, **values)  # type: ignore[arg-type]
+
+    def step(self, *orders: Order) -> Outputs:
+        """Run one tick of the loop."""
+        self.now = round(self.now + TICK, 6)
+        self._fly()
+        if self.talks and round(self.now / TICK) % 5 == 0:
+            self.heard = Telemetry(self.now, self.status, self.battery)
+        before = self.outputs.behavior if self.outputs else Behavior.HOVER
+        self.outputs = self.pilot.step(self.now, Inputs(self._look(), self.heard, orders))
+        self.pending.append((self.now + self.delay, self.outputs.command))
+        self.events.extend(self.outputs.events)
+        if not self.phases or self.phases[-1] is not self.outputs.phase:
+            self.phases.append(self.outputs.phase)
+        if self.outputs.phase in (Phase.OUTBOUND, Phase.RETURNING):
+            self._measure(before)
+        return self.outputs
+
+    def _measure(self, before: Behavior) -> None:
+        assert self.outputs is not None
+        self.score.flown_s += TICK
+        self.score.switches += self.outputs.behavior is not before
+        if self.outputs.path is not None:
+            points = self.outputs.path.waypoints
+            here = (self.body.x, self.body.y)
+            self.score.errors.append(min(from_segment(here, a, b) for a, b in pairwise(points)))
+
+    def run(self, seconds: float) -> Outputs:
+        """Run for this long."""
+        for _ in range(round(seconds / TICK)):
+            outputs = self.step()
+        return outputs
+
+    def until(self, done: Callable[[Outputs], bool], limit: float = 120.0) -> Outputs:
+        """Run until something is true; fails when it does not become true in time."""
+        end = self.now + limit
+        while self.now < end:
+            outputs = self.step()
+            if done(outputs):
+                return outputs
+        raise AssertionError(f"did not happen within {limit} s; phase {outputs.phase}, events {[e.text for e in self.events]}")
+
+    def service(self, limit: float = 150.0) -> Score:
+        """Fly the whole service and return its score."""
+        self.run(0.5)
+        self.step(self.order(OrderKind.SERVICE, place="entrance", look_s=2.0))
+        self.until(lambda o: o.phase is Phase.IDLE and self.status is DroneStatus.LANDED, limit)
+        return self.score
+
+    def take_off(self) -> Outputs:
+        """Take off and hold."""
+        self.run(0.5)
+        self.step(self.order(OrderKind.TAKE_OFF))
+        self.until(lambda o: o.phase is Phase.HOLDING, 10.0)
+        return self.run(2.0)
+
+    @property
+    def home_error(self) -> float:
+        """Distance from the pad [m]."""
+        return distance((self.body.x, self.body.y), self.room.home)
+
+    @property
+    def speed(self) -> float:
+        """Speed over the ground [m/s]."""
+        return hypot(self.body.vx, self.body.vy)
+
+    def told(self, code: str) -> bool:
+        """Whether an event with this code was given."""
+        return any(event.code == code for event in self.events)
+
+
+def from_segment(p: Vec2, a: Vec2, b: Vec2) -> float:
+    """Distance of a point from a segment [m]."""
+    dx, dy = b[0] - a[0], b[1] - a[1]
+    length = dx * dx + dy * dy
+    share = 0.0 if length == 0.0 else min(1.0, max(0.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length))
+    return hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy)
+
+
+@pytest.fixture
+def fly() -> Callable[..., Flight]:
+    """Return a maker of flights: ``fly(mode="paper", rate_hz=30, loss=0.2, ...)``; other names are dotted keys of the site."""
+
+    def make(
+        mode: str = "default",
+        constants: Constants | None = None,
+        wind: Vec2 = (0.0, 0.0),
+        delay: float = 0.06,
+        seed: int = 1,
+        tracking: dict[str, object] | None = None,
+        **keys: object,
+    ) -> Flight:
+        return Flight(changed(Site(), mode=mode, **keys), Tracking(**(tracking or {})), constants, wind, delay, seed)  # type: ignore[arg-type]
+
+    return make
