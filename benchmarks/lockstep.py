@@ -61,8 +61,8 @@ def main() -> None:
     for name, figure in rows:
         print(f"| {name} | {figure:.0f} | {figure / rows[0][1]:.0%} |")
     print(
-        "\nThe simulated world (200 Hz firmware, sensors, battery, 18 cameras' rays) in flight on one core against MuJoCo alone on "
-        "the same model in the same run; goal: at least 50 times real time."
+        "\nThe simulated world (200 Hz firmware, sensors, battery, 18 cameras' rays) in flight on one core against MuJoCo alone "
+        "on the same model in the same run; goal: at least 50 times real time."
     )
 
 

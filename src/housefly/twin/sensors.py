@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from housefly.geometry import GRAVITY, Quaternion, Vec3, euler_from_quaternion, rotate
+from housefly.geometry import GRAVITY, Quaternion, Vec3, euler_from_quaternion, rotate, wrap_angle
 from housefly.twin.body import STANDING_HEIGHT
 
 PERIOD = 0.005
@@ -105,10 +105,9 @@ class Sensors:
         )
 
     def _follow_heading(self, yaw: float) -> None:
-        """Integrate the turn since power-on, with the gyro's drift; unwrapped."""
+        """Integrate the turn since power-on, with the gyro's drift."""
         before = yaw if self._psi_before is None else self._psi_before
-        turned = (yaw - before + np.pi) % (2 * np.pi) - np.pi
-        self._psi += float(turned) + self._gyro_bias * PERIOD
+        self._psi = wrap_angle(self._psi + yaw - before + self._gyro_bias * PERIOD)
         self._psi_before = yaw
 
     def _wander(self, drive_forward: float, drive_left: float) -> None:
