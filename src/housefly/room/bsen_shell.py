@@ -46,7 +46,7 @@ def shell() -> tuple[Solid, ...]:
         *placed("window", _windows(), 0.0, 0.0),
         *placed("entrance door", _entrance(), 0.0, 0.0),
         *placed("room door", _room_door(), 6.75, 6.65, 0.0),
-        *placed("skirting", _skirting(), 0.0, 0.0),
+        *placed("decoration", _decoration(), 0.0, 0.0),
     )
 
 
@@ -65,7 +65,7 @@ def _windows() -> list[Part]:
     parts: list[Part] = []
     for i, (a, b) in enumerate(WINDOWS):
         parts += [
-            box(f"pane {i}", (14.79, a, WINDOW_BOTTOM), (14.81, b, WINDOW_TOP), paint(0.70, 0.85, 0.95), "daylight"),
+            box(f"pane {i}", (14.79, a, WINDOW_BOTTOM), (14.81, b, WINDOW_TOP), paint(0.62, 0.74, 0.82), "daylight"),
             box(f"bar {i}", (14.76, (a + b) / 2 - 0.02, WINDOW_BOTTOM), (14.80, (a + b) / 2 + 0.02, WINDOW_TOP), WHITE),
             box(f"sill {i}", (14.66, a, WINDOW_BOTTOM - 0.03), (14.75, b, WINDOW_BOTTOM), WHITE),
         ]
@@ -88,8 +88,8 @@ def _entrance() -> list[Part]:
         box("frame middle", (0.05, side_left, 0.0), (0.19, leaf_right, 2.21), WHITE),
         box("frame rail", (0.05, side_right, 2.21), (0.19, leaf_left, 2.26), WHITE),
         box("frame top", (0.05, side_right, 2.57), (0.19, leaf_left, 2.61), WHITE),
-        box("fanlight", (0.09, side_right, 2.26), (0.11, leaf_left, 2.57), paint(0.78, 0.88, 0.95), "daylight"),
-        box("side glass", (0.09, side_right, 0.20), (0.11, side_left, 2.21), paint(0.78, 0.88, 0.95), "daylight"),
+        box("fanlight", (0.09, side_right, 2.26), (0.11, leaf_left, 2.57), paint(0.56, 0.68, 0.76), "daylight"),
+        box("side glass", (0.09, side_right, 0.20), (0.11, side_left, 2.21), paint(0.56, 0.68, 0.76), "daylight"),
         box("side foot", (0.07, side_right, 0.0), (0.13, side_left, 0.20), DOOR_LEAF, "wood"),
         *(box(f"side bar {i}", (0.08, side_right, z), (0.13, side_left, z + 0.03), WHITE) for i, z in enumerate((0.86, 1.53))),
     ]
@@ -131,7 +131,7 @@ def _room_door() -> list[Part]:
     ]
 
 
-def _skirting() -> list[Part]:
+def _decoration() -> list[Part]:
     s, top = SKIRTING, 0.08
     runs: tuple[tuple[str, Rectangle], ...] = (
         ("corridor south", (0.15, 3.35, 4.75, 3.35 + s)),
@@ -142,11 +142,22 @@ def _skirting() -> list[Part]:
         ("alcove west", (6.15, 5.15, 6.15 + s, 6.65)),
         ("living north", (13.95, 6.25 - s, 14.75, 6.25)),
     )
-    boards = [box(name, (r[0], r[1], 0.0), (r[2], r[3], top), WALNUT, collides=False) for name, r in runs]
-    pictures = [
-        box("picture frame", (3.05, 5.025, 1.35), (3.75, 5.05, 1.85), CHARCOAL, collides=False),
-        box("picture", (3.09, 5.02, 1.39), (3.71, 5.03, 1.81), CREAM, "painting", collides=False),
-        box("picture frame south", (1.35, 3.35, 1.35), (1.85, 3.375, 1.95), CHARCOAL, collides=False),
-        box("picture south", (1.39, 3.37, 1.39), (1.81, 3.38, 1.91), CREAM, "painting", collides=False),
-    ]
-    return boards + pictures
+    boards = [box(f"{name} skirting", (r[0], r[1], 0.0), (r[2], r[3], top), WALNUT, collides=False) for name, r in runs]
+    return boards + _picture("north", (3.40, 5.05), -1) + _picture("south", (1.60, 3.35), 1)
+
+
+def _picture(name: str, middle: tuple[float, float], side: int) -> list[Part]:
+    """Return a framed seascape on a wall along x; side 1 faces +y, -1 faces -y."""
+    x, wall = middle
+    layers = (
+        ("frame", 0.37, 1.33, 1.87, CHARCOAL),
+        ("paper", 0.34, 1.36, 1.84, CREAM),
+        ("sky", 0.28, 1.54, 1.78, paint(0.93, 0.74, 0.52)),
+        ("sea", 0.28, 1.42, 1.54, paint(0.20, 0.45, 0.55)),
+        ("sun", 0.06, 1.54, 1.64, paint(0.86, 0.35, 0.24)),
+    )
+    parts = []
+    for depth, (part, half, bottom, top, colour) in enumerate(layers):
+        near, far = sorted((wall, wall + side * (0.018 + 0.003 * depth)))
+        parts.append(box(f"{name} picture {part}", (x - half, near, bottom), (x + half, far, top), colour, collides=False))
+    return parts

@@ -12,48 +12,51 @@ from xml.sax.saxutils import quoteattr
 from housefly.room.model import Room, Shape, Solid
 from housefly.room.visitor import visitor_body
 
-# Attributes of <texture> (cube maps: MuJoCo lays them on every face), and of the <material> of the same name.
+# Flat maps: MuJoCo lays them on a geom's local x and y, so that its sides carry them as stripes along z (grain, wallpaper).
 TEXTURES = {
-    "wood": 'builtin="gradient" rgb1="1 1 1" rgb2="0.82 0.79 0.76" mark="random" markrgb="0.72 0.68 0.64" random="0.06"',
-    "fabric": 'builtin="checker" rgb1="1 1 1" rgb2="0.90 0.90 0.90" mark="random" markrgb="0.80 0.80 0.80" random="0.15"',
-    "rug": 'builtin="checker" rgb1="1 1 1" rgb2="0.84 0.82 0.80" mark="random" markrgb="0.70 0.66 0.62" random="0.20"',
-    "wall": 'builtin="flat" rgb1="1 1 1" mark="random" markrgb="0.94 0.94 0.93" random="0.04"',
-    "tiles": 'builtin="flat" rgb1="1 1 1" mark="edge" markrgb="0.70 0.72 0.74"',
+    "wood": 'builtin="flat" rgb1="1 1 1" mark="random" markrgb="0.84 0.80 0.76" random="0.25"',
+    "fabric": 'builtin="checker" rgb1="1 1 1" rgb2="0.93 0.93 0.93" mark="random" markrgb="0.86 0.86 0.86" random="0.15"',
+    "rug": 'builtin="checker" rgb1="1 1 1" rgb2="0.88 0.86 0.84" mark="random" markrgb="0.78 0.74 0.70" random="0.25"',
+    "wall": 'builtin="flat" rgb1="1 1 1" mark="random" markrgb="0.98 0.98 0.975" random="0.3"',
+    "tiles": 'builtin="flat" rgb1="1 1 1" mark="edge" markrgb="0.78 0.80 0.82"',
     "leaves": 'builtin="checker" rgb1="1 1 1" rgb2="0.72 0.80 0.70" mark="random" markrgb="0.55 0.70 0.50" random="0.30"',
-    "painting": 'builtin="gradient" rgb1="0.30 0.52 0.66" rgb2="0.95 0.78 0.52" mark="cross" markrgb="0.86 0.42 0.30"',
+    "floor": 'builtin="checker" rgb1="0.74 0.57 0.40" rgb2="0.68 0.51 0.35" mark="random" markrgb="0.62 0.46 0.31" random="0.05"',
 }
 MATERIALS = {
-    "wood": 'texture="wood" texuniform="true" texrepeat="2 2" specular="0.25" shininess="0.3"',
+    "wood": 'texture="wood" texuniform="true" texrepeat="1.2 1.2" specular="0.2" shininess="0.3"',
     "fabric": 'texture="fabric" texuniform="true" texrepeat="3 3" specular="0.02" shininess="0.02"',
-    "rug": 'texture="rug" texuniform="true" texrepeat="3 3" specular="0" shininess="0"',
-    "wall": 'texture="wall" texuniform="true" texrepeat="1 1" specular="0.05" shininess="0.1"',
-    "tiles": 'texture="tiles" texuniform="true" texrepeat="6 6" specular="0.4" shininess="0.6"',
+    "rug": 'texture="rug" texuniform="true" texrepeat="4 4" specular="0" shininess="0"',
+    "wall": 'texture="wall" texuniform="true" texrepeat="0.5 0.5" specular="0.02" shininess="0.1"',
+    "tiles": 'texture="tiles" texuniform="true" texrepeat="7 7" specular="0.3" shininess="0.6"',
     "leaves": 'texture="leaves" texuniform="true" texrepeat="3 3" specular="0" shininess="0"',
-    "painting": 'texture="painting" specular="0.1" shininess="0.1"',
-    "daylight": 'emission="0.75" specular="0.6" shininess="0.9"',
-    "screen": 'emission="0.35" specular="0.8" shininess="0.9"',
-    "plain": 'specular="0.15" shininess="0.2"',
+    "floor": 'texture="floor" texuniform="true" texrepeat="1.1 4.4" specular="0.1" shininess="0.4"',
+    "daylight": 'emission="0.5" specular="0.3" shininess="0.9"',
+    "screen": 'emission="0.3" specular="0.6" shininess="0.9"',
+    "ceiling": 'emission="0.42" specular="0" shininess="0"',
+    "lamp": 'emission="1" specular="0" shininess="0"',
+    "shade": 'specular="0" shininess="0"',
+    "plain": 'specular="0.12" shininess="0.2"',
     "cloth": 'specular="0.05" shininess="0.1"',
 }
-FLOOR = (
-    '<texture name="floor" type="2d" builtin="checker" width="256" height="256" rgb1="0.70 0.52 0.35" rgb2="0.63 0.46 0.30" '
-    'mark="random" markrgb="0.55 0.40 0.26" random="0.03"/>\n'
-    '<material name="floor" texture="floor" texuniform="true" texrepeat="0.8 3.2" specular="0.2" shininess="0.4" reflectance="0"/>'
-)
 VISUAL = (
-    '<visual><headlight ambient="0.34 0.34 0.35" diffuse="0.22 0.22 0.22" specular="0.05 0.05 0.05"/>'
+    '<visual><headlight ambient="0.58 0.58 0.58" diffuse="0.16 0.16 0.16" specular="0.05 0.05 0.05"/>'
     '<map znear="0.005" zfar="12" haze="0"/><quality shadowsize="2048" offsamples="0"/>'
     '<global offwidth="1920" offheight="1080"/></visual>'
 )
-LAMP_SPACING = 5.0
-"""Longest distance between two ceiling lamps along x [m]; the renderer takes eight lights at most."""
+BUILDING = frozenset({"wall", "window", "entrance door", "room door"})
+# Two lights without shadows from opposite sides give every side of a box a brightness of its own.
+LIGHTS = (("daylight", "-0.62 0.30 -0.72", 0.30), ("fill", "0.50 -0.62 -0.60", 0.22))
+LAMP_SPACING = 3.0
+"""Distance between ceiling lamps along x [m]."""
+SHADE_BELOW, SHADE_MARGIN, SHADE = 0.32, 0.05, 0.10
+"""A solid lower than this above the floor [m] darkens the floor around it this far [m] and by this share."""
 
 
 def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str = "") -> str:
     """Return the MJCF text of a room; raises nothing, imports nothing.
 
     Geoms carry the names of the solids; solids that do not collide get no contacts. The visitor, if the room has a place for one,
-    is the mocap body "visitor". The ceiling, the lamps and the light are in geom group 1, so that a view from above can hide them.
+    is the mocap body "visitor". Ceiling, lamps and painted shadows are in geom group 1, so that a view from above can hide them.
 
     Args:
         room: what to model.
@@ -74,6 +77,7 @@ def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str
             "</asset>",
             "<worldbody>",
             *_surroundings(room),
+            *_shades(room.solids),
             *(_geom(solid) for solid in room.solids),
             visitor_body(room.visitor, room.visitor_yaw) if room.visitor else "",
             bodies,
@@ -87,10 +91,9 @@ def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str
 def _assets() -> Iterator[str]:
     yield '<texture type="skybox" builtin="gradient" rgb1="0.80 0.88 0.95" rgb2="0.93 0.94 0.95" width="64" height="384"/>'
     for name, attributes in TEXTURES.items():
-        yield f'<texture name="{name}" type="cube" width="128" height="128" {attributes}/>'
+        yield f'<texture name="{name}" type="2d" width="128" height="128" {attributes}/>'
     for name, attributes in MATERIALS.items():
         yield f'<material name="{name}" {attributes}/>'
-    yield FLOOR
 
 
 def _surroundings(room: Room) -> Iterator[str]:
@@ -100,30 +103,47 @@ def _surroundings(room: Room) -> Iterator[str]:
     yield f'<geom name="floor" type="plane" pos="{x:.6g} {y:.6g} 0" size="{length:.6g} {width:.6g} 1" material="floor"/>'
     yield (
         f'<geom name="ceiling" type="plane" pos="{x:.6g} {y:.6g} {room.height:.6g}" size="{length:.6g} {width:.6g} 1" '
-        'quat="0 1 0 0" rgba="0.95 0.95 0.94 1" contype="0" conaffinity="0" group="1"/>'
+        'quat="0 1 0 0" rgba="0.95 0.95 0.94 1" material="ceiling" contype="0" conaffinity="0" group="1"/>'
     )
-    yield (
-        f'<light name="daylight" directional="true" castshadow="false" pos="{x_max:.6g} {y:.6g} {room.height:.6g}" '
-        'dir="-0.75 0.25 -0.6" ambient="0 0 0" diffuse="0.34 0.34 0.36" specular="0.05 0.05 0.05"/>'
-    )
-    count = min(4, max(1, round(2 * length / LAMP_SPACING)))
-    for n in range(count):
+    for name, direction, strength in LIGHTS:
+        yield (
+            f'<light name="{name}" directional="true" castshadow="false" pos="{x:.6g} {y:.6g} {room.height:.6g}" '
+            f'dir="{direction}" ambient="0 0 0" diffuse="{strength} {strength} {strength}" specular="0.05 0.05 0.05"/>'
+        )
+    for n in range(count := max(1, round(2 * length / LAMP_SPACING))):
         at = x_min + (n + 0.5) * 2 * length / count
         yield (
-            f'<light name="lamp {n}" castshadow="false" pos="{at:.6g} {y:.6g} {room.height - 0.1:.6g}" dir="0 0 -1" cutoff="88" '
-            'exponent="1" attenuation="1 0 0.03" ambient="0.05 0.05 0.05" diffuse="0.36 0.35 0.33" specular="0.08 0.08 0.08"/>'
+            f'<geom name="lamp {n}" type="cylinder" pos="{at:.6g} {y:.6g} {room.height - 0.03:.6g}" size="0.2 0.025" '
+            'rgba="1 0.98 0.92 1" material="lamp" contype="0" conaffinity="0" group="1"/>'
         )
+
+
+def _shades(solids: tuple[Solid, ...]) -> Iterator[str]:
+    """Yield dark translucent patches on the floor under low things: the look of shadows at a fraction of their price."""
+    for solid in solids:
+        low = solid.position[2] - solid.size[2] / 2
+        if solid.collides and low < SHADE_BELOW and solid.size[2] > 0.02 and solid.thing not in BUILDING:
+            x, y, _ = solid.position
+            a, b = solid.size[0] / 2 + SHADE_MARGIN, solid.size[1] / 2 + SHADE_MARGIN
+            size = f"{a:.6g} {b:.6g} 0.001" if solid.shape is Shape.BOX else f"{a:.6g} 0.001"
+            yield (
+                f'<geom type="{solid.shape.value}" pos="{x:.6g} {y:.6g} 0.002" size="{size}"{_turn(solid.yaw)} '
+                f'rgba="0.1 0.06 0.03 {SHADE}" material="shade" contype="0" conaffinity="0" group="1"/>'
+            )
+
+
+def _turn(yaw: float) -> str:
+    return f' quat="{cos(yaw / 2):.9g} 0 0 {sin(yaw / 2):.9g}"' if yaw else ""
 
 
 def _geom(solid: Solid) -> str:
     x, y, z = solid.position
     a, b, c = (extent / 2 for extent in solid.size)
     size = f"{a:.6g} {b:.6g} {c:.6g}" if solid.shape is Shape.BOX else f"{a:.6g} {c:.6g}"
-    turn = f' quat="{cos(solid.yaw / 2):.9g} 0 0 {sin(solid.yaw / 2):.9g}"' if solid.yaw else ""
     colour = " ".join(f"{part:.4g}" for part in solid.colour)
     material = solid.texture if solid.texture in MATERIALS else "plain"
     contact = "" if solid.collides else ' contype="0" conaffinity="0"'
     return (
-        f'<geom name={quoteattr(solid.name)} type="{solid.shape.value}" pos="{x:.6g} {y:.6g} {z:.6g}" size="{size}"{turn} '
-        f'rgba="{colour}" material="{material}"{contact}/>'
+        f'<geom name={quoteattr(solid.name)} type="{solid.shape.value}" pos="{x:.6g} {y:.6g} {z:.6g}" size="{size}"'
+        f'{_turn(solid.yaw)} rgba="{colour}" material="{material}"{contact}/>'
     )

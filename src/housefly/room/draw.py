@@ -1,0 +1,242 @@
+"""Draws a room and its map: a picture for people, and text for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import atan2, cos, degrees, sin
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_rgba
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle, Patch, Polygon, Rectangle
+
+from housefly.errors import RoomError
+from housefly.geometry import Vec2, rotate
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Room, Shape, Solid
+
+LOOK: dict[Cell, tuple[str, str, str]] = {
+    Cell.FREE: ("#fbfaf7", ".", "free"),
+    Cell.OCCUPIED: ("#3b4046", "#", "occupied"),
+    Cell.VIRTUAL: ("#f3d9b1", "v", "virtual obstacle"),
+    Cell.INFLATED: ("#dfe3e6", "+", "too close for the hull"),
+    Cell.OUTSIDE: ("#ffffff", " ", "outside"),
+}
+INK, QUIET, ACCENT, PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
+UNLABELLED = frozenset({"wall", "window", "decoration", "home pad", "carpet", "entrance door", "room door", "unexplored"})
+INCHES_PER_METRE = 0.92
+TEXT_COLUMNS = 110
+
+
+def draw_room(
+    room: Room, grid: OccupancyGrid, path: Path, *, route: Sequence[Vec2] | None = None, trail: Sequence[Vec2] | None = None
+) -> None:
+    """Write a PNG of the map with furniture, places, tracking cameras and home, and optionally a route and a flown trail.
+
+    Args:
+        room: what stands where.
+        grid: which cells are free.
+        path: the PNG to write.
+        route: planned waypoints [m].
+        trail: flown positions [m].
+
+    Raises:
+        RoomError: the file cannot be written.
+    """
+    x_min, y_min, x_max, y_max = _frame(room, grid)
+    scale = min(INCHES_PER_METRE, 14.0 / (x_max - x_min), 14.0 / (y_max - y_min))
+    width, height = max(5.0, (x_max - x_min) * scale), (y_max - y_min) * scale
+    figure = Figure(figsize=(width + 0.6, height + 1.5), dpi=120, facecolor="white")
+    FigureCanvasAgg(figure)
+    axes = figure.add_axes((0.4 / (width + 0.6), 0.85 / (height + 1.5), width / (width + 0.6), height / (height + 1.5)))
+    _cells(axes, grid)
+    for solid in sorted(room.solids, key=lambda s: s.position[2] + s.size[2] / 2):
+        axes.add_patch(_outline(solid))
+    _labels(axes, room)
+    _cameras(axes, room)
+    _lines(axes, route, trail)
+    _landmarks(axes, room)
+    _frame_and_legend(figure, axes, room, grid, (x_min, y_min, x_max, y_max), bool(route), bool(trail))
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise RoomError(f"{path} cannot be written: {error.strerror or error}") from error
+
+
+def text_map(room: Room, grid: OccupancyGrid) -> str:
+    """Return the map as text, north (+y) up: cells, H for home, capital initials for places, a legend below.
+
+    Fine grids are thinned to about a hundred columns; a character shows the worst cell that it stands for, blocked before free.
+    """
+    nx, ny = grid.shape
+    step = max(1, -(-nx // TEXT_COLUMNS))
+    rank = np.array([0, 4, 3, 2, 1])
+    cells = np.array(grid.cells)
+    canvas = [
+        [_worst(cells[i : i + step, j : j + 2 * step if step > 1 else j + 1], rank) for i in range(0, nx, step)]
+        for j in range(0, ny, 2 * step if step > 1 else 1)
+    ]
+    marks = {place.name: place.name[0].upper() for place in room.places}
+    for place in reversed(room.places):
+        i, j = grid.cell_of(room.home if place.name == "home" else place.viewpoint)
+        if grid.contains((i, j)):
+            canvas[j // (2 * step if step > 1 else 1)][i // step] = marks[place.name]
+    rows = ["".join(row).rstrip() for row in reversed(canvas)]
+    while rows and not rows[0]:
+        rows.pop(0)
+    while rows and not rows[-1]:
+        rows.pop()
+    legend = "  ".join(f"{letter} {words}" for kind, (_, letter, words) in LOOK.items() if kind is not Cell.OUTSIDE)
+    names = "  ".join(f"{mark} {name}" for name, mark in marks.items())
+    return "\n".join([*rows, "", f"{legend}  (cells of {grid.resolution:g} m)", names])
+
+
+def _worst(block: Any, rank: Any) -> str:
+    values = block.ravel()
+    return LOOK[Cell(int(values[np.argmax(rank[values])]))][1]
+
+
+def _frame(room: Room, grid: OccupancyGrid) -> tuple[float, float, float, float]:
+    """Return the part of the plan worth drawing: all solids, the grid's cells that are not outside, and a margin [m]."""
+    inside = np.argwhere(grid.cells != Cell.OUTSIDE)
+    low = np.array(grid.origin) + inside.min(axis=0) * grid.resolution if inside.size else np.array(grid.origin)
+    high = np.array(grid.origin) + (inside.max(axis=0) + 1) * grid.resolution if inside.size else low + 1.0
+    corners = np.vstack([low, high, *(_corners(solid) for solid in room.solids)])
+    (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 0.3, corners.max(axis=0) + 0.3
+    return float(x_min), float(y_min), float(x_max), float(y_max)
+
+
+def _cells(axes: Axes, grid: OccupancyGrid) -> None:
+    colours = np.array([to_rgba(LOOK[Cell(value)][0]) for value in range(len(Cell))])
+    nx, ny = grid.shape
+    x, y = grid.origin
+    extent = (x, x + nx * grid.resolution, y, y + ny * grid.resolution)
+    axes.imshow(colours[grid.cells.T], origin="lower", extent=extent, interpolation="nearest", zorder=0)
+    if grid.resolution >= 0.25:
+        for k in range(nx + 1):
+            axes.plot([x + k * grid.resolution] * 2, extent[2:], color="#c9ced2", lw=0.6, zorder=1)
+        for k in range(ny + 1):
+            axes.plot(extent[:2], [y + k * grid.resolution] * 2, color="#c9ced2", lw=0.6, zorder=1)
+
+
+def _corners(solid: Solid) -> Any:
+    a, b = solid.size[0] / 2, solid.size[1] / 2
+    turn = np.array([[cos(solid.yaw), sin(solid.yaw)], [-sin(solid.yaw), cos(solid.yaw)]])
+    return np.array([(-a, -b), (a, -b), (a, b), (-a, b)]) @ turn + np.array(solid.position[:2])
+
+
+def _outline(solid: Solid) -> Patch:
+    fill = to_rgba(solid.colour[:3], 0.5 if solid.collides else 0.25)
+    style: dict[str, Any] = {"facecolor": fill, "edgecolor": to_rgba(INK, 0.45), "linewidth": 0.4, "zorder": 2}
+    if solid.thing in ("wall", "unexplored"):
+        style |= {"facecolor": LOOK[Cell.OCCUPIED][0], "edgecolor": "none"}
+    if solid.shape is Shape.CYLINDER:
+        return Circle(solid.position[:2], solid.size[0] / 2, **style)
+    return Polygon(_corners(solid), closed=True, **style)
+
+
+def _labels(axes: Axes, room: Room) -> None:
+    """Write the name of each thing on its largest solid, once a kind where several stand close."""
+    largest: dict[str, Solid] = {}
+    for solid in room.solids:
+        best = largest.get(solid.thing)
+        if solid.thing not in UNLABELLED and (best is None or _area(solid) > _area(best)):
+            largest[solid.thing] = solid
+    for thing, solid in largest.items():
+        x, y, _ = solid.position
+        corners = _corners(solid)
+        extent = corners.max(axis=0) - corners.min(axis=0)
+        upright = 90.0 if extent[1] > 1.6 * extent[0] and len(thing) > 3 else 0.0
+        axes.text(x, y, thing, fontsize=7.5, color=INK, ha="center", va="center", rotation=upright, zorder=6, **_halo())
+
+
+def _halo(width: float = 2.2) -> dict[str, Any]:
+    from matplotlib.patheffects import withStroke
+
+    return {"path_effects": [withStroke(linewidth=width, foreground=(1, 1, 1, 0.85))]}
+
+
+def _area(solid: Solid) -> float:
+    return solid.size[0] * solid.size[1]
+
+
+def _cameras(axes: Axes, room: Room) -> None:
+    for camera in room.cameras:
+        x, y, _ = camera.position
+        ahead = rotate(camera.orientation, (0.0, 0.0, 1.0))
+        heading = degrees(atan2(ahead[1], ahead[0]))
+        axes.plot(x, y, marker=(3, 0, heading - 90.0), color=QUIET, ms=7, mec="white", mew=0.6, zorder=7)
+
+
+def _lines(axes: Axes, route: Sequence[Vec2] | None, trail: Sequence[Vec2] | None) -> None:
+    if route:
+        xs, ys = zip(*route, strict=True)
+        axes.plot(xs, ys, color="white", lw=5.0, alpha=0.9, solid_joinstyle="round", zorder=7)
+        axes.plot(xs, ys, color=ACCENT, lw=2.6, solid_joinstyle="round", zorder=8)
+        axes.plot(xs, ys, ls="", marker="o", ms=4.0, mfc="white", mec=ACCENT, mew=1.3, zorder=9)
+    if trail:
+        xs, ys = zip(*trail, strict=True)
+        axes.plot(xs, ys, color=PERSON, lw=1.4, alpha=0.9, zorder=9)
+
+
+def _landmarks(axes: Axes, room: Room) -> None:
+    for place in room.places:
+        if place.name != "home":
+            x, y = place.viewpoint
+            yaw = atan2(place.look_at[1] - y, place.look_at[0] - x)
+            axes.annotate(
+                "",
+                (x + 0.34 * cos(yaw), y + 0.34 * sin(yaw)),
+                (x, y),
+                arrowprops={"arrowstyle": "->", "color": ACCENT, "lw": 1.2},
+            )
+            axes.plot(x, y, marker="o", ms=6.5, mfc=ACCENT, mec="white", mew=1.0, zorder=10)
+            title = place.title or place.name
+            axes.text(x, y - 0.20, title, fontsize=8.5, weight="bold", color=ACCENT, ha="center", va="top", zorder=11, **_halo(3))
+    x, y = room.home
+    axes.plot(x, y, marker="o", ms=15, mfc=ACCENT, mec="white", mew=1.6, zorder=10)
+    axes.text(x, y, "H", fontsize=9, weight="bold", color="white", ha="center", va="center", zorder=11)
+    if room.visitor:
+        x, y = room.visitor
+        axes.plot(x, y, marker="o", ms=12, mfc=PERSON, mec="white", mew=1.4, zorder=10)
+        axes.text(x, y - 0.28, "visitor", fontsize=8.5, weight="bold", color=PERSON, ha="center", va="top", zorder=11, **_halo(3))
+
+
+def _frame_and_legend(
+    figure: Figure,
+    axes: Axes,
+    room: Room,
+    grid: OccupancyGrid,
+    frame: tuple[float, float, float, float],
+    route: bool,
+    trail: bool,
+) -> None:
+    x_min, y_min, x_max, y_max = frame
+    axes.set_xlim(x_min, x_max)
+    axes.set_ylim(y_min, y_max)
+    axes.set_aspect("equal")
+    axes.tick_params(labelsize=7.5, colors=QUIET, length=3)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    axes.set_title(
+        f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution:g} m", fontsize=12, color=INK, loc="left"
+    )
+    present = set(np.unique(grid.cells).tolist())
+    entries: list[Any] = [
+        Rectangle((0, 0), 1, 1, facecolor=colour, edgecolor="#9aa1a7", linewidth=0.5, label=words)
+        for kind, (colour, _, words) in LOOK.items()
+        if int(kind) in present and kind is not Cell.OUTSIDE
+    ]
+    if room.cameras:
+        entries.append(Line2D([], [], ls="", marker=(3, 0, 0), color=QUIET, ms=7, label="tracking camera"))
+    if route:
+        entries.append(Line2D([], [], color=ACCENT, lw=2.6, label="planned route"))
+    if trail:
+        entries.append(Line2D([], [], color=PERSON, lw=1.4, label="flown"))
+    entries.append(Line2D([], [], ls="", marker="o", color=ACCENT, ms=6, label="viewpoint (H: home)"))
+    figure.legend(handles=entries, loc="lower center", ncols=min(len(entries), 7), fontsize=8, frameon=False, labelcolor=INK)
