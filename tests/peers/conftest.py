@@ -17,11 +17,13 @@ import numpy as np
 import pytest
 
 from housefly.clock import Rate, RealClock
+from housefly.config import Site
 from housefly.geometry import wrap_angle
+from housefly.room.files import load_room
 from housefly.twin.ardrone_server import ArDroneServer
 from housefly.twin.contracts import Flight, Truth, World
-from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.real_time import RealTime
+from housefly.twin.world import SimulatedWorld
 
 HERE = Path(__file__).resolve().parent
 NODE_TIMEOUT = 60.0
@@ -71,7 +73,8 @@ class Twin:
 
 @pytest.fixture
 async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
-    world = KinematicWorld()
+    site = Site()
+    world = SimulatedWorld(site, load_room(site.room.model))
     server = ArDroneServer(world, loopback)
     await server.start()
     flying = Twin(world, server, loopback)

@@ -6,9 +6,8 @@ owns the world advances it.
 
 from __future__ import annotations
 
-from ipaddress import ip_address
-
-from housefly.errors import ConfigError, LinkError
+from housefly.errors import LinkError
+from housefly.twin.address import check_address
 from housefly.twin.ardrone_commands import CommandPort
 from housefly.twin.ardrone_config import ConfigStore
 from housefly.twin.ardrone_control import ControlPort
@@ -42,7 +41,7 @@ class ArDroneServer:
         tells_vertical_speed: bool = False,
         beyond_loopback: bool = False,
     ) -> None:
-        check_address(address, beyond_loopback)
+        check_address("drone.address", address, beyond_loopback)
         self._address = address
         self._world = world
         self._link = Link()
@@ -100,13 +99,3 @@ class ArDroneServer:
             self._link.bootstrap = False
         self._writer.demo = self._config.demo
         self._world.set_limits(self._config.limits)
-
-
-def check_address(address: str, beyond_loopback: bool) -> None:
-    """Refuse an address that other machines reach, unless asked for; raises ConfigError."""
-    try:
-        loopback = ip_address(address).is_loopback
-    except ValueError as error:
-        raise ConfigError("drone.address", f"is {address!r}; allowed: an IP address in numbers") from error
-    if not (loopback or beyond_loopback):
-        raise ConfigError("drone.address", f"is {address}; the twin serves other machines only when told to (--beyond-loopback)")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from housefly.clock import Clock, Rate
 from housefly.twin.contracts import World
 
@@ -34,9 +36,10 @@ class RealTime:
         if behind > 0.0:
             self._world.advance(behind)
 
-    async def run(self) -> None:
-        """Keep the world in the present until cancelled."""
+    async def run(self, after_step: Callable[[], None] = lambda: None) -> None:
+        """Keep the world in the present until cancelled, and call ``after_step`` each time it moved."""
         rate = Rate(TICK_HZ, self._clock)
         while True:
             await rate.sleep()
             self.catch_up()
+            after_step()
