@@ -10,7 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.geometry import distance, quaternion_from_euler
-from housefly.room.model import Room, Solid
+from housefly.room.model import Room, Shape, Solid
 from housefly.twin.contracts import Flight, Stick, World
 from housefly.twin.world import SimulatedWorld
 
@@ -58,6 +58,17 @@ def test_an_emergency_in_the_air_falls_and_can_be_left_on_the_ground(make_world:
     world.toggle_emergency()
     hand(world).wait(0.2)
     assert world.onboard().flight is Flight.LANDED
+
+
+def test_landing_above_a_table_ends_on_the_table(make_world: MakeWorld, make_room: Callable[..., Room], hand: type) -> None:
+    table = Solid("table", "table", Shape.BOX, (2.0, 2.5, 0.35), (1.5, 1.5, 0.7))
+    world = make_world(make_room((table,)))
+    world.put_drone((2.0, 2.5, 0.75))
+    hand(world).hover(1.5)
+    world.request_land()
+    hand(world).wait(6.0)
+    assert world.onboard().flight is Flight.LANDED
+    assert world.truth().pose.position[2] == pytest.approx(0.75, abs=0.01)
 
 
 def test_a_silent_client_raises_the_flag_then_lands_the_drone(make_world: MakeWorld, hand: type) -> None:

@@ -84,8 +84,9 @@ class LockstepRoom:
         return tuple(sighting for frame in self._world.mocap_frames() for sighting in sightings_of(frame))
 
     def telemetry(self) -> Telemetry:
-        """Return the drone's newest report; the battery is in whole percent as on the wire."""
+        """Return the drone's newest report; battery in whole percent and no vertical speed, as on the wire."""
         onboard = self._world.onboard()
+        forward, left, _ = onboard.velocity
         return Telemetry(
             received_at=onboard.at,
             status=STATUS[onboard.flight],
@@ -94,7 +95,7 @@ class LockstepRoom:
             theta=onboard.theta,
             psi=onboard.psi,
             height=onboard.height,
-            velocity=onboard.velocity,
+            velocity=(forward, left, 0.0),
             faults=tuple(words for words, applies in FAULTS if applies(onboard)),
         )
 

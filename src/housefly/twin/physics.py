@@ -17,10 +17,10 @@ from housefly.config import Site
 from housefly.errors import MissingPartError
 from housefly.geometry import Quaternion, Vec3, rotate
 from housefly.messages import Pose
-from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
-from housefly.twin.body import BODY, MASS, STANDING_HEIGHT, drone_body
+from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
 from housefly.twin.onboard_loops import Wrench
+from housefly.twin.scene import scene_mjcf
 from housefly.twin.sensors import PERIOD, BodyState
 
 try:
@@ -41,11 +41,6 @@ CUSHION_HEIGHT = 0.15
 """Extra share of thrust on the floor, and the height [m] over which it fades."""
 
 VISITOR = "visitor"
-
-
-def scene_mjcf(site: Site, room: Room) -> str:
-    """Return the MuJoCo model of the room with the drone on its pad."""
-    return room_to_mjcf(room, bodies=drone_body(site.drone, room.home, room.home_yaw))
 
 
 class Physics:

@@ -1,0 +1,13 @@
+"""The model that physics, rays and pictures share."""
+
+from __future__ import annotations
+
+from housefly.config import Site
+from housefly.room.mjcf import room_to_mjcf
+from housefly.room.model import Room
+from housefly.twin.body import drone_body
+
+
+def scene_mjcf(site: Site, room: Room) -> str:
+    """Return the MuJoCo model text of the room with the drone on its pad; needs no MuJoCo."""
+    return room_to_mjcf(room, bodies=drone_body(site.drone, room.home, room.home_yaw))
