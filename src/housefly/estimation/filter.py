@@ -19,7 +19,7 @@ from housefly.messages import Estimate, Sighting
 
 HOVER_BRAKE = 1.5
 """How quickly the drone's own hover stops it, on top of drag [1/s]."""
-WANDER = 0.05
+WANDER = 0.2
 """How fast the disturbance may change [m/s^2 per sqrt(s)]."""
 FIRST_DISTURBANCE = 0.2
 """One-sigma disturbance before anything was seen [m/s^2]."""
