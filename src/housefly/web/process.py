@@ -1,6 +1,7 @@
 """The console's process: ``python -m housefly.web.process --site FILE --bus ENDPOINT``.
 
-The launcher hands over secrets in the environment, where other users of the machine cannot read them.
+The launcher hands over secrets in the environment, where other users of the machine cannot read them: the token of the first
+link, the key of the STOP path (hexadecimal; sessions are signed with it too), and the port of the STOP path.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import signal
 import socket
 import sys
 from collections.abc import Sequence
+from concurrent.futures import Future
 from pathlib import Path
 from types import FrameType
 
@@ -26,6 +28,8 @@ from housefly.config import Site, load_site
 from housefly.errors import ConfigError, HouseflyError
 from housefly.web.security import LOOPBACK_NAMES, check_bind
 from housefly.web.server import create_app
+
+log = logging.getLogger(__name__)
 
 TOKEN, SECRET, STOP_PORT = "HOUSEFLY_TOKEN", "HOUSEFLY_SECRET", "HOUSEFLY_STOP_PORT"
 MESSAGE_MAX = 16 * 1024
@@ -75,11 +79,12 @@ async def run_web(
     if host in ANY_ADDRESS and not names:
         raise ConfigError("web.host", f"is {host!r}: say with --name under which names browsers will ask for the console")
     token = os.environ.get(TOKEN) or secrets.token_urlsafe(24)
-    with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus, _stop_sender() as stop:
+    stop = _stop_sender()
+    with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus:
         app = create_app(
             bus,
             token,
-            stop.send,
+            lambda: stop.send().add_done_callback(_report_stop),
             hosts=LOOPBACK_NAMES | {host, *names},
             secret=os.environ.get(SECRET, ""),
             drone_body=site.tracking.body,
@@ -118,6 +123,11 @@ def _listening(host: str, port: int) -> socket.socket:
         listener.close()
         raise ConfigError("web.port", f"cannot listen on {host} port {port} ({error.strerror}); choose another port") from error
     return listener
+
+
+def _report_stop(outcome: Future[bool]) -> None:
+    if not outcome.result():
+        log.warning("STOP was not acknowledged on its own path; it also went over the bus")
 
 
 def _stop_sender() -> StopSender:

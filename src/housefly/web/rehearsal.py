@@ -7,13 +7,17 @@ the console's benchmark use it as well. It decides nothing that the real pilot d
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import secrets
 import threading
-from collections import deque
 from dataclasses import dataclass, field
-from math import atan2, dist, hypot
+from math import atan2, hypot
+
+import uvicorn
 
 from housefly.bus.bus import Bus
-from housefly.bus.queries import GridView, OutlineView, PlaceView, PlanRequest, RoomView
+from housefly.bus.local import LocalBus
+from housefly.bus.queries import PlanRequest, RoomView
 from housefly.bus.queries_json import from_json, to_json
 from housefly.bus.topics import LINK, ORDER, PLAN_QUERY, ROOM_QUERY, STEP
 from housefly.clock import Clock, RealClock
@@ -41,49 +45,12 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
+from housefly.web.rehearsal_room import SPEED, example_room, plan_on
+from housefly.web.server import create_app
 
-SPEED = 0.5
 CLIMB = 0.6
 TURN = 1.2
 DRAIN = 1.0 / 720.0
-
-Cell = tuple[int, int]
-
-
-def example_room() -> RoomView:
-    """Return a small furnished room."""
-    width, height, resolution = 60, 32, 0.125
-    table, sofa, rug = (20, 12, 34, 20), (40, 24, 58, 30), (2, 24, 14, 30)
-
-    def letter(i: int, j: int) -> str:
-        for name, (x0, y0, x1, y1) in (("#", table), ("#", sofa), ("v", rug)):
-            if x0 <= i < x1 and y0 <= j < y1:
-                return name
-            if name == "#" and x0 - 3 <= i < x1 + 3 and y0 - 3 <= j < y1 + 3:
-                return "i"
-        return "." if 2 < i < width - 3 and 2 < j < height - 3 else "i"
-
-    def outline(thing: str, cells: tuple[int, int, int, int], colour: str) -> OutlineView:
-        x0, y0, x1, y1 = (resolution * value for value in cells)
-        return OutlineView(thing, ((x0, y0), (x1, y0), (x1, y1), (x0, y1)), 0.8, colour)
-
-    rows = tuple("".join(letter(i, j) for i in range(width)) for j in range(height))
-    return RoomView(
-        site="Rehearsal",
-        mode="default",
-        bounds=(0.0, 0.0, width * resolution, height * resolution),
-        grid=GridView((0.0, 0.0), resolution, width, height, rows),
-        outlines=(outline("table", table, "#b08d57"), outline("sofa", sofa, "#6b7a8f")),
-        places=(
-            PlaceView("home", "Home", (1.0, 1.0), (2.0, 1.0, 1.0)),
-            PlaceView("entrance", "Entrance", (6.4, 1.0), (7.5, 1.0, 1.2)),
-            PlaceView("sofa", "Sofa", (4.2, 3.3), (6.0, 3.4, 0.6)),
-        ),
-        home=(1.0, 1.0),
-        flight_height=1.1,
-        visitor=(7.1, 1.0),
-        limits={"speed": SPEED, "height_max": 2.0, "battery_floor": 0.15, "pose_age_level": 0.25, "pose_age_land": 2.0},
-    )
 
 
 @dataclass(slots=True)
@@ -264,7 +231,7 @@ class PretendedPilot:
         self.sequence += 1
         x, y = self.position
         estimate = Estimate(now, (x, y, self.height), (0.0, 0.0, 0.0), self.yaw, self.pose_age, 0.004)
-        sightings = ()
+        sightings: tuple[Sighting, ...] = ()
         if self.room.visitor is not None:
             sightings = (Sighting("visitor", Pose((*self.room.visitor, 1.0)), now, now),)
         telemetry = Telemetry(now - 0.03, self.status, self.battery, height=self.height)
@@ -293,50 +260,18 @@ class PretendedPilot:
         return plan_on(self.room.grid, start, goal)
 
 
-def plan_on(grid: GridView, start: Vec2, goal: Vec2) -> PlanAnswer:
-    """Return a shortest way over the free cells of a view of the grid (breadth first, for show only)."""
-    first, last = _cell(grid, start), _cell(grid, goal)
-    if not _free(grid, last):
-        return PlanAnswer(start, goal, None, "an obstacle is too close to this point", _nearest_free(grid, goal))
-    came: dict[Cell, Cell] = {first: first}
-    waiting = deque([first])
-    while waiting and last not in came:
-        i, j = waiting.popleft()
-        for neighbour in ((i + 1, j), (i - 1, j), (i, j + 1), (i, j - 1)):
-            if neighbour not in came and _free(grid, neighbour):
-                came[neighbour] = (i, j)
-                waiting.append(neighbour)
-    if last not in came:
-        return PlanAnswer(start, goal, None, "no free way leads to this point")
-    cells = [last]
-    while cells[-1] != first:
-        cells.append(came[cells[-1]])
-    corners = _corners(cells[::-1])
-    way = (start, *(_centre(grid, cell) for cell in corners[1:-1]), goal)
-    length = sum(dist(a, b) for a, b in zip(way, way[1:], strict=False))
-    return PlanAnswer(start, goal, Path(way, length, 0.42), duration=length / SPEED + 2.0)
+async def rehearse(port: int = 8080) -> None:
+    """Serve the console with a pretended pilot until interrupted."""
+    bus = LocalBus()
+    pilot = PretendedPilot(bus, example_room())
+    token = secrets.token_urlsafe(24)
+    print(f"rehearsal: http://127.0.0.1:{port}/?token={token}", flush=True)
+    flying = asyncio.create_task(pilot.run())
+    config = uvicorn.Config(create_app(bus, token, lambda: None), port=port, log_level="warning", timeout_graceful_shutdown=1)
+    await uvicorn.Server(config).serve()
+    flying.cancel()
 
 
-def _corners(cells: list[Cell]) -> list[Cell]:
-    def straight(k: int) -> bool:
-        (a, b), (c, d), (e, f) = cells[k - 1 : k + 2]
-        return (c - a, d - b) == (e - c, f - d)
-
-    return [cell for k, cell in enumerate(cells) if k in (0, len(cells) - 1) or not straight(k)]
-
-
-def _cell(grid: GridView, point: Vec2) -> Cell:
-    return int((point[0] - grid.origin[0]) / grid.resolution), int((point[1] - grid.origin[1]) / grid.resolution)
-
-
-def _centre(grid: GridView, cell: Cell) -> Vec2:
-    return grid.origin[0] + (cell[0] + 0.5) * grid.resolution, grid.origin[1] + (cell[1] + 0.5) * grid.resolution
-
-
-def _free(grid: GridView, cell: Cell) -> bool:
-    return 0 <= cell[0] < grid.width and 0 <= cell[1] < grid.height and grid.rows[cell[1]][cell[0]] == "."
-
-
-def _nearest_free(grid: GridView, point: Vec2) -> Vec2 | None:
-    free = ((i, j) for j in range(grid.height) for i in range(grid.width) if _free(grid, (i, j)))
-    return min((_centre(grid, cell) for cell in free), key=lambda centre: dist(centre, point), default=None)
+if __name__ == "__main__":
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(rehearse())

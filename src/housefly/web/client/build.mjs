@@ -1,0 +1,26 @@
+// Builds ../static from src: `npm run build`. The result is committed, so that Housefly needs no node to run.
+import { build } from "esbuild";
+import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
+
+const target = "../static";
+const bundled = ["preact", "@preact/signals", "@preact/signals-core"];
+
+await mkdir(target, { recursive: true });
+await build({
+  entryPoints: { app: "src/main.tsx" },
+  outdir: target,
+  bundle: true,
+  minify: true,
+  format: "esm",
+  target: ["es2021"],
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  legalComments: "none",
+  logLevel: "warning",
+});
+await copyFile("src/index.html", `${target}/index.html`);
+await copyFile("src/favicon.svg", `${target}/favicon.svg`);
+const licences = await Promise.all(
+  bundled.map(async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`),
+);
+await writeFile(`${target}/LICENSES.txt`, `app.js contains these libraries.\n\n${licences.join("\n---\n\n")}`);

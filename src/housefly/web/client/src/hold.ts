@@ -1,0 +1,32 @@
+// Holding instead of clicking: the action runs when the hold was long enough, and not when its ground vanished meanwhile.
+import { effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+
+export interface Hold {
+  seconds: number;
+  /** Why it cannot be done now, in words, or "". */
+  objection: ReadonlySignal<string>;
+  held: Signal<boolean>;
+  begin(): void;
+  cancel(): void;
+}
+
+export function createHold(seconds: number, objection: ReadonlySignal<string>, action: () => void): Hold {
+  const held = signal(false);
+  let timer = 0;
+  const cancel = (): void => {
+    clearTimeout(timer);
+    held.value = false;
+  };
+  const begin = (): void => {
+    if (held.peek() || objection.peek()) return;
+    held.value = true;
+    timer = window.setTimeout(() => {
+      cancel();
+      action();
+    }, seconds * 1000);
+  };
+  effect(() => {
+    if (objection.value) cancel();
+  });
+  return { seconds, objection, held, begin, cancel };
+}

@@ -1,0 +1,31 @@
+// All keys in one table: the help panel shows it, keys.ts obeys it.
+import { cutMotors, home, land, service, stop } from "./commands";
+import { nudge } from "./goal";
+import type { Hold } from "./hold";
+import { panel, swapped } from "./store";
+
+export interface Key {
+  /** `KeyboardEvent.key`; letters in lower case. */
+  keys: string[];
+  shift?: boolean;
+  shown: string;
+  does: string;
+  press?: (key: string) => void;
+  hold?: Hold;
+}
+
+const ARROWS: Record<string, [number, number]> = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
+
+export const SPACE = " ";
+
+export const KEYS: Key[] = [
+  { keys: [SPACE], shown: "Space", does: "STOP: hover at once, whatever has the focus", press: () => void stop() },
+  { keys: ["escape"], shift: true, shown: "Shift + Esc, held 1 s", does: "Cut motors: the drone falls", hold: cutMotors },
+  { keys: ["l"], shown: "L", does: "Land here", press: land },
+  { keys: ["h"], shown: "H", does: "Fly home and land", press: home },
+  { keys: Object.keys(ARROWS), shown: "Arrow keys", does: "Move the goal by one cell", press: (key) => nudge(...ARROWS[key]!) },
+  { keys: ["enter"], shown: "Enter, held", does: "Send the drone to look and come back", hold: service },
+  { keys: ["m"], shown: "M", does: "Swap map and picture", press: () => (swapped.value = !swapped.value) },
+  { keys: ["?"], shown: "?", does: "Show or hide this list", press: () => (panel.value = panel.value === "help" ? "" : "help") },
+  { keys: ["escape"], shown: "Esc", does: "Close a panel", press: () => (panel.value = "") },
+];

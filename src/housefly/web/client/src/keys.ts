@@ -1,0 +1,61 @@
+// The keyboard: STOP from anywhere, everything else unless the focus has its own use for the key.
+import type { Hold } from "./hold";
+import { KEYS, SPACE, type Key } from "./keymap";
+import { flying } from "./store";
+
+let held: { key: string; hold: Hold } | null = null;
+
+function inTextField(target: EventTarget | null): boolean {
+  return target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+}
+
+/** Buttons and links use Enter themselves; a chosen place does not any more, so Enter can go on to send the drone there. */
+function usesEnter(target: EventTarget | null): boolean {
+  if (!(target instanceof Element)) return false;
+  const control = target.closest("button, a");
+  return control !== null && control.getAttribute("aria-pressed") !== "true";
+}
+
+function find(event: KeyboardEvent): Key | undefined {
+  const key = event.key.toLowerCase();
+  const shift = event.shiftKey && key === "escape";
+  return KEYS.find((one) => one.keys.includes(key) && (one.shift ?? false) === shift);
+}
+
+function belongsToFocus(event: KeyboardEvent): boolean {
+  // Someone who types a name while the drone flies can still stop it with Space.
+  if (inTextField(event.target)) return event.key !== SPACE || !flying.peek();
+  if (event.key.startsWith("Arrow")) return event.target instanceof Element && event.target.closest("[data-scrolls]") !== null;
+  return event.key === "Enter" && usesEnter(event.target);
+}
+
+function down(event: KeyboardEvent): void {
+  if (event.ctrlKey || event.altKey || event.metaKey || belongsToFocus(event)) return;
+  const key = find(event);
+  if (!key) return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (key.hold) {
+    if (event.repeat) return;
+    held = { key: event.key, hold: key.hold };
+    key.hold.begin();
+  } else if (!event.repeat || event.key.startsWith("Arrow")) {
+    key.press?.(event.key.toLowerCase());
+  }
+}
+
+function up(event: KeyboardEvent): void {
+  if (event.key === SPACE && !inTextField(event.target)) event.preventDefault();
+  if (held && (event.key === held.key || event.key === "Shift")) letGo();
+}
+
+function letGo(): void {
+  held?.hold.cancel();
+  held = null;
+}
+
+export function listenToKeys(): void {
+  window.addEventListener("keydown", down, { capture: true });
+  window.addEventListener("keyup", up, { capture: true });
+  window.addEventListener("blur", letGo);
+}

@@ -1,0 +1,54 @@
+import { state, trail, freshness, stateAge } from "../store";
+import { polyline, type Projection } from "./projection";
+
+const HULL = 0.26;
+const FADES = 4;
+
+let lastYaw = 0;
+
+/** The same heading without the jump at 180 degrees, so that the arrow never spins the long way round. */
+function unwrapped(yaw: number): number {
+  const step = ((yaw - lastYaw + Math.PI) % (2 * Math.PI) + 2 * Math.PI) % (2 * Math.PI) - Math.PI;
+  lastYaw += step;
+  return lastYaw;
+}
+
+/** The drone with its heading, where it was, and how sure the room is of it. */
+export function DroneLayer({ to }: { to: Projection }) {
+  return (
+    <>
+      <Trail to={to} />
+      <Drone to={to} />
+    </>
+  );
+}
+
+function Trail({ to }: { to: Projection }) {
+  const points = trail.value;
+  const part = Math.ceil(points.length / FADES);
+  if (points.length < 2) return null;
+  return (
+    <g class="trail">
+      {Array.from({ length: FADES }, (_, k) => (
+        <path key={k} d={polyline(to, points.slice(k * part, (k + 1) * part + 1))} opacity={(k + 1) / FADES} />
+      ))}
+    </g>
+  );
+}
+
+function Drone({ to }: { to: Projection }) {
+  const now = state.value;
+  if (!now?.position) return null;
+  const [u, v] = to.at([now.position[0], now.position[1]]);
+  const radius = Math.max(9, HULL * to.scale);
+  const sigma = (now.position_std ?? 0) * to.scale;
+  return (
+    <g class="drone" data-age={freshness(stateAge.value)} style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)` }}>
+      <circle class="sigma" r={sigma.toFixed(1)} />
+      <g class="body" style={{ transform: `rotate(${((-unwrapped(now.yaw ?? 0) * 180) / Math.PI).toFixed(1)}deg)` }}>
+        <circle class="hull" r={radius} />
+        <path class="arrow" d={`M${radius * 0.72} 0L${-radius * 0.5} ${radius * 0.52}L${-radius * 0.22} 0L${-radius * 0.5} ${-radius * 0.52}z`} />
+      </g>
+    </g>
+  );
+}

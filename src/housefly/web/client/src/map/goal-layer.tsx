@@ -1,0 +1,55 @@
+import { goal } from "../goal";
+import { path, state, type Point } from "../store";
+import { polyline, type Projection } from "./projection";
+
+/** The path that is being flown: what is left of it strong, what is done faint. */
+export function WayLayer({ to }: { to: Projection }) {
+  const way = path.value?.waypoints ?? [];
+  const now = state.value;
+  if (way.length < 2) return null;
+  const here: Point[] = now?.position ? [[now.position[0], now.position[1]]] : [];
+  const left = [...here, ...way.slice(now?.waypoint ?? 0)];
+  return (
+    <g class="way">
+      <path class="done" d={polyline(to, way)} />
+      <path class="left" d={polyline(to, left)} />
+      <Target to={to} at={way.at(-1)!} />
+    </g>
+  );
+}
+
+function Target({ to, at }: { to: Projection; at: Point }) {
+  const [u, v] = to.at(at);
+  return <circle class="target" cx={u} cy={v} r="6" />;
+}
+
+/** The ghost: a goal not yet sent, with its path, length and time. */
+export function GoalLayer({ to }: { to: Projection }) {
+  const aim = goal.value;
+  if (!aim) return null;
+  const [u, v] = to.at(aim.point);
+  const way = aim.plan?.path;
+  const words = way ? `${way.length.toFixed(1)} m · ${Math.round(aim.plan!.duration)} s` : "";
+  const right = u < to.width - 120;
+  return (
+    <g class="ghost" data-possible={way != null}>
+      {way && <path class="preview" d={polyline(to, way.waypoints)} />}
+      {aim.asked && <Asked to={to} at={aim.asked} />}
+      <g transform={`translate(${u} ${v})`}>
+        <circle class="ring" r="11" />
+        <path class="cross" d="M-16 0h8M8 0h8M0 -16v8M0 8v8" />
+        {words && (
+          <text x={right ? 20 : -20} y="4" text-anchor={right ? "start" : "end"}>
+            {words}
+          </text>
+        )}
+      </g>
+    </g>
+  );
+}
+
+/** Where the person pointed, when the drone cannot be there. */
+function Asked({ to, at }: { to: Projection; at: Point }) {
+  const [u, v] = to.at(at);
+  return <path class="asked" d={`M${u - 6} ${v - 6}l12 12m0 -12l-12 12`} />;
+}

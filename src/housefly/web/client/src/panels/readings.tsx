@@ -1,0 +1,84 @@
+import type { ComponentChildren } from "preact";
+import { freshness, link, state, stateAge } from "../store";
+import { now } from "../wire/clock";
+import { picture } from "../wire/video";
+import { milliseconds } from "../words";
+
+const LINK_PERIOD = 0.5;
+
+interface Props {
+  name: string;
+  age: number;
+  problem?: boolean;
+  children: ComponentChildren;
+}
+
+/** One value with its name; grey when older than 0.5 s, struck out when older than 2 s. */
+function Reading({ name, age, problem = false, children }: Props) {
+  return (
+    <div class="reading" data-age={freshness(age)} data-problem={problem}>
+      <dt>{name}</dt>
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+const POSE_OLD = 0.25;
+const TELEMETRY_OLD = 0.5;
+
+export function Readings() {
+  const age = stateAge.value;
+  const s = state.value;
+  const wires = link.value?.link;
+  // The link is told twice a second: its age counts from when the next one was due.
+  const linkAge = link.value ? Math.max(0, now.value - link.value.heard_at - LINK_PERIOD) : Infinity;
+  const poseAge = (s?.pose_age ?? Infinity) + age;
+  const telemetryAge = (s?.telemetry_age ?? Infinity) + age;
+  const pictureAge = picture.value ? now.value - picture.value.receivedAt : Infinity;
+  const speed = s?.velocity ? Math.hypot(s.velocity[0], s.velocity[1]) : null;
+  return (
+    <dl class="card readings">
+      <Reading name="Tracking" age={Math.max(linkAge, age)} problem={poseAge > POSE_OLD || wires?.tracking_connected === false}>
+        {rate(wires?.tracking_rate_hz)} · {ageWords(poseAge)}
+      </Reading>
+      <Reading name="Drone" age={Math.max(linkAge, age)} problem={telemetryAge > TELEMETRY_OLD || wires?.drone_connected === false}>
+        {rate(wires?.telemetry_rate_hz)} · {ageWords(telemetryAge)}
+      </Reading>
+      <Reading name="Picture" age={linkAge} problem={wires?.video_connected === false}>
+        {rate(wires?.video_rate_hz)} · {ageWords(pictureAge)}
+      </Reading>
+      <Reading name="Pilot loop" age={linkAge}>
+        {wires ? `p99 ${(1000 * wires.loop_p99_s).toFixed(1)} ms late · ${wires.missed_ticks} missed` : "–"}
+      </Reading>
+      <Reading name="Position" age={age}>
+        {s?.position ? `${s.position.map((value) => value.toFixed(2)).join("  ")} m` : "–"}
+        {s?.position_std != null && <small> ± {milli(s.position_std)}</small>}
+      </Reading>
+      <Reading name="Motion" age={age}>
+        {speed === null ? "–" : `${speed.toFixed(2)} m/s`} · {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
+      </Reading>
+      <Reading name="Acceptor" age={age}>
+        {s?.behavior ?? "–"}
+      </Reading>
+      <Reading name="Safety" age={age} problem={s !== null && s.safety !== "nominal"}>
+        {s?.safety ?? "–"}
+      </Reading>
+    </dl>
+  );
+}
+
+function rate(hertz: number | undefined): string {
+  return hertz === undefined ? "– Hz" : `${Math.round(hertz)} Hz`;
+}
+
+function ageWords(age: number): string {
+  return Number.isFinite(age) ? milliseconds(age) : "nothing yet";
+}
+
+function milli(metres: number): string {
+  return metres < 1 ? `${Math.round(1000 * metres)} mm` : `${metres.toFixed(1)} m`;
+}
+
+function degrees(radians: number): number {
+  return (Math.round((radians * 180) / Math.PI) + 360) % 360;
+}

@@ -1,0 +1,52 @@
+import { cutMotors } from "../commands";
+import { HoldButton } from "../controls/hold-button";
+import { CutIcon, ShapeIcon } from "../controls/icons";
+import { iFly, nameOf, panel, room, viewers } from "../store";
+import { lag } from "../wire/clock";
+import { headline, milliseconds } from "../words";
+
+/** The state in words, who flies, and far from STOP the button that cuts the motors. */
+export function Top() {
+  const { shape, text, detail } = headline.value;
+  return (
+    <header class="top">
+      <div class="brand">
+        <img src="/static/favicon.svg" alt="" width="28" height="28" />
+        <div>
+          <h1>Housefly</h1>
+          <span class="site">{room.value?.site ?? " "}</span>
+        </div>
+      </div>
+      <div class="headline" data-shape={shape}>
+        <ShapeIcon shape={shape} />
+        <strong>{text}</strong>
+        <span class="detail">{detail}</span>
+      </div>
+      <div class="who">
+        <span class="lag" title="Round trip between this browser and the server">
+          {lag.value === null ? "–" : milliseconds(lag.value)}
+        </span>
+        <button type="button" class="quiet-button" aria-expanded={panel.value === "control"} onClick={() => toggle("control")}>
+          {who()}
+        </button>
+        <button type="button" class="quiet-button key" aria-label="Keys" aria-expanded={panel.value === "help"} onClick={() => toggle("help")}>
+          ?
+        </button>
+      </div>
+      <HoldButton hold={cutMotors} class="cut" label="Cut motors: motors stop, drone falls">
+        <CutIcon />
+        <span>Cut motors</span>
+        <small>hold 1 s, drone falls</small>
+      </HoldButton>
+    </header>
+  );
+}
+
+function who(): string {
+  if (iFly.value) return "You have control";
+  return viewers.value.pilot === null ? "Take control" : `${nameOf(viewers.value.pilot)} has control`;
+}
+
+function toggle(name: "help" | "control"): void {
+  panel.value = panel.value === name ? "" : name;
+}

@@ -1,0 +1,35 @@
+import { useEffect, useRef } from "preact/hooks";
+import { SwapIcon } from "../controls/icons";
+import { freshness, swapped } from "../store";
+import { now } from "../wire/clock";
+import { picture, videoProblem, watch } from "../wire/video";
+import { milliseconds } from "../words";
+
+/** The drone's picture. */
+export function VideoView() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => watch(canvas.current!), []);
+  const age = picture.value ? Math.max(0, now.value - picture.value.receivedAt) : Infinity;
+  return (
+    <section class="view video" aria-label="Picture from the drone" data-age={freshness(age)}>
+      <canvas ref={canvas} width={640} height={360} />
+      <p class="veil">{veil(age)}</p>
+      <SwapButton to="picture" />
+    </section>
+  );
+}
+
+function veil(age: number): string {
+  if (videoProblem.value) return videoProblem.value;
+  if (!Number.isFinite(age)) return "No picture yet";
+  return freshness(age) === "dead" ? `No new picture for ${milliseconds(age)}` : "";
+}
+
+/** Makes the small view large. */
+export function SwapButton({ to }: { to: "map" | "picture" }) {
+  return (
+    <button type="button" class="swap" aria-label={`Make the ${to} large, or small again`} title="Swap (M)" onClick={() => (swapped.value = !swapped.value)}>
+      <SwapIcon />
+    </button>
+  );
+}

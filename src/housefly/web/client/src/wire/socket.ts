@@ -1,0 +1,160 @@
+// The line to the server: comes back by itself, answers requests, and puts what it hears into the store.
+import { batch } from "@preact/signals";
+import * as store from "../store";
+import { assume, learn, localNow } from "./clock";
+import type { Accepted, ClientMessage, InviteNews, PlanNews, Refused, ServerMessage } from "./messages";
+
+type Request = Exclude<ClientMessage, { type: "hello" | "ping" }>;
+type Unnumbered<T> = T extends Request ? Omit<T, "id"> : never;
+type Answer = Accepted | Refused | PlanNews | InviteNews;
+
+const OPENED_ELSEWHERE = 4001;
+const PING_PERIOD = 1000;
+const EVENTS_KEPT = 300;
+const TRAIL_KEPT = 600;
+const TRAIL_STEP = 0.04;
+const NAME_KEY = "housefly name";
+const TAB_KEY = "housefly tab";
+
+let socket: WebSocket | null = null;
+let pause = 250;
+let lastId = 0;
+const waiting = new Map<number, (answer: Answer) => void>();
+
+function tab(): string {
+  const known = sessionStorage.getItem(TAB_KEY);
+  if (known) return known;
+  const fresh = Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+  sessionStorage.setItem(TAB_KEY, fresh);
+  return fresh;
+}
+
+export function myName(): string {
+  return localStorage.getItem(NAME_KEY) ?? "";
+}
+
+/** Change the name that others see. */
+export function rename(name: string): void {
+  localStorage.setItem(NAME_KEY, name);
+  tell({ type: "hello", tab: tab(), name });
+}
+
+function tell(message: ClientMessage): boolean {
+  if (socket?.readyState !== WebSocket.OPEN) return false;
+  socket.send(JSON.stringify(message));
+  return true;
+}
+
+/** Send a request; resolves with the server's answer, or with a refusal when there is no line to the server. */
+export function ask(request: Unnumbered<Request>): Promise<Answer> {
+  const id = ++lastId;
+  return new Promise((resolve) => {
+    if (tell({ ...request, id } as ClientMessage)) waiting.set(id, resolve);
+    else resolve({ type: "refused", id, reason: "no contact with the server" });
+  });
+}
+
+/** STOP: over the socket, or by a plain request when the socket is down. */
+export async function stop(): Promise<string> {
+  if (tell({ type: "stop" })) return "";
+  try {
+    const answer = await fetch("/stop", { method: "POST", keepalive: true });
+    return answer.ok ? "" : "STOP was not accepted";
+  } catch {
+    return "STOP did not arrive: no contact with the server";
+  }
+}
+
+/** Open the line and keep it open. */
+export function connect(): void {
+  const scheme = location.protocol === "https:" ? "wss" : "ws";
+  const line = new WebSocket(`${scheme}://${location.host}/socket`);
+  socket = line;
+  let wasOpen = false;
+  line.onopen = () => {
+    wasOpen = true;
+    pause = 250;
+    tell({ type: "hello", tab: tab(), name: myName() });
+    ping();
+  };
+  line.onmessage = (event: MessageEvent<string>) => hear(JSON.parse(event.data) as ServerMessage);
+  line.onclose = (event) => {
+    forgetRequests();
+    if (event.code === OPENED_ELSEWHERE) {
+      store.contact.value = "elsewhere";
+      return;
+    }
+    store.contact.value = "lost";
+    if (!wasOpen) void checkSession();
+    setTimeout(connect, pause);
+    pause = Math.min(2000, pause * 1.6);
+  };
+}
+
+async function checkSession(): Promise<void> {
+  try {
+    if ((await fetch("/", { method: "HEAD" })).status === 403) store.contact.value = "shut out";
+  } catch {
+    // The server is away; the next attempt to connect will tell.
+  }
+}
+
+function forgetRequests(): void {
+  for (const [id, resolve] of waiting) resolve({ type: "refused", id, reason: "the line to the server broke" });
+  waiting.clear();
+}
+
+function ping(): void {
+  if (tell({ type: "ping", sent: localNow() })) setTimeout(ping, PING_PERIOD);
+}
+
+function hear(message: ServerMessage): void {
+  batch(() => {
+    switch (message.type) {
+      case "welcome":
+        assume(message.now);
+        store.me.value = message.you;
+        store.events.value = message.events;
+        store.trail.value = message.trail;
+        store.contact.value = "open";
+        break;
+      case "state":
+        store.state.value = message;
+        if (message.position) extendTrail([message.position[0], message.position[1]]);
+        break;
+      case "room":
+        store.room.value = message.room;
+        break;
+      case "path":
+        store.path.value = message;
+        break;
+      case "link":
+        store.link.value = message;
+        break;
+      case "events":
+        store.events.value = [...store.events.value, ...message.events].slice(-EVENTS_KEPT);
+        break;
+      case "viewers":
+        store.viewers.value = message;
+        break;
+      case "pong":
+        learn(message.sent, message.now);
+        break;
+      default:
+        answer(message);
+    }
+  });
+}
+
+function answer(message: Answer): void {
+  const resolve = waiting.get(message.id);
+  waiting.delete(message.id);
+  if (resolve) resolve(message);
+  else if (message.type === "refused") store.notice.value = message.reason;
+}
+
+function extendTrail(point: store.Point): void {
+  const last = store.trail.value.at(-1);
+  if (last && Math.hypot(point[0] - last[0], point[1] - last[1]) < TRAIL_STEP) return;
+  store.trail.value = [...store.trail.value.slice(1 - TRAIL_KEPT), point];
+}
