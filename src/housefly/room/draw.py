@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import atan2, cos, degrees, sin
+from math import atan2, cos, degrees, hypot, sin
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +14,7 @@ from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Patch, Polygon, Rectangle
+from matplotlib.patheffects import withStroke
 
 from housefly.errors import RoomError
 from housefly.geometry import Vec2, rotate
@@ -28,9 +29,11 @@ LOOK: dict[Cell, tuple[str, str, str]] = {
     Cell.OUTSIDE: ("#ffffff", " ", "outside"),
 }
 INK, QUIET, ACCENT, PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
-UNLABELLED = frozenset({"wall", "window", "decoration", "home pad", "carpet", "entrance door", "room door", "unexplored"})
+UNLABELLED = frozenset({"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"})
 INCHES_PER_METRE = 0.92
 TEXT_COLUMNS = 110
+LABEL_SPACING = 0.42
+"""Names closer than this to that of a larger thing are left out [m]."""
 
 
 def draw_room(
@@ -141,14 +144,18 @@ def _outline(solid: Solid) -> Patch:
 
 
 def _labels(axes: Axes, room: Room) -> None:
-    """Write the name of each thing on its largest solid, once a kind where several stand close."""
+    """Write the name of each thing on its largest solid, larger things first."""
     largest: dict[str, Solid] = {}
     for solid in room.solids:
         best = largest.get(solid.thing)
         if solid.thing not in UNLABELLED and (best is None or _area(solid) > _area(best)):
             largest[solid.thing] = solid
-    for thing, solid in largest.items():
+    written: list[Vec2] = []
+    for thing, solid in sorted(largest.items(), key=lambda item: -_area(item[1])):
         x, y, _ = solid.position
+        if any(hypot(x - u, y - v) < LABEL_SPACING for u, v in written):
+            continue
+        written.append((x, y))
         corners = _corners(solid)
         extent = corners.max(axis=0) - corners.min(axis=0)
         upright = 90.0 if extent[1] > 1.6 * extent[0] and len(thing) > 3 else 0.0
@@ -156,8 +163,6 @@ def _labels(axes: Axes, room: Room) -> None:
 
 
 def _halo(width: float = 2.2) -> dict[str, Any]:
-    from matplotlib.patheffects import withStroke
-
     return {"path_effects": [withStroke(linewidth=width, foreground=(1, 1, 1, 0.85))]}
 
 

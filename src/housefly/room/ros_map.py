@@ -1,0 +1,141 @@
+"""Makes a room of a ROS map: occupied pixels become walls, home and a few places are chosen where there is most space."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.errors import RoomError
+from housefly.room.files import save_room, toml_string
+from housefly.room.grid import build_grid
+from housefly.room.model import Colour, Place, Room, Shape, Solid
+from housefly.room.rectangles import rectangles
+from housefly.room.ros_image import RosMap, read_ros_map
+from housefly.room.spots import LOOK_DISTANCE, Manner, manner_and_home, places_around, site_for
+
+Mask = NDArray[np.bool_]
+
+WALL_HEIGHT = 2.5
+WALL: Colour = (0.86, 0.83, 0.77, 1.0)
+UNEXPLORED: Colour = (0.60, 0.63, 0.66, 1.0)
+MOST_SOLIDS = 20_000
+LARGEST_AREA = 40_000.0
+"""Largest room [m^2]."""
+
+
+def import_ros_map(yaml_path: Path, out: Path, *, name: str = "", wall_height: float = WALL_HEIGHT) -> Room:
+    """Make a room of a ROS map and write ``room.toml`` and ``site.toml`` into a directory.
+
+    Unknown pixels beside free ones become walls of their own kind ("unexplored"): what nobody saw may hold anything. A room made
+    of a map has no tracking cameras, so that tracking sees everywhere. The whole room is moved so that it begins at (0, 0).
+
+    Args:
+        yaml_path: the map's yaml file.
+        out: the directory to write; made when absent.
+        name: of the room; the map's folder when empty.
+        wall_height: how high the walls are [m].
+
+    Raises:
+        RoomError: the map cannot be read, or the drone fits nowhere in it.
+    """
+    ros_map = _cropped(read_ros_map(yaml_path), yaml_path)
+    title = name or yaml_path.resolve().parent.name.replace("_", " ")
+    shell = Room(title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0))
+    manner, home = manner_and_home(shell, ros_map, yaml_path)
+    site = site_for(manner)
+    grid = build_grid(replace(shell, home=home), site)
+    places = (Place("home", home, (home[0] + LOOK_DISTANCE, home[1], site.map.flight_height), "Home"), *places_around(grid, home))
+    room = Room(shell.name, shell.bounds, shell.height, shell.solids, places, (), home)
+    save_room(room, out)
+    _write_site(out / "site.toml", room, manner, yaml_path)
+    return room
+
+
+def _cropped(ros_map: RosMap, source: Path) -> RosMap:
+    """Return the part with free pixels and a border of two; its lower left corner is the new origin (0, 0)."""
+    columns, rows = np.flatnonzero(ros_map.free.any(axis=1)), np.flatnonzero(ros_map.free.any(axis=0))
+    if columns.size == 0:
+        raise RoomError(f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh")
+    part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
+    occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
+    if occupied.size * ros_map.resolution**2 > LARGEST_AREA:
+        raise RoomError(f"{source}: the map covers more than {LARGEST_AREA:.0f} m^2; cut out the part to fly in")
+    return RosMap((0.0, 0.0), ros_map.resolution, occupied, free)
+
+
+def _bounds(ros_map: RosMap) -> tuple[float, float, float, float]:
+    nx, ny = ros_map.free.shape
+    return 0.0, 0.0, round(nx * ros_map.resolution, 6), round(ny * ros_map.resolution, 6)
+
+
+def _walls(ros_map: RosMap, height: float) -> tuple[Solid, ...]:
+    unknown = ~ros_map.occupied & ~ros_map.free
+    solids = (
+        *_extruded("wall", ros_map.occupied, ros_map.resolution, height, WALL),
+        *_extruded("unexplored", unknown & _beside(ros_map.free), ros_map.resolution, height, UNEXPLORED),
+    )
+    if len(solids) > MOST_SOLIDS:
+        raise RoomError(f"the map needs {len(solids)} boxes, at most {MOST_SOLIDS} are supported; clean it of single pixels")
+    return solids
+
+
+def _beside(mask: Mask) -> Mask:
+    """Return the mask grown by one pixel to all eight sides."""
+    padded = np.pad(mask, 1)
+    nx, ny = mask.shape
+    grown = np.zeros_like(mask)
+    for dx in range(3):
+        for dy in range(3):
+            grown |= padded[dx : dx + nx, dy : dy + ny]
+    return grown
+
+
+def _extruded(thing: str, mask: Mask, edge: float, height: float, colour: Colour) -> tuple[Solid, ...]:
+    return tuple(
+        Solid(
+            name=f"{thing} {n}",
+            thing=thing,
+            shape=Shape.BOX,
+            position=(round((i0 + i1) / 2 * edge, 6), round((j0 + j1) / 2 * edge, 6), height / 2),
+            size=(round((i1 - i0) * edge, 6), round((j1 - j0) * edge, 6), height),
+            colour=colour,
+            texture="wall",
+        )
+        for n, (i0, j0, i1, j1) in enumerate(rectangles(mask))
+    )
+
+
+def _write_site(path: Path, room: Room, manner: Manner, source: Path) -> None:
+    text = SITE_TEXT.format(name=toml_string(room.name), source=source.name, manner=manner)
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise RoomError(f"{path} cannot be written: {error.strerror}") from error
+
+
+SITE_TEXT = """\
+# A room made of the ROS map {source}. Every key and its range: docs/site.md.
+
+name = {name}
+mode = "default"
+
+[room]
+model = "."             # the room.toml beside this file
+
+[map]
+flight_height = 1.1     # a ROS map is flat: its walls reach from the floor to the ceiling
+# {manner.remark}
+resolution = {manner.resolution}
+tracking_bound = {manner.tracking_bound}
+margin = {manner.margin}
+
+[limits]
+speed = {manner.speed}
+
+[twin]
+enabled = true
+visitor_present = false
+"""
