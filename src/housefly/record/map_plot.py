@@ -1,0 +1,105 @@
+"""The report's map: grid, furniture, planned and flown way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import cos, pi, sin
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from housefly.geometry import Vec2
+from housefly.messages import Phase
+from housefly.record import svg
+from housefly.record.series import FlightSeries
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Room, Shape, Solid
+
+_CELLS = (
+    (Cell.OUTSIDE, svg.OUTSIDE, "", "outside"),
+    (Cell.INFLATED, svg.INFLATED, "", "too close"),
+    (Cell.VIRTUAL, svg.VIRTUAL, "////", "kept free"),
+    (Cell.OCCUPIED, svg.OCCUPIED, "", "occupied"),
+)
+_WIDTH = 10.4
+"""Width of every picture of the report [inch]."""
+
+
+def map_svg(flight: FlightSeries, room: Room, grid: OccupancyGrid) -> str:
+    """Return the room from above with what was planned and what was flown."""
+    x_min, y_min, x_max, y_max = room.bounds
+    with svg.drawing("map"):
+        figure = svg.new_figure(_WIDTH, min(12.0, _WIDTH * (y_max - y_min) / (x_max - x_min) + 0.9))
+        axes = figure.add_subplot()
+        handles = _draw_cells(axes, grid)
+        _draw_furniture(axes, room)
+        handles += _draw_flight(axes, flight)
+        _draw_points(axes, room, flight)
+        axes.set(xlim=(x_min - 0.1, x_max + 0.1), ylim=(y_min - 0.1, y_max + 0.1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
+        axes.grid(visible=False)
+        figure.legend(handles=handles, loc="outside lower center", ncols=7)
+        return svg.to_svg(figure, "Map of the room with the planned path and the way that was flown")
+
+
+def _draw_cells(axes: Axes, grid: OccupancyGrid) -> list[Patch | Line2D]:
+    handles: list[Patch | Line2D] = []
+    for cell, colour, hatch, label in _CELLS:
+        boxes = list(_runs(grid, cell))
+        if boxes:
+            # Edges of the same colour hide the seams between neighbouring boxes.
+            axes.add_collection(PolyCollection(boxes, facecolor=colour, edgecolor=colour, linewidth=0.4, hatch=hatch, zorder=1))
+            handles.append(Patch(facecolor=colour, edgecolor=svg.LINE, hatch=hatch, label=label))
+    return handles
+
+
+def _runs(grid: OccupancyGrid, cell: Cell) -> Iterator[list[Vec2]]:
+    """Yield the corners of boxes that cover the cells of one kind, a box for each run along x."""
+    for row in range(grid.cells.shape[1]):
+        marked = np.concatenate(([False], grid.cells[:, row] == cell, [False])).astype(np.int8)
+        changes = np.diff(marked)
+        for start, end in zip(np.flatnonzero(changes == 1), np.flatnonzero(changes == -1), strict=True):
+            x0, x1 = (grid.origin[0] + float(column) * grid.resolution for column in (start, end))
+            y0 = grid.origin[1] + row * grid.resolution
+            yield [(x0, y0), (x1, y0), (x1, y0 + grid.resolution), (x0, y0 + grid.resolution)]
+
+
+def _draw_furniture(axes: Axes, room: Room) -> None:
+    outlines = [_footprint(solid) for solid in room.solids if solid.collides]
+    axes.add_collection(PolyCollection(outlines, facecolor="none", edgecolor=svg.FURNITURE, linewidth=0.7, zorder=2))
+
+
+def _footprint(solid: Solid) -> list[Vec2]:
+    length, width = solid.size[0] / 2.0, solid.size[1] / 2.0
+    if solid.shape is Shape.CYLINDER:
+        local = [(length * cos(a * pi / 12), width * sin(a * pi / 12)) for a in range(24)]
+    else:
+        local = [(length, width), (-length, width), (-length, -width), (length, -width)]
+    c, s = cos(solid.yaw), sin(solid.yaw)
+    return [(solid.position[0] + c * x - s * y, solid.position[1] + s * x + c * y) for x, y in local]
+
+
+def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
+    planned = Line2D([], [], color=svg.SECOND, linestyle=(0, (4, 3)), label="planned")
+    flown = Line2D([], [], color=svg.ACCENT, linewidth=2.0, label="flown")
+    for path in flight.paths:
+        axes.plot(*np.array(path.waypoints).T, color=svg.SECOND, linestyle=(0, (4, 3)), zorder=3)
+    if len(flight.sighting):
+        axes.plot(flight.sighting[:, 0], flight.sighting[:, 1], color=svg.ACCENT, linewidth=2.0, zorder=4)
+    return [planned, flown]
+
+
+def _draw_points(axes: Axes, room: Room, flight: FlightSeries) -> None:
+    _mark(axes, room.home, "s", "home", svg.INK)
+    if room.visitor is not None:
+        _mark(axes, room.visitor, "o", "visitor", svg.INK)
+    outbound = flight.path[flight.during(Phase.OUTBOUND) & (flight.path >= 0)]
+    if outbound.size:
+        _mark(axes, flight.paths[outbound[-1]].waypoints[-1], "*", "goal", svg.ACCENT)
+
+
+def _mark(axes: Axes, point: Vec2, marker: str, label: str, colour: str) -> None:
+    axes.plot(*point, marker=marker, markersize=8, color=colour, linestyle="none", zorder=5)
+    axes.annotate(label, point, xytext=(7, 5), textcoords="offset points", color=svg.INK, fontsize=9, zorder=6)

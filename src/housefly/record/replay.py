@@ -1,0 +1,125 @@
+"""Reads a recording back, and gives it to a fresh pilot."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO, Protocol
+
+from mcap.exceptions import EndOfFile, McapError
+from mcap.records import Channel, Message, Schema
+from mcap.stream_reader import StreamReader
+from zstandard import ZstdError
+
+from housefly.bus.codec import decode
+from housefly.bus.interfaces import definition, ros_name
+from housefly.errors import RecordingError, WireError
+from housefly.messages import Command, Inputs, Outputs, PilotStep
+
+STEP_TOPIC = "/housefly/step"
+_STEP_TYPE = ros_name("PilotStep")
+_RECORD_LIMIT = 64 * 2**20
+"""Largest record [bytes] that a sane recording holds; a damaged length must not fill the memory."""
+_MAGIC_SIZE = 8
+
+
+def replay(path: Path) -> Iterator[PilotStep]:
+    """Yield the steps of a recording in order; one that was cut short yields what is readable and then ends.
+
+    Args:
+        path: ``flight.mcap``, or the folder that holds it.
+
+    Raises:
+        RecordingError: the file is absent, is not a recording of Housefly, or is damaged in the middle.
+    """
+    path = path / "flight.mcap" if path.is_dir() else path
+    try:
+        file = path.open("rb")
+    except OSError as error:
+        raise RecordingError(f"{path} cannot be read: {error.strerror}") from error
+    with file:
+        yield from _steps(file, path)
+
+
+def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
+    schemas: dict[int, Schema] = {}
+    step_channel = -1
+    for record in _records(file, path):
+        if isinstance(record, Schema):
+            schemas[record.id] = record
+        elif isinstance(record, Channel) and record.topic == STEP_TOPIC:
+            _check(schemas.get(record.schema_id), path)
+            step_channel = record.id
+        elif isinstance(record, Message) and record.channel_id == step_channel:
+            try:
+                yield decode(PilotStep, record.data)
+            except WireError as error:
+                raise RecordingError(f"{path} is damaged: {error}") from error
+
+
+def _records(file: BinaryIO, path: Path) -> Iterator[object]:
+    """Yield the records of an MCAP file; ends quietly where the file was cut."""
+    try:
+        # A checksum that does not match is a ValueError.
+        yield from StreamReader(file, validate_crcs=True, record_size_limit=_RECORD_LIMIT).records
+    except EndOfFile as error:
+        if file.tell() <= _MAGIC_SIZE:
+            raise RecordingError(f"{path} is empty") from error
+    except (McapError, ZstdError, struct.error, ValueError, OverflowError, MemoryError) as error:
+        raise RecordingError(f"{path} is not a recording, or is damaged: {error}") from error
+
+
+def _check(schema: Schema | None, path: Path) -> None:
+    if schema is None or schema.name != _STEP_TYPE or schema.data.decode(errors="replace") != definition(_STEP_TYPE):
+        raise RecordingError(f"{path} was recorded with other message definitions; replay it with the version that recorded it")
+
+
+class SteppedPilot(Protocol):
+    """The part of the pilot that a replay needs."""
+
+    def step(self, now: float, inputs: Inputs) -> Outputs:
+        """Return what the pilot decides."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """The first step at which a fresh pilot decided otherwise."""
+
+    step: PilotStep
+    replayed: Command
+
+    def __str__(self) -> str:
+        recorded = self.step.outputs.command
+        return f"step {self.step.sequence} at {self.step.now:.3f} s: recorded {recorded}, replayed {self.replayed}"
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """How a replay compares with its recording.
+
+    Attributes:
+        steps: steps compared.
+        missing: steps that the recording lacks; a pilot that never saw them may rightly decide otherwise.
+        difference: the first difference, or None when every command is the same bit for bit.
+    """
+
+    steps: int
+    missing: int
+    difference: Difference | None
+
+
+def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> Verdict:
+    """Give a recording to a fresh pilot and compare each command bit for bit; raises RecordingError like ``replay``."""
+    pilot = pilot_factory()
+    count, missing, last = 0, 0, None
+    for step in replay(path):
+        missing += max(0, step.sequence - last - 1) if last is not None else 0
+        last = step.sequence
+        command = pilot.step(step.now, step.inputs).command
+        if repr(command) != repr(step.outputs.command):
+            return Verdict(count, missing, Difference(step, command))
+        count += 1
+    return Verdict(count, missing, None)

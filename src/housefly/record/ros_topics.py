@@ -1,0 +1,55 @@
+"""Which standard ROS 2 topics a recording holds beside the complete steps."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from housefly.messages import Path, PilotStep, Telemetry
+from housefly.record import ros_messages
+
+
+class Sample(NamedTuple):
+    """One message of one topic: topic, time [s], ROS 2 message."""
+
+    topic: str
+    at: float
+    message: Any
+
+
+class StepTopics:
+    """Turns the pilot's steps into standard messages; remembers only what it said last.
+
+    Args:
+        flight_height: where a planned path is drawn [m].
+    """
+
+    def __init__(self, flight_height: float) -> None:
+        self._flight_height = flight_height
+        self._telemetry: Telemetry | None = None
+        self._path: Path | None = None
+
+    def of(self, step: PilotStep) -> Iterator[Sample]:
+        """Yield what one step adds: sightings, odometry, command, and battery, path and events when they are new."""
+        now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
+        for sighting in step.inputs.sightings:
+            stamped = ros_messages.pose_stamped(sighting.captured_at, sighting.pose)
+            yield Sample(f"/sighting/{_topic_part(sighting.body)}", now, stamped)
+        if outputs.estimate is not None:
+            yield Sample("/odom", now, ros_messages.odometry(outputs.estimate))
+        yield Sample("/cmd_vel", now, ros_messages.velocity_command(now, outputs.command.setpoint))
+        if telemetry is not None and (self._telemetry is None or telemetry.battery != self._telemetry.battery):
+            self._telemetry = telemetry
+            yield Sample("/battery", now, ros_messages.battery_state(telemetry))
+        if outputs.path != self._path:
+            self._path = outputs.path
+            yield Sample("/path", now, ros_messages.planned_path(now, outputs.path, self._flight_height))
+        for event in outputs.events:
+            yield Sample("/events", now, ros_messages.log(event))
+
+
+def _topic_part(name: str) -> str:
+    """Return a body's name as ROS 2 allows it in a topic."""
+    cleaned = re.sub(r"\W", "_", name, flags=re.ASCII)
+    return cleaned if re.match(r"[A-Za-z]", cleaned) else f"body_{cleaned}"

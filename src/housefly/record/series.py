@@ -1,0 +1,148 @@
+"""A recorded flight as arrays: one row a step, one row a sighting. Summary and report are computed from these."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import nan
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.messages import Behavior, DroneStatus, Event, Path, Phase, PilotStep, SafetyMode
+
+Floats = NDArray[np.float64]
+Numbers = NDArray[np.int64]
+
+PHASES, BEHAVIORS, SAFETY_MODES, STATUSES = tuple(Phase), tuple(Behavior), tuple(SafetyMode), tuple(DroneStatus)
+"""What the numbers in the arrays of states mean."""
+
+_NOWHERE = (nan, nan, nan)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FlightSeries:
+    """One flight; unknown values are not a number, states are indices into the tuples of this module.
+
+    Attributes:
+        time: of each step [s], shape (n,).
+        estimate, reference: x, y, z [m] and yaw [rad], shape (n, 4).
+        setpoint: theta, phi [rad], climb rate [m/s], yaw rate [rad/s], shape (n, 4).
+        phase, behavior, safety: states, shape (n,).
+        status: the drone's own state, shape (n,).
+        battery: charge 0 to 1, shape (n,).
+        pose_age, telemetry_age: [s], shape (n,).
+        path: index into ``paths`` of the path in force, or -1, shape (n,).
+        paths: each planned path once, in order of use.
+        sighting_step: step that received each sighting of the drone, shape (m,).
+        sighting_time: when each was captured [s], shape (m,).
+        sighting: x, y, z [m], shape (m, 3).
+        goal_name: of each step.
+        events: all of them, in order.
+        missing_steps: gaps in the step numbers.
+    """
+
+    time: Floats
+    estimate: Floats
+    reference: Floats
+    setpoint: Floats
+    phase: Numbers
+    behavior: Numbers
+    safety: Numbers
+    status: Numbers
+    battery: Floats
+    pose_age: Floats
+    telemetry_age: Floats
+    path: Numbers
+    paths: tuple[Path, ...]
+    sighting_step: Numbers
+    sighting_time: Floats
+    sighting: Floats
+    goal_name: tuple[str, ...]
+    events: tuple[Event, ...]
+    missing_steps: int
+
+    def during(self, *phases: Phase) -> NDArray[np.bool_]:
+        """Return which steps are in one of the phases, shape (n,)."""
+        return np.isin(self.phase, [PHASES.index(phase) for phase in phases])
+
+
+def collect(steps: Iterable[PilotStep], body: str) -> FlightSeries:
+    """Return the arrays of a flight.
+
+    Args:
+        steps: in order.
+        body: name of the drone among the tracked bodies.
+    """
+    rows: list[tuple[float, ...]] = []
+    seen: list[tuple[float, ...]] = []
+    paths: list[Path] = []
+    events: list[Event] = []
+    goals: list[str] = []
+    missing, last = 0, None
+    for index, step in enumerate(steps):
+        if last is not None:
+            missing += max(0, step.sequence - last - 1)
+        last = step.sequence
+        if step.outputs.path is not None and (not paths or paths[-1] != step.outputs.path):
+            paths.append(step.outputs.path)
+        rows.append(_row(step, len(paths) - 1 if step.outputs.path is not None else -1))
+        for sighting in step.inputs.sightings:
+            if sighting.body == body:
+                seen.append((index, sighting.captured_at, *sighting.pose.position))
+        events.extend(step.outputs.events)
+        goals.append(step.outputs.goal_name)
+    return _series(rows, seen, paths, events, goals, missing)
+
+
+def _row(step: PilotStep, path: int) -> tuple[float, ...]:
+    outputs, telemetry = step.outputs, step.inputs.telemetry
+    estimate, reference, setpoint = outputs.estimate, outputs.reference, outputs.command.setpoint
+    return (
+        step.now,
+        *((*estimate.position, estimate.yaw) if estimate else (*_NOWHERE, nan)),
+        *((*reference.position, reference.yaw) if reference else (*_NOWHERE, nan)),
+        *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
+        PHASES.index(outputs.phase),
+        BEHAVIORS.index(outputs.behavior),
+        SAFETY_MODES.index(outputs.safety),
+        STATUSES.index(telemetry.status if telemetry else DroneStatus.UNKNOWN),
+        telemetry.battery if telemetry else nan,
+        estimate.pose_age if estimate else nan,
+        step.now - telemetry.received_at if telemetry else nan,
+        path,
+    )
+
+
+def _series(
+    rows: list[tuple[float, ...]],
+    seen: list[tuple[float, ...]],
+    paths: list[Path],
+    events: list[Event],
+    goals: list[str],
+    missing: int,
+) -> FlightSeries:
+    table = np.array(rows, dtype=np.float64).reshape(-1, 21)
+    sightings = np.array(seen, dtype=np.float64).reshape(-1, 5)
+    states = table[:, 13:17].astype(np.int64)
+    return FlightSeries(
+        time=table[:, 0],
+        estimate=table[:, 1:5],
+        reference=table[:, 5:9],
+        setpoint=table[:, 9:13],
+        phase=states[:, 0],
+        behavior=states[:, 1],
+        safety=states[:, 2],
+        status=states[:, 3],
+        battery=table[:, 17],
+        pose_age=table[:, 18],
+        telemetry_age=table[:, 19],
+        path=table[:, 20].astype(np.int64),
+        paths=tuple(paths),
+        sighting_step=sightings[:, 0].astype(np.int64),
+        sighting_time=sightings[:, 1],
+        sighting=sightings[:, 2:5],
+        goal_name=tuple(goals),
+        events=tuple(events),
+        missing_steps=missing,
+    )

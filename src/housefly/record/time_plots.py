@@ -1,0 +1,146 @@
+"""The report's plots over time: position and references, commands, states, battery, ages."""
+
+from __future__ import annotations
+
+from enum import Enum
+from math import pi
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from housefly.config import Site
+from housefly.record import svg
+from housefly.record.series import BEHAVIORS, PHASES, SAFETY_MODES, FlightSeries, Floats, Numbers
+
+_WIDTH = 10.4
+_ROW = 1.35
+"""Size of one strip [inch]."""
+
+
+def position_svg(flight: FlightSeries) -> str:
+    """Return x, y, z and yaw: where the drone was seen or believed, and where it should have been."""
+    with svg.drawing("position"):
+        figure, rows = _strips(4)
+        names = ("x [m]", "y [m]", "z [m]", "yaw [rad]")
+        for column, (axes, name) in enumerate(zip(rows, names, strict=True)):
+            axes.set_title(name)
+            axes.plot(
+                _elapsed(flight),
+                _unwound(flight.reference[:, column]),
+                color=svg.SECOND,
+                linestyle=(0, (4, 3)),
+                label="reference",
+            )
+            axes.plot(_elapsed(flight), _unwound(flight.estimate[:, column]), color=svg.ACCENT, label="estimate")
+        rows[3].set(ylim=(-pi - 0.2, pi + 0.2), yticks=[-pi, 0, pi], yticklabels=["-\u03c0", "0", "\u03c0"])
+        rows[0].legend(loc="upper right", ncols=2, bbox_to_anchor=(1.0, 1.25))
+        return svg.to_svg(figure, "Position and heading over time, with their references")
+
+
+def commands_svg(flight: FlightSeries, site: Site) -> str:
+    """Return the setpoints between their limits."""
+    limits = site.limits
+    strips = (
+        ("pitch \u03b8 [rad], forward is positive", limits.tilt_max),
+        ("roll \u03c6 [rad], right is positive", limits.tilt_max),
+        ("climb rate [m/s]", limits.vertical_speed_max),
+        ("yaw rate [rad/s], counter-clockwise is positive", limits.yaw_rate_max),
+    )
+    with svg.drawing("commands"):
+        figure, rows = _strips(4)
+        for column, (axes, (name, limit)) in enumerate(zip(rows, strips, strict=True)):
+            axes.set_title(name)
+            axes.plot(_elapsed(flight), flight.setpoint[:, column], color=svg.ACCENT, linewidth=1.0)
+            for bound in (-limit, limit):
+                axes.axhline(bound, color=svg.WARN, linewidth=1.0, linestyle=(0, (1, 2)))
+            axes.set_ylim(-1.25 * limit, 1.25 * limit)
+        return svg.to_svg(figure, "Commands over time, between their limits")
+
+
+def states_svg(flight: FlightSeries) -> str:
+    """Return the states of errand, acceptor and last gate as labelled bands."""
+    with svg.drawing("states"):
+        figure, rows = _strips(3, row=0.78)
+        quiet = (svg.STATES[0], svg.STATES[2], svg.WARN, svg.WARN, svg.FAULT)
+        _draw_bands(rows[0], "errand", flight, flight.phase, PHASES, svg.STATES)
+        _draw_bands(rows[1], "behavior", flight, flight.behavior, BEHAVIORS, svg.STATES)
+        _draw_bands(rows[2], "safety", flight, flight.safety, SAFETY_MODES, quiet)
+        return svg.to_svg(figure, "States over time: errand, behavior and safety")
+
+
+def health_svg(flight: FlightSeries, site: Site) -> str:
+    """Return battery charge, and how old pose and telemetry were, with the limits that safety watches."""
+    limits = site.limits
+    with svg.drawing("health"):
+        figure, rows = _strips(3)
+        battery, pose, telemetry = rows
+        battery.set_title("battery [%]")
+        battery.plot(_elapsed(flight), 100.0 * flight.battery, color=svg.ACCENT)
+        battery.set_ylim(0.0, 105.0)
+        _limit(battery, 100.0 * limits.battery_floor, "land")
+        _draw_age(pose, "age of the pose [s]", flight, flight.pose_age)
+        _limit(pose, limits.pose_age_level, "level")
+        _limit(pose, limits.pose_age_land, "land")
+        _draw_age(telemetry, "age of the telemetry [s]", flight, flight.telemetry_age)
+        _limit(telemetry, limits.telemetry_age, "land")
+        return svg.to_svg(figure, "Battery, age of the pose and age of the telemetry over time, with their limits")
+
+
+def _strips(count: int, row: float = _ROW) -> tuple[Figure, list[Axes]]:
+    figure = svg.new_figure(_WIDTH, row * count + 0.4)
+    rows = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
+    rows[-1].set_xlabel("time [s]")
+    rows[0].margins(x=0.0)
+    return figure, rows
+
+
+def _elapsed(flight: FlightSeries) -> Floats:
+    return flight.time - flight.time[0] if flight.time.size else flight.time
+
+
+def _unwound(values: Floats) -> Floats:
+    """Return the values with a gap where an angle wraps, so that no line crosses the picture."""
+    jumps = np.flatnonzero(np.abs(np.diff(values)) > pi) + 1
+    broken = values.copy()
+    broken[jumps] = np.nan
+    return broken
+
+
+def _draw_bands(
+    axes: Axes, title: str, flight: FlightSeries, numbers: Numbers, states: tuple[Enum, ...], colours: tuple[str, ...]
+) -> None:
+    axes.set_title(title)
+    axes.set(ylim=(0.0, 1.0), yticks=[])
+    axes.grid(visible=False)
+    axes.spines["left"].set_visible(False)
+    elapsed = _elapsed(flight)
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(numbers)) + 1)) if numbers.size else np.empty(0, dtype=np.int64)
+    for start, end in zip(starts, np.append(starts[1:], numbers.size - 1), strict=True):
+        left, width = float(elapsed[start]), float(elapsed[end] - elapsed[start])
+        state = int(numbers[start])
+        axes.broken_barh([(left, width)], (0.08, 0.84), facecolor=colours[state], edgecolor="none")
+        if width * _WIDTH / max(float(elapsed[-1]), 1e-9) > 0.085 * len(states[state].value):
+            axes.text(left + width / 2, 0.48, states[state].value, ha="center", va="center", fontsize=8, color=svg.INK)
+
+
+def _draw_age(axes: Axes, title: str, flight: FlightSeries, age: Floats) -> None:
+    axes.set_title(title)
+    axes.plot(_elapsed(flight), np.maximum(age, 1e-3), color=svg.ACCENT, linewidth=0.8)
+    axes.set(
+        yscale="log", ylim=(1e-3, 10.0), yticks=[1e-3, 1e-2, 1e-1, 1.0, 10.0], yticklabels=["0.001", "0.01", "0.1", "1", "10"]
+    )
+    axes.minorticks_off()
+
+
+def _limit(axes: Axes, value: float, consequence: str) -> None:
+    axes.axhline(value, color=svg.WARN, linewidth=1.0, linestyle=(0, (1, 2)))
+    axes.annotate(
+        consequence,
+        (1.0, value),
+        xycoords=("axes fraction", "data"),
+        xytext=(-2, 2),
+        textcoords="offset points",
+        ha="right",
+        fontsize=8,
+    )
