@@ -105,8 +105,9 @@ def test_one_camera_is_not_enough(make_world: MakeWorld, make_room: MakeRoom, ce
 def test_out_of_every_cameras_view_the_drone_is_not_seen(
     make_world: MakeWorld, make_room: MakeRoom, ceiling_cameras: Cameras
 ) -> None:
+    assert all(distance(camera.position, (5.5, 2.5, 0.05)) < camera.reach for camera in ceiling_cameras)
     world = make_world(make_room(cameras=ceiling_cameras))
-    world.put_drone((9.0, 2.5, 0.05))
+    world.put_drone((5.5, 2.5, 0.05))
     assert not sees_drone(world)
     world.put_drone()
     assert sees_drone(world)
