@@ -15,7 +15,7 @@ from housefly.twin.ardrone_link import Link
 from housefly.twin.ardrone_navdata import NavdataWriter
 from housefly.twin.contracts import Flight, Onboard
 from housefly.wires.ardrone.navdata import DroneState, decode_navdata
-from housefly.wires.ardrone.navdata_options import Demo, PhysMeasures, Pwm, RawMeasures, Time
+from housefly.wires.ardrone.navdata_options import Demo, EulerAngles, PhysMeasures, Pwm, RawMeasures, Time
 from housefly.wires.ardrone.signs import telemetry_from_navdata
 
 RESTING = Onboard(
@@ -151,5 +151,7 @@ def test_packets_are_numbered_from_one():
 
 def test_angles_are_thousandths_of_degrees():
     tilted = replace(RESTING, theta=0.1, phi=0.2, psi=0.3)
-    demo = decode_navdata(writer(demo=True).packet(tilted)).option(Demo)
+    packet = decode_navdata(writer(demo=False).packet(tilted))
+    demo, euler = packet.option(Demo), packet.option(EulerAngles)
+    assert (euler.theta, euler.phi) == (demo.theta, demo.phi)
     assert (demo.theta, demo.phi, demo.psi) == pytest.approx((-1e3 * degrees(0.1), 1e3 * degrees(0.2), -1e3 * degrees(0.3)))
