@@ -6,7 +6,7 @@ Numbers: ``ardrone-wire.md`` section 5. The body frame is forward, left, up with
 from __future__ import annotations
 
 from itertools import pairwise
-from math import atan, degrees, pi, radians, tan
+from math import atan, degrees, radians, tan
 
 from housefly.config import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
@@ -100,13 +100,14 @@ def _looks() -> list[str]:
     shapes = [
         _shape("ellipsoid", (-0.02, 0.0, 0.01), (0.15, 0.055, 0.045), _DARK),
         _shape("box", (-0.13, 0.0, 0.02), (0.05, 0.035, 0.03), _ORANGE),
-        _shape("cylinder", (0.19, 0.0, 0.0), (0.018, 0.012), _DARK, euler=(0.0, pi / 2, 0.0)),
+        _rod((0.1, 0.0, 0.0), (0.18, 0.0, 0.0), 0.022, _DARK),
     ]
     for sx in (1, -1):
         for sy in (1, -1):
             centre = (sx * MOTOR_ARM, sy * MOTOR_ARM, 0.03)
             shapes.append(_shape("cylinder", centre, (ROTOR_RADIUS, 0.002), _BLADE))
             shapes.append(_shape("cylinder", (centre[0], centre[1], 0.012), (0.014, 0.02), _DARK))
+            shapes.append(_rod((0.0, 0.0, 0.0), (centre[0], centre[1], 0.0), 0.008, _DARK))
             shapes.extend(_foam_arc(sx, sy))
     return shapes
 
@@ -118,18 +119,18 @@ def _foam_arc(sx: int, sy: int) -> list[str]:
         (sx * (MOTOR_ARM + radius * dx), sy * (MOTOR_ARM + radius * dy))
         for dx, dy in ((-0.5, 0.87), (0.0, 1.0), (0.5, 0.87), (0.87, 0.5), (1.0, 0.0), (0.87, -0.5))
     ]
-    return [
-        f'<geom type="capsule" size="{thickness}" fromto="{_numbers(*a, 0.02, *b, 0.02)}" rgba="{_FOAM}" {_VISUAL}/>'
-        for a, b in pairwise(points)
-    ]
+    return [_rod((*a, 0.02), (*b, 0.02), thickness, _FOAM) for a, b in pairwise(points)]
 
 
 _VISUAL = f'contype="0" conaffinity="0" mass="0" group="{VISUAL_GROUP}"'
 
 
-def _shape(kind: str, at: Vec3, size: tuple[float, ...], colour: str, euler: Vec3 | None = None) -> str:
-    turned = f' quat="{_numbers(*quaternion_from_euler(*euler))}"' if euler else ""
-    return f'<geom type="{kind}" pos="{_numbers(*at)}" size="{_numbers(*size)}"{turned} rgba="{colour}" {_VISUAL}/>'
+def _shape(kind: str, at: Vec3, size: tuple[float, ...], colour: str) -> str:
+    return f'<geom type="{kind}" pos="{_numbers(*at)}" size="{_numbers(*size)}" rgba="{colour}" {_VISUAL}/>'
+
+
+def _rod(start: Vec3, end: Vec3, radius: float, colour: str) -> str:
+    return f'<geom type="capsule" size="{radius}" fromto="{_numbers(*start, *end)}" rgba="{colour}" {_VISUAL}/>'
 
 
 def _cameras() -> list[str]:

@@ -11,7 +11,6 @@ from collections import deque
 from math import hypot, tan
 from typing import Any
 
-import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,6 +19,7 @@ from housefly.geometry import Vec3, normalized, rotate
 from housefly.messages import Pose
 from housefly.room.model import TrackingCamera
 from housefly.twin.contracts import MocapFrame
+from housefly.twin.engine import mujoco
 
 MARKERS_NEEDED = 3
 CAMERAS_NEEDED = 2

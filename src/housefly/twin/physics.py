@@ -6,7 +6,6 @@ damping, so that MuJoCo integrates it implicitly.
 
 from __future__ import annotations
 
-import os
 from math import exp
 from typing import Any
 
@@ -14,23 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config import Site
-from housefly.errors import MissingPartError
 from housefly.geometry import Quaternion, Vec3, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
+from housefly.twin.engine import mujoco
 from housefly.twin.onboard_loops import Wrench
 from housefly.twin.scene import scene_mjcf
 from housefly.twin.sensors import PERIOD, BodyState
-
-try:
-    import mujoco
-except ImportError as error:
-    raise MissingPartError("MuJoCo (the simulated room)", "pip install 'housefly[twin]'") from error
-except AttributeError as error:
-    raise MissingPartError(
-        f"the OpenGL library that MUJOCO_GL={os.environ.get('MUJOCO_GL', '')!r} names", "unset MUJOCO_GL"
-    ) from error
 
 SUBSTEPS = 2
 """Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full speed."""

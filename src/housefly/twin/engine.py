@@ -1,0 +1,18 @@
+"""MuJoCo, or a sentence that says what is missing."""
+
+from __future__ import annotations
+
+import os
+
+from housefly.errors import MissingPartError
+
+try:
+    import mujoco
+except ImportError as error:
+    raise MissingPartError("MuJoCo (the simulated room)", "pip install 'housefly[twin]'") from error
+except AttributeError as error:
+    # MuJoCo loads the OpenGL that MUJOCO_GL names while it is imported, and trips when the library is not there.
+    backend = os.environ.get("MUJOCO_GL", "")
+    raise MissingPartError(f"the OpenGL library of MUJOCO_GL={backend}", "unset MUJOCO_GL") from error
+
+__all__ = ["mujoco"]
