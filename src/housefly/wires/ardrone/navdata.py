@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 from enum import IntFlag
 from typing import NamedTuple, TypeVar
 
+import numpy as np
+
 from housefly.errors import WireError
 from housefly.wires.ardrone.layout import Structure
 from housefly.wires.ardrone.navdata_options import OPTIONS, TAGS
@@ -128,7 +130,7 @@ def _is_known(raw: RawOption) -> bool:
 
 def checksum(data: bytes | memoryview) -> int:
     """Return the navdata checksum: the sum of the bytes, modulo 2**32."""
-    return sum(data) & 0xFFFFFFFF
+    return int(np.frombuffer(data, np.uint8).sum(dtype=np.uint32))
 
 
 def decode_navdata(data: bytes) -> NavdataPacket:

@@ -1,0 +1,246 @@
+"""The driver on real sockets against the simulated drone's own server, through a radio link that can be bad."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import time
+from pathlib import Path
+
+import pytest
+
+from housefly.config import DroneConfig, LimitsConfig
+from housefly.drones.ardrone import driver as driver_module
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.errors import LinkError
+from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
+from housefly.twin import contracts as twin
+from housefly.wires.ardrone import at, navdata_options
+from housefly.wires.ardrone.config import VideoChannel
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
+from housefly.wires.ardrone.pave import VideoReassembler
+
+pytestmark = pytest.mark.wire
+
+FORWARD = Setpoint(theta=0.1)
+
+
+def status(flight) -> DroneStatus:
+    return flight.drone.telemetry.status
+
+
+async def flying(flight) -> None:
+    await flight.drone.connect()
+    await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
+
+
+async def test_connecting_sets_limits_and_reads_them_back(flight) -> None:
+    await flight.drone.connect()
+    assert flight.drone.connected
+    assert flight.drone.notes == ()
+    assert flight.drone.configuration["control:euler_angle_max"] == "2.1000000e-01"
+    assert flight.drone.configuration["video:max_bitrate"] == "4000"
+    assert flight.world.limits.tilt == pytest.approx(0.21)
+    assert flight.world.limits.climb == pytest.approx(0.7)
+    assert flight.server.counters.refused_settings == 0
+    assert status(flight) is DroneStatus.LANDED
+
+
+async def test_a_whole_flight(flight) -> None:
+    await flying(flight)
+    assert flight.world.trims >= 1
+    await flight.hold(Action.FLY, FORWARD, seconds=0.5)
+    assert flight.world.asked.forward == pytest.approx(0.1 / 0.21, rel=1e-3)
+    assert flight.drone.telemetry.theta == pytest.approx(0.1, abs=0.01)
+    assert flight.drone.telemetry.velocity[0] > 0.1
+    await flight.hold(Action.FLY, Setpoint(phi=0.1, vz=0.35, yaw_rate=1.75), seconds=0.3)
+    asked = flight.world.asked
+    assert (asked.left, asked.up, asked.turn) == pytest.approx((-0.1 / 0.21, 0.5, 1.0), rel=1e-3)
+    await flight.hold(Action.HOVER, seconds=0.2)
+    assert flight.world.asked.hover
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.LAND)
+    assert flight.drone.telemetry_rate_hz > 100
+
+
+async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the_cadence(flight) -> None:
+    await flying(flight)
+    await flight.hold(Action.FLY, FORWARD, seconds=1.0)
+    heard = len(flight.radio.commands)
+    before = time.monotonic()
+    await flight.hold(Action.FLY, FORWARD, seconds=1.0)
+    expected = (time.monotonic() - before) / driver_module.CADENCE
+    assert 0.4 * expected < len(flight.radio.commands) - heard < 1.2 * expected
+    flight.drone.send(Command(Action.FLY, FORWARD))
+    flight.drone.send(Command(Action.HOVER))
+    await asyncio.sleep(0.005)
+    newest = at.parse(flight.radio.commands[-1]).commands[0].command
+    assert newest == at.Pcmd()
+
+
+async def test_numbers_only_rise_in_a_steady_flight(flight) -> None:
+    await flying(flight)
+    await flight.hold(Action.FLY, FORWARD, seconds=0.5)
+    numbers = [numbered.sequence for datagram in flight.radio.commands for numbered in at.parse(datagram).commands]
+    assert numbers == list(range(1, len(numbers) + 1))
+    assert flight.server.counters.stale_commands == 0
+
+
+async def test_cutting_motors_and_coming_back_toggles_once_each(flight) -> None:
+    await flying(flight)
+    await flight.until(lambda: status(flight) is DroneStatus.EMERGENCY, Action.CUT, seconds=2.0)
+    await flight.hold(Action.CUT, seconds=1.0)
+    assert flight.world.flight is twin.Flight.EMERGENCY
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.RESET, seconds=2.0)
+    await flight.hold(Action.RESET, seconds=1.0)
+    assert flight.world.flight is twin.Flight.LANDED
+
+
+async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> None:
+    await flying(flight)
+    await flight.hold(Action.FLY, FORWARD, seconds=0.3)
+    assert not flight.world.asked.hover
+    await flight.silence(0.5)
+    assert flight.world.asked.hover and status(flight) is DroneStatus.FLYING
+    await flight.silence(2.0)
+    assert status(flight) in (DroneStatus.LANDING, DroneStatus.LANDED)
+
+
+async def test_a_flight_over_a_radio_that_loses_a_third_and_mixes_the_rest(flight) -> None:
+    flight.radio.loss, flight.radio.duplicates, flight.radio.delay = 0.3, 0.1, 0.04
+    await flying(flight)
+    await flight.hold(Action.FLY, FORWARD, seconds=1.0)
+    assert flight.drone.telemetry.velocity[0] > 0.2
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.LAND)
+    await flight.until(lambda: status(flight) is DroneStatus.EMERGENCY, Action.CUT)
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.RESET)
+
+
+async def test_a_link_that_was_gone_is_found_again(flight) -> None:
+    await flying(flight)
+    flight.radio.up = flight.radio.down = False
+    await flight.hold(Action.HOVER, seconds=0.8)
+    assert not flight.drone.connected
+    assert flight.drone.telemetry_rate_hz < 100
+    await flight.hold(Action.HOVER, seconds=2.0)
+    assert flight.world.onboard().com_lost
+    flight.radio.up = flight.radio.down = True
+    await flight.until(lambda: flight.drone.connected and not flight.world.onboard().com_lost, Action.LAND, seconds=3.0)
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.LAND)
+
+
+async def test_a_drone_that_obeyed_another_client_before_obeys_us_soon(flight) -> None:
+    await flight.drone.connect()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        other.sendto(at.encode(50_000, at.ComWatchdog()), (flight.radio.drone, at.COMMAND_PORT))
+    await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
+
+
+async def test_a_drone_that_was_switched_off_and_on_is_configured_again(flight, world) -> None:
+    await flight.drone.connect()
+    await flight.server.stop()
+    await flight.hold(Action.IDLE, seconds=0.8)
+    assert not flight.drone.connected
+    again = type(flight.server)(world, flight.radio.drone)
+    world.limits = twin.OnboardLimits()
+    await again.start()
+    try:
+        await flight.until(lambda: world.limits.tilt == pytest.approx(0.21), Action.IDLE, seconds=8.0)
+        await flight.until(lambda: flight.drone.connected and flight.drone.telemetry_rate_hz > 50, Action.IDLE)
+    finally:
+        await again.stop()
+
+
+async def test_reports_from_a_stranger_are_not_heard(flight) -> None:
+    await flight.drone.connect()
+    lie = encode_navdata(0, 2**31, [navdata_options.Demo(battery_percent=1)])
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+        for _ in range(10):
+            stranger.sendto(lie, flight.radio.clients[NAVDATA_PORT])
+    await flight.hold(Action.IDLE, seconds=0.1)
+    assert flight.drone.telemetry.battery == 1.0
+    flight.radio.say(NAVDATA_PORT, lie)  # the same from the drone's own address counts
+    await flight.hold(Action.IDLE, seconds=0.1)
+    assert flight.drone.telemetry.battery == 0.01
+
+
+async def test_garbage_from_the_drone_is_survived(flight) -> None:
+    await flight.drone.connect()
+    for data in (b"\0", b"\x88\x77\x66\x55", bytes(3000), b"PaVE" * 100, encode_navdata(0, 2**31)[:-1] + b"\1"):
+        flight.radio.say(NAVDATA_PORT, data)
+        flight.radio.say(at.COMMAND_PORT, data)
+    await flight.hold(Action.IDLE, seconds=0.3)
+    assert flight.drone.connected and flight.drone.telemetry_rate_hz > 30
+    assert status(flight) is DroneStatus.LANDED
+
+
+async def test_recorded_pictures_arrive_from_the_first_key_frame_on_and_again_after_a_break(flight, shared_data: Path) -> None:
+    recorded = (shared_data / "ardrone" / "pave_64byte_headers_node-ar-drone.bin").read_bytes()
+    frames = VideoReassembler().feed(recorded)
+    pictures: list[VideoFrame] = []
+    flight.drone.on_video(pictures.append)
+    await flight.drone.connect()
+
+    async def play_until(count: int) -> None:
+        end = time.monotonic() + 6.0
+        while len(pictures) < count:
+            assert time.monotonic() < end, f"{len(pictures)} pictures"
+            for frame in frames:
+                flight.server.publish(_Picture(frame))
+            await asyncio.sleep(0.1)
+
+    await play_until(17)
+    assert pictures[0].keyframe and (pictures[0].width, pictures[0].height) == (640, 360)
+    assert [picture.sequence for picture in pictures[:3]] == [17565, 17566, 17567]
+    assert flight.drone.video_connected
+    flight.radio.cut_connections()
+    seen = len(pictures)
+    await play_until(seen + 17)
+    assert pictures[seen].keyframe
+
+
+class _Picture:
+    def __init__(self, frame) -> None:
+        self.number, self.data, self.keyframe = frame.header.frame_number, frame.payload, frame.keyframe
+        self.width, self.height, self.at = 640, 360, frame.header.timestamp_ms / 1000
+
+
+async def test_camera_lights_and_trim(flight) -> None:
+    await flight.drone.connect()
+    await flight.drone.select_camera(VideoChannel.BOTTOM)
+    assert flight.server.camera is twin.Camera.BOTTOM
+    await flight.drone.leds(3, 2.0, 5)
+    assert flight.server.settings.value("leds:leds_anim") == "3,1073741824,5"
+    flight.drone.flat_trim()
+    await flight.hold(Action.IDLE, seconds=0.1)
+    assert flight.world.trims == 1
+    await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
+    with pytest.raises(LinkError, match="flying"):
+        flight.drone.flat_trim()
+
+
+async def test_where_no_drone_is_the_error_says_where_and_what_to_look_for(loopback: str, monkeypatch) -> None:
+    monkeypatch.setattr(driver_module, "ANSWER", 0.3)
+    drone = ArDrone(DroneConfig(address=loopback), LimitsConfig())
+    drone.send(Command(Action.IDLE))
+    for _ in range(2):
+        with pytest.raises(LinkError, match=rf"no drone answers at {loopback}:5554.*Wi-Fi"):
+            await drone.connect()
+    assert not drone.connected and not drone.video_connected and drone.telemetry is None
+    with pytest.raises(LinkError, match="unknown"):
+        drone.flat_trim()
+    await drone.close()
+    await drone.close()
+
+
+async def test_a_drone_that_does_not_acknowledge_is_named_with_the_key(flight) -> None:
+    flight.radio.swallows = b"AT*CONFIG="
+    with pytest.raises(LinkError, match="did not acknowledge general:navdata_demo"):
+        await flight.drone.connect()
+
+
+async def test_short_reports_for_a_weak_radio(flight) -> None:
+    drone = ArDrone(DroneConfig(address=flight.radio.drone, has_video=False), LimitsConfig(), full_navdata=False)
+    await drone.connect()
+    await asyncio.sleep(1.0)
+    assert 5 < drone.telemetry_rate_hz < 25
+    await drone.close()

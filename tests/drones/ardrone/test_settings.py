@@ -1,0 +1,43 @@
+"""What we set on the drone."""
+
+from __future__ import annotations
+
+import pytest
+
+from housefly.config import LimitsConfig
+from housefly.drones.ardrone.settings import differences, maxima_in, maxima_of, wanted_settings
+from housefly.wires.ardrone.config import encode_dump, format_value, key_named, parse_dump
+from housefly.wires.ardrone.signs import Maxima
+
+LIMITS = LimitsConfig(tilt_max=0.15, vertical_speed_max=0.5, yaw_rate_max=1.0, height_max=2.5)
+
+
+def test_every_setting_is_a_writable_key_with_a_value_of_its_type() -> None:
+    for name, value in wanted_settings(LIMITS):
+        assert key_named(name).writable
+        assert format_value(key_named(name), value)
+
+
+def test_limits_go_out_in_the_drones_units() -> None:
+    wanted = dict(wanted_settings(LIMITS))
+    assert wanted["control:euler_angle_max"] == 0.15
+    assert wanted["control:control_vz_max"] == pytest.approx(500.0)
+    assert wanted["control:control_yaw"] == 1.0
+    assert wanted["control:altitude_max"] == 2500
+
+
+def test_outdoor_comes_before_the_limits_that_it_replaces() -> None:
+    assert next(name for name, _ in wanted_settings(LIMITS)) == "control:outdoor"
+
+
+def test_a_drone_that_took_everything_differs_in_nothing() -> None:
+    dump = parse_dump(encode_dump(dict(wanted_settings(LIMITS))))
+    assert differences(dump, LIMITS) == ()
+    assert maxima_in(dump, Maxima(9, 9, 9)) == maxima_of(LIMITS)
+
+
+def test_what_the_drone_kept_is_told_and_counts() -> None:
+    dump = parse_dump(encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35}))
+    (note,) = differences(dump, LIMITS)
+    assert "control:euler_angle_max" in note and "3.5" in note
+    assert maxima_in(dump, maxima_of(LIMITS)).tilt == pytest.approx(0.35)
