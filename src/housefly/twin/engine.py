@@ -13,6 +13,8 @@ except ImportError as error:
 except AttributeError as error:
     # MuJoCo loads the OpenGL that MUJOCO_GL names while it is imported, and trips when the library is not there.
     backend = os.environ.get("MUJOCO_GL", "")
-    raise MissingPartError(f"the OpenGL library of MUJOCO_GL={backend}", "unset MUJOCO_GL") from error
+    raise MissingPartError(
+        f"the OpenGL library of MUJOCO_GL={backend}", "apt-get install libegl1 libgl1-mesa-dri libosmesa6 (or unset MUJOCO_GL)"
+    ) from error
 
 __all__ = ["mujoco"]
