@@ -38,6 +38,7 @@ class NavdataPort(asyncio.DatagramProtocol):
         loop = asyncio.get_running_loop()
         self._transport, _ = await loop.create_datagram_endpoint(lambda: self, local_addr=(address, NAVDATA_PORT))
         self._sending = asyncio.create_task(self._send_for_ever(), name="navdata")
+        self._sending.add_done_callback(_raise_unless_cancelled)
 
     async def stop(self) -> None:
         """End the stream and close the port."""
@@ -95,3 +96,9 @@ class NavdataPort(asyncio.DatagramProtocol):
     def _is_silent(self) -> bool:
         now = self._world.now
         return self._link.silent_since(now, LINK_LOST_AFTER) and now - self._requested_at > LINK_LOST_AFTER
+
+
+def _raise_unless_cancelled(task: asyncio.Task[None]) -> None:
+    """Let the loop's exception handler hear of a sender that died, instead of nobody."""
+    if not task.cancelled():
+        task.result()
