@@ -23,6 +23,8 @@ from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
 _AIRBORNE = [STATUSES.index(status) for status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)]
+_TRACK_PERIOD = 0.2
+"""Spacing [s] of the points that the length of the way is measured with; closer ones would add up the noise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,8 +156,9 @@ def _path_length(flight: FlightSeries) -> float | None:
 
 
 def _flown_length(flight: FlightSeries) -> float | None:
-    track = flight.estimate[np.isin(flight.status, _AIRBORNE), :3]
-    track = track[np.isfinite(track).all(axis=1)]
+    known = np.isin(flight.status, _AIRBORNE) & np.isfinite(flight.estimate[:, :3]).all(axis=1)
+    _, sparse = np.unique(np.floor(flight.time[known] / _TRACK_PERIOD), return_index=True)
+    track = flight.estimate[known][sparse, :3]
     return _number(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()) if len(track) > 1 else None
 
 

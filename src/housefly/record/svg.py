@@ -62,11 +62,6 @@ def drawing(name: str) -> AbstractContextManager[None]:
     return matplotlib.rc_context({**_STYLE, "svg.hashsalt": name})
 
 
-def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure of a size in inches, laid out without wasted space."""
-    return Figure(figsize=(width, height), layout="constrained")
-
-
 def to_svg(figure: Figure, title: str) -> str:
     """Return the figure as an ``<svg>`` element with a title for those who cannot see it."""
     buffer = io.StringIO()

@@ -8,6 +8,7 @@ from math import pi
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
 from housefly.config import Site
 from housefly.record import svg
@@ -21,20 +22,14 @@ _ROW = 1.35
 def position_svg(flight: FlightSeries) -> str:
     """Return x, y, z and yaw: where the drone was seen or believed, and where it should have been."""
     with svg.drawing("position"):
-        figure, rows = _strips(4)
+        figure, rows = _strips(flight, 4)
         names = ("x [m]", "y [m]", "z [m]", "yaw [rad]")
+        estimate, reference = _unwound(flight)
         for column, (axes, name) in enumerate(zip(rows, names, strict=True)):
             axes.set_title(name)
-            axes.plot(
-                _elapsed(flight),
-                _unwound(flight.reference[:, column]),
-                color=svg.SECOND,
-                linestyle=(0, (4, 3)),
-                label="reference",
-            )
-            axes.plot(_elapsed(flight), _unwound(flight.estimate[:, column]), color=svg.ACCENT, label="estimate")
-        rows[3].set(ylim=(-pi - 0.2, pi + 0.2), yticks=[-pi, 0, pi], yticklabels=["-\u03c0", "0", "\u03c0"])
-        rows[0].legend(loc="upper right", ncols=2, bbox_to_anchor=(1.0, 1.25))
+            axes.plot(_elapsed(flight), estimate[:, column], color=svg.ACCENT, linewidth=2.0, label="estimate")
+            axes.plot(_elapsed(flight), reference[:, column], color=svg.SECOND, linestyle=(0, (4, 3)), label="reference")
+        rows[0].legend(loc="upper right", ncols=2, bbox_to_anchor=(1.0, 1.4))
         return svg.to_svg(figure, "Position and heading over time, with their references")
 
 
@@ -48,7 +43,7 @@ def commands_svg(flight: FlightSeries, site: Site) -> str:
         ("yaw rate [rad/s], counter-clockwise is positive", limits.yaw_rate_max),
     )
     with svg.drawing("commands"):
-        figure, rows = _strips(4)
+        figure, rows = _strips(flight, 4)
         for column, (axes, (name, limit)) in enumerate(zip(rows, strips, strict=True)):
             axes.set_title(name)
             axes.plot(_elapsed(flight), flight.setpoint[:, column], color=svg.ACCENT, linewidth=1.0)
@@ -61,7 +56,7 @@ def commands_svg(flight: FlightSeries, site: Site) -> str:
 def states_svg(flight: FlightSeries) -> str:
     """Return the states of errand, acceptor and last gate as labelled bands."""
     with svg.drawing("states"):
-        figure, rows = _strips(3, row=0.78)
+        figure, rows = _strips(flight, 3, row=0.78)
         quiet = (svg.STATES[0], svg.STATES[2], svg.WARN, svg.WARN, svg.FAULT)
         _draw_bands(rows[0], "errand", flight, flight.phase, PHASES, svg.STATES)
         _draw_bands(rows[1], "behavior", flight, flight.behavior, BEHAVIORS, svg.STATES)
@@ -73,7 +68,7 @@ def health_svg(flight: FlightSeries, site: Site) -> str:
     """Return battery charge, and how old pose and telemetry were, with the limits that safety watches."""
     limits = site.limits
     with svg.drawing("health"):
-        figure, rows = _strips(3)
+        figure, rows = _strips(flight, 3)
         battery, pose, telemetry = rows
         battery.set_title("battery [%]")
         battery.plot(_elapsed(flight), 100.0 * flight.battery, color=svg.ACCENT)
@@ -87,11 +82,15 @@ def health_svg(flight: FlightSeries, site: Site) -> str:
         return svg.to_svg(figure, "Battery, age of the pose and age of the telemetry over time, with their limits")
 
 
-def _strips(count: int, row: float = _ROW) -> tuple[Figure, list[Axes]]:
-    figure = svg.new_figure(_WIDTH, row * count + 0.4)
+def _strips(flight: FlightSeries, count: int, row: float = _ROW) -> tuple[Figure, list[Axes]]:
+    height = row * count + 0.6
+    figure = Figure(figsize=(_WIDTH, height))
+    # The same margins everywhere: one moment stands at one place in all pictures of the page.
+    figure.subplots_adjust(left=0.06, right=0.985, bottom=0.42 / height, top=1.0 - 0.3 / height, hspace=0.45)
     rows = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     rows[-1].set_xlabel("time [s]")
-    rows[0].margins(x=0.0)
+    elapsed = _elapsed(flight)
+    rows[0].set_xlim(0.0, max(float(elapsed[-1]), 1.0) if elapsed.size else 1.0)
     return figure, rows
 
 
@@ -99,12 +98,13 @@ def _elapsed(flight: FlightSeries) -> Floats:
     return flight.time - flight.time[0] if flight.time.size else flight.time
 
 
-def _unwound(values: Floats) -> Floats:
-    """Return the values with a gap where an angle wraps, so that no line crosses the picture."""
-    jumps = np.flatnonzero(np.abs(np.diff(values)) > pi) + 1
-    broken = values.copy()
-    broken[jumps] = np.nan
-    return broken
+def _unwound(flight: FlightSeries) -> tuple[Floats, Floats]:
+    """Return estimate and reference with headings that do not jump where an angle wraps."""
+    estimate, reference = flight.estimate.copy(), flight.reference.copy()
+    known = np.isfinite(estimate[:, 3])
+    estimate[known, 3] = np.unwrap(estimate[known, 3])
+    reference[:, 3] = estimate[:, 3] + np.remainder(reference[:, 3] - estimate[:, 3] + pi, 2.0 * pi) - pi
+    return estimate, reference
 
 
 def _draw_bands(
@@ -115,12 +115,14 @@ def _draw_bands(
     axes.grid(visible=False)
     axes.spines["left"].set_visible(False)
     elapsed = _elapsed(flight)
+    present = [Patch(facecolor=colours[number], label=states[number].value) for number in np.unique(numbers)]
+    axes.legend(handles=present, loc="lower right", bbox_to_anchor=(1.0, 0.92), ncols=7, handlelength=1.0, columnspacing=1.2)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(numbers)) + 1)) if numbers.size else np.empty(0, dtype=np.int64)
     for start, end in zip(starts, np.append(starts[1:], numbers.size - 1), strict=True):
         left, width = float(elapsed[start]), float(elapsed[end] - elapsed[start])
         state = int(numbers[start])
         axes.broken_barh([(left, width)], (0.08, 0.84), facecolor=colours[state], edgecolor="none")
-        if width * _WIDTH / max(float(elapsed[-1]), 1e-9) > 0.085 * len(states[state].value):
+        if width * _WIDTH / max(float(elapsed[-1]), 1e-9) > 0.068 * len(states[state].value):
             axes.text(left + width / 2, 0.48, states[state].value, ha="center", va="center", fontsize=8, color=svg.INK)
 
 
@@ -128,7 +130,7 @@ def _draw_age(axes: Axes, title: str, flight: FlightSeries, age: Floats) -> None
     axes.set_title(title)
     axes.plot(_elapsed(flight), np.maximum(age, 1e-3), color=svg.ACCENT, linewidth=0.8)
     axes.set(
-        yscale="log", ylim=(1e-3, 10.0), yticks=[1e-3, 1e-2, 1e-1, 1.0, 10.0], yticklabels=["0.001", "0.01", "0.1", "1", "10"]
+        yscale="log", ylim=(5e-4, 10.0), yticks=[1e-3, 1e-2, 1e-1, 1.0, 10.0], yticklabels=["0.001", "0.01", "0.1", "1", "10"]
     )
     axes.minorticks_off()
 
