@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from pyardrone.navdata import NavData
 
 from housefly.twin.ardrone_link import Link
-from housefly.twin.ardrone_navdata import MAJOR, NavdataWriter
+from housefly.twin.ardrone_navdata import NavdataWriter
+from housefly.twin.ardrone_options import MAJOR
 from housefly.twin.contracts import Flight, Onboard
 
 HERE = Path(__file__).resolve().parent
