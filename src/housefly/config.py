@@ -140,7 +140,7 @@ class ControlConfig(Section):
     yaw_gain: float = quantity(1.5, 0.1, 10.0, "1/s", "K1: yaw rate per yaw error")
     height_gain: float = quantity(1.2, 0.1, 10.0, "1/s", "K2: climb rate per height error")
     epsilon_height: float = quantity(0.2, 0.01, 1.0, "m", "eps1 of the finite state acceptor")
-    epsilon_yaw: float = quantity(0.2, 0.001, 1.5, "rad", "eps2; mode paper uses the printed 0.2 deg")
+    epsilon_yaw: float = quantity(0.35, 0.001, 1.5, "rad", "eps2; mode paper uses the printed 0.2 deg")
     epsilon_position: float = quantity(0.15, 0.02, 1.0, "m", "eps3; mode paper uses the printed 0.4 m")
     dwell: float = quantity(0.3, 0.0, 5.0, "s", "shortest stay in a state of the acceptor (mode default)")
     rate_hz: float = quantity(100.0, 20.0, 200.0, "Hz", "pilot loop frequency")

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from math import inf
 
-from housefly.behavior.acceptor import Acceptor, Condition, conditions_of
+from housefly.behavior.acceptor import PAPER_EPSILONS, Acceptor, Condition, conditions_of
 from housefly.behavior.captain import Captain
 from housefly.behavior.scene import Scene
 from housefly.behavior.tracking import Track
@@ -67,7 +67,7 @@ class Pilot:
         self._navigator = RoomNavigator(site, room, grid)
         self._filter = _estimator(site)
         self._captain = Captain(site.limits, self._navigator)
-        tolerance = 0.4 if self._paper else site.control.epsilon_position
+        tolerance = PAPER_EPSILONS[2] if self._paper else site.control.epsilon_position
         self._watch = Watch(self._captain, site.limits, tolerance, self._paper)
         self._autopilot = Autopilot(site)
         self._gate = Gate(site.limits, Fence(_extent(grid), site.limits.height_max + CEILING_SLACK))

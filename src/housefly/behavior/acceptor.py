@@ -1,8 +1,8 @@
 """The finite state acceptor of paper V-B as a total table: (state, conditions) -> next state.
 
 The conditions are bits, so every input has exactly one row and the table can be checked, drawn and compiled. The rows come from
-the paper's execution order (altitude, then yaw, then path), which resolves the overlaps that the printed conditions leave; when no
-condition holds at all (an error that equals its epsilon) no transition is taken.
+the paper's execution order (altitude, then yaw, then path), which resolves the overlaps that the printed conditions leave; when
+no condition holds at all (an error that equals its epsilon) no transition is taken.
 """
 
 from __future__ import annotations

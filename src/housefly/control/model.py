@@ -79,12 +79,13 @@ def body_step(
     phi = lagged(body.phi, constants.gain * phi_des, constants.lag, dt)
     vz = lagged(body.vz, vz_des, constants.climb_lag, dt)
     rate = lagged(body.yaw_rate, yaw_rate_des, constants.yaw_lag, dt)
-    psi = wrapped(body.psi + 0.5 * dt * (body.yaw_rate + rate))
-    ax, ay = acceleration(0.5 * (body.theta + theta), 0.5 * (body.phi + phi), psi)
+    turn = 0.5 * dt * (body.yaw_rate + rate)
+    middle = body.psi + 0.5 * turn
+    ax, ay = acceleration(0.5 * (body.theta + theta), 0.5 * (body.phi + phi), middle)
     half = 0.5 * constants.drag * dt
     vx = (body.vx * (1.0 - half) + dt * (ax + wind[0])) / (1.0 + half)
     vy = (body.vy * (1.0 - half) + dt * (ay + wind[1])) / (1.0 + half)
     x = body.x + 0.5 * dt * (body.vx + vx)
     y = body.y + 0.5 * dt * (body.vy + vy)
     z = body.z + 0.5 * dt * (body.vz + vz)
-    return Body(x, y, z, psi, vx, vy, vz, rate, theta, phi)
+    return Body(x, y, z, wrapped(body.psi + turn), vx, vy, vz, rate, theta, phi)
