@@ -227,6 +227,12 @@ def test_no_setpoint_asks_for_more_than_a_full_stick(setpoint: Setpoint) -> None
     assert stick.up * setpoint.vz >= 0 and stick.turn * setpoint.yaw_rate >= 0
 
 
+def test_a_setpoint_that_is_not_finite_is_a_centred_stick() -> None:
+    for bad in (float("nan"), float("inf")):
+        pcmd = signs.pcmd_from_setpoint(Setpoint(bad, bad, bad, bad), signs.Maxima(0.21, 0.7, 1.75))
+        assert (pcmd.roll, pcmd.pitch, pcmd.gaz, pcmd.yaw) == (0, 0, 0, 0)
+
+
 def test_every_major_state_has_our_word_and_emergency_wins() -> None:
     for major in options.MajorState:
         demo = options.Demo(ctrl_state=major << 16)

@@ -1,9 +1,13 @@
-"""Another project's strict parser reads our packets: unknown tags, wrong sizes and bad checksums make it raise."""
+"""Another project against ours: its strict parser reads our packets, and it writes commands as we do.
+
+Unknown tags, wrong sizes and bad checksums make that parser raise.
+"""
 
 from __future__ import annotations
 
 import pytest
 
+from housefly.wires.ardrone import at
 from housefly.wires.ardrone import navdata_options as options
 from housefly.wires.ardrone.navdata import DroneState, RawOption, encode_navdata
 
@@ -45,3 +49,19 @@ def test_pyardrone_reads_the_fields_where_we_write_them() -> None:
 def test_pyardrone_refuses_what_is_wrong() -> None:
     with pytest.raises(Exception):  # noqa: B017 - proves that this judge can say no; its error types are its own
         pyardrone_navdata.NavData(encode_navdata(0, 1, [RawOption(0, bytes(7))]))
+
+
+def test_pyardrone_writes_commands_as_we_do() -> None:
+    theirs = pytest.importorskip("pyardrone.at")
+    pairs = [
+        (at.Pcmd(at.PcmdFlag.PROGRESSIVE, 0.1, -0.2, 0.05, 1.0), theirs.PCMD(1, 0.1, -0.2, 0.05, 1.0)),
+        (at.Pcmd(), theirs.PCMD(0)),
+        (at.Config("general:navdata_demo", "TRUE"), theirs.CONFIG("general:navdata_demo", "TRUE")),
+        (at.ConfigIds("01234567", "89abcdef", "00000000"), theirs.CONFIG_IDS("01234567", "89abcdef", "00000000")),
+        (at.Control(at.ControlMode.CLEAR_ACK), theirs.CTRL(5, 0)),
+        (at.ComWatchdog(), theirs.COMWDG()),
+        (at.FlatTrim(), theirs.FTRIM()),
+        (at.Ref(at.RefBits.TAKE_OFF), theirs.REF(290718208)),
+    ]
+    for ours, other in pairs:
+        assert at.encode(9, ours) == other._pack(9)

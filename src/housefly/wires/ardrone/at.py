@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Callable, Iterable
-from dataclasses import astuple
 from math import isfinite
 from typing import Any, NamedTuple
 
@@ -187,7 +186,8 @@ def encode(sequence: int, command: Command) -> bytes:
         name, arguments = command.name, command.arguments
     else:
         name = _NAMES[type(command)]
-        arguments = tuple(kind.write(value) for kind, value in zip(LAYOUTS[name].kinds, astuple(command), strict=True))
+        values = (getattr(command, field) for field in command.__match_args__)
+        arguments = tuple(kind.write(value) for kind, value in zip(LAYOUTS[name].kinds, values, strict=True))
     line = f"AT*{name}={','.join((str(sequence), *arguments))}\r"
     if len(line) > MAX_LINE:
         raise WireError(f"AT*{name} would be {len(line)} characters long; at most {MAX_LINE} are allowed")

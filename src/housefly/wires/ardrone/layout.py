@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import struct
 from dataclasses import field, fields
-from typing import Any, NamedTuple, Self, cast
+from typing import Any, NamedTuple, Self
 
 from housefly.errors import WireError
 
@@ -26,8 +26,8 @@ def wire(form: str) -> Any:
 
 class _Plan(NamedTuple):
     codec: struct.Struct
-    cuts: tuple[tuple[int, int], ...]
-    """Start and count of each field among the unpacked values; count 0 is a plain value."""
+    cuts: tuple[tuple[str, int, int], ...]
+    """Name, start and count of each field among the unpacked values; count 0 is a plain value."""
 
 
 _plans: dict[type, _Plan] = {}
@@ -42,12 +42,13 @@ def plan(kind: type) -> _Plan:
 
 
 def _compile(kind: type) -> _Plan:
-    form, cuts, at = "<", [], 0
+    form, at = "<", 0
+    cuts: list[tuple[str, int, int]] = []
     for item in fields(kind):
         letter: str = item.metadata["wire"]
         form += letter
         count = int(letter[:-1] or 0)
-        cuts.append((at, count))
+        cuts.append((item.name, at, count))
         at += count or 1
     return _Plan(struct.Struct(form), tuple(cuts))
 
@@ -69,14 +70,14 @@ class Structure:
         if len(payload) != codec.size:
             raise WireError(f"{cls.__name__} takes {codec.size} bytes, got {len(payload)}")
         flat = codec.unpack(payload)
-        return cls(*(flat[at : at + count] if count else flat[at] for at, count in cuts))
+        return cls(*(flat[at : at + count] if count else flat[at] for _, at, count in cuts))
 
     def encode(self) -> bytes:
         """Return the structure's bytes; raises WireError when a value does not fit its field."""
         codec, cuts = plan(type(self))
         flat: list[float] = []
-        for item, (_, count) in zip(fields(cast(Any, self)), cuts, strict=True):
-            value = getattr(self, item.name)
+        for name, _, count in cuts:
+            value = getattr(self, name)
             flat.extend(value) if count else flat.append(value)
         try:
             return codec.pack(*flat)

@@ -126,7 +126,7 @@ def flu_from_frd(vector: Vec3) -> Vec3:
 
 
 def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
-    """Return the PCMD that asks for a setpoint, each part cut to the configured maxima."""
+    """Return the PCMD that asks for a setpoint, each part cut to the maxima; a part that is not finite is a centred stick."""
     return pcmd_from_stick(
         Stick(
             forward=_fraction(setpoint.theta, maxima.tilt),
@@ -161,4 +161,5 @@ def _millidegrees(angle: float) -> float:
 
 
 def _fraction(value: float, maximum: float) -> float:
-    return max(-1.0, min(1.0, value / maximum))
+    # not finite must not become a full stick, which is what comparisons with nan would make of it
+    return max(-1.0, min(1.0, value / maximum)) if isfinite(value) else 0.0
