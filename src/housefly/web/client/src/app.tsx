@@ -20,14 +20,14 @@ export function App() {
       <main class="deck">
         <MapView />
         <VideoView />
+        <section class="command" aria-label="Orders">
+          <Errand />
+          <Actions />
+        </section>
         <section class="side" aria-label="Drone and links">
           <Battery />
           <Readings />
           <Log />
-        </section>
-        <section class="command" aria-label="Orders">
-          <Errand />
-          <Actions />
         </section>
       </main>
       <StopBar />

@@ -14,7 +14,7 @@ interface Press {
 
 function PressButton({ label, objection, action, children }: Press) {
   return (
-    <button type="button" class="action" title={objection.value || label} aria-disabled={objection.value !== ""} onClick={action}>
+    <button type="button" class="action" title={objection.value || label} aria-description={objection.value} aria-disabled={objection.value !== ""} onClick={action}>
       {children}
     </button>
   );

@@ -24,7 +24,8 @@ export function Errand() {
 }
 
 function Places() {
-  const places = room.value?.places ?? [];
+  // Home has a button of its own.
+  const places = (room.value?.places ?? []).filter((place) => place.name !== "home");
   return (
     <div class="places" role="group" aria-label="Places">
       {places.map((place) => (
@@ -42,9 +43,14 @@ function Plan() {
       <p class="way">
         <Way />
       </p>
-      <p class="why">{notice.value || goal.value?.note || hint.value}</p>
+      <p class="why">{notice.value || goal.value?.note || hint.value || clearance()}</p>
     </div>
   );
+}
+
+function clearance(): string {
+  const way = goal.value?.plan?.path;
+  return way ? `The path keeps ${way.clearance.toFixed(2)} m away from everything.` : "";
 }
 
 function Way() {
@@ -57,7 +63,7 @@ function Way() {
       <strong>{name}</strong>
       {way && (
         <span>
-          {way.length.toFixed(1)} m · {Math.round(aim.plan!.duration)} s · {way.clearance.toFixed(2)} m from anything
+          {way.length.toFixed(1)} m · {Math.round(aim.plan!.duration)} s
         </span>
       )}
       <button type="button" class="clear" aria-label="Forget this goal" onClick={forgetGoal}>

@@ -17,6 +17,7 @@ export function HoldButton({ hold, class: kind = "", label, children }: Props) {
       class={`hold ${kind}`}
       aria-label={label}
       aria-disabled={objection !== ""}
+      aria-description={objection || `hold ${hold.seconds} s`}
       title={objection || `${label}: hold ${hold.seconds} s`}
       data-held={hold.held.value}
       style={{ "--hold": `${hold.seconds}s` }}

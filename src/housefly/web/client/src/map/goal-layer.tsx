@@ -30,7 +30,6 @@ export function GoalLayer({ to }: { to: Projection }) {
   const [u, v] = to.at(aim.point);
   const way = aim.plan?.path;
   const words = way ? `${way.length.toFixed(1)} m · ${Math.round(aim.plan!.duration)} s` : "";
-  const right = u < to.width - 120;
   return (
     <g class="ghost" data-possible={way != null}>
       {way && <path class="preview" d={polyline(to, way.waypoints)} />}
@@ -38,12 +37,19 @@ export function GoalLayer({ to }: { to: Projection }) {
       <g transform={`translate(${u} ${v})`}>
         <circle class="ring" r="11" />
         <path class="cross" d="M-16 0h8M8 0h8M0 -16v8M0 8v8" />
-        {words && (
-          <text x={right ? 20 : -20} y="4" text-anchor={right ? "start" : "end"}>
-            {words}
-          </text>
-        )}
       </g>
+      {words && <Tag x={Math.min(to.width - TAG.width / 2 - 4, Math.max(TAG.width / 2 + 4, u))} y={v > 60 ? v - 34 : v + 34} words={words} />}
+    </g>
+  );
+}
+
+const TAG = { width: 108, height: 26 };
+
+function Tag({ x, y, words }: { x: number; y: number; words: string }) {
+  return (
+    <g class="tag" transform={`translate(${x} ${y})`}>
+      <rect x={-TAG.width / 2} y={-TAG.height / 2} width={TAG.width} height={TAG.height} rx="6" />
+      <text y="5">{words}</text>
     </g>
   );
 }

@@ -23,16 +23,28 @@ export interface Run {
   width: number;
 }
 
-/** Cells of one kind, joined along x, so that a fine grid is a few hundred shapes and not ten thousand. */
-export function runs(grid: GridView, letter: string): Run[] {
+/** Cells of some kinds, joined along x, so that a fine grid is a few hundred shapes and not ten thousand. */
+export function runs(grid: GridView, letters: string): Run[] {
   const found: Run[] = [];
   grid.rows.forEach((row, j) => {
     for (let i = 0; i < grid.width; i++) {
-      if (row[i] !== letter) continue;
+      if (!letters.includes(row[i]!)) continue;
       const start = i;
-      while (i + 1 < grid.width && row[i + 1] === letter) i++;
+      while (i + 1 < grid.width && letters.includes(row[i + 1]!)) i++;
       found.push({ i: start, j, width: i - start + 1 });
     }
   });
   return found;
+}
+
+/** The part of the world that is not outside: x_min, y_min, x_max, y_max [m]. */
+export function insideOf(grid: GridView): [number, number, number, number] | null {
+  const found = runs(grid, ".#vi");
+  if (found.length === 0) return null;
+  const low = Math.min(...found.map((run) => run.j));
+  const high = Math.max(...found.map((run) => run.j + 1));
+  const left = Math.min(...found.map((run) => run.i));
+  const right = Math.max(...found.map((run) => run.i + run.width));
+  const at = (cells: number, axis: 0 | 1): number => grid.origin[axis] + cells * grid.resolution;
+  return [at(left, 0), at(low, 1), at(right, 0), at(high, 1)];
 }

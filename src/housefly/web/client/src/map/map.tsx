@@ -5,6 +5,7 @@ import { SwapButton } from "../panels/video";
 import { room } from "../store";
 import { DroneLayer } from "./drone";
 import { GoalLayer, WayLayer } from "./goal-layer";
+import { insideOf } from "./grid";
 import { HeightStrip } from "./height";
 import { fit } from "./projection";
 import { RoomLayer } from "./room";
@@ -15,7 +16,7 @@ const size = signal<[number, number]>([0, 0]);
 export const projection = computed(() => {
   const view = room.value;
   const [width, height] = size.value;
-  return view && width > 0 && height > 0 ? fit(view.bounds, width, height, MARGIN) : null;
+  return view && width > 0 && height > 0 ? fit(insideOf(view.grid) ?? view.bounds, width, height, MARGIN) : null;
 });
 
 /** The floor plan: click where the drone should go. */

@@ -2,10 +2,9 @@ import { computed } from "@preact/signals";
 import { room, state } from "../store";
 import type { GridView, OutlineView, PlaceView, RoomView } from "../wire/messages";
 import { runs } from "./grid";
+import { labels, WALLS } from "./labels";
 import { polyline, type Projection } from "./projection";
 
-const LETTER_PX = 6.2;
-const WALLS = /wall|partition|pillar|column/;
 const GRID_LINES_FROM = 13;
 
 /** Everything that does not move: cells, furniture with names, places, home, scale. */
@@ -17,9 +16,9 @@ export function RoomLayer({ to }: { to: Projection }) {
       <Floor view={view} to={to} />
       <Furniture view={view} to={to} />
       <Cells grid={view.grid} to={to} />
-      <Names view={view} to={to} />
       <HomePad view={view} to={to} />
       {view.places.map((place) => place.name !== "home" && <Place key={place.name} place={place} to={to} />)}
+      <Names view={view} to={to} />
       <Visitors to={to} />
       <Scale to={to} />
     </g>
@@ -31,21 +30,23 @@ interface RoomProps {
   to: Projection;
 }
 
+/** All cells of some letters as one SVG path. */
+function cells(grid: GridView, to: Projection, letters: string): string {
+  const cell = to.scale * grid.resolution;
+  return runs(grid, letters)
+    .map(({ i, j, width }) => {
+      const [u, v] = to.at([grid.origin[0] + i * grid.resolution, grid.origin[1] + (j + 1) * grid.resolution]);
+      return `M${u.toFixed(2)} ${v.toFixed(2)}h${(width * cell).toFixed(2)}v${cell.toFixed(2)}h${(-width * cell).toFixed(2)}z`;
+    })
+    .join("");
+}
+
 function Floor({ view, to }: RoomProps) {
-  const [x0, y0, x1, y1] = view.bounds;
-  const [u, v] = to.at([x0, y1]);
-  return <rect class="floor" x={u} y={v} width={to.scale * (x1 - x0)} height={to.scale * (y1 - y0)} rx="3" />;
+  return <path class="floor" d={cells(view.grid, to, ".#vi")} />;
 }
 
 function Cells({ grid, to }: { grid: GridView; to: Projection }) {
   const cell = to.scale * grid.resolution;
-  const shape = (letter: string): string =>
-    runs(grid, letter)
-      .map(({ i, j, width }) => {
-        const [u, v] = to.at([grid.origin[0] + i * grid.resolution, grid.origin[1] + (j + 1) * grid.resolution]);
-        return `M${u.toFixed(2)} ${v.toFixed(2)}h${(width * cell).toFixed(2)}v${cell.toFixed(2)}h${(-width * cell).toFixed(2)}z`;
-      })
-      .join("");
   return (
     <g class="cells">
       <defs>
@@ -54,9 +55,9 @@ function Cells({ grid, to }: { grid: GridView; to: Projection }) {
         </pattern>
       </defs>
       {cell >= GRID_LINES_FROM && <path class="lines" d={lines(grid, to)} />}
-      <path class="inflated" d={shape("i")} />
-      <path class="occupied" d={shape("#")} />
-      <path class="virtual" d={shape("v")} />
+      <path class="inflated" d={cells(grid, to, "i")} />
+      <path class="occupied" d={cells(grid, to, "#")} />
+      <path class="virtual" d={cells(grid, to, "v")} />
     </g>
   );
 }
@@ -92,47 +93,16 @@ function kind(outline: OutlineView, view: RoomView): string {
   return outline.top < view.flight_height - 0.3 ? "low" : "tall";
 }
 
-interface Box {
-  name: string;
-  x0: number;
-  y0: number;
-  x1: number;
-  y1: number;
-}
-
-/** One name a thing, where the thing is wide enough for it. */
 function Names({ view, to }: RoomProps) {
-  const boxes = new Map<string, Box>();
-  for (const outline of view.outlines) {
-    if (WALLS.test(outline.thing)) continue;
-    const box = boxes.get(outline.thing) ?? { name: outline.thing, x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
-    for (const corner of outline.corners) {
-      const [u, v] = to.at(corner);
-      box.x0 = Math.min(box.x0, u);
-      box.x1 = Math.max(box.x1, u);
-      box.y0 = Math.min(box.y0, v);
-      box.y1 = Math.max(box.y1, v);
-    }
-    boxes.set(outline.thing, box);
-  }
   return (
-    <g class="names" aria-hidden="true">
-      {[...boxes.values()].map((box) => {
-        const text = plain(box.name);
-        const long = text.length * LETTER_PX;
-        if (long > box.x1 - box.x0 + 6 || box.y1 - box.y0 < 10) return null;
-        return (
-          <text key={box.name} x={(box.x0 + box.x1) / 2} y={(box.y0 + box.y1) / 2 + 4}>
-            {text}
-          </text>
-        );
-      })}
+    <g class="names">
+      {labels(view, to).map((label) => (
+        <text key={`${label.kind} ${label.text}`} class={label.kind} x={label.x} y={label.y}>
+          {label.text}
+        </text>
+      ))}
     </g>
   );
-}
-
-function plain(thing: string): string {
-  return thing.replace(/[_-]/g, " ").replace(/ ?\d+$/, "");
 }
 
 function HomePad({ view, to }: RoomProps) {
@@ -155,7 +125,6 @@ function Place({ place, to }: { place: PlaceView; to: Projection }) {
     <g class="place-mark" transform={`translate(${u} ${v})`}>
       <path d={`M${tick(4)}L${tick(11)}`} />
       <circle r="4" />
-      <text y={b < v ? 17 : -9}>{place.title}</text>
     </g>
   );
 }
@@ -172,7 +141,7 @@ function Visitors({ to }: { to: Projection }) {
           <g key={one.name} class="person" transform={`translate(${u} ${v})`}>
             <ellipse rx={0.24 * to.scale} ry={0.24 * to.scale} />
             <circle r={0.1 * to.scale} />
-            <text y={-0.24 * to.scale - 4}>{one.name}</text>
+            <text y={-0.24 * to.scale - 4}>{one.name.charAt(0).toUpperCase() + one.name.slice(1)}</text>
           </g>
         );
       })}

@@ -34,7 +34,9 @@ export function Readings() {
   const linkAge = link.value ? Math.max(0, now.value - link.value.heard_at - LINK_PERIOD) : Infinity;
   const poseAge = (s?.pose_age ?? Infinity) + age;
   const telemetryAge = (s?.telemetry_age ?? Infinity) + age;
-  const pictureAge = picture.value ? now.value - picture.value.receivedAt : Infinity;
+  const shown = picture.value;
+  // While pictures flow their latency tells more than the age of the last one.
+  const pictureAge = shown ? Math.max(shown.latency, now.value - shown.receivedAt) : Infinity;
   const speed = s?.velocity ? Math.hypot(s.velocity[0], s.velocity[1]) : null;
   return (
     <dl class="card readings">
@@ -57,11 +59,8 @@ export function Readings() {
       <Reading name="Motion" age={age}>
         {speed === null ? "–" : `${speed.toFixed(2)} m/s`} · {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
       </Reading>
-      <Reading name="Acceptor" age={age}>
-        {s?.behavior ?? "–"}
-      </Reading>
-      <Reading name="Safety" age={age} problem={s !== null && s.safety !== "nominal"}>
-        {s?.safety ?? "–"}
+      <Reading name="State" age={age} problem={s !== null && s.safety !== "nominal"}>
+        {s ? `${s.behavior} · safety ${s.safety}` : "–"}
       </Reading>
     </dl>
   );

@@ -24,7 +24,7 @@ export function Top() {
       </div>
       <div class="who">
         <span class="lag" title="Round trip between this browser and the server">
-          {lag.value === null ? "–" : milliseconds(lag.value)}
+          lag {lag.value === null ? "–" : milliseconds(lag.value)}
         </span>
         <button type="button" class="quiet-button" aria-expanded={panel.value === "control"} onClick={() => toggle("control")}>
           {who()}

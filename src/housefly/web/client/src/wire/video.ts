@@ -11,6 +11,8 @@ const MICRO = 1e6;
 export interface Picture {
   number: number;
   receivedAt: number;
+  /** From the pilot's receipt to the screen [s]. */
+  latency: number;
   width: number;
   height: number;
 }
@@ -33,6 +35,7 @@ function parse(buffer: ArrayBuffer): Message {
     height: view.getUint16(4, true),
     number: Number(view.getBigUint64(8, true)),
     receivedAt: view.getFloat64(16, true),
+    latency: 0,
     data: new Uint8Array(buffer, HEADER),
   };
 }
@@ -72,9 +75,10 @@ export function watch(canvas: HTMLCanvasElement): () => void {
     shown.delete(frame.timestamp);
     frame.close();
     if (about) {
-      picture.value = about;
+      const latency = Math.max(0, serverNow() - about.receivedAt);
+      picture.value = { ...about, latency };
       canvas.dataset.picture = String(about.number);
-      canvas.dataset.age = (serverNow() - about.receivedAt).toFixed(4);
+      canvas.dataset.latency = latency.toFixed(4);
     }
   };
 

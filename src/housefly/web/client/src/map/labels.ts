@@ -1,0 +1,106 @@
+// Where names go on the map: places always get one, things only where it covers nothing else.
+import type { PlaceView, RoomView } from "../wire/messages";
+import type { Projection } from "./projection";
+
+export interface Label {
+  kind: "spot" | "thing";
+  text: string;
+  x: number;
+  y: number;
+}
+
+interface Box {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+const LETTER = 6.4;
+const LINE = 14;
+const FILLED = 0.35;
+const MARK = 6;
+const OUTSIDE_COST = 1e4;
+export const WALLS = /wall|partition|pillar|column/;
+
+export function labels(view: RoomView, to: Projection): Label[] {
+  const taken: Box[] = marks(view, to);
+  const places = view.places.filter((place) => place.name !== "home").map((place) => besideMark(place, to, taken));
+  const things = thingBoxes(view, to).flatMap(({ text, box }) => inside(text, box, taken));
+  return [...places, ...things];
+}
+
+/** The name of a place stands below, above, right or left of its mark: where it covers least. */
+function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
+  const [u, v] = to.at(place.viewpoint);
+  const side = (place.title.length * LETTER) / 2 + 12;
+  const spots: [number, number][] = [
+    [u, v + 18],
+    [u, v - 10],
+    [u + side, v + 4],
+    [u - side, v + 4],
+  ];
+  const costs = spots.map(([x, y]) => {
+    const box = boxOf(place.title, x, y);
+    const fits = box.x0 > 0 && box.x1 < to.width && box.y0 > 0 && box.y1 < to.height;
+    return overlap(box, taken) + (fits ? 0 : OUTSIDE_COST);
+  });
+  const [x, y] = spots[costs.indexOf(Math.min(...costs))]!;
+  taken.push(boxOf(place.title, x, y));
+  return { kind: "spot", text: place.title, x, y };
+}
+
+function inside(text: string, box: Box, taken: Box[]): Label[] {
+  const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2 + 4];
+  const own = boxOf(text, x, y);
+  if (own.x1 - own.x0 > box.x1 - box.x0 + 8 || box.y1 - box.y0 < LINE - 2 || overlap(own, taken) > 0) return [];
+  taken.push(own);
+  return [{ kind: "thing", text, x, y }];
+}
+
+/** Boxes [px] of things that are one piece; things that stand in several spots, such as chairs, get no name. */
+function thingBoxes(view: RoomView, to: Projection): { text: string; box: Box }[] {
+  const found = new Map<string, { box: Box; area: number }>();
+  for (const outline of view.outlines) {
+    if (WALLS.test(outline.thing) || outline.top < 0.05) continue;
+    const box = around(outline.corners.map((corner) => to.at(corner)));
+    const known = found.get(outline.thing);
+    const joined = known ? around([[known.box.x0, known.box.y0], [known.box.x1, known.box.y1], [box.x0, box.y0], [box.x1, box.y1]]) : box;
+    found.set(outline.thing, { box: joined, area: (known?.area ?? 0) + area(box) });
+  }
+  return [...found]
+    .filter(([, { box, area: sum }]) => sum > FILLED * area(box))
+    .sort(([, a], [, b]) => area(b.box) - area(a.box))
+    .map(([thing, { box }]) => ({ text: thing.replace(/[_-]/g, " "), box }));
+}
+
+function marks(view: RoomView, to: Projection): Box[] {
+  const points = [...view.places.map((place) => place.viewpoint), view.home];
+  return points.map((point) => {
+    const [u, v] = to.at(point);
+    return { x0: u - MARK, y0: v - MARK, x1: u + MARK, y1: v + MARK };
+  });
+}
+
+function around(points: [number, number][]): Box {
+  const xs = points.map(([x]) => x);
+  const ys = points.map(([, y]) => y);
+  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
+}
+
+function boxOf(text: string, x: number, y: number): Box {
+  const half = (text.length * LETTER) / 2;
+  return { x0: x - half, y0: y - LINE + 3, x1: x + half, y1: y + 3 };
+}
+
+function area(box: Box): number {
+  return (box.x1 - box.x0) * (box.y1 - box.y0);
+}
+
+function overlap(box: Box, others: Box[]): number {
+  return others.reduce((sum, other) => {
+    const width = Math.min(box.x1, other.x1) - Math.max(box.x0, other.x0);
+    const height = Math.min(box.y1, other.y1) - Math.max(box.y0, other.y0);
+    return sum + (width > 0 && height > 0 ? width * height : 0);
+  }, 0);
+}
