@@ -1,0 +1,148 @@
+"""The twin as one process: the simulated room in real time behind the drone's and the tracking system's real ports.
+
+``kill -USR1`` makes the visitor come or go. Nothing of the world's truth leaves this process but pictures and tracked poses.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import contextlib
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from housefly.clock import Rate, RealClock
+from housefly.config import Site, load_site
+from housefly.errors import HouseflyError
+from housefly.room.files import load_room
+from housefly.room.model import Room
+from housefly.twin.address import check_address
+from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.camera import CameraProcess
+from housefly.twin.real_time import RealTime
+from housefly.twin.vicon_server import ViconServer
+from housefly.twin.world import SimulatedWorld
+
+
+class Twin:
+    """The parts of the twin and how they feed each other.
+
+    Args:
+        site: addresses, rates, noise, seed.
+        room: what the drone flies in.
+        beyond_loopback: allow addresses that other machines can reach.
+
+    Raises:
+        ConfigError: an address that is not loopback, without ``beyond_loopback``.
+    """
+
+    def __init__(self, site: Site, room: Room, beyond_loopback: bool = False) -> None:
+        check_address("tracking.address", site.tracking.address, beyond_loopback)
+        self._site = site
+        self._world = SimulatedWorld(site, room)
+        self._time = RealTime(self._world, RealClock())
+        self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
+        self._tracking = ViconServer(site.tracking.address, site.tracking.port, site.twin.mocap_rate_hz)
+        self._camera = CameraProcess(site, room) if site.twin.video else None
+        self._camera_state = (0, "")
+        self._visitor_present = site.twin.visitor_present
+
+    async def run(self) -> None:
+        """Serve until cancelled; raises LinkError when a port cannot be had."""
+        async with contextlib.AsyncExitStack() as open_parts:
+            open_parts.push_async_callback(self._drone.stop)
+            await self._drone.start()
+            open_parts.push_async_callback(self._tracking.stop)
+            await self._tracking.start()
+            work = [self._time.run(self._publish_frames)]
+            if self._camera is not None:
+                open_parts.callback(self._camera.close)
+                self._camera.on_picture(self._drone.publish)
+                self._camera.start()
+                work.append(self._film(self._camera))
+            print(self._greeting(), flush=True)
+            await asyncio.gather(*work)
+
+    def toggle_visitor(self) -> None:
+        """Let the visitor come to the door, or leave."""
+        self._visitor_present = not self._visitor_present
+        self._world.set_visitor(self._visitor_present)
+        print(f"twin: the visitor {'is at the door' if self._visitor_present else 'has left'}", flush=True)
+
+    def summary(self) -> str:
+        """Return one line about the whole run."""
+        counters = self._drone.counters
+        return (
+            f"twin ends after {self._world.now:.1f} s: {counters.commands} commands, {counters.malformed} malformed, "
+            f"{counters.navdata_sent} reports, {counters.frames_sent} pictures sent, {counters.frames_dropped} dropped, "
+            f"{self._time.slipped:.2f} s lost to stalls"
+        )
+
+    def _greeting(self) -> str:
+        drone, tracking = self._site.drone, self._site.tracking
+        video = "on" if self._camera is not None else "off"
+        return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}"
+
+    def _publish_frames(self) -> None:
+        for frame in self._world.mocap_frames():
+            self._tracking.publish(frame)
+
+    async def _film(self, camera: CameraProcess) -> None:
+        rate = Rate(self._site.twin.video_rate_hz)
+        while True:
+            await rate.sleep()
+            truth = self._world.truth()
+            camera.show(truth.pose, self._visitor_present, self._drone.camera, truth.at)
+            self._tell_of(camera)
+
+    def _tell_of(self, camera: CameraProcess) -> None:
+        """Print what changed about the camera since the last call."""
+        state = camera.restarts, camera.problem
+        if state == self._camera_state:
+            return
+        if camera.restarts != self._camera_state[0]:
+            print(f"twin: the camera process ended and is started again ({camera.restarts})", flush=True)
+        if camera.problem != self._camera_state[1]:
+            print(f"twin: the picture is a plain card: {camera.problem}", flush=True)
+        self._camera_state = state
+
+
+async def run_twin(site: Site, room: Room, *, beyond_loopback: bool = False) -> None:
+    """Serve the simulated room until SIGTERM, SIGINT or cancellation.
+
+    Raises:
+        ConfigError: an address that is not loopback, without ``beyond_loopback``.
+        LinkError: a port that cannot be had.
+    """
+    twin = Twin(site, room, beyond_loopback)
+    serving = asyncio.create_task(twin.run())
+    loop = asyncio.get_running_loop()
+    loop.add_signal_handler(signal.SIGUSR1, twin.toggle_visitor)
+    for number in (signal.SIGTERM, signal.SIGINT):
+        loop.add_signal_handler(number, serving.cancel)
+    with contextlib.suppress(asyncio.CancelledError):
+        await serving
+    print(twin.summary(), flush=True)
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the twin of a site file and return the exit code."""
+    parser = argparse.ArgumentParser(prog="housefly.twin.process", description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--site", type=Path, required=True, help="site file")
+    parser.add_argument(
+        "--beyond-loopback", action="store_true", help="serve other machines too; nothing on these ports is secured"
+    )
+    options = parser.parse_args(argv)
+    try:
+        site = load_site(options.site)
+        asyncio.run(run_twin(site, load_room(site.room.model, options.site.parent), beyond_loopback=options.beyond_loopback))
+    except HouseflyError as error:
+        print(f"twin: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,145 @@
+"""The twin as a process of its own, started, watched and ended from outside."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import sys
+from asyncio.subprocess import PIPE, STDOUT, Process
+from collections.abc import AsyncIterator, Awaitable, Callable
+from pathlib import Path
+
+import psutil
+import pytest
+
+from housefly.clock import RealClock
+from housefly.config import Site, TrackingConfig
+from housefly.tracking.vicon import ViconTracker
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, decode_navdata
+from housefly.wires.ardrone.pave import VIDEO_PORT, PaveFrame, VideoReassembler
+
+pytestmark = [pytest.mark.wire, pytest.mark.slow]
+
+Start = Callable[..., Awaitable[Process]]
+
+
+def site_text(address: str, video: bool = False) -> str:
+    where = f'address = "{address}"\n'
+    return f"[drone]\n{where}[tracking]\n{where}[twin]\nvideo = {str(video).lower()}\n"
+
+
+async def line(process: Process) -> str:
+    assert process.stdout is not None
+    return (await asyncio.wait_for(process.stdout.readline(), 60.0)).decode().strip()
+
+
+@pytest.fixture
+async def start(tmp_path: Path) -> AsyncIterator[Start]:
+    started: list[Process] = []
+
+    async def begin(text: str, *options: str) -> Process:
+        site = tmp_path / "site.toml"
+        site.write_text(text)
+        process = await asyncio.create_subprocess_exec(
+            sys.executable, "-m", "housefly.twin.process", "--site", str(site), *options, stdout=PIPE, stderr=STDOUT
+        )
+        started.append(process)
+        return process
+
+    yield begin
+    for process in started:
+        if process.returncode is None:
+            process.kill()
+        await process.wait()
+
+
+async def test_it_says_when_it_is_ready_serves_and_ends_on_a_signal(start, loopback):
+    process = await start(site_text(loopback))
+    assert await line(process) == f"twin ready: drone at {loopback}, tracking at {loopback}:{Site().tracking.port}, video off"
+
+    received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+    transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
+        lambda: _Once(received), remote_addr=(loopback, NAVDATA_PORT)
+    )
+    transport.sendto(b"\x01")
+    decode_navdata(await asyncio.wait_for(received, 5.0))
+    transport.close()
+
+    process.send_signal(signal.SIGTERM)
+    assert "lost to stalls" in await line(process)
+    assert await asyncio.wait_for(process.wait(), 10.0) == 0
+
+
+class _Once(asyncio.DatagramProtocol):
+    def __init__(self, received: asyncio.Future[bytes]) -> None:
+        self._received = received
+
+    def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
+        if not self._received.done():
+            self._received.set_result(data)
+
+
+async def test_a_signal_makes_the_visitor_leave_and_the_tracking_sees_it(start, loopback):
+    process = await start(site_text(loopback))
+    await line(process)
+    seen: set[str] = set()
+    config = TrackingConfig(address=loopback)
+    tracker = ViconTracker(config, RealClock())
+    tracking = asyncio.create_task(tracker.run(lambda sightings: seen.update(sighting.body for sighting in sightings)))
+
+    async def visitor_is(present: bool) -> bool:
+        for _ in range(50):
+            seen.clear()
+            await asyncio.sleep(0.1)
+            if config.body in seen and (config.visitor in seen) == present:
+                return True
+        return False
+
+    assert await visitor_is(True)
+    process.send_signal(signal.SIGUSR1)
+    assert await line(process) == "twin: the visitor has left"
+    assert await visitor_is(False)
+    tracking.cancel()
+    await asyncio.gather(tracking, return_exceptions=True)
+
+
+async def test_the_drone_serves_on_while_its_camera_is_killed_and_comes_back(start, loopback):
+    process = await start(site_text(loopback, video=True))
+    assert (await line(process)).endswith("video on")
+    reader, writer = await asyncio.open_connection(loopback, VIDEO_PORT)
+    await pictures(reader, 5)
+
+    (camera,) = [child for child in psutil.Process(process.pid).children() if "camera_child" in " ".join(child.cmdline())]
+    camera.kill()
+    text = await line(process)
+    while "started again" not in text:
+        text = await line(process)
+    after = await pictures(reader, 20)
+    assert any(frame.keyframe for frame in after)
+    writer.close()
+
+    process.send_signal(signal.SIGTERM)
+    assert await asyncio.wait_for(process.wait(), 10.0) == 0
+    assert psutil.pid_exists(camera.pid) is False
+
+
+async def pictures(reader: asyncio.StreamReader, count: int) -> list[PaveFrame]:
+    reassembler, frames = VideoReassembler(), list[PaveFrame]()
+    while len(frames) < count:
+        frames += reassembler.feed(await asyncio.wait_for(reader.read(65536), 40.0))
+    return frames
+
+
+@pytest.mark.parametrize("key", ["drone", "tracking"])
+async def test_an_address_that_others_can_reach_is_refused_in_words(start, key):
+    process = await start(f'[{key}]\naddress = "0.0.0.0"\n[twin]\nvideo = false\n')
+    assert f"{key}.address: is 0.0.0.0" in await line(process)
+    assert await process.wait() == 1
+
+
+async def test_a_taken_port_is_told_in_words(start, loopback):
+    first = await start(site_text(loopback))
+    await line(first)
+    second = await start(site_text(loopback))
+    assert f"cannot serve an AR.Drone at {loopback}" in await line(second)
+    assert await second.wait() == 1
