@@ -13,7 +13,7 @@ from av.container import OutputContainer
 from housefly.messages import VideoFrame
 
 _TIME_BASE = Fraction(1, 90_000)
-_OPTIONS = {"movflags": "hybrid_fragmented+frag_keyframe"}
+_OPTIONS = {"movflags": "hybrid_fragmented+frag_keyframe", "flush_packets": "1"}
 """Fragments survive the death of the writer; an orderly end turns them into an ordinary file."""
 
 

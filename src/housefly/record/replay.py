@@ -5,12 +5,15 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from mcap.exceptions import EndOfFile, McapError
-from mcap.records import Channel, Message, Schema
+from mcap.opcode import Opcode
+from mcap.records import Channel, McapRecord, Message, Schema
 from mcap.stream_reader import StreamReader
+from mcap.writer import MCAP0_MAGIC
 from zstandard import ZstdError
 
 from housefly.bus.codec import decode
@@ -22,7 +25,8 @@ STEP_TOPIC = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
 _RECORD_LIMIT = 64 * 2**20
 """Largest record [bytes] that a sane recording holds; a damaged length must not fill the memory."""
-_MAGIC_SIZE = 8
+_HEAD = struct.Struct("<BQ")
+"""Kind and length [bytes] of an MCAP record."""
 
 
 def replay(path: Path) -> Iterator[PilotStep]:
@@ -59,16 +63,24 @@ def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
                 raise RecordingError(f"{path} is damaged: {error}") from error
 
 
-def _records(file: BinaryIO, path: Path) -> Iterator[object]:
-    """Yield the records of an MCAP file; ends quietly where the file was cut."""
-    try:
-        # A checksum that does not match is a ValueError.
-        yield from StreamReader(file, validate_crcs=True, record_size_limit=_RECORD_LIMIT).records
-    except EndOfFile as error:
-        if file.tell() <= _MAGIC_SIZE:
-            raise RecordingError(f"{path} is empty") from error
-    except (McapError, ZstdError, struct.error, ValueError, OverflowError, MemoryError) as error:
-        raise RecordingError(f"{path} is not a recording, or is damaged: {error}") from error
+def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
+    """Yield the records of an MCAP file, chunk by chunk; ends quietly at the last one that is whole."""
+    if file.read(len(MCAP0_MAGIC)) != MCAP0_MAGIC:
+        raise RecordingError(f"{path} is not a recording")
+    while len(head := file.read(_HEAD.size)) == _HEAD.size:
+        opcode, length = _HEAD.unpack(head)
+        if length > _RECORD_LIMIT:
+            raise RecordingError(f"{path} is damaged: a record of {length} bytes")
+        body = file.read(length)
+        if len(body) < length or opcode == Opcode.FOOTER:
+            return
+        try:
+            yield from StreamReader(BytesIO(head + body), skip_magic=True, validate_crcs=True).records
+        except EndOfFile:
+            # The end of this one record, which is whole.
+            continue
+        except (McapError, ZstdError, struct.error, ValueError, OverflowError, MemoryError) as error:
+            raise RecordingError(f"{path} is damaged: {error}") from error
 
 
 def _check(schema: Schema | None, path: Path) -> None:

@@ -114,10 +114,12 @@ def _draw_bands(
     axes.set(ylim=(0.0, 1.0), yticks=[])
     axes.grid(visible=False)
     axes.spines["left"].set_visible(False)
+    if not numbers.size:
+        return
     elapsed = _elapsed(flight)
     present = [Patch(facecolor=colours[number], label=states[number].value) for number in np.unique(numbers)]
     axes.legend(handles=present, loc="lower right", bbox_to_anchor=(1.0, 0.92), ncols=7, handlelength=1.0, columnspacing=1.2)
-    starts = np.concatenate(([0], np.flatnonzero(np.diff(numbers)) + 1)) if numbers.size else np.empty(0, dtype=np.int64)
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(numbers)) + 1))
     for start, end in zip(starts, np.append(starts[1:], numbers.size - 1), strict=True):
         left, width = float(elapsed[start]), float(elapsed[end] - elapsed[start])
         state = int(numbers[start])

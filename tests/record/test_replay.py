@@ -1,0 +1,123 @@
+"""A recording read back, whole, cut short, or damaged."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from mcap.writer import Writer
+
+from housefly.errors import RecordingError
+from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
+from housefly.record.mcap_log import McapLog
+from housefly.record.replay import STEP_TOPIC, replay, verify
+
+
+def write(path: Path, steps: tuple[PilotStep, ...]) -> Path:
+    log = McapLog(path, {})
+    for step in steps:
+        log.add_own(STEP_TOPIC, step.now, step)
+    log.close()
+    return path
+
+
+@pytest.fixture
+def recording(tmp_path: Path, flight: tuple[PilotStep, ...]) -> Path:
+    return write(tmp_path / "flight.mcap", flight)
+
+
+class Parrot:
+    """Decides what was recorded, except where it is told to differ."""
+
+    def __init__(self, steps: tuple[PilotStep, ...], differ_at: int | None = None) -> None:
+        self._steps = iter(steps)
+        self._differ_at = differ_at
+
+    def step(self, now: float, inputs: Inputs) -> Outputs:
+        step = next(self._steps)
+        assert (now, inputs) == (step.now, step.inputs)
+        if step.sequence != self._differ_at:
+            return step.outputs
+        setpoint = step.outputs.command.setpoint
+        nearly = Setpoint(setpoint.theta + 1e-16, setpoint.phi, -setpoint.vz, setpoint.yaw_rate)
+        return replace(step.outputs, command=Command(step.outputs.command.action, nearly))
+
+
+def test_a_recording_gives_back_every_step_bit_for_bit(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+    assert repr(tuple(replay(recording))) == repr(flight)
+
+
+def test_the_folder_of_a_flight_stands_for_its_recording(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+    assert len(list(replay(recording.parent))) == len(flight)
+
+
+@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(share=st.floats(0.0, 1.0))
+def test_a_recording_that_was_cut_short_gives_what_is_readable(recording: Path, share: float) -> None:
+    whole = recording.read_bytes()
+    flight = tuple(replay(recording))
+    cut = recording.with_name("cut.mcap")
+    cut.write_bytes(whole[: max(9, int(share * len(whole)))])
+    readable = tuple(replay(cut))
+    assert readable == flight[: len(readable)]
+    assert len(readable) >= (share - 0.2) * len(flight)
+
+
+@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_a_damaged_recording_is_a_recording_error_and_nothing_else(recording: Path, data: st.DataObject) -> None:
+    damaged = bytearray(recording.read_bytes())
+    for _ in range(data.draw(st.integers(1, 5))):
+        damaged[data.draw(st.integers(0, len(damaged) - 1))] = data.draw(st.integers(0, 255))
+    bad = recording.with_name("bad.mcap")
+    bad.write_bytes(damaged)
+    try:
+        for step in replay(bad):
+            assert isinstance(step, PilotStep)
+    except RecordingError as error:
+        assert "bad.mcap" in str(error)
+
+
+@pytest.mark.parametrize("content", [b"", b"not a recording at all", bytes(1000)])
+def test_a_file_that_is_no_recording_is_refused(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "flight.mcap").write_bytes(content)
+    with pytest.raises(RecordingError, match="not a recording"):
+        list(replay(tmp_path))
+
+
+def test_a_missing_file_is_refused_by_name(tmp_path: Path) -> None:
+    with pytest.raises(RecordingError, match=r"absent\.mcap cannot be read"):
+        list(replay(tmp_path / "absent.mcap"))
+
+
+def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
+    with (tmp_path / "flight.mcap").open("wb") as file:
+        writer = Writer(file)
+        writer.start(profile="ros2")
+        schema = writer.register_schema("housefly_msgs/msg/PilotStep", "ros2msg", b"int64 sequence\n")
+        writer.add_message(writer.register_channel(STEP_TOPIC, "cdr", schema), 0, b"\x00\x01\x00\x00", 0)
+        writer.finish()
+    with pytest.raises(RecordingError, match="other message definitions"):
+        list(replay(tmp_path))
+
+
+def test_a_pilot_that_decides_the_same_is_verified(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+    verdict = verify(recording, lambda: Parrot(flight))
+    assert (verdict.steps, verdict.missing, verdict.difference) == (len(flight), 0, None)
+
+
+def test_the_last_bit_of_a_command_and_the_sign_of_a_zero_count(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+    verdict = verify(recording, lambda: Parrot(flight, differ_at=400))
+    assert verdict.steps == 400
+    assert verdict.difference is not None
+    assert verdict.difference.step.sequence == 400
+    assert "step 400" in str(verdict.difference)
+
+
+def test_missing_steps_are_counted(tmp_path: Path, flight: tuple[PilotStep, ...]) -> None:
+    with_gap = flight[:10] + flight[15:20]
+    verdict = verify(write(tmp_path / "flight.mcap", with_gap), lambda: Parrot(with_gap))
+    assert (verdict.steps, verdict.missing) == (15, 5)

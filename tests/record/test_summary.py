@@ -1,0 +1,112 @@
+"""A flight in numbers."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.config import Site, changed
+from housefly.messages import DroneStatus, Inputs, Path, Phase, PilotStep, SafetyMode
+from housefly.record.series import collect
+from housefly.record.summary import Summary, distance_to_path, summarize
+from housefly.room.grid import OccupancyGrid
+from housefly.room.model import Room
+
+COORDINATE = st.floats(-20.0, 20.0)
+POINT = st.tuples(COORDINATE, COORDINATE)
+PATH = st.lists(POINT, min_size=1, max_size=6).map(lambda points: Path(tuple(points), 0.0, 0.0))
+
+
+@pytest.fixture
+def summary(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> Summary:
+    return summarize(collect(flight, "ardrone"), "completed", site, room, grid, video_frames=7)
+
+
+def test_a_drone_that_flies_beside_its_path_has_that_error(summary: Summary) -> None:
+    assert summary.max_error_m == pytest.approx(0.05)
+    # On the leg along y the offset lies on the path itself, except beyond its end.
+    assert summary.rms_error_m is not None
+    assert 0.0 < summary.rms_error_m < 0.05
+    assert summary.arrival_error_m == pytest.approx(0.05)
+    assert summary.landed_error_m == pytest.approx(0.05)
+
+
+def test_lengths_times_and_rates_are_those_of_the_flight(summary: Summary) -> None:
+    assert summary.path_length_m == 6.0
+    assert summary.flown_length_m == pytest.approx(2 * 6.0 + 2 * 0.9, rel=0.02)
+    assert summary.duration_s == pytest.approx(23.0, abs=0.03)
+    assert summary.mocap_rate_hz == pytest.approx(50.0)
+    assert summary.battery_used == pytest.approx(0.004 * 25.0, abs=1e-3)
+    assert summary.behavior_switches_per_s == pytest.approx(4 / 23.0, rel=0.01)
+    assert (summary.video_frames, summary.steps, summary.missing_steps) == (7, 1250, 0)
+    assert summary.safety_modes == (SafetyMode.NOMINAL.value, SafetyMode.LEVEL.value)
+
+
+def test_clearance_is_that_of_the_map_less_half_the_hull(
+    summary: Summary, site: Site, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+) -> None:
+    flying = [step for step in flight if step.inputs.telemetry and step.inputs.telemetry.status is not DroneStatus.LANDED]
+    seen = [step.inputs.sightings[0].pose.position for step in flying]
+    nearest = min(grid.clearance_at((x, y)) for x, y, _ in seen)
+    assert summary.min_clearance_m == pytest.approx(nearest - hypot(site.drone.hull_length, site.drone.hull_width) / 2)
+
+
+def test_events_carry_the_time_since_the_start(summary: Summary) -> None:
+    (event,) = summary.events
+    assert (event.at_s, event.severity, event.code) == (1.0, "info", "take-off")
+
+
+def test_the_json_holds_every_key_that_was_promised(summary: Summary) -> None:
+    promised = """outcome mode seed duration_s path_length_m rms_error_m max_error_m arrival_error_m min_clearance_m mocap_rate_hz
+    video_frames landed_error_m events"""
+    assert set(promised.split()) <= set(json.loads(summary.to_json()))
+
+
+def test_what_was_not_measured_is_none(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> None:
+    blind = tuple(replace(step, inputs=Inputs(), outputs=replace(step.outputs, estimate=None, path=None)) for step in flight)
+    summary = summarize(collect(blind, "ardrone"), "lost", site, room, grid)
+    measured = [summary.rms_error_m, summary.max_error_m, summary.arrival_error_m, summary.landed_error_m, summary.battery_used]
+    measured += [summary.min_clearance_m, summary.mocap_rate_hz, summary.path_length_m, summary.flown_length_m]
+    assert measured == [None] * 9
+    assert summary.duration_s == pytest.approx(23.0, abs=0.03)
+
+
+def test_a_drone_that_is_still_in_the_air_has_no_landing_error(
+    site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+) -> None:
+    in_the_air = [step for step in flight if step.outputs.phase is not Phase.IDLE][:-10]
+    assert summarize(collect(in_the_air, "ardrone"), "cut off", site, room, grid).landed_error_m is None
+
+
+def test_real_hardware_has_no_seed(site: Site, room: Room, grid: OccupancyGrid) -> None:
+    hardware = changed(site, twin__enabled=False)
+    assert summarize(collect((), "ardrone"), "nothing flown", hardware, room, grid).seed is None
+
+
+def test_only_the_drone_itself_counts(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> None:
+    assert summarize(collect(flight, "somebody else"), "completed", site, room, grid).mocap_rate_hz is None
+
+
+@given(PATH, st.lists(POINT, min_size=1, max_size=5))
+def test_the_distance_to_a_path_is_the_smallest_over_its_points(path: Path, points: list[tuple[float, float]]) -> None:
+    corners = np.array(path.waypoints)
+    shares = np.linspace(0.0, 1.0, 400)[:, None]
+    legs = list(pairwise(corners)) or [(corners[0], corners[0])]
+    dense = np.concatenate([start + shares * (end - start) for start, end in legs])
+    brute = np.linalg.norm(np.array(points)[:, None] - dense, axis=2).min(axis=1)
+    # The dense points of a leg of at most 57 m lie 0.15 m apart.
+    found = distance_to_path(np.array(points), path)
+    assert np.all(found <= brute + 1e-9)
+    assert np.all(found >= brute - 0.08)
+
+
+@given(PATH)
+def test_corners_lie_on_their_path(path: Path) -> None:
+    assert np.allclose(distance_to_path(np.array(path.waypoints), path), 0.0, atol=1e-9)
