@@ -36,15 +36,15 @@ def plan(
         shortcut: straighten the path at any angle.
     """
     free: Free = grid.cells == Cell.FREE
-    for name, point in (("start", start), ("goal", goal)):
-        reason = _objection(grid, name, point)
-        if reason:
-            return PlanAnswer(start, goal, None, reason, _nearest(grid, free, point))
-    cells = shortest_path(free, grid.cell_of(start), grid.cell_of(goal))
+    objection = _objection(grid, "start", start)
+    if objection:
+        return PlanAnswer(start, goal, None, objection, _nearest(grid, free, start))
+    here, there = grid.cell_of(start), grid.cell_of(goal)
+    objection = _objection(grid, "goal", goal)
+    cells = () if objection else shortest_path(free, here, there)
     if not cells:
-        reached = distances(free, grid.cell_of(start)) != UNREACHED
-        reason = f"there is no free way from {_words(start)} to {_words(goal)}"
-        return PlanAnswer(start, goal, None, reason, _nearest(grid, reached, goal))
+        reason = objection or f"there is no free way from {_words(start)} to {_words(goal)}"
+        return PlanAnswer(start, goal, None, reason, _nearest(grid, distances(free, here) != UNREACHED, goal))
     waypoints = tuple(grid.centre_of(cell) for cell in cells)
     if not every_cell:
         waypoints = straightened(grid, waypoints) if shortcut else _corners(waypoints)

@@ -7,15 +7,15 @@ B-sen's robot model puts it; walls and free floor follow its grid; the entrance 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import cache
 from math import atan, pi
 
 from housefly.geometry import Quaternion, Vec3, normalized
 from housefly.room import furniture
 from housefly.room.bsen_shell import HEIGHT, shell
+from housefly.room.home_pad import home_pad
 from housefly.room.model import Place, Room, Solid, TrackingCamera
-from housefly.room.parts import Part, paint, pillar, placed
+from housefly.room.parts import Part, placed
 
 BOUNDS = (0.0, 0.0, 15.0, 8.0)
 HOME = (10.55, 1.25)
@@ -47,12 +47,6 @@ FURNITURE: tuple[tuple[str, str, tuple[Part, ...], float, float, float], ...] = 
     ("wall shelf", "", furniture.WALL_SHELF, 7.50, 0.65, NORTH),
     ("wagon", "", furniture.WAGON, 6.58, 5.75, EAST),
     ("tree", "", furniture.TREE, 14.30, 5.30, EAST),
-)
-
-HOME_PAD = (
-    pillar("rim", (0.0, 0.0), 0.0, 0.004, 0.80, paint(0.94, 0.94, 0.92)),
-    pillar("disc", (0.0, 0.0), 0.004, 0.006, 0.74, paint(0.13, 0.38, 0.42)),
-    pillar("dot", (0.0, 0.0), 0.006, 0.008, 0.20, paint(0.94, 0.94, 0.92)),
 )
 
 PLACES = (
@@ -116,11 +110,7 @@ def _solids() -> Iterator[Solid]:
     yield from shell()
     for thing, name, parts, x, y, yaw in FURNITURE:
         yield from placed(thing, parts, x, y, yaw, name)
-    yield from (_without_contact(solid) for solid in placed("home pad", HOME_PAD, *HOME))
-
-
-def _without_contact(solid: Solid) -> Solid:
-    return replace(solid, collides=False)
+    yield from home_pad(HOME)
 
 
 def _camera(number: int, kind: str, position: Vec3, orientation: Quaternion, focal_px: float) -> TrackingCamera:

@@ -20,6 +20,10 @@ from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
 
 BUILT_IN = {"bsen": bsen}
 FILE_NAME = "room.toml"
+UNITS: dict[int | str, str] = {
+    **dict.fromkeys(("bounds", "height", "home", "visitor", "position", "size", "viewpoint", "look_at", "reach"), " m"),
+    **dict.fromkeys(("home_yaw", "visitor_yaw", "yaw", "field_of_view"), " rad"),
+}
 
 Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
 Extent = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
@@ -128,7 +132,8 @@ def room_from_toml(text: str, source: str = "") -> Room:
     except tomllib.TOMLDecodeError as error:
         raise ConfigError(FILE_NAME, f"is not valid TOML: {error}", source) from error
     except ValidationError as error:
-        first = error.errors()[0]
+        # A misspelt key also leaves the right one missing: name the misspelt one.
+        first = min(error.errors(), key=lambda problem: problem["type"] != "extra_forbidden")
         raise ConfigError(_key(first["loc"]), _explain(first), source) from error
     return Room(
         name=entry.name,
@@ -213,4 +218,5 @@ def _explain(problem: Any) -> str:
         return "is missing"
     if problem["type"] == "value_error":
         return str(problem["ctx"]["error"])
-    return f"is {problem['input']!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
+    unit = next((UNITS[key] for key in problem["loc"] if key in UNITS), "")
+    return f"is {problem['input']!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}{unit}"

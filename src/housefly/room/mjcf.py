@@ -43,7 +43,7 @@ VISUAL = (
     '<map znear="0.005" zfar="12" haze="0"/><quality shadowsize="2048" offsamples="0"/>'
     '<global offwidth="1920" offheight="1080"/></visual>'
 )
-BUILDING = frozenset({"wall", "window", "entrance door", "room door"})
+BUILDING = frozenset({"wall", "unexplored", "window", "entrance door", "room door"})
 # Two lights without shadows from opposite sides give every side of a box a brightness of its own.
 LIGHTS = (("daylight", "-0.62 0.30 -0.72", 0.30), ("fill", "0.50 -0.62 -0.60", 0.22))
 LAMP_SPACING = 3.0
@@ -100,20 +100,20 @@ def _surroundings(room: Room) -> Iterator[str]:
     x_min, y_min, x_max, y_max = room.bounds
     x, y = (x_min + x_max) / 2, (y_min + y_max) / 2
     length, width = (x_max - x_min) / 2, (y_max - y_min) / 2
-    yield f'<geom name="floor" type="plane" pos="{x:.6g} {y:.6g} 0" size="{length:.6g} {width:.6g} 1" material="floor"/>'
+    yield f'<geom name="floor" type="plane" pos="{x:.9g} {y:.9g} 0" size="{length:.9g} {width:.9g} 1" material="floor"/>'
     yield (
-        f'<geom name="ceiling" type="plane" pos="{x:.6g} {y:.6g} {room.height:.6g}" size="{length:.6g} {width:.6g} 1" '
+        f'<geom name="ceiling" type="plane" pos="{x:.9g} {y:.9g} {room.height:.9g}" size="{length:.9g} {width:.9g} 1" '
         'quat="0 1 0 0" rgba="0.95 0.95 0.94 1" material="ceiling" contype="0" conaffinity="0" group="1"/>'
     )
     for name, direction, strength in LIGHTS:
         yield (
-            f'<light name="{name}" directional="true" castshadow="false" pos="{x:.6g} {y:.6g} {room.height:.6g}" '
+            f'<light name="{name}" directional="true" castshadow="false" pos="{x:.9g} {y:.9g} {room.height:.9g}" '
             f'dir="{direction}" ambient="0 0 0" diffuse="{strength} {strength} {strength}" specular="0.05 0.05 0.05"/>'
         )
     for n in range(count := max(1, round(2 * length / LAMP_SPACING))):
         at = x_min + (n + 0.5) * 2 * length / count
         yield (
-            f'<geom name="lamp {n}" type="cylinder" pos="{at:.6g} {y:.6g} {room.height - 0.03:.6g}" size="0.2 0.025" '
+            f'<geom name="lamp {n}" type="cylinder" pos="{at:.9g} {y:.9g} {room.height - 0.03:.9g}" size="0.2 0.025" '
             'rgba="1 0.98 0.92 1" material="lamp" contype="0" conaffinity="0" group="1"/>'
         )
 
@@ -125,9 +125,9 @@ def _shades(solids: tuple[Solid, ...]) -> Iterator[str]:
         if solid.collides and low < SHADE_BELOW and solid.size[2] > 0.02 and solid.thing not in BUILDING:
             x, y, _ = solid.position
             a, b = solid.size[0] / 2 + SHADE_MARGIN, solid.size[1] / 2 + SHADE_MARGIN
-            size = f"{a:.6g} {b:.6g} 0.001" if solid.shape is Shape.BOX else f"{a:.6g} 0.001"
+            size = f"{a:.9g} {b:.9g} 0.001" if solid.shape is Shape.BOX else f"{a:.9g} 0.001"
             yield (
-                f'<geom type="{solid.shape.value}" pos="{x:.6g} {y:.6g} 0.002" size="{size}"{_turn(solid.yaw)} '
+                f'<geom type="{solid.shape.value}" pos="{x:.9g} {y:.9g} 0.002" size="{size}"{_turn(solid.yaw)} '
                 f'rgba="0.1 0.06 0.03 {SHADE}" material="shade" contype="0" conaffinity="0" group="1"/>'
             )
 
@@ -139,11 +139,11 @@ def _turn(yaw: float) -> str:
 def _geom(solid: Solid) -> str:
     x, y, z = solid.position
     a, b, c = (extent / 2 for extent in solid.size)
-    size = f"{a:.6g} {b:.6g} {c:.6g}" if solid.shape is Shape.BOX else f"{a:.6g} {c:.6g}"
+    size = f"{a:.9g} {b:.9g} {c:.9g}" if solid.shape is Shape.BOX else f"{a:.9g} {c:.9g}"
     colour = " ".join(f"{part:.4g}" for part in solid.colour)
     material = solid.texture if solid.texture in MATERIALS else "plain"
     contact = "" if solid.collides else ' contype="0" conaffinity="0"'
     return (
-        f'<geom name={quoteattr(solid.name)} type="{solid.shape.value}" pos="{x:.6g} {y:.6g} {z:.6g}" size="{size}"'
+        f'<geom name={quoteattr(solid.name)} type="{solid.shape.value}" pos="{x:.9g} {y:.9g} {z:.9g}" size="{size}"'
         f'{_turn(solid.yaw)} rgba="{colour}" material="{material}"{contact}/>'
     )

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from housefly.errors import RoomError
 from housefly.room.files import save_room, toml_string
 from housefly.room.grid import build_grid
+from housefly.room.home_pad import home_pad
 from housefly.room.model import Colour, Place, Room, Shape, Solid
 from housefly.room.rectangles import rectangles
 from housefly.room.ros_image import RosMap, read_ros_map
@@ -42,13 +43,13 @@ def import_ros_map(yaml_path: Path, out: Path, *, name: str = "", wall_height: f
         RoomError: the map cannot be read, or the drone fits nowhere in it.
     """
     ros_map = _cropped(read_ros_map(yaml_path), yaml_path)
-    title = name or yaml_path.resolve().parent.name.replace("_", " ")
+    title = name or yaml_path.resolve().parent.name.replace("_", " ") or "map"
     shell = Room(title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0))
     manner, home = manner_and_home(shell, ros_map, yaml_path)
     site = site_for(manner)
     grid = build_grid(replace(shell, home=home), site)
     places = (Place("home", home, (home[0] + LOOK_DISTANCE, home[1], site.map.flight_height), "Home"), *places_around(grid, home))
-    room = Room(shell.name, shell.bounds, shell.height, shell.solids, places, (), home)
+    room = replace(shell, solids=(*shell.solids, *home_pad(home)), places=places, home=home)
     save_room(room, out)
     _write_site(out / "site.toml", room, manner, yaml_path)
     return room
