@@ -117,9 +117,9 @@ def main() -> None:
         print(row(name, free))
     print()
     print(
-        f"Median over the {QUERIES} farthest of 60 random queries (networkx on large maps: 3) of one shortest path with 4 moves of "
-        "unit cost, path included for Housefly, distances only for the others; their graphs are built beforehand, ours is the grid "
-        "itself. All lengths are equal."
+        f"Median over the {QUERIES} farthest of 60 random queries (networkx on large maps: 3) of one shortest path with 4 moves "
+        "of unit cost, path included for Housefly, distances only for the others; their graphs are built beforehand, ours is the "
+        "grid itself. All lengths are equal."
     )
 
 
