@@ -28,6 +28,8 @@ _CHOICES = {"egl": (Backend.EGL, Backend.CARD), "osmesa": (Backend.OSMESA, Backe
 _START_TIMEOUT = 30.0
 _HUNG = 3.0
 """A child that owes a picture for this long [s] is replaced."""
+_GLANCE = 0.5
+"""How often a silent child is looked at [s]."""
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 5.0
 _STABLE = 10.0
 """A child that lived this long [s] was worth restarting at once."""
@@ -166,7 +168,7 @@ class CameraProcess:
         started = self._clock.now()
         while True:
             try:
-                async with asyncio.timeout(_HUNG):
+                async with asyncio.timeout(_GLANCE):
                     return await reader.readexactly(HEADER.size)
             except TimeoutError:
                 since, patience = (self._owed_since, _HUNG) if self._ready else (started, _START_TIMEOUT)

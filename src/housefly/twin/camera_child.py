@@ -11,7 +11,6 @@ import signal
 import socket
 import sys
 import time
-from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,10 +21,9 @@ from housefly.twin.camera_encoder import Encoder
 from housefly.twin.camera_link import Backend, Encoded, Inbox, Kind, Request, Settings, message
 
 CARD_RATE_HZ = 2.0
+_CARD_BIT_RATE = 200_000
 _NICENESS = 5
 """Pictures may be late; the twin's physics and the pilot may not."""
-
-Painter = Callable[[Request], NDArray[np.uint8]]
 
 
 def serve(link: socket.socket) -> None:
@@ -58,7 +56,7 @@ def _send_views(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
 
 def _send_cards(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
     card = draw_card(settings.reasons, *PICTURE)
-    encoder = Encoder(*PICTURE, CARD_RATE_HZ, group=1)
+    encoder = Encoder(*PICTURE, CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
     link.sendall(message(Kind.READY, settings.backend.name.encode()))
     due = 0.0
     while (request := _newest(inbox)) is not None:

@@ -10,7 +10,7 @@ from av.video.reformatter import Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
 BIT_RATE = 1_200_000
-"""Mean bit rate [bit/s] at any picture rate; peaks stay below a quarter more."""
+"""Mean bit rate [bit/s]; peaks stay below a quarter more."""
 GROUP_OF_PICTURES = 15
 
 
@@ -21,9 +21,10 @@ class Encoder:
         width, height: size of the encoded pictures [px].
         rate_hz: pictures per second; the rate control counts on it.
         group: pictures from key frame to key frame.
+        bit_rate: mean bit rate [bit/s].
     """
 
-    def __init__(self, width: int, height: int, rate_hz: float, group: int = GROUP_OF_PICTURES) -> None:
+    def __init__(self, width: int, height: int, rate_hz: float, group: int = GROUP_OF_PICTURES, bit_rate: int = BIT_RATE) -> None:
         self._size = width, height
         self._count = 0
         self._reformatter = VideoReformatter()
@@ -31,10 +32,10 @@ class Encoder:
         codec = av.CodecContext.create("libx264", "w")
         codec.width, codec.height, codec.pix_fmt = width, height, "yuv420p"
         codec.framerate, codec.time_base = rate, 1 / rate
-        codec.bit_rate = BIT_RATE
+        codec.bit_rate = bit_rate
         codec.gop_size = group
         codec.thread_count = 1
-        kbit = BIT_RATE // 1000
+        kbit = bit_rate // 1000
         codec.options = {
             "preset": "ultrafast",
             "tune": "zerolatency",

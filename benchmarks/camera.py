@@ -1,0 +1,118 @@
+"""The drone's camera: what a picture costs, with which smoothing, and what the whole child takes at 30 pictures a second."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import statistics
+import time
+from math import cos, pi, sin
+
+os.environ.setdefault("MUJOCO_GL", "egl")
+os.environ.setdefault("LP_NUM_THREADS", "0")
+
+import psutil
+
+from housefly.config import Site
+from housefly.geometry import quaternion_from_euler
+from housefly.messages import Pose
+from housefly.room.files import load_room
+from housefly.room.mjcf import room_to_mjcf
+from housefly.twin.body import PICTURE, drone_body
+from housefly.twin.camera import CameraPicture, CameraProcess
+from housefly.twin.camera_encoder import Encoder
+from housefly.twin.camera_link import Request
+from housefly.twin.camera_view import SUPERSAMPLING, View
+from housefly.twin.contracts import Camera
+
+RATE_HZ = 30.0
+PICTURES = 240
+ROOM = load_room("bsen")
+SCENE = room_to_mjcf(ROOM, bodies=drone_body(Site().drone, ROOM.home, ROOM.home_yaw))
+
+
+def pose(turn: float) -> Pose:
+    """A round trip through the room while turning once, at a flight's pace; turn goes from 0 to 1."""
+    x_min, y_min, x_max, y_max = ROOM.bounds
+    x = (x_min + x_max) / 2 + 0.35 * (x_max - x_min) * cos(2 * pi * turn)
+    y = (y_min + y_max) / 2 + 0.15 * (y_max - y_min) * sin(2 * pi * turn)
+    return Pose((x, y, 1.1), quaternion_from_euler(0.0, 0.0, 2 * pi * turn))
+
+
+def cost(supersampling: float, samples: int) -> tuple[float, float]:
+    """Return processor time [s] of rendering and of encoding one picture."""
+    view, encoder = View(SCENE, *PICTURE, supersampling=supersampling, samples=samples), Encoder(*PICTURE, RATE_HZ)
+    requests = [Request(pose(n / PICTURES), True, Camera.FRONT, n / RATE_HZ) for n in range(PICTURES)]
+    encoder.encode(view.picture(requests[0]))
+    rendering = encoding = 0.0
+    for request in requests:
+        start = time.process_time()
+        picture = view.picture(request)
+        middle = time.process_time()
+        encoder.encode(picture)
+        rendering, encoding = rendering + middle - start, encoding + time.process_time() - middle
+    return rendering / PICTURES, encoding / PICTURES
+
+
+async def whole_child() -> str:
+    """Run the child as the twin does and return a table row."""
+    camera = CameraProcess(Site(), ROOM)
+    pictures: list[CameraPicture] = []
+    delays: list[float] = []
+    asked: dict[float, float] = {}
+
+    def take(picture: CameraPicture) -> None:
+        pictures.append(picture)
+        delays.append(time.monotonic() - asked[picture.at])
+
+    camera.on_picture(take)
+    start = time.monotonic()
+    camera.start()
+    while not pictures:
+        await asyncio.sleep(0.01)
+        asked[0.0] = time.monotonic()
+        camera.show(pose(0.0), True, Camera.FRONT, 0.0)
+    ready = time.monotonic() - start
+    child = psutil.Process(camera.pid)
+    before = sum(child.cpu_times()[:2])
+    pictures.clear()
+    delays.clear()
+    start = time.monotonic()
+    for n in range(PICTURES):
+        await asyncio.sleep(start + n / RATE_HZ - time.monotonic())
+        at = 1.0 + n / RATE_HZ
+        asked[at] = time.monotonic()
+        camera.show(pose(n / PICTURES), True, Camera.FRONT, at)
+    await asyncio.sleep(0.2)
+    seconds = PICTURES / RATE_HZ
+    share = (sum(child.cpu_times()[:2]) - before) / seconds
+    memory = child.memory_info().rss / 2**20
+    camera.close()
+    cuts = statistics.quantiles(delays, n=100)
+    rate, bits = len(pictures) / seconds, 8e-6 * sum(len(picture.data) for picture in pictures) / seconds
+    return (
+        f"| {rate:.1f} of {RATE_HZ:.0f} | {share:.2f} | {1e3 * cuts[49]:.0f} ms / {1e3 * cuts[98]:.0f} ms "
+        f"| {bits:.2f} Mbit/s | {memory:.0f} MiB | {ready:.2f} s |"
+    )
+
+
+def main() -> None:
+    print("### Camera picture, 640 x 360\n")
+    print("| smoothing | render | convert and encode | pictures/s possible | cores at 30/s |\n|---|---|---|---|---|")
+    variants = (("none", 1.0, 0), (f"rendered {SUPERSAMPLING:g} x larger (used)", SUPERSAMPLING, 0), ("MSAA 4", 1.0, 4))
+    for name, supersampling, samples in variants:
+        rendering, encoding = cost(supersampling, samples)
+        both = rendering + encoding
+        print(
+            f"| {name} | {1e3 * rendering:.1f} ms | {1e3 * encoding:.1f} ms | {1 / both:.0f} | {RATE_HZ * both:.2f} |", flush=True
+        )
+    print("\nProcessor time of one thread, the same flight through the room for each row.\n")
+    print(
+        "| pictures/s | cores | request to picture p50 / p99 | stream | memory | start to first picture |\n|---|---|---|---|---|---|"
+    )
+    print(asyncio.run(whole_child()))
+    print("\nThe child process as the twin runs it, rendering and encoding; the goal is 0.25 cores.")
+
+
+if __name__ == "__main__":
+    main()
