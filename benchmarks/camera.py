@@ -107,9 +107,8 @@ def main() -> None:
             f"| {name} | {1e3 * rendering:.1f} ms | {1e3 * encoding:.1f} ms | {1 / both:.0f} | {RATE_HZ * both:.2f} |", flush=True
         )
     print("\nProcessor time of one thread, the same flight through the room for each row.\n")
-    print(
-        "| pictures/s | cores | request to picture p50 / p99 | stream | memory | start to first picture |\n|---|---|---|---|---|---|"
-    )
+    print("| pictures/s | cores | request to picture p50 / p99 | stream | memory | start to first picture |")
+    print("|---|---|---|---|---|---|")
     print(asyncio.run(whole_child()))
     print("\nThe child process as the twin runs it, rendering and encoding; the goal is 0.25 cores.")
 
