@@ -30,7 +30,7 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
         launcher = stack.enter_context(Launcher(runtime, folder, parts_of(runtime)))
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         try:
-            _introduce(premises, runtime, bus, console, started)
+            _introduce(runtime, bus, console, started)
             if record is not None:
                 stack.callback(_record(premises, record, bus))
                 console.print(f"recording to {record}")
@@ -41,8 +41,8 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
     return 0
 
 
-def _introduce(premises: Premises, runtime: Runtime, bus: Bus, console: Console, started: float) -> None:
-    site = premises.site
+def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> None:
+    site = runtime.site()
     console.print(f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {'simulated room' if site.twin.enabled else 'real hardware'}")
     console.print(f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]", soft_wrap=True)
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)

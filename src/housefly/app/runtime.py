@@ -8,7 +8,7 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
-from housefly.config import Site, load_site
+from housefly.config import Site, changed, load_site
 from housefly.errors import ConfigError
 
 SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
@@ -43,7 +43,9 @@ class Runtime:
 
 
 def new_runtime(site: Site, folder: Path) -> Runtime:
-    """Write the site into the folder and choose free ports and fresh secrets."""
+    """Write the site into the folder and choose free ports and fresh secrets; a console on port 0 gets a free one too."""
+    if site.web.port == 0:
+        site = changed(site, web__port=free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
     bus_port, stop_port = free_port(socket.SOCK_STREAM), free_port(socket.SOCK_DGRAM)
