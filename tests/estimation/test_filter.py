@@ -30,7 +30,9 @@ def paper_filter() -> PaperFilter:
 both = pytest.mark.parametrize("make", [default_filter, paper_filter])
 
 
-def seen(x: float, y: float, at: float, latency: float = 0.0, z: float = 1.0, yaw: float = 0.0, body: str = "ardrone") -> Sighting:
+def seen(
+    x: float, y: float, at: float, latency: float = 0.0, z: float = 1.0, yaw: float = 0.0, body: str = "ardrone"
+) -> Sighting:
     return Sighting(body, Pose((x, y, z), quaternion_from_euler(0.0, 0.0, yaw)), at, at + latency)
 
 
@@ -151,7 +153,13 @@ def test_a_yaw_flip_is_refused_like_a_jump(make: Callable[[], Estimator]) -> Non
 @both
 @pytest.mark.parametrize(
     ("captured", "refusal"),
-    [(0.5, Refusal.OUT_OF_ORDER), (0.4, Refusal.OUT_OF_ORDER), (0.9, Refusal.FUTURE), (nan, Refusal.NOT_FINITE), (inf, Refusal.NOT_FINITE)],
+    [
+        (0.5, Refusal.OUT_OF_ORDER),
+        (0.4, Refusal.OUT_OF_ORDER),
+        (0.9, Refusal.FUTURE),
+        (nan, Refusal.NOT_FINITE),
+        (inf, Refusal.NOT_FINITE),
+    ],
 )
 def test_bad_stamps_are_dropped_and_counted(make: Callable[[], Estimator], captured: float, refusal: Refusal) -> None:
     estimator = make()

@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
-from math import hypot
+from math import cos, hypot, sin
 
 import numpy as np
 import pytest
@@ -152,8 +152,8 @@ class Flight:
             return
         else:
             climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(self.status, 0.0)
-            flow = self.random.normal(0.0, 0.02, 2)
-            c, s = np.cos(b.psi), np.sin(b.psi)
+            flow = self.random.normal(0.0, 0.02, 2).tolist()
+            c, s = cos(b.psi), sin(b.psi)
             ax, ay = -0.8 * (b.vx + flow[0]) - wind[0], -0.8 * (b.vy + flow[1]) - wind[1]
             wanted = (0.1 * (c * ax + s * ay), -0.1 * (-s * ax + c * ay), climb * 1.5, 0.0)
         for _ in range(2):
@@ -167,7 +167,7 @@ class Flight:
             at = self.frame / t.rate_hz
             self.frame += 1
             blind = any(a <= at < b for a, b in t.gaps) or self.random.random() < t.loss
-            noise = self.random.normal(0.0, t.noise, 4)
+            noise = self.random.normal(0.0, t.noise, 4).tolist()
             if blind:
                 continue
             b = self.body

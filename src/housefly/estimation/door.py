@@ -21,6 +21,7 @@ class Door(ABC):
         self._position_noise = position_noise
         self._complaints = Complaints()
         self._last_capture = -inf
+        self._refusing = False
         self._upright: HeightAndYaw | None = None
 
     @property
@@ -43,12 +44,13 @@ class Door(ABC):
         if self._upright is None:
             self._begin(sighting, now)
             return ()
-        if self._upright.believes(sighting.pose, sighting.captured_at) and self._believes(sighting, now):
+        plausible = self._upright.believes(sighting.pose, sighting.captured_at, self._refusing)
+        if self._believes(sighting, now, self._refusing) and plausible:
             self._upright.take(sighting.pose, sighting.captured_at)
             self._take(sighting, now)
-            self._last_capture = sighting.captured_at
-            self._complaints.believed()
+            self._settled(sighting)
             return ()
+        self._refusing = True
         return self._refuse_jump(sighting, now, grounded)
 
     def _refuse_jump(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
@@ -61,17 +63,23 @@ class Door(ABC):
 
     def _begin(self, sighting: Sighting, now: float) -> None:
         self._upright = HeightAndYaw(sighting.pose, sighting.captured_at, self._position_noise)
-        self._last_capture = sighting.captured_at
-        self._complaints.believed()
+        self._settled(sighting)
         self._start(sighting, now)
+
+    def _settled(self, sighting: Sighting) -> None:
+        self._last_capture, self._refusing = sighting.captured_at, False
+        self._complaints.believed()
 
     @abstractmethod
     def _start(self, sighting: Sighting, now: float) -> None:
         """Start the horizontal filter at this sighting."""
 
     @abstractmethod
-    def _believes(self, sighting: Sighting, now: float) -> bool:
-        """Return whether the drone can be there."""
+    def _believes(self, sighting: Sighting, now: float, refusing: bool) -> bool:
+        """Return whether the drone can be there.
+
+        While sightings arrive and are being refused the doubt must not grow: else every jump would be believed in the end.
+        """
 
     @abstractmethod
     def _take(self, sighting: Sighting, now: float) -> None:

@@ -44,6 +44,7 @@ class PoseFilter(Door):
         self._at = 0.0
         self._x = self._y = Axis(0.0, 0.0, 0.0, 0.0)
         self._spread = self._first_spread()
+        self._doubt = self._variance
 
     def sent(self, now: float, acceleration: Vec2, flown: bool) -> None:
         """Note the world acceleration [m/s^2] commanded from now on; not flown means that the drone flies itself."""
@@ -71,10 +72,11 @@ class PoseFilter(Door):
         self._spread = self._first_spread()
         self._at = sighting.captured_at
 
-    def _believes(self, sighting: Sighting, now: float) -> bool:
+    def _believes(self, sighting: Sighting, now: float, refusing: bool) -> bool:
         x, y, spread = self._rolled(sighting.captured_at)
+        self._doubt = self._doubt if refusing else spread.xx + self._variance
         dx, dy = sighting.pose.position[0] - x.x, sighting.pose.position[1] - y.x
-        return plausible(dx * dx + dy * dy, spread.xx + self._variance, GATE_FLOOR)
+        return plausible(dx * dx + dy * dy, self._doubt, GATE_FLOOR)
 
     def _take(self, sighting: Sighting, now: float) -> None:
         self._settle(sighting.captured_at)

@@ -35,6 +35,7 @@ class HeightAndYaw:
         self._yaw_variance = (YAW_PER_METRE * position_noise) ** 2
         self._z = Drift(pose.position[2], 0.0, self._z_variance, 0.0, 0.1)
         self._yaw = Drift(pose.yaw, 0.0, self._yaw_variance, 0.0, 0.1)
+        self._doubts = self._z_variance, self._yaw_variance
         self._at = at
 
     def at(self, now: float) -> tuple[float, float, float]:
@@ -42,13 +43,13 @@ class HeightAndYaw:
         ahead = min(max(now - self._at, 0.0), BLIND_REACH)
         return self._z.x + ahead * self._z.v, self._z.v, wrapped(self._yaw.x + ahead * self._yaw.v)
 
-    def believes(self, pose: Pose, captured_at: float) -> bool:
-        """Return whether height and yaw of a pose are where they can be."""
+    def believes(self, pose: Pose, captured_at: float, refusing: bool) -> bool:
+        """Return whether height and yaw of a pose are where they can be; while refusing, the doubt does not grow."""
         z, yaw = self._predicted(captured_at)
-        off = wrapped(pose.yaw - yaw.x)
-        return plausible((pose.position[2] - z.x) ** 2, z.xx + self._z_variance, GATE_FLOOR) and plausible(
-            off * off, yaw.xx + self._yaw_variance, GATE_FLOOR_YAW
-        )
+        if not refusing:
+            self._doubts = z.xx + self._z_variance, yaw.xx + self._yaw_variance
+        rise, turn = pose.position[2] - z.x, wrapped(pose.yaw - yaw.x)
+        return plausible(rise * rise, self._doubts[0], GATE_FLOOR) and plausible(turn * turn, self._doubts[1], GATE_FLOOR_YAW)
 
     def take(self, pose: Pose, captured_at: float) -> None:
         """Take in a pose captured at a time [s]."""

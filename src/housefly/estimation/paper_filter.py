@@ -26,6 +26,7 @@ class PaperFilter(Door):
         self._x = self._y = Drift(0.0, 0.0, 0.0, 0.0, 0.0)
         self._input: Vec2 = (0.0, 0.0)
         self._at = 0.0
+        self._doubt = self._variance
 
     def sent(self, now: float, acceleration: Vec2, flown: bool) -> None:
         """Note the world acceleration [m/s^2] commanded from now on; zero when the drone flies itself."""
@@ -54,10 +55,11 @@ class PaperFilter(Door):
         self._y = Drift(y, 0.0, self._variance, 0.0, 0.1)
         self._at = now
 
-    def _believes(self, sighting: Sighting, now: float) -> bool:
+    def _believes(self, sighting: Sighting, now: float, refusing: bool) -> bool:
         self._advance(now)
+        self._doubt = self._doubt if refusing else self._x.xx + self._variance
         dx, dy = sighting.pose.position[0] - self._x.x, sighting.pose.position[1] - self._y.x
-        return plausible(dx * dx + dy * dy, self._x.xx + self._variance, GATE_FLOOR)
+        return plausible(dx * dx + dy * dy, self._doubt, GATE_FLOOR)
 
     def _take(self, sighting: Sighting, now: float) -> None:
         x, y, _ = sighting.pose.position
