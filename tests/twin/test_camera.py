@@ -130,12 +130,14 @@ async def test_the_view_follows_pose_visitor_and_camera() -> None:
         film.pose = BACK
         await film.more(1)
         back = len(film.pictures)
-        film.which = Camera.BOTTOM
+        film.pose, film.which = DOOR, Camera.BOTTOM
         await film.more(1)
     views = decoded(film.pictures)
     chosen = [views[n - 1].astype(float) for n in (with_visitor, without, back, len(views))]
     for one, other in pairwise(chosen):
         assert np.abs(one - other).mean() > 5
+    red, green, blue = np.moveaxis(chosen[-1], -1, 0)
+    assert ((red > green + 10) & (green > blue + 10)).mean() > 0.95, "the bottom camera sees nothing but the wooden floor"
 
 
 async def test_the_visitor_at_the_door_wears_red() -> None:

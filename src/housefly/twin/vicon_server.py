@@ -87,6 +87,8 @@ class ViconServer:
         self._server.close()
         for client in tuple(self._clients):
             client.close()
+        while self._clients:
+            await asyncio.sleep(0)  # each connection's task ends by itself; a loop that closes first would complain
         await self._server.wait_closed()
         self._server = None
 
