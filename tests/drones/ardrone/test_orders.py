@@ -116,14 +116,14 @@ class Toggle:
     st.booleans(),
     st.booleans(),
     st.lists(st.booleans(), min_size=400, max_size=400),
-    st.integers(1, 20),
+    st.integers(1, 30),
 )
 def test_cut_and_reset_reach_their_state_with_one_toggle_however_many_datagrams_are_lost(
     starts_on: bool, wants_on: bool, arrives: list[bool], report_delay_steps: int
 ) -> None:
     drone, button = Toggle(starts_on), orders(Action.CUT if wants_on else Action.RESET)
     states = [starts_on] * (report_delay_steps + 1)
-    for step, passes in enumerate([*arrives, *[True] * 100]):
+    for step, passes in enumerate([*arrives, *[True] * 150]):
         now = step * 0.03
         states.append(drone.on)
         seen = states[-1 - report_delay_steps]

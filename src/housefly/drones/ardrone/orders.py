@@ -21,8 +21,8 @@ FRESH = 0.5
 """A report older than this says nothing about now [s]."""
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""
-HOLD_TIME = 0.5
-"""Longest press of the emergency button [s]."""
+HOLD_TIME = 1.0
+"""Longest press of the emergency button [s]; reports later than this could make it press twice."""
 RELEASE_TIME = 0.15
 """Shortest pause between two presses [s]."""
 
