@@ -38,7 +38,6 @@ from housefly.messages import (
     Pose,
     Reference,
     SafetyMode,
-    Severity,
     Sighting,
     Telemetry,
 )
@@ -47,6 +46,7 @@ from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 from housefly.safety.facts import Facts, Fence
 from housefly.safety.gate import Gate, Verdict
+from housefly.safety.notices import Notices
 from housefly.safety.rules import CEILING_SLACK
 
 YAW_SLEW = 0.9
@@ -79,7 +79,8 @@ class Pilot:
         self._yaw_reference: float | None = None
         self._yaw_target = 0.0
         self._track: Track | None = None
-        self._safety_code = ""
+        self._held_back = False
+        self._notices = Notices()
 
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
@@ -105,7 +106,7 @@ class Pilot:
         events.extend(self._watch.step(scene, self._track, self._facing(estimate)))
         self._follow(estimate, dt)
         verdict = self._gate.judge(self._proposal(now, estimate), self._facts(scene))
-        events.extend(self._safety_events(now, verdict))
+        events.extend(self._notices.after(verdict, now))
         self._remember(now, verdict, estimate)
         return self._outputs(estimate, verdict, tuple(events))
 
@@ -143,7 +144,7 @@ class Pilot:
         course = self._captain.course
         if course.follower is None:
             return Track(course.hold or estimate.position[:2], yaw=course.hold_yaw)
-        moving = self._acceptor.state in MOVING_BEHAVIORS and not self._safety_code
+        moving = self._acceptor.state in MOVING_BEHAVIORS and not self._held_back
         return course.follower.step(estimate.position[:2], moving, dt)
 
     def _wanted_yaw(self, track: Track, estimate: Estimate) -> float:
@@ -202,19 +203,11 @@ class Pilot:
             cutting=errand.cutting,
         )
 
-    def _safety_events(self, now: float, verdict: Verdict) -> list[Event]:
-        if verdict.code == self._safety_code:
-            return []
-        self._safety_code = verdict.code
-        if not verdict.code:
-            return [Event(now, Severity.INFO, "safety_clear", "nothing holds the drone back any more")]
-        severity = Severity.FAULT if verdict.mode in (SafetyMode.LAND, SafetyMode.CUT) else Severity.WARNING
-        return [Event(now, severity, verdict.code, verdict.reason)]
-
     # --- memory and answer ---
 
     def _remember(self, now: float, verdict: Verdict, estimate: Estimate | None) -> None:
-        """Tell the filter what was sent: it predicts with what left the gate, not with what was wished."""
+        """Tell the filter what was sent (it predicts with what left the gate, not with what was wished) and keep the verdict."""
+        self._held_back = verdict.mode is not SafetyMode.NOMINAL
         command = verdict.command
         flown = command.action is Action.FLY and estimate is not None
         yaw = estimate.yaw if estimate else 0.0
