@@ -63,7 +63,9 @@ def main() -> None:
     rows: list[list[object]] = [[name, f"{shares[name]:.2f}", f"{memory[name]:.0f}"] for name in sorted(shares)]
     rows.append(["**all**", f"**{sum(shares.values()):.2f}**", f"**{sum(memory.values()):.0f}**"])
     print(table(["process", "cores", "memory of its own [MiB]"], rows))
-    print(f"\nGoal: under {CPU_GOAL} cores in all; this is {sum(shares.values()) / CPU_GOAL:.2f} of it. The browser is not counted.\n")
+    print(
+        f"\nGoal: under {CPU_GOAL} cores in all; this is {sum(shares.values()) / CPU_GOAL:.2f} of it. The browser is not counted.\n"
+    )
     late = [
         ("median", percentile([link.loop_p50_s for link in links], 0.5)),
         ("99th percentile (worst ten seconds)", max(link.loop_p99_s for link in links)),

@@ -55,7 +55,9 @@ def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
     _add_site(parser)
     parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
-    parser.add_argument("--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking (default: 100)")
+    parser.add_argument(
+        "--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking (default: 100)"
+    )
     parser.add_argument("--record", metavar="DIR", help="record everything that is flown into this folder")
     parser.set_defaults(run=commands.demo)
 
@@ -81,7 +83,9 @@ def _add_fly(actions: Actions[argparse.ArgumentParser]) -> None:
     )
     parser.add_argument("place", help="a named place (housefly room show lists them)")
     _add_site(parser)
-    parser.add_argument("--headless", action="store_true", help="without the console (needed today: fly in the console with demo)")
+    parser.add_argument(
+        "--headless", action="store_true", help="without the console (needed today: fly in the console with demo)"
+    )
     parser.add_argument("--lockstep", action="store_true", help="stepped clock, no wires: as fast as the machine can")
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
     parser.add_argument("--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking")

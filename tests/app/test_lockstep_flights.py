@@ -51,7 +51,12 @@ def test_the_recording_holds_ros_2_types_that_the_mcap_library_reads(tmp_path: P
         summary = make_reader(stream).get_summary()
     assert summary is not None
     schemas = {schema.name for schema in summary.schemas.values()}
-    assert {"geometry_msgs/msg/PoseStamped", "nav_msgs/msg/Odometry", "nav_msgs/msg/Path", "sensor_msgs/msg/BatteryState"} <= schemas
+    assert {
+        "geometry_msgs/msg/PoseStamped",
+        "nav_msgs/msg/Odometry",
+        "nav_msgs/msg/Path",
+        "sensor_msgs/msg/BatteryState",
+    } <= schemas
     assert (tmp_path / "report.html").stat().st_size > 10_000
 
 

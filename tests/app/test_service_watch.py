@@ -18,7 +18,9 @@ from housefly.messages import (
 
 def step(now: float, phase: Phase, status: DroneStatus, *events: Event, safety: SafetyMode = SafetyMode.NOMINAL) -> PilotStep:
     telemetry = Telemetry(received_at=now, status=status, battery=0.8)
-    return PilotStep(0, now, Inputs(telemetry=telemetry), Outputs(Command(Action.IDLE), phase=phase, safety=safety, events=events))
+    return PilotStep(
+        0, now, Inputs(telemetry=telemetry), Outputs(Command(Action.IDLE), phase=phase, safety=safety, events=events)
+    )
 
 
 def watched(*steps: PilotStep, watch: ServiceWatch | None = None) -> ServiceWatch:

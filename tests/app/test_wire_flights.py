@@ -60,7 +60,9 @@ def test_a_recording_made_over_the_wires_replays_bit_for_bit(tmp_path: Path, wri
     out = tmp_path / "out"
     flight = start(write_site(rate=30), out, "sofa")
     assert flight.wait(timeout=200) == 0
-    replayed = subprocess.run([sys.executable, "-m", "housefly.cli", "replay", str(out)], capture_output=True, text=True, check=False)
+    replayed = subprocess.run(
+        [sys.executable, "-m", "housefly.cli", "replay", str(out)], capture_output=True, text=True, check=False
+    )
     assert replayed.returncode == 0, replayed.stdout
 
 

@@ -43,7 +43,9 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
 
 def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> None:
     site = runtime.site()
-    console.print(f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {'simulated room' if site.twin.enabled else 'real hardware'}")
+    console.print(
+        f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {'simulated room' if site.twin.enabled else 'real hardware'}"
+    )
     console.print(f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]", soft_wrap=True)
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
@@ -51,7 +53,9 @@ def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> 
     if missing:
         console.print(f"[bold]not everything answers:[/bold] {missing}; `housefly doctor` may know why")
         return
-    console.print(f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold Go. Ctrl-C lands and ends.")
+    console.print(
+        f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold Go. Ctrl-C lands and ends."
+    )
 
 
 def _record(premises: Premises, folder: Path, bus: Bus) -> Callable[[], None]:

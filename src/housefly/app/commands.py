@@ -47,7 +47,9 @@ def fly(options: argparse.Namespace) -> int:
         raise ConfigError("place", str(error.args[0])) from error
     if not 0.0 <= options.look <= 120.0:
         raise ConfigError("--look", f"is {options.look}; allowed: a number from 0 to 120 s")
-    outcome = fly_service(premises, options.place, options.look, out, console, lockstep=options.lockstep, web=not options.headless)
+    outcome = fly_service(
+        premises, options.place, options.look, out, console, lockstep=options.lockstep, web=not options.headless
+    )
     return 0 if outcome == "completed" else 1
 
 

@@ -116,4 +116,10 @@ def _free(address: str, port: int, kind: socket.SocketKind) -> bool:
 def _priority(_: Site) -> Finding:
     well = os.geteuid() == 0
     found = "the pilot may take a higher priority" if well else "the pilot runs at normal priority, the others below it"
-    return Finding("privileges", well, found, "not needed; on a busy machine: sudo setcap cap_sys_nice+ep on a python of its own", optional=True)
+    return Finding(
+        "privileges",
+        well,
+        found,
+        "not needed; on a busy machine: sudo setcap cap_sys_nice+ep on a python of its own",
+        optional=True,
+    )

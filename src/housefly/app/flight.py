@@ -17,9 +17,7 @@ from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
 
 
-def fly_service(
-    premises: Premises, place: str, look_s: float, out: Path, console: Console, *, lockstep: bool, web: bool
-) -> str:
+def fly_service(premises: Premises, place: str, look_s: float, out: Path, console: Console, *, lockstep: bool, web: bool) -> str:
     """Fly to a place, look, come home, land; write the record into ``out``; return the outcome."""
     out.mkdir(parents=True, exist_ok=True)
     recorder = FlightRecorder(out, premises.site, premises.room, premises.grid)

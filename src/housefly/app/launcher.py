@@ -1,15 +1,13 @@
 """Starts the processes of one site, restarts those that die, and ends them in the right order: the drone lands first.
 
-    pilot   the only one that must be on time; the others run at lower priority
-    twin    the simulated drone and cameras; absent with real hardware
-    web     the console
+pilot   the only one that must be on time; the others run at lower priority
+twin    the simulated drone and cameras; absent with real hardware
+web     the console
 """
 
 from __future__ import annotations
 
-import ctypes
 import os
-import signal
 import subprocess
 import sys
 import threading
@@ -26,7 +24,6 @@ PATIENCE = 30.0
 RESTART_PAUSE = 0.5
 """Pause before a dead process is started again [s]."""
 POLL_PERIOD = 0.1
-PR_SET_PDEATHSIG = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,14 +107,14 @@ class Launcher:
 
     def _start(self, part: Part) -> _Running:
         log = (self.folder / f"{part.name}.log").open("ab")
+        command = [sys.executable, "-m", "housefly.app.child", str(os.getpid()), str(part.niceness), part.module, *part.arguments]
         process = subprocess.Popen(
-            [sys.executable, "-m", part.module, *part.arguments],
+            command,
             env=self.runtime.environment(),
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
             start_new_session=True,
-            preexec_fn=lambda: _settle(part.niceness),
         )
         return _Running(part, process, log)
 
@@ -133,14 +130,6 @@ class Launcher:
                 fresh.restarts = running.restarts + 1
                 with self._lock:
                     self._running[name] = fresh
-
-
-def _settle(niceness: int) -> None:
-    """Runs in the child before it starts: yield to the pilot, and leave when the launcher is gone."""
-    if niceness:
-        os.nice(niceness)
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 def _end(process: subprocess.Popen[bytes], patience: float) -> None:

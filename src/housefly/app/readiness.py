@@ -22,7 +22,11 @@ class Readiness:
         self._seen: set[str] = set()
         self._wanted = ["pilot", "tracking", "drone", *(["picture"] if video else []), *(["console"] if web else [])]
         self._notes: tuple[str, ...] = ()
-        self._open = [bus.subscribe(STEP, self._on_step), bus.subscribe(LINK, self._on_link), bus.subscribe(VIDEO, self._on_video)]
+        self._open = [
+            bus.subscribe(STEP, self._on_step),
+            bus.subscribe(LINK, self._on_link),
+            bus.subscribe(VIDEO, self._on_video),
+        ]
 
     def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:
         """Wait until everything answers; return "" or what is still missing after the timeout [s], in words."""

@@ -55,9 +55,7 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
 def runtime_from_environment() -> Runtime:
     """Return the run that this process belongs to; raises ConfigError when it was not started by the launcher."""
     try:
-        return Runtime(
-            Path(os.environ[SITE]), os.environ[BUS], int(os.environ[STOP_PORT]), os.environ[SECRET], os.environ[TOKEN]
-        )
+        return Runtime(Path(os.environ[SITE]), os.environ[BUS], int(os.environ[STOP_PORT]), os.environ[SECRET], os.environ[TOKEN])
     except (KeyError, ValueError) as error:
         raise ConfigError("environment", f"{error}: start this process with `housefly run` or `housefly demo`") from error
 

@@ -1,0 +1,30 @@
+"""Runs one part in a process of its own: ``python -m housefly.app.child PARENT NICENESS MODULE ARGUMENTS...``.
+
+Set here and not between fork and exec: a launcher with threads must not run Python there.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import runpy
+import signal
+import sys
+
+PR_SET_PDEATHSIG = 1
+
+
+def main() -> None:
+    """Yield to the pilot as told, leave when the launcher is gone, and become the module."""
+    parent, niceness, module = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
+    os.nice(niceness)
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    if os.getppid() != parent:
+        sys.exit(f"{module}: the launcher is gone")
+    sys.argv = [module, *sys.argv[4:]]
+    runpy.run_module(module, run_name="__main__", alter_sys=True)
+
+
+if __name__ == "__main__":
+    main()
