@@ -51,7 +51,7 @@ FURNITURE: tuple[tuple[str, str, tuple[Part, ...], float, float, float], ...] = 
 
 PLACES = (
     Place("home", HOME, (6.0, 2.6, 1.1), "Home"),
-    Place("entrance", (2.55, 4.25), (VISITOR[0], VISITOR[1], 1.35), "Entrance"),
+    Place("entrance", (3.05, 4.25), (VISITOR[0], VISITOR[1], 1.35), "Entrance"),
     Place("table", (7.55, 2.25), (5.70, 1.50, 0.75), "Meeting table"),
     Place("bed", (8.05, 2.75), (10.2, 2.70, 0.50), "Bed"),
     Place("kitchen", (9.05, 4.25), (9.03, 5.80, 0.95), "Kitchen"),
