@@ -140,6 +140,13 @@ async def test_the_view_follows_pose_visitor_and_camera() -> None:
     assert ((red > green + 10) & (green > blue + 10)).mean() > 0.95, "the bottom camera sees nothing but the wooden floor"
 
 
+async def test_a_still_view_is_sent_on_at_the_full_rate() -> None:
+    async with filming() as film:
+        first, *_, last = await film.more(20)
+    assert last.number - first.number == 19
+    assert last.at > first.at
+
+
 async def test_the_visitor_at_the_door_wears_red() -> None:
     async with filming() as film:
         await film.more(1)
