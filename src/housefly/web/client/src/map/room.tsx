@@ -151,7 +151,7 @@ function Visitors({ to }: { to: Projection }) {
 
 function Scale({ to }: { to: Projection }) {
   return (
-    <g class="scale" transform={`translate(${to.width - 16 - to.scale} ${to.height - 10})`} aria-hidden="true">
+    <g class="scale" transform={`translate(14 ${to.height - 8})`} aria-hidden="true">
       <path d={`M0 -5v5h${to.scale}v-5`} />
       <text x={to.scale / 2} y="-4">1 m</text>
     </g>

@@ -1,7 +1,7 @@
 import { cutMotors } from "../commands";
 import { HoldButton } from "../controls/hold-button";
 import { CutIcon, ShapeIcon } from "../controls/icons";
-import { iFly, nameOf, panel, room, viewers } from "../store";
+import { iFly, nameOf, panel, room, state, viewers } from "../store";
 import { lag } from "../wire/clock";
 import { headline, milliseconds } from "../words";
 
@@ -23,6 +23,7 @@ export function Top() {
         <span class="detail">{detail}</span>
       </div>
       <div class="who">
+        <span class="charge">{state.value?.battery == null ? "" : `battery ${Math.round(100 * state.value.battery)} %`}</span>
         <span class="lag" title="Round trip between this browser and the server">
           lag {lag.value === null ? "–" : milliseconds(lag.value)}
         </span>

@@ -61,7 +61,7 @@ export interface Welcome {
   you: number;
   now: number;
   events: EventView[];
-  trail: ([number, number])[];
+  trail: [number, number][];
   type: "welcome";
 }
 
@@ -75,7 +75,7 @@ export interface GridView {
 
 export interface OutlineView {
   thing: string;
-  corners: ([number, number])[];
+  corners: [number, number][];
   top: number;
   colour: string;
 }
@@ -150,7 +150,7 @@ export interface State {
 
 export interface PathNews {
   number: number;
-  waypoints: ([number, number])[];
+  waypoints: [number, number][];
   length: number;
   type: "path";
 }
@@ -193,7 +193,7 @@ export interface ViewersNews {
 }
 
 export interface Path {
-  waypoints: ([number, number])[];
+  waypoints: [number, number][];
   length: number;
   clearance: number;
 }

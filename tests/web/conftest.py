@@ -1,0 +1,161 @@
+"""A console served on a loopback address, with a pretended pilot behind it, and real Chromium before it."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import http.client
+import json
+import shutil
+import socket
+from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import pytest
+import pytest_asyncio
+import uvicorn
+from playwright.async_api import Browser, async_playwright
+from websockets.asyncio.client import ClientConnection, connect
+
+from housefly.bus.local import LocalBus
+from housefly.web.process import make_server
+from housefly.web.rehearsal import PretendedPilot
+from housefly.web.rehearsal_room import example_room
+from housefly.web.server import create_app
+
+TOKEN = "a-token-for-tests-only"
+SECRET = "a-secret-for-tests-only"
+
+
+@dataclass
+class Talk:
+    """A browser's socket without the browser."""
+
+    socket: ClientConnection
+    heard: list[dict[str, Any]] = field(default_factory=list)
+    _waiting: list[dict[str, Any]] = field(default_factory=list)
+
+    async def say(self, **message: Any) -> None:
+        await self.socket.send(json.dumps(message))
+
+    async def hear(self, kind: str, **expected: Any) -> dict[str, Any]:
+        """Return the first message, not returned before, of a kind that has the expected values."""
+        wanted = {"type": kind, **expected}.items()
+        async with asyncio.timeout(5):
+            while True:
+                for message in self._waiting:
+                    if all(message.get(key) == value for key, value in wanted):
+                        self._waiting.remove(message)
+                        return message
+                message = json.loads(await self.socket.recv())
+                self.heard.append(message)
+                self._waiting.append(message)
+
+
+@dataclass
+class Served:
+    """A running console."""
+
+    host: str
+    port: int
+    bus: LocalBus
+    pilot: PretendedPilot
+    stops: list[float]
+
+    @property
+    def origin(self) -> str:
+        return f"http://{self.host}:{self.port}"
+
+    @property
+    def link(self) -> str:
+        return f"{self.origin}/?token={TOKEN}"
+
+    async def request(self, method: str, path: str, **headers: str) -> tuple[int, dict[str, str], str]:
+        """Return status, headers in lower case, and text of one request."""
+        return await asyncio.to_thread(self._request, method, path, headers)
+
+    def _request(self, method: str, path: str, headers: dict[str, str]) -> tuple[int, dict[str, str], str]:
+        connection = http.client.HTTPConnection(self.host, self.port, timeout=5)
+        try:
+            connection.request(method, path, headers=headers)
+            answer = connection.getresponse()
+            return answer.status, {k.lower(): v for k, v in answer.getheaders()}, answer.read().decode()
+        finally:
+            connection.close()
+
+    async def session(self) -> str:
+        """Return a fresh session's cookie, made through an invitation or the first link."""
+        _, headers, _ = await self.request("GET", f"/?token={TOKEN}")
+        return headers["set-cookie"].partition(";")[0]
+
+    @contextlib.asynccontextmanager
+    async def talk(self, cookie: str, tab: str = "tab-number-one", name: str = "", **headers: str) -> AsyncIterator[Talk]:
+        """Open a console's socket as a browser does, and say hello."""
+        given = {"Cookie": cookie, **headers}
+        async with connect(
+            f"ws://{self.host}:{self.port}/socket", origin=self.origin, additional_headers=given, close_timeout=0.2
+        ) as one:
+            talk = Talk(one)
+            await talk.say(type="hello", tab=tab, name=name)
+            yield talk
+
+
+async def until(condition: Callable[[], Any], patience: float = 5.0) -> Any:
+    """Wait for a condition to become true and return its value."""
+    async with asyncio.timeout(patience):
+        while not (value := condition()):
+            await asyncio.sleep(0.005)
+    return value
+
+
+@pytest.fixture(name="until")
+def until_fixture() -> Callable[..., Any]:
+    return until
+
+
+@contextlib.asynccontextmanager
+async def serve(host: str, port: int = 0, stops: list[float] | None = None) -> AsyncIterator[Served]:
+    with socket.socket() as listener:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind((host, port))
+        bus, stops = LocalBus(), [] if stops is None else stops
+        loop = asyncio.get_running_loop()
+        pilot = PretendedPilot(bus.join(), example_room())
+        app = create_app(bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET)
+        server: uvicorn.Server = make_server(app)
+        serving = asyncio.create_task(server.serve([listener]))
+        flying = asyncio.create_task(pilot.run())
+        await until(lambda: server.started)
+        try:
+            yield Served(host, listener.getsockname()[1], bus, pilot, stops)
+        finally:
+            flying.cancel()
+            server.should_exit = True
+            await serving
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def console(loopback: str) -> AsyncIterator[Served]:
+    """Yield a running console with a pretended pilot in real time."""
+    async with serve(loopback) as served:
+        yield served
+
+
+@pytest.fixture
+def serving() -> Callable[..., contextlib.AbstractAsyncContextManager[Served]]:
+    """Return what starts a console, for tests that start it more than once."""
+    return serve
+
+
+@pytest_asyncio.fixture(loop_scope="module", scope="module")
+async def chromium() -> AsyncIterator[Browser]:
+    """Yield real headless Chromium, one for a whole file of tests, or skip."""
+    path = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if path is None:
+        pytest.skip("Chromium is not installed")
+    quiet = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+    async with async_playwright() as playwright:
+        browser = await playwright.chromium.launch(executable_path=path, args=quiet)
+        yield browser
+        await browser.close()

@@ -1,0 +1,229 @@
+"""What the console does with messages, over real sockets and with a pretended pilot."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from websockets.asyncio.client import connect
+
+from housefly.messages import OrderKind, Severity
+
+pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
+
+
+def kinds(console: Any) -> list[OrderKind]:
+    return [order.kind for order in console.pilot.orders]
+
+
+async def test_the_first_viewer_has_control_and_sees_room_state_and_link(console: Any) -> None:
+    async with console.talk(await console.session(), name="Anna") as one:
+        assert (await one.hear("welcome"))["you"] == 1
+        assert (await one.hear("viewers", pilot=1))["viewers"] == [{"id": 1, "name": "Anna"}]
+        assert (await one.hear("room"))["room"]["site"] == "Rehearsal"
+        state = await one.hear("state")
+        assert state["position"] == [1.0, 1.0, 0.0] and state["status"] == "landed"
+        assert (await one.hear("link"))["link"]["tracking_rate_hz"] == 100.0
+
+
+async def test_an_order_of_the_pilot_reaches_the_bus_and_the_log(console: Any) -> None:
+    async with console.talk(await console.session(), name="Anna") as one:
+        await one.hear("room")
+        await one.say(type="order", id=7, order="service", place="entrance")
+        await one.hear("accepted", id=7)
+        order = console.pilot.orders[-1]
+        assert (order.kind, order.place, order.sender) == (OrderKind.SERVICE, "entrance", "Anna")
+        news = await one.hear("events")
+        assert news["events"][0]["text"] == "Anna: look at entrance and come back"
+
+
+async def test_a_path_is_previewed(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        await one.say(type="plan", id=1, place="entrance")
+        answer = (await one.hear("plan", id=1))["answer"]
+        assert answer["path"]["length"] > 5 and answer["path"]["waypoints"][-1] == [6.4, 1.0]
+        await one.say(type="plan", id=2, goal=[3.4, 2.0])
+        answer = (await one.hear("plan", id=2))["answer"]
+        assert answer["path"] is None and answer["reason"] and answer["suggestion"]
+
+
+async def test_a_watcher_may_stop_and_land_and_nothing_else(console: Any, until: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "the-pilots-tab", "Anna") as pilot, console.talk(cookie, "a-watchers-tab", "Ben") as watcher:
+        await pilot.hear("viewers", pilot=1)
+        await watcher.hear("room")
+        for number, order in enumerate(["take_off", "hover", "home", "resume", "cut", "reset"], 1):
+            await watcher.say(type="order", id=number, order=order)
+            assert "Anna has control" in (await watcher.hear("refused", id=number))["reason"]
+        await watcher.say(type="order", id=10, order="go", goal=[2, 2])
+        await watcher.hear("refused", id=10)
+        assert kinds(console) == []
+        await watcher.say(type="order", id=11, order="land")
+        await watcher.hear("accepted", id=11)
+        await watcher.say(type="stop", id=12)
+        await watcher.hear("accepted", id=12)
+        assert len(console.stops) == 1
+        await until(lambda: kinds(console) == [OrderKind.LAND, OrderKind.STOP])
+
+
+async def test_stop_works_before_a_viewer_has_said_who_it_is(console: Any) -> None:
+    cookie = {"Cookie": await console.session()}
+    async with connect(f"ws://{console.host}:{console.port}/socket", origin=console.origin, additional_headers=cookie) as socket:
+        await socket.send('{"type":"stop","id":1}')
+        assert json.loads(await asyncio.wait_for(socket.recv(), 5)) == {"id": 1, "type": "accepted"}
+        assert len(console.stops) == 1
+
+
+async def test_control_changes_hands_by_name(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "tab-of-anna", "Anna") as anna, console.talk(cookie, "tab-of-ben", "Ben") as ben:
+        await anna.hear("viewers", viewers=[{"id": 1, "name": "Anna"}, {"id": 2, "name": "Ben"}])
+        await anna.say(type="lease", id=1, action="give", to=2)
+        await ben.hear("viewers", pilot=2)
+        await ben.say(type="lease", id=1, action="release")
+        await anna.hear("viewers", pilot=None)
+        await anna.say(type="order", id=2, order="take_off")
+        assert "take it first" in (await anna.hear("refused", id=2))["reason"]
+        await anna.say(type="lease", id=3, action="take")
+        await ben.hear("viewers", pilot=1)
+
+
+async def test_taking_over_in_flight_needs_the_hold(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "tab-of-anna", "Anna") as anna, console.talk(cookie, "tab-of-ben", "Ben") as ben:
+        await anna.hear("room")
+        await anna.say(type="order", id=1, order="take_off")
+        await ben.hear("state", status="flying")
+        await ben.say(type="lease", id=1, action="take")
+        assert "hold" in (await ben.hear("refused", id=1))["reason"]
+        await ben.say(type="lease", id=2, action="take", held=True)
+        await anna.hear("viewers", pilot=2)
+
+
+async def test_control_survives_a_reconnect_of_the_same_tab(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "tab-of-anna", "Anna") as anna:
+        await anna.hear("viewers", pilot=1)
+    async with console.talk(cookie, "tab-of-anna", "Anna") as anna:
+        assert (await anna.hear("welcome"))["you"] == 1
+        await anna.hear("viewers", pilot=1)
+
+
+@pytest.mark.slow
+async def test_control_is_lost_three_seconds_after_its_holder_left(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "tab-of-ben", "Ben") as ben:
+        await ben.say(type="lease", id=1, action="release")
+        async with console.talk(cookie, "tab-of-anna", "Anna") as anna:
+            await anna.say(type="lease", id=1, action="take")
+            await ben.hear("viewers", pilot=2)
+        await ben.hear("viewers", pilot=2, viewers=[{"id": 1, "name": "Ben"}])
+        await ben.hear("viewers", pilot=None)
+
+
+async def test_the_same_tab_opened_twice_keeps_the_newer_socket(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "tab-of-anna") as older, console.talk(cookie, "tab-of-anna") as newer:
+        await newer.hear("welcome", you=1)
+        await asyncio.wait_for(older.socket.wait_closed(), 5)
+        assert older.socket.close_code == 4001
+
+
+async def test_a_message_that_makes_no_sense_gets_a_reason_and_harms_nobody(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        await one.hear("welcome")
+        for text in (
+            "",
+            "no json",
+            '{"type":"order","id":1,"order":"explode"}',
+            '{"type":"hello","tab":"12345678","name":"\\ud800"}',
+        ):
+            await one.socket.send(text)
+            assert (await one.hear("refused", id=0))["reason"]
+        await one.socket.send(b"\xff\xfe")
+        assert (await one.hear("refused", id=0))["reason"]
+        await one.say(type="ping", sent=1.5)
+        assert (await one.hear("pong"))["sent"] == 1.5
+
+
+async def test_a_flood_is_cut_down_but_stop_still_passes(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        await one.hear("room")
+        for number in range(1, 101):
+            await one.say(type="order", id=number, order="hover")
+        await one.say(type="stop", id=500)
+        await one.hear("accepted", id=500)
+        assert len(console.stops) == 1
+        passed = [message["id"] for message in one.heard if message["type"] == "accepted"]
+        assert len(passed) <= 45
+        assert any("too many" in message.get("reason", "") for message in one.heard)
+
+
+async def test_a_socket_that_will_not_stop_flooding_is_closed(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        for number in range(1, 400):
+            await one.say(type="plan", id=number, place="entrance")
+        await asyncio.wait_for(one.socket.wait_closed(), 5)
+        assert one.socket.close_code == 1008
+
+
+async def test_events_before_and_after_a_viewer_came_all_arrive(console: Any) -> None:
+    console.pilot.say(Severity.INFO, "test", "before")
+    await asyncio.sleep(0.1)
+    async with console.talk(await console.session()) as one:
+        welcome = await one.hear("welcome")
+        assert [event["text"] for event in welcome["events"]] == ["before"]
+        for number in range(200):
+            console.pilot.say(Severity.INFO, "test", f"after {number}")
+        texts: list[str] = []
+        while len(texts) < 200:
+            texts += [event["text"] for event in (await one.hear("events"))["events"]]
+        assert texts == [f"after {number}" for number in range(200)]
+
+
+async def test_a_viewer_that_does_not_read_slows_nobody(console: Any) -> None:
+    cookie = await console.session()
+    async with console.talk(cookie, "a-viewer-asleep") as asleep, console.talk(cookie, "a-viewer-awake") as awake:
+        asleep.socket.transport.pause_reading()
+        before = (await awake.hear("state"))["sequence"]
+        for _ in range(20):
+            after = (await awake.hear("state"))["sequence"]
+        assert after > before
+        await awake.say(type="stop", id=1)
+        await awake.hear("accepted", id=1)
+
+
+async def test_orders_are_refused_when_the_pilot_is_silent_but_stop_and_land_are_not(console: Any, until: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        await one.hear("room")
+        console.pilot.publishing = False
+        await asyncio.sleep(2.1)
+        await one.say(type="ping", sent=0.0)
+        await one.say(type="order", id=1, order="take_off")
+        assert "no contact" in (await one.hear("refused", id=1))["reason"]
+        await one.say(type="order", id=2, order="land")
+        await one.hear("accepted", id=2)
+        await one.say(type="stop", id=3)
+        await one.hear("accepted", id=3)
+        await until(lambda: kinds(console) == [OrderKind.LAND, OrderKind.STOP])
+
+
+async def test_states_come_at_most_twenty_times_a_second(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        first = await one.hear("state")
+        for _ in range(20):
+            last = await one.hear("state")
+        assert last["heard_at"] - first["heard_at"] > 0.9
+
+
+async def test_the_room_is_asked_again_when_a_new_pilot_came(console: Any) -> None:
+    async with console.talk(await console.session()) as one:
+        await one.hear("room")
+        await one.hear("state")
+        console.pilot.room = replace(console.pilot.room, site="Another room")
+        console.pilot.sequence = 0
+        message = await one.hear("room")
+        assert json.dumps(message).count("Another room") == 1

@@ -1,0 +1,27 @@
+"""What is shipped to the browser."""
+
+from __future__ import annotations
+
+import re
+
+from housefly.web.server import STATIC
+
+LIMIT = 100_000
+
+
+def test_the_whole_console_is_smaller_than_100_kilobytes() -> None:
+    assert sum(file.stat().st_size for file in STATIC.iterdir() if file.name != "LICENSES.txt") < LIMIT
+
+
+def test_nothing_in_it_points_to_another_host() -> None:
+    for file in STATIC.iterdir():
+        if file.name == "LICENSES.txt":
+            continue
+        found = set(re.findall(r"(?:https?|wss?)://[\w.-]+", file.read_text(encoding="utf-8")))
+        assert found <= {"http://www.w3.org"}, file.name
+
+
+def test_the_page_holds_no_script_and_no_style_of_its_own() -> None:
+    page = (STATIC / "index.html").read_text(encoding="utf-8")
+    assert "style=" not in page and "<style" not in page
+    assert re.findall(r"<script[^>]*>(.*?)</script>", page, re.DOTALL) == [""]
