@@ -131,6 +131,18 @@ def test_a_jump_that_stays_is_never_believed_in_the_air_but_told(make: Callable[
 
 
 @both
+@pytest.mark.parametrize("offset", [(0.4, 0.0), (0.0, 0.4)])
+def test_a_refused_jump_is_not_believed_by_waiting(make: Callable[[], Estimator], offset: tuple[float, float]) -> None:
+    estimator = make()
+    for n in range(500):
+        dx, dz = offset if n >= 100 else (0.0, 0.0)
+        estimator.see((seen(1.0 + dx, 2.0, 0.01 * n, z=1.0 + dz),), 0.01 * n, False)
+        estimator.sent(0.01 * n, (0.0, 0.0), False)
+    estimate = estimator.estimate(4.99)
+    assert estimate is not None and estimate.pose_age > 3.9
+
+
+@both
 def test_on_the_ground_the_filter_starts_anew_where_the_drone_was_carried(make: Callable[[], Estimator]) -> None:
     estimator, events = make(), []
     for n in range(300):

@@ -20,7 +20,7 @@ FINE = Facts(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, 
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 BOLDNESS = {Action.FLY: 3, Action.TAKE_OFF: 3, Action.HOVER: 2, Action.RESET: 2, Action.LAND: 1, Action.IDLE: 0, Action.CUT: 0}
 
-number = st.floats()
+number = st.floats() | st.floats(-2.0, 2.0)
 commands = st.builds(Command, st.sampled_from(Action), st.builds(Setpoint, number, number, number, number))
 facts = st.builds(
     Facts,
@@ -32,7 +32,7 @@ facts = st.builds(
     position=st.none() | st.tuples(number, number, number),
     stopped=st.booleans(),
     cutting=st.booleans(),
-)
+) | st.just(FINE)
 
 
 def judge(command: Command, *series: Facts) -> tuple[SafetyMode, Command]:
@@ -84,6 +84,12 @@ def test_the_worst_broken_rule_decides(each: Facts) -> None:
     mode = gate.judge(Command(Action.HOVER), each).mode
     at_once = [rule for rule in RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)]
     assert SEVERITY[mode] == max((SEVERITY[rule.mode] for rule in at_once), default=0)
+
+
+def test_what_is_too_much_is_cut_to_the_limits() -> None:
+    wild = Command(Action.FLY, Setpoint(9.0, -9.0, 9.0, -9.0))
+    tilt, climb, turn = LIMITS.tilt_max, LIMITS.vertical_speed_max, LIMITS.yaw_rate_max
+    assert judge(wild, FINE) == (SafetyMode.NOMINAL, Command(Action.FLY, Setpoint(tilt, -tilt, climb, -turn)))
 
 
 def test_what_is_right_passes_unchanged() -> None:
