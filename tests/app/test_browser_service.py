@@ -1,0 +1,143 @@
+"""A person's whole service, by clicks in real Chromium, on the real processes; and what happens when processes die meanwhile."""
+
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+from playwright.sync_api import Locator, Page, expect, sync_playwright
+
+pytestmark = [pytest.mark.wire, pytest.mark.browser, pytest.mark.slow]
+
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+
+
+class Demo:
+    """A running ``housefly demo``."""
+
+    def __init__(self, site: Path, log: Path) -> None:
+        self._log = log
+        command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site)]
+        self.process = subprocess.Popen(command, stdout=log.open("w"), stderr=subprocess.STDOUT)
+        self.url = self._wait_for(r"http://\S+", 30.0)
+        self._wait_for("ready after", 60.0)
+
+    def part(self, words: str) -> psutil.Process:
+        """Return the process whose command line has these words."""
+        for child in psutil.Process(self.process.pid).children(recursive=True):
+            if words in " ".join(child.cmdline()):
+                return child
+        raise AssertionError(f"no process with {words!r}")
+
+    def leave(self) -> int:
+        """Press Ctrl-C and return the exit code."""
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait(60)
+
+    def _wait_for(self, pattern: str, timeout: float) -> str:
+        deadline = time.monotonic() + timeout
+        while time.monotonic() < deadline:
+            found = re.search(pattern, self._log.read_text())
+            if found:
+                return found.group(0)
+            time.sleep(0.1)
+        raise AssertionError(f"{pattern!r} was not printed:\n{self._log.read_text()}")
+
+
+@pytest.fixture
+def demo(tmp_path: Path, write_site: Any) -> Iterator[Demo]:
+    running = Demo(write_site(video=True), tmp_path / "demo.log")
+    yield running
+    if running.process.poll() is None:
+        running.leave()
+
+
+@pytest.fixture
+def page() -> Iterator[Page]:
+    with sync_playwright() as play:
+        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        yield browser.new_page(viewport={"width": 1280, "height": 800})
+        browser.close()
+
+
+def hold(page: Page, button: Locator, seconds: float) -> None:
+    box = button.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.wait_for_timeout(seconds * 1000)
+    page.mouse.up()
+
+
+def picture(page: Page) -> bytes:
+    return page.locator("canvas").first.screenshot()
+
+
+def send_to_the_entrance(page: Page) -> None:
+    page.get_by_role("button", name="Entrance", exact=True).click()
+    go = page.get_by_role("button", name="Send to look and come back")
+    expect(go).to_be_enabled()
+    page.wait_for_timeout(500)
+    hold(page, go, 0.9)
+
+
+@pytest.mark.timeout(240)
+def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(demo: Demo, page: Page) -> None:
+    hosts: set[str] = set()
+    page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
+    page.goto(demo.url)
+    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    page.wait_for_timeout(1500)
+    on_the_pad = picture(page)
+    send_to_the_entrance(page)
+    expect(page.get_by_text("Looking at Entrance")).to_be_visible(timeout=60_000)
+    at_the_door = picture(page)
+    assert at_the_door != on_the_pad
+    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=90_000)
+    assert picture(page) != at_the_door
+    assert hosts == {"127.0.0.1"}
+    assert demo.leave() == 0
+
+
+@pytest.mark.timeout(240)
+def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_back(demo: Demo, page: Page) -> None:
+    page.goto(demo.url)
+    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    send_to_the_entrance(page)
+    expect(page.get_by_text("Flying to Entrance")).to_be_visible(timeout=30_000)
+    for words in ("housefly.web.process", "camera"):
+        os.kill(demo.part(words).pid, signal.SIGKILL)
+    expect(page.get_by_text("Looking at Entrance")).to_be_visible(timeout=60_000)
+    page.wait_for_timeout(1000)
+    first = picture(page)
+    expect(page.get_by_text("Coming home", exact=True)).to_be_visible(timeout=30_000)
+    page.wait_for_timeout(3000)
+    assert picture(page) != first
+    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=90_000)
+
+
+@pytest.mark.timeout(240)
+def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_nothing(demo: Demo, page: Page) -> None:
+    page.goto(demo.url)
+    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    send_to_the_entrance(page)
+    expect(page.get_by_text("Flying to Entrance")).to_be_visible(timeout=30_000)
+    page.wait_for_timeout(3000)
+    os.kill(demo.part("housefly.app.pilot_main").pid, signal.SIGKILL)
+    page.wait_for_timeout(12_000)
+    expect(page.get_by_text("Flying to Entrance")).not_to_be_visible()
+    position = page.get_by_text(re.compile(r"^\s*\d+\.\d\d\s+\d+\.\d\d"))
+    before = position.first.inner_text()
+    page.wait_for_timeout(4000)
+    after = position.first.inner_text()
+    x0, y0 = (float(part) for part in before.split()[:2])
+    x1, y1 = (float(part) for part in after.split()[:2])
+    assert abs(x1 - x0) < 0.5 and abs(y1 - y0) < 0.5
