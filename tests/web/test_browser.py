@@ -87,7 +87,7 @@ async def test_a_place_is_chosen_previewed_held_and_flown_to(page: Page, console
     await until(lambda: kinds(console) == [OrderKind.SERVICE])
     assert console.pilot.orders[0].place == "entrance"
     await expect(page.locator(".headline")).to_contain_text("Flying to Entrance", timeout=10_000)
-    await expect(page.locator(".log")).to_contain_text("look at entrance and come back")
+    await expect(page.locator(".log")).to_contain_text("service entrance by Viewer 1")
 
 
 async def test_letting_go_too_early_sends_nothing(page: Page, console: Any) -> None:
@@ -303,6 +303,38 @@ async def test_the_drones_pictures_move_on_the_canvas(page: Page, console: Any) 
     finally:
         feeding.cancel()
     await expect(page.locator(".video .veil")).to_contain_text("No new picture", timeout=10_000)
+
+
+async def test_a_browser_that_cannot_decode_video_gets_jpeg_pictures(page: Page, console: Any) -> None:
+    feeding = asyncio.create_task(feed(console.bus.join()))
+    try:
+        await page.context.add_init_script("delete window.VideoDecoder")
+        await page.reload()
+        picture = page.locator(".video img")
+        await expect(picture).to_have_js_property("naturalWidth", 320, timeout=10_000)
+        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    finally:
+        feeding.cancel()
+
+
+async def test_the_console_comes_back_by_itself_after_the_server_was_started_again(
+    chromium: Browser, serving: Any, loopback: str
+) -> None:
+    context = await chromium.new_context()
+    page = await context.new_page()
+    async with serving(loopback) as first:
+        port = first.port
+        await page.goto(first.link)
+        await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await expect(page.locator(".headline")).to_contain_text("No contact")
+    await expect(page.locator(".banner")).to_be_visible()
+    async with serving(loopback, port) as second:
+        await expect(page.locator(".headline")).to_contain_text("Ready on the pad", timeout=10_000)
+        await expect(page.locator(".banner")).to_be_hidden()
+        await page.keyboard.press("Space")
+        await expect(page.locator(".stop")).to_contain_text("STOPPED")
+        assert len(second.stops) == 1
+        await context.close()
 
 
 PIXEL = "c => Array.from(c.getContext('2d').getImageData(160, 90, 1, 1).data)"

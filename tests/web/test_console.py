@@ -37,7 +37,7 @@ async def test_an_order_of_the_pilot_reaches_the_bus_and_the_log(console: Any) -
         order = console.pilot.orders[-1]
         assert (order.kind, order.place, order.sender) == (OrderKind.SERVICE, "entrance", "Anna")
         news = await one.hear("events")
-        assert news["events"][0]["text"] == "Anna: look at entrance and come back"
+        assert news["events"][0]["text"] == "service entrance by Anna"
 
 
 async def test_a_path_is_previewed(console: Any) -> None:

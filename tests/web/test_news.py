@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK, STEP
+from housefly.bus.topics import LINK, ORDER, STEP
 from housefly.clock import SteppedClock
-from housefly.messages import Event, LinkStatus, PilotStep, Severity
+from housefly.messages import Event, LinkStatus, Order, OrderKind, PilotStep, Severity
 from housefly.web.news import PilotNews
 from housefly.web.rehearsal import PretendedPilot
 from housefly.web.rehearsal_room import example_room
@@ -73,6 +73,16 @@ def test_the_trail_grows_with_the_way_and_not_with_time(heard: Heard) -> None:
     pilot.position = (2.0, 1.0)
     pilot.advance(0.01)
     assert news.trail() == ((1.0, 1.0), (2.0, 1.0))
+
+
+def test_each_flight_has_a_trail_of_its_own(heard: Heard) -> None:
+    news, pilot, _, bus = heard
+    pilot.advance(0.01)
+    pilot.position = (2.0, 1.0)
+    pilot.advance(0.01)
+    bus.publish(ORDER, Order(OrderKind.TAKE_OFF))
+    pilot.advance(0.01)
+    assert news.trail() == ((2.0, 1.0),)
 
 
 def test_other_bodies_are_shown_until_they_are_not_seen_any_more(heard: Heard) -> None:

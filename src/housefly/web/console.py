@@ -12,9 +12,9 @@ from pydantic import ValidationError
 from housefly.bus.queries import PlanRequest, RoomView
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
-from housefly.messages import DroneStatus, OrderKind, Severity
+from housefly.messages import OrderKind, Severity
 from housefly.web.lease import Lease
-from housefly.web.news import PilotNews
+from housefly.web.news import PilotNews, on_the_ground
 from housefly.web.orders import FOR_EVERYONE, in_words, objection, order_of
 from housefly.web.pilot_link import PilotLink
 from housefly.web.security import Doorkeeper
@@ -51,7 +51,6 @@ PILOT_SILENT = 2.0
 STOP_QUIET = 0.5
 """STOPs closer together than this are one line of the log [s]."""
 OPENED_ELSEWHERE = 4001
-ON_THE_GROUND = frozenset({None, DroneStatus.UNKNOWN, DroneStatus.LANDED, DroneStatus.EMERGENCY})
 
 
 class Console:
@@ -171,7 +170,7 @@ class Console:
         self.link.stop(sender)
         now = self._clock.now()
         if now - self._stopped_at > STOP_QUIET:
-            self._audit(sender, "STOP", Severity.WARNING)
+            self._audit(sender, "STOP")
         self._stopped_at = now
 
     def _order(self, viewer: Viewer, message: OrderRequest) -> None:
@@ -180,7 +179,7 @@ class Console:
         elif reason := self._order_objection(viewer, message):
             viewer.send(Refused(message.id, reason))
         else:
-            self._audit(viewer.name, in_words(message), Severity.INFO)
+            self._audit(viewer.name, in_words(message))
             sent = self.link.send(order_of(message, viewer.name, self._clock.now()))
             self._start(self._confirm(viewer, message.id, sent))
 
@@ -242,8 +241,7 @@ class Console:
     @property
     def flying(self) -> bool:
         """Whether the drone is off the ground, as far as the console knows."""
-        step = self.news.step
-        return step is not None and step.inputs.telemetry is not None and step.inputs.telemetry.status not in ON_THE_GROUND
+        return not on_the_ground(self.news.step)
 
     def _name(self, number: int | None) -> str:
         for viewer in self.viewers:
@@ -251,9 +249,11 @@ class Console:
                 return viewer.name
         return f"Viewer {number}"
 
-    def _audit(self, sender: str, words: str, severity: Severity) -> None:
+    def _audit(self, sender: str, words: str) -> None:
+        """Keep who asked for what; the pilot writes it into the event log itself, unless it cannot be heard."""
         log.info("%s: %s", sender, words)
-        self.news.note(severity, "order", f"{sender}: {words}")
+        if self.news.age > PILOT_SILENT:
+            self.news.note(Severity.WARNING, "order", f"{sender}: {words}, but the pilot is not heard")
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)

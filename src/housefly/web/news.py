@@ -11,7 +11,7 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP
 from housefly.clock import Clock
 from housefly.geometry import Vec2
-from housefly.messages import LinkStatus, Path, PilotStep, Severity
+from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity
 from housefly.web.vocabulary import EventView, LinkNews, OtherBody, PathNews, State
 
 ENDURANCE = 720.0
@@ -118,6 +118,8 @@ class PilotNews:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self._restarts += 1
+            if on_the_ground(self._step) and not on_the_ground(step):
+                self._trail.clear()
             self._step, self._heard_at = step, now
             for event in step.outputs.events:
                 self._log(event.severity, event.code, event.text)
@@ -137,6 +139,12 @@ class PilotNews:
     def _log(self, severity: Severity, code: str, text: str) -> None:
         self._event_number += 1
         self._events.append(EventView(self._event_number, self.clock.now(), severity, code, text))
+
+
+def on_the_ground(step: PilotStep | None) -> bool:
+    """Tell whether the drone says that it does not fly; a drone that is not heard counts as on the ground."""
+    telemetry = step.inputs.telemetry if step else None
+    return telemetry is None or telemetry.status in (DroneStatus.UNKNOWN, DroneStatus.LANDED, DroneStatus.EMERGENCY)
 
 
 def _state(step: PilotStep, heard_at: float, home_s: float, path: int, others: tuple[OtherBody, ...]) -> State:

@@ -119,6 +119,8 @@ def _listening(host: str, port: int) -> socket.socket:
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
+        # Browsers that come before the application is up wait in the queue instead of being refused.
+        listener.listen()
     except OSError as error:
         listener.close()
         raise ConfigError("web.port", f"cannot listen on {host} port {port} ({error.strerror}); choose another port") from error

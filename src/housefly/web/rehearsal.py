@@ -123,6 +123,7 @@ class PretendedPilot:
     def _obey(self, order: Order) -> None:
         with self._lock:
             self.orders.append(order)
+            self.say(Severity.INFO, "order_accepted", f"{order.kind.value} {order.place} by {order.sender}")
             flying = self.status in (DroneStatus.FLYING, DroneStatus.TAKING_OFF)
             match order.kind:
                 case OrderKind.TAKE_OFF:

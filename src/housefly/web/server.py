@@ -27,7 +27,7 @@ from starlette.websockets import WebSocket
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
-from housefly.web import socket
+from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
 from housefly.web.console import Console
 from housefly.web.news import PilotNews
@@ -93,6 +93,9 @@ def create_app(
         console.stop("a browser without a socket")
         return JSONResponse({"stopped": True})
 
+    async def pictures(request: Request) -> Response:
+        return mjpeg.stream(video) if doorkeeper.knows(request) else no_session()
+
     async def console_socket(websocket: WebSocket) -> None:
         if await socket.allowed(websocket, doorkeeper):
             await socket.serve(websocket, console)
@@ -104,6 +107,7 @@ def create_app(
     return Starlette(
         routes=[
             Route("/", index),
+            Route("/video.mjpeg", pictures),
             Route("/stop", stop_now, methods=["POST"]),
             WebSocketRoute("/socket", console_socket),
             WebSocketRoute("/video", video_socket),

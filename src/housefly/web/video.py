@@ -9,7 +9,8 @@ from __future__ import annotations
 import asyncio
 import struct
 from collections import deque
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -87,19 +88,27 @@ class VideoRoom:
     async def serve(self, socket: WebSocket) -> None:
         """Send pictures to one browser until it leaves."""
         await socket.accept()
+        with self.watching() as watcher:
+            writer = asyncio.create_task(_write(socket, watcher))
+            try:
+                while (await socket.receive())["type"] != "websocket.disconnect":
+                    watcher.unanswered = max(0, watcher.unanswered - 1)
+                    watcher.wake.set()
+            finally:
+                writer.cancel()
+                with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
+                    await writer
+
+    @contextmanager
+    def watching(self) -> Iterator[Watcher]:
+        """Yield a queue of pictures that begins with those since the last key frame."""
         watcher = Watcher(deque(self._group), skipping=not self._group)
         watcher.wake.set()
         self._watchers.add(watcher)
-        writer = asyncio.create_task(_write(socket, watcher))
         try:
-            while (await socket.receive())["type"] != "websocket.disconnect":
-                watcher.unanswered = max(0, watcher.unanswered - 1)
-                watcher.wake.set()
+            yield watcher
         finally:
             self._watchers.discard(watcher)
-            writer.cancel()
-            with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
-                await writer
 
 
 async def _write(socket: WebSocket, watcher: Watcher) -> None:

@@ -53,7 +53,7 @@ export async function stop(): Promise<void> {
 
 export const takeOff = createHold(HOLD, firstOf(ready, onTheGround), () => void send("take_off"));
 export const service = createHold(HOLD, firstOf(ready, hasGoal, hasPath), () => void send("service", true));
-export const go = createHold(HOLD, firstOf(ready, hasGoal, hasPath, inTheAir), () => void send("go", true));
+export const go = createHold(HOLD, firstOf(ready, hasGoal, hasPath), () => void send("go", true));
 export const resume = createHold(
   HOLD,
   firstOf(hasLine, hasPilot, mayFly, unless(() => stopped.value, () => "Only after STOP.")),

@@ -1,6 +1,6 @@
 // The state of everything in one line of words, with a shape that says the same without colour.
 import { computed } from "@preact/signals";
-import { contact, flying, path, room, state, stateAge, type Point } from "./store";
+import { contact, flying, link, path, room, state, stateAge, type Point } from "./store";
 import type { Phase, State } from "./wire/messages";
 
 export type Shape = "ready" | "moving" | "holding" | "stopped" | "warning" | "lost";
@@ -47,7 +47,9 @@ export const headline = computed<Headline>(() => {
     return { shape: "stopped", text: "Stopped", detail: where };
   }
   if (now.safety === "level") return { shape: "warning", text: "Holding level", detail: now.reason };
-  if (now.status === null || now.status === "unknown") return { shape: "warning", text: "Waiting for the drone", detail: now.reason };
+  if (now.status === null || now.status === "unknown") {
+    return { shape: "warning", text: "Waiting for the drone", detail: link.value?.link.notes[0] ?? now.reason };
+  }
   return BY_PHASE[now.phase](now);
 });
 

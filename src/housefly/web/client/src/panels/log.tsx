@@ -1,9 +1,13 @@
-import { events } from "../store";
+import { computed } from "@preact/signals";
+import { events, link, state } from "../store";
 import { serverNow } from "../wire/clock";
 import type { EventView, Severity } from "../wire/messages";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
 const SHOWN = 100;
+
+/** What is wrong at this moment: complaints of the drone, notes of the pilot's wires. */
+const standing = computed(() => [...(link.value?.link.notes ?? []), ...(state.value?.faults ?? [])]);
 
 /** What happened, newest first; every line arrives, whatever the line is like. */
 export function Log() {
@@ -11,6 +15,13 @@ export function Log() {
   return (
     <section class="card log" aria-label="Event log">
       <h2>Log</h2>
+      <ul class="notes" aria-label="What holds now">
+        {standing.value.map((note) => (
+          <li key={note}>
+            <span class="mark">△</span> {note}
+          </li>
+        ))}
+      </ul>
       <ol tabIndex={0} data-scrolls>
         {shown.map((event) => (
           <li key={event.number} data-severity={event.severity}>
@@ -18,7 +29,7 @@ export function Log() {
             <span class="mark" aria-label={event.severity}>
               {MARK[event.severity]}
             </span>
-            <span>{event.text}</span>
+            <span>{event.text.charAt(0).toUpperCase() + event.text.slice(1)}</span>
           </li>
         ))}
       </ol>

@@ -14,7 +14,7 @@ export function Top() {
         <img src="/static/favicon.svg" alt="" width="28" height="28" />
         <div>
           <h1>Housefly</h1>
-          <span class="site">{room.value?.site ?? " "}</span>
+          <span class="site">{site()}</span>
         </div>
       </div>
       <div class="headline" data-shape={shape}>
@@ -41,6 +41,12 @@ export function Top() {
       </HoldButton>
     </header>
   );
+}
+
+/** The site's name, and its mode when it is not the usual one. */
+function site(): string {
+  if (!room.value) return " ";
+  return room.value.mode === "default" ? room.value.site : `${room.value.site} · mode ${room.value.mode}`;
 }
 
 function who(): string {

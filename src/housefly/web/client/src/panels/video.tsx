@@ -2,11 +2,24 @@ import { useEffect, useRef } from "preact/hooks";
 import { SwapIcon } from "../controls/icons";
 import { freshness, swapped } from "../store";
 import { now } from "../wire/clock";
-import { picture, videoProblem, watch } from "../wire/video";
+import { decodesVideo, picture, watch } from "../wire/video";
 import { milliseconds } from "../words";
 
 /** The drone's picture. */
 export function VideoView() {
+  return decodesVideo ? <LiveVideo /> : <JpegVideo />;
+}
+
+function JpegVideo() {
+  return (
+    <section class="view video" aria-label="Picture from the drone">
+      <img src="/video.mjpeg" alt="Picture from the drone" />
+      <SwapButton to="picture" />
+    </section>
+  );
+}
+
+function LiveVideo() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => watch(canvas.current!), []);
   const age = picture.value ? Math.max(0, now.value - picture.value.receivedAt) : Infinity;
@@ -20,7 +33,6 @@ export function VideoView() {
 }
 
 function veil(age: number): string {
-  if (videoProblem.value) return videoProblem.value;
   if (!Number.isFinite(age)) return "No picture yet";
   return freshness(age) === "dead" ? `No new picture for ${milliseconds(age)}` : "";
 }

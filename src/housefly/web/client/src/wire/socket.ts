@@ -119,6 +119,11 @@ function hear(message: ServerMessage): void {
         store.contact.value = "open";
         break;
       case "state":
+        // Each flight has a trail of its own.
+        if (!store.flying.value) {
+          store.state.value = message;
+          if (store.flying.value) store.trail.value = [];
+        }
         store.state.value = message;
         if (message.position) extendTrail([message.position[0], message.position[1]]);
         break;

@@ -19,8 +19,8 @@ export interface Picture {
 
 /** The newest picture on the screen, or null before the first. */
 export const picture = signal<Picture | null>(null);
-/** Why there can be no picture in this browser, in words. */
-export const videoProblem = signal("");
+/** WebCodecs exists on secure addresses only (loopback is one); elsewhere the server sends JPEG pictures instead. */
+export const decodesVideo = "VideoDecoder" in window;
 
 interface Message extends Picture {
   keyframe: boolean;
@@ -53,10 +53,6 @@ export function codecOf(data: Uint8Array): string | null {
 
 /** Show the drone's pictures on a canvas; returns what ends it. */
 export function watch(canvas: HTMLCanvasElement): () => void {
-  if (!("VideoDecoder" in window)) {
-    videoProblem.value = "This browser decodes video only on a secure address: open the console on the machine itself.";
-    return () => undefined;
-  }
   const screen = canvas.getContext("2d", { alpha: false })!;
   const shown = new Map<number, Picture>();
   let decoder: VideoDecoder | null = null;

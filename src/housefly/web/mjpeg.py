@@ -1,0 +1,60 @@
+"""The drone's pictures as JPEG, for browsers without WebCodecs (it exists on secure addresses only).
+
+Pictures are decoded only while such a browser watches.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from io import BytesIO
+
+import av
+from av.codec.context import Flags
+from av.error import FFmpegError
+from av.video.codeccontext import VideoCodecContext
+from PIL import Image
+from starlette.responses import StreamingResponse
+
+from housefly.web.video import HEADER, VideoRoom
+
+BOUNDARY = "picture"
+QUALITY = 75
+
+
+def stream(video: VideoRoom) -> StreamingResponse:
+    """Answer with pictures until the browser leaves."""
+    kind = f"multipart/x-mixed-replace; boundary={BOUNDARY}"
+    return StreamingResponse(_pictures(video), media_type=kind, headers={"cache-control": "no-store"})
+
+
+async def _pictures(video: VideoRoom) -> AsyncIterator[bytes]:
+    decoder = VideoCodecContext.create("h264", "r")
+    decoder.thread_count, decoder.flags = 1, decoder.flags | Flags.low_delay
+    with video.watching() as watcher:
+        while True:
+            await watcher.wake.wait()
+            watcher.wake.clear()
+            if watcher.waiting:
+                messages = list(watcher.waiting)
+                watcher.waiting.clear()
+                picture = await asyncio.to_thread(_newest, decoder, messages)
+                if picture:
+                    head = f"--{BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length: {len(picture)}\r\n\r\n"
+                    yield head.encode() + picture + b"\r\n"
+
+
+def _newest(decoder: VideoCodecContext, messages: list[bytes]) -> bytes:
+    """Decode all messages and return the last picture as JPEG; empty when none could be decoded."""
+    newest = None
+    for message in messages:
+        try:
+            frames = decoder.decode(av.Packet(message[HEADER.size :]))
+        except FFmpegError:
+            continue
+        newest = frames[-1] if frames else newest
+    if newest is None:
+        return b""
+    buffer = BytesIO()
+    Image.fromarray(newest.to_ndarray(format="rgb24")).save(buffer, "JPEG", quality=QUALITY)
+    return buffer.getvalue()
