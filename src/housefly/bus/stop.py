@@ -56,9 +56,10 @@ def _verified(data: bytes, magic: bytes, secret: bytes) -> _Token:
     """Return the token of an authentic datagram; raises WireError for any other."""
     if len(data) != _BODY.size + _TAG_SIZE:
         raise WireError(f"a datagram of {len(data)} bytes is not a STOP")
-    found, sent_ns, nonce = _BODY.unpack_from(data)
+    _, sent_ns, nonce = _BODY.unpack_from(data)
     token = _Token(sent_ns, nonce)
-    if found != magic or not hmac.compare_digest(token.signed(magic, secret), data):
+    # The signature covers the magic too, so this comparison is the whole check.
+    if not hmac.compare_digest(token.signed(magic, secret), data):
         raise WireError("the signature is wrong")
     return token
 

@@ -83,7 +83,7 @@ class ZenohBus:
             self._session = zenoh.open(_configuration(listen, connect))
         except zenoh.ZError as error:
             raise LinkError(f"the bus cannot be opened at {listen or connect}: {_words(error)}") from error
-        # A process whose zenoh session is still open may hang at exit.
+        # The others hear at once that we left, and zenoh does not run on into an interpreter that shuts down.
         atexit.register(self.close)
 
     def publish(self, topic: Topic[Message], message: Message) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import Any
 
@@ -13,9 +12,7 @@ from housefly.bus.interfaces import definition, ros_name, type_store
 from housefly.record.ros_messages import nanoseconds
 
 _CHUNK_SIZE = 32 * 1024
-"""A chunk is lost when the process dies: this is a quarter of a second at 100 steps/s, and still compresses well."""
-_FLUSH_PERIOD = 0.5
-"""Longest time [s] that written chunks stay in this process."""
+"""A chunk [bytes] is lost when the process dies: this is a quarter of a second at 100 steps/s, and still compresses well."""
 
 
 class McapLog:
@@ -33,7 +30,6 @@ class McapLog:
         self._writer.add_metadata("housefly", notes)
         self._channels: dict[str, int] = {}
         self._counts: dict[str, int] = {}
-        self._flushed_at = time.monotonic()
 
     def add(self, topic: str, at: float, message: Any) -> None:
         """Append a message of a standard ROS 2 type at a time [s]."""
@@ -42,13 +38,6 @@ class McapLog:
     def add_own(self, topic: str, at: float, message: object) -> None:
         """Append one of our own messages at a time [s]."""
         self._append(topic, at, ros_name(type(message).__name__), encode(message))
-
-    def flush_if_due(self) -> None:
-        """Hand what is written to the operating system, at most twice a second."""
-        now = time.monotonic()
-        if now - self._flushed_at >= _FLUSH_PERIOD:
-            self._flushed_at = now
-            self._file.flush()
 
     def close(self) -> None:
         """Write the index and close the file."""

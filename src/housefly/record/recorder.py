@@ -136,12 +136,7 @@ class FlightRecorder:
         log = self._mcap
         if log is None:
             return
-
-        def write_and_flush() -> None:
-            write(log)
-            log.flush_if_due()
-
-        if not self._guard("flight.mcap", write_and_flush):
+        if not self._guard("flight.mcap", lambda: write(log)):
             self._mcap = None
 
     def _guard(self, name: str, work: Callable[[], Any]) -> bool:
