@@ -6,9 +6,9 @@ import shutil
 import time
 
 import psutil
-from _run import Running, bench_site, percentile, running, table
 from playwright.sync_api import sync_playwright
 
+from _run import Running, bench_site, percentile, running, table
 from housefly.messages import OrderKind, Phase
 
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]

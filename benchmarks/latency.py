@@ -1,7 +1,7 @@
 """From a Vicon packet, and from STOP, to the AT command: both ends are real sockets, the pilot is the real process.
 
-The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT commands as an AR.Drone. A pose that
-steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive bit.
+The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT commands as an AR.Drone.
+A pose that steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive bit.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ import time
 from pathlib import Path
 
 from _run import bench_site, percentile, table
-
 from housefly.app.launcher import Launcher, Part
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime

@@ -19,8 +19,8 @@ RESULTS = FOLDER.parent / "docs" / "results.md"
 TIMEOUT_S = 900
 HEAD = """# Results
 
-Every figure here was printed by the command above it. Machines are shared and noisy: trust the ratios inside a section, not the absolute
-figures, and run `make bench` on yours.
+Every figure here was printed by the command above it. Machines are shared and noisy: trust the ratios inside a section,
+not the absolute figures, and run `make bench` on yours.
 """
 
 
@@ -33,7 +33,9 @@ def measure(name: str) -> str:
     """Run one benchmark and return its section."""
     print(f"{name} ...", flush=True)
     start = time.monotonic()
-    done = subprocess.run([sys.executable, str(FOLDER / f"{name}.py")], capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+    done = subprocess.run(
+        [sys.executable, str(FOLDER / f"{name}.py")], capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+    )
     if done.returncode:
         sys.exit(f"{name} failed:\n{done.stdout}\n{done.stderr}")
     print(f"  {time.monotonic() - start:.0f} s", flush=True)
@@ -42,7 +44,9 @@ def measure(name: str) -> str:
 
 def machine() -> str:
     """Return one line about this machine."""
-    cpu = next((line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line), "?")
+    cpu = next(
+        (line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line), "?"
+    )
     cores = len(os.sched_getaffinity(0))
     return f"Measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python {platform.python_version()}, no GPU."
 

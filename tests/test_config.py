@@ -8,7 +8,12 @@ from housefly.config import Section, Site, changed, load_site, site_from_tree
 from housefly.errors import ConfigError
 
 NUMBERS = [
-    (section, key, [item.ge for item in found.metadata if hasattr(item, "ge")][0], [i.le for i in found.metadata if hasattr(i, "le")][0])
+    (
+        section,
+        key,
+        next(item.ge for item in found.metadata if hasattr(item, "ge")),
+        next(i.le for i in found.metadata if hasattr(i, "le")),
+    )
     for section, outer in Site.model_fields.items()
     if isinstance(outer.annotation, type) and issubclass(outer.annotation, Section)
     for key, found in outer.annotation.model_fields.items()
@@ -24,7 +29,9 @@ def test_an_empty_file_is_a_valid_site(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("section", "key", "low", "high"), NUMBERS)
 @pytest.mark.parametrize("side", ["below", "above", "nan", "text"])
-def test_a_number_out_of_range_is_refused_with_its_key_and_range(section: str, key: str, low: float, high: float, side: str) -> None:
+def test_a_number_out_of_range_is_refused_with_its_key_and_range(
+    section: str, key: str, low: float, high: float, side: str
+) -> None:
     value = {"below": low - 1, "above": high + 1, "nan": float("nan"), "text": "fast"}[side]
     with pytest.raises(ConfigError) as caught:
         site_from_tree({section: {key: value}})

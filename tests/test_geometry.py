@@ -3,7 +3,15 @@ from math import isclose, pi
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.geometry import euler_from_quaternion, normalized, quaternion_from_euler, rotate, stopping_distance, wrap_angle, yaw_of
+from housefly.geometry import (
+    euler_from_quaternion,
+    normalized,
+    quaternion_from_euler,
+    rotate,
+    stopping_distance,
+    wrap_angle,
+    yaw_of,
+)
 
 angles = st.floats(-10, 10)
 halves = st.floats(-pi / 2 + 0.01, pi / 2 - 0.01)

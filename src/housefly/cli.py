@@ -128,7 +128,8 @@ def _add_replay(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "replay",
         help="give a recording to a fresh pilot and compare every command",
-        description="Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command is the same, bit for bit.",
+        description="Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command is the same, "
+        "bit for bit.",
     )
     parser.add_argument("recording", metavar="DIR|flight.mcap", help="a recorded flight")
     parser.add_argument("--site", metavar="SITE", help="site to fly it with (default: the one recorded beside it)")

@@ -67,9 +67,8 @@ def plan(options: argparse.Namespace) -> int:
             console.print("nearest free point: {:.2f},{:.2f}".format(*answer.suggestion))
     else:
         path = answer.path
-        console.print(
-            f"{path.length:.2f} m, about {answer.duration:.0f} s, {len(path.waypoints)} waypoints, clearance {path.clearance:.2f} m"
-        )
+        size = f"{len(path.waypoints)} waypoints, clearance {path.clearance:.2f} m"
+        console.print(f"{path.length:.2f} m, about {answer.duration:.0f} s, {size}")
         console.print(" ".join(f"{x:.2f},{y:.2f}" for x, y in path.waypoints))
     if options.png:
         draw_room(premises.room, premises.grid, Path(options.png), route=answer.path.waypoints if answer.path else None)

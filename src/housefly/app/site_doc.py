@@ -13,9 +13,10 @@ from housefly.config import Section, Site
 
 HEAD = """# The site file
 
-A site file (TOML) names the room, the drone, the tracking system and the limits of one place where Housefly flies. Every key has a
-default: an empty file is a valid site (the simulated B-sen). A value of the wrong type or outside its range, an unknown key, or a
-combination that cannot fly is refused with the key and what is allowed. All numbers are SI; a key whose unit is not SI says so in its name.
+A site file (TOML) names the room, the drone, the tracking system and the limits of one place where Housefly flies.
+Every key has a default: an empty file is a valid site (the simulated B-sen). A value of the wrong type or outside its
+range, an unknown key, or a combination that cannot fly is refused with the key and what is allowed. All numbers are SI;
+a key whose unit is not SI says so in its name.
 
 ```toml
 name = "my lab"
