@@ -13,6 +13,8 @@ from housefly.record.ros_messages import nanoseconds
 
 _CHUNK_SIZE = 32 * 1024
 """A chunk [bytes] is lost when the process dies: this is a quarter of a second at 100 steps/s, and still compresses well."""
+_BUFFER_SIZE = 512
+"""Smaller than a chunk [bytes], so that each one goes to the operating system as soon as it is finished."""
 
 
 class McapLog:
@@ -24,7 +26,7 @@ class McapLog:
     """
 
     def __init__(self, path: Path, notes: dict[str, str]) -> None:
-        self._file = path.open("wb")
+        self._file = path.open("wb", buffering=_BUFFER_SIZE)
         self._writer = Writer(self._file, chunk_size=_CHUNK_SIZE)
         self._writer.start(profile="ros2", library="housefly")
         self._writer.add_metadata("housefly", notes)
