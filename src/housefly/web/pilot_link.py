@@ -27,7 +27,7 @@ class PilotLink:
         clock: stamps the orders.
     """
 
-    def __init__(self, bus: Bus, stop: Callable[[], None], clock: Clock) -> None:
+    def __init__(self, bus: Bus, stop: Callable[[], object], clock: Clock) -> None:
         self._bus, self._stop, self._clock = bus, stop, clock
         self._orders = ThreadPoolExecutor(1, "orders")
         self._questions = ThreadPoolExecutor(2, "questions")

@@ -44,7 +44,7 @@ STATIC = Path(__file__).parent / "static"
 def create_app(
     bus: Bus,
     token: str,
-    stop: Callable[[], None],
+    stop: Callable[[], object],
     *,
     hosts: frozenset[str] = LOOPBACK_NAMES,
     secret: str = "",
