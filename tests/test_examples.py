@@ -1,0 +1,81 @@
+"""Every script of the course runs and prints what its docstring promises."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).resolve().parents[1] / "examples"
+SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
+
+
+def run(name: str, *arguments: str, timeout: float = 100.0) -> str:
+    done = subprocess.run(
+        [sys.executable, str(FOLDER / name), *arguments], capture_output=True, text=True, timeout=timeout, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def assert_in_order(output: str, *words: str) -> None:
+    at = 0
+    for word in words:
+        found = output.find(word, at)
+        assert found >= 0, f"{word!r} is missing, or too early, in:\n{output}"
+        at = found + len(word)
+
+
+def test_a_path_is_planned_and_a_bad_goal_is_refused_in_words() -> None:
+    output = run("01_plan_a_path.py")
+    assert_in_order(output, "150 x 80 cells", "to the entrance:", "into the sofa: the goal", "nearest place that works: (")
+
+
+@pytest.mark.slow
+def test_the_service_is_flown_in_lock_step() -> None:
+    output = run("02_fly_in_lock_step.py")
+    assert_in_order(output, "taking off", "flying to goal", "looking", "returning", "landing", "idle", "completed")
+
+
+@pytest.mark.slow
+def test_lost_tracking_means_hover_then_landing() -> None:
+    output = run("03_lost_tracking.py")
+    assert_in_order(output, "level: hover", "land: land; tracking lost for 2.0 s", "landed", "all is well")
+
+
+@pytest.mark.wire
+@pytest.mark.slow
+def test_the_drone_is_driven_over_the_wire(loopback: str) -> None:
+    output = run("04_drive_the_drone_yourself.py", loopback)
+    assert_in_order(output, f"drone at {loopback}", "taking off", "flying", "landing", "0 malformed")
+
+
+@pytest.mark.wire
+@pytest.mark.slow
+def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
+    output = run("05_listen_on_the_bus.py", loopback)
+    assert_in_order(output, "pilot/step", '"path": {"waypoints"', "idle, at (10.5")
+
+
+@pytest.mark.slow
+def test_a_recording_is_read_by_the_mcap_library() -> None:
+    output = run("06_read_a_recording.py")
+    assert_in_order(output, "completed; files: flight.mcap", "nav_msgs/msg/OccupancyGrid", "highest point 1.")
+
+
+@pytest.mark.slow
+def test_a_room_of_ones_own_is_flown_in() -> None:
+    output = run("07_your_own_room.py")
+    assert_in_order(output, "H home", "and back: completed")
+
+
+def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
+    contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
+    assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]
+    for name in SCRIPTS:
+        docstring = ast.get_docstring(ast.parse((FOLDER / name).read_text())) or ""
+        assert "Learns: " in docstring and "Prints: " in docstring, name
+        assert f"]({name})" in contents and f'"{name}"' in tests, name
