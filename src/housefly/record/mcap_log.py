@@ -30,6 +30,7 @@ class McapLog:
         self._writer = Writer(self._file, chunk_size=_CHUNK_SIZE)
         self._writer.start(profile="ros2", library="housefly")
         self._writer.add_metadata("housefly", notes)
+        self._file.flush()
         self._channels: dict[str, int] = {}
         self._counts: dict[str, int] = {}
 
