@@ -68,7 +68,8 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
         start = time.monotonic()
         runtime = new_runtime(site, Path(folder))
         with Launcher(runtime, Path(folder), parts_of(runtime, web=web)) as launcher, ZenohBus(connect=runtime.bus) as bus:
-            missing = Readiness(site, bus, web=web, video=site.drone.has_video and site.twin.video).wait(60.0)
+            video = site.drone.has_video and site.twin.video
+            missing = Readiness(runtime.site(), bus, web=web, video=video).wait(60.0)
             if missing:
                 logs = "\n".join(f"{log.name}: {log.read_text()}" for log in Path(folder).glob("*.log"))
                 sys.exit(f"not ready: {missing}\n{logs}")
