@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import os
 import pickle
+import resource
 import signal
 import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -152,22 +154,44 @@ def test_many_threads_may_record_at_once(
     assert list(replay(tmp_path)) == list(flight)
 
 
-def test_a_full_disk_is_reported_and_not_raised(
-    tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...], pictures: tuple[VideoFrame, ...]
+@pytest.fixture
+def small_disk() -> Iterator[Callable[[int], None]]:
+    """Return a function that lets no file of this process grow beyond a size [bytes] until the test ends."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    yield lambda size: resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_disk_that_fills_up_in_flight_is_reported_and_not_raised(
+    tmp_path: Path,
+    site: Site,
+    room: Room,
+    grid: OccupancyGrid,
+    flight: tuple[PilotStep, ...],
+    pictures: tuple[VideoFrame, ...],
+    small_disk: Callable[[int], None],
 ) -> None:
-    if not Path("/dev/full").exists():
-        pytest.skip("this system has no /dev/full")
-    for name in ("flight.mcap", "video.mp4"):
-        (tmp_path / name).symlink_to("/dev/full")
     recorder = FlightRecorder(tmp_path, site, room, grid)
+    small_disk(60_000)
     for step in flight:
         recorder.step(step)
     for picture in pictures:
         recorder.video(picture)
     summary = recorder.finish("completed")
-    assert summary.outcome == "completed"
+    assert (summary.outcome, summary.video_frames) == ("completed", len(pictures))
     assert any("flight.mcap is incomplete" in problem for problem in summary.problems)
     assert json.loads((tmp_path / "summary.json").read_text())["problems"] == list(summary.problems)
+    readable = list(replay(tmp_path))
+    assert readable == list(flight[: len(readable)])
+    assert 0 < len(readable) == summary.steps < len(flight)
+
+
+def test_a_disk_that_is_full_before_the_flight_is_refused(tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid) -> None:
+    if not Path("/dev/full").exists():
+        pytest.skip("this system has no /dev/full")
+    (tmp_path / "flight.mcap").symlink_to("/dev/full")
+    with pytest.raises(RecordingError, match="No space left"):
+        FlightRecorder(tmp_path, site, room, grid)
 
 
 def test_a_folder_that_cannot_be_written_is_refused_before_the_flight(
