@@ -1,0 +1,56 @@
+"""Faults of the tracking system that nothing notices yet; docs/safety.md names them.
+
+Each test is expected to fail, and turns the suite red when somebody closes its gap: then change the page too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import hypot
+from typing import Any
+
+import pytest
+
+from housefly.messages import OrderKind, Phase, Pose, Sighting
+
+Fly = Callable[..., Any]
+
+
+def lie(flight: Any, told: Callable[[Sighting], Sighting]) -> None:
+    """Let the tracking system tell something else from now on."""
+    look = flight._look
+    flight._look = lambda: tuple(told(sighting) for sighting in look())
+
+
+def on_its_way(fly: Fly) -> Any:
+    flight = fly()
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, place="entrance"))
+    flight.until(lambda o: o.phase is Phase.OUTBOUND)
+    flight.run(6.0)
+    return flight
+
+
+@pytest.mark.xfail(strict=True, reason="poses that stand still under fresh stamps are believed")
+def test_frozen_poses_with_fresh_stamps_end_in_a_hover_or_a_landing(fly: Fly) -> None:
+    flight = on_its_way(fly)
+    here = (flight.body.x, flight.body.y)
+    pose = Pose((*here, flight.body.z))
+    lie(flight, lambda sighting: replace(sighting, pose=replace(pose, orientation=sighting.pose.orientation)))
+    flight.run(3.0)
+    assert hypot(flight.body.x - here[0], flight.body.y - here[1]) < 0.5
+
+
+@pytest.mark.xfail(strict=True, reason="a tracking system that drifts slowly takes the drone along")
+def test_a_drift_of_two_centimetres_a_second_is_noticed(fly: Fly) -> None:
+    flight = on_its_way(fly)
+    start = flight.now
+
+    def drifted(sighting: Sighting) -> Sighting:
+        x, y, z = sighting.pose.position
+        return replace(sighting, pose=replace(sighting.pose, position=(x, y + 0.02 * (sighting.captured_at - start), z)))
+
+    lie(flight, drifted)
+    flight.run(30.0)
+    assert flight.outputs.reason
