@@ -87,7 +87,7 @@ async def test_a_place_is_chosen_previewed_held_and_flown_to(page: Page, console
     await until(lambda: kinds(console) == [OrderKind.SERVICE])
     assert console.pilot.orders[0].place == "entrance"
     await expect(page.locator(".headline")).to_contain_text("Flying to Entrance", timeout=10_000)
-    await expect(page.locator(".log")).to_contain_text("service entrance by Viewer 1")
+    await expect(page.locator(".log")).to_contain_text("Service entrance by Viewer 1")
 
 
 async def test_letting_go_too_early_sends_nothing(page: Page, console: Any) -> None:
@@ -264,7 +264,7 @@ async def test_stop_and_cut_are_always_on_the_screen_and_nothing_is_too_small_to
 
 
 async def test_choosing_a_goal_moves_nothing(page: Page) -> None:
-    places = ["header", ".map", ".errand", ".actions", ".stop", ".side"]
+    places = ["header", ".map", ".errand", ".actions", ".stop", ".side", "button.place >> nth=1", ".primary"]
     before = [await page.locator(place).bounding_box() for place in places]
     await page.get_by_role("button", name="Entrance", exact=True).click()
     await expect(page.locator(".ghost .tag")).to_be_visible()

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
 
 from housefly.web.server import STATIC
 
@@ -25,3 +30,13 @@ def test_the_page_holds_no_script_and_no_style_of_its_own() -> None:
     page = (STATIC / "index.html").read_text(encoding="utf-8")
     assert "style=" not in page and "<style" not in page
     assert re.findall(r"<script[^>]*>(.*?)</script>", page, re.DOTALL) == [""]
+
+
+def test_the_committed_bundle_is_what_the_source_builds(tmp_path: Path) -> None:
+    client = STATIC.parent / "client"
+    node = shutil.which("node")
+    if node is None or not (client / "node_modules" / "esbuild").is_dir():
+        pytest.skip("the client's tools are not installed: npm ci in src/housefly/web/client")
+    subprocess.run([node, "build.mjs", str(tmp_path)], cwd=client, check=True)
+    for built in tmp_path.iterdir():
+        assert built.read_bytes() == (STATIC / built.name).read_bytes(), f"{built.name}: run npm run build"

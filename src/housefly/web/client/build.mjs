@@ -1,8 +1,8 @@
-// Builds ../static from src: `npm run build`. The result is committed, so that Housefly needs no node to run.
+// Builds ../static (or the folder given) from src: `npm run build`. The result is committed, so that Housefly needs no node to run.
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 
-const target = "../static";
+const target = process.argv[2] ?? "../static";
 const bundled = ["preact", "@preact/signals", "@preact/signals-core"];
 
 await mkdir(target, { recursive: true });

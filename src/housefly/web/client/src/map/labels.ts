@@ -89,7 +89,7 @@ function around(points: [number, number][]): Box {
 }
 
 function boxOf(text: string, x: number, y: number): Box {
-  const half = (text.length * LETTER) / 2;
+  const half = (text.length * LETTER) / 2 + 3;
   return { x0: x - half, y0: y - LINE + 3, x1: x + half, y1: y + 3 };
 }
 
