@@ -74,6 +74,7 @@ class Pilot:
         self._acceptor = Acceptor()
         self._home = room.home
         self._telemetry: Telemetry | None = None
+        self._newest: Sighting | None = None
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
         self._yaw_reference: float | None = None
@@ -99,7 +100,7 @@ class Pilot:
         dt = min(now - self._now, LONGEST_TICK)
         self._now = now
         self._hear(inputs.telemetry)
-        events = list(self._filter.see(inputs.sightings, now, self._status is DroneStatus.LANDED))
+        events = self._see(inputs, now)
         estimate = self._filter.estimate(now)
         scene = self._scene(now, estimate)
         events.extend(self._captain.obey(order, scene) for order in inputs.orders)
@@ -114,6 +115,20 @@ class Pilot:
         if telemetry is not None:
             self._telemetry = telemetry
             self._status = self._status if telemetry.status is DroneStatus.UNKNOWN else telemetry.status
+
+    def _see(self, inputs: Inputs, now: float) -> list[Event]:
+        """Hand the sightings to the filter; an order on the pad starts it anew.
+
+        What a filter learned from a drone that stands still says nothing about the air, and so a flight depends on no more of the
+        past than its own recording holds.
+        """
+        grounded = self._status is DroneStatus.LANDED
+        events = list(self._filter.see(inputs.sightings, now, grounded))
+        self._newest = next((s for s in reversed(inputs.sightings) if s.body == self._site.tracking.body), self._newest)
+        if inputs.orders and grounded and self._captain.errand.phase is Phase.IDLE and self._newest is not None:
+            self._filter = _estimator(self._site)
+            events.extend(self._filter.see((self._newest,), now, grounded))
+        return events
 
     def _scene(self, now: float, estimate: Estimate | None) -> Scene:
         heard = self._telemetry

@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from housefly.config import load_site
+from housefly.config import Mode, changed, load_site
 from housefly.geometry import rotate
 from housefly.planning.planner import plan
 from housefly.room.bsen import bsen
@@ -156,9 +156,9 @@ def test_all_cameras_look_down_into_the_room_and_hang_level() -> None:
         assert 0.15 < aim[0] < 14.75 and 0.55 < aim[1] < 6.25
 
 
-@pytest.mark.parametrize("name", ["bsen", "bsen_paper"])
-def test_the_way_to_the_entrance_is_tracked_and_ends_before_the_visitor(name: str) -> None:
-    site = load_site(SITES / f"{name}.toml")
+@pytest.mark.parametrize("mode", ["default", "paper"])
+def test_the_way_to_the_entrance_is_tracked_and_ends_before_the_visitor(mode: Mode) -> None:
+    site = changed(load_site(SITES / "bsen.toml"), mode=mode)
     room = bsen()
     grid = build_grid(room, site)
     entrance = room.place("entrance")
@@ -180,9 +180,9 @@ def _ends(waypoints: tuple[tuple[float, float], ...]) -> tuple[np.ndarray, np.nd
     return points[:-1], points[1:]
 
 
-@pytest.mark.parametrize("name", ["bsen", "bsen_paper"])
-def test_all_places_can_be_flown_to_on_the_shipped_sites(name: str) -> None:
-    site = load_site(SITES / f"{name}.toml")
+@pytest.mark.parametrize("mode", ["default", "paper"])
+def test_all_places_can_be_flown_to_on_the_shipped_sites(mode: Mode) -> None:
+    site = changed(load_site(SITES / "bsen.toml"), mode=mode)
     grid = build_grid(bsen(), site)
     for place in bsen().places:
         assert plan(grid, bsen().home, place.viewpoint, 0.5).path is not None, place.name

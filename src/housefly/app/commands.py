@@ -113,11 +113,13 @@ def replay(options: argparse.Namespace) -> int:
     recording = Path(options.recording)
     recording = recording / "flight.mcap" if recording.is_dir() else recording
     site = read_site(options.site) if options.site else recorded_site(recording)
-    steps, difference = verify_recording(recording, open_premises(site))
-    if difference:
-        console.print(f"differs: {difference}")
+    verdict = verify_recording(recording, open_premises(site))
+    if verdict.missing:
+        console.print(f"{verdict.missing} steps are missing in the recording: it cannot replay bit for bit from there on")
+    if verdict.difference is not None:
+        console.print(f"differs: {verdict.difference}")
         return 1
-    console.print(f"{steps} steps replayed; every command is the same, bit for bit")
+    console.print(f"{verdict.steps} steps replayed; every command is the same, bit for bit")
     return 0
 
 

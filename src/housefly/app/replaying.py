@@ -8,7 +8,7 @@ from housefly.app.premises import Premises
 from housefly.config import Site, load_site
 from housefly.errors import RecordingError
 from housefly.pilot import Pilot
-from housefly.record.replay import replay
+from housefly.record.replay import Verdict, verify
 
 
 def recorded_site(recording: Path) -> Site:
@@ -19,17 +19,6 @@ def recorded_site(recording: Path) -> Site:
     return load_site(path)
 
 
-def verify_recording(recording: Path, premises: Premises) -> tuple[int, str]:
-    """Replay a recording and compare each command bit for bit.
-
-    Returns:
-        The number of steps replayed, and "" or the first difference in words.
-    """
-    pilot = Pilot(premises.site, premises.room, premises.grid)
-    count = 0
-    for step in replay(recording):
-        outputs = pilot.step(step.now, step.inputs)
-        if outputs.command != step.outputs.command:
-            return count, f"step {step.sequence} at {step.now:.3f} s: recorded {step.outputs.command}, replayed {outputs.command}"
-        count += 1
-    return count, ""
+def verify_recording(recording: Path, premises: Premises) -> Verdict:
+    """Replay a recording and compare each command bit for bit."""
+    return verify(recording, lambda: Pilot(premises.site, premises.room, premises.grid))
