@@ -1,0 +1,65 @@
+"""The vocabulary: every value that crosses a border between two folders.
+
+All values are frozen. SI units. World frame: x along the long wall, y left, z up. Body frame: forward, left, up.
+Times are seconds of the monotonic clock. Pitch is theta, roll is phi, yaw is psi; signs follow REP-103:
+positive theta is nose down (accelerates forward), positive phi is right side down (accelerates right),
+positive psi is counter-clockwise seen from above.
+"""
+
+from housefly.messages.flight import (
+    Event,
+    Inputs,
+    LinkStatus,
+    Order,
+    OrderKind,
+    Outputs,
+    Phase,
+    PilotStep,
+    Severity,
+)
+from housefly.messages.sensing import (
+    DroneStatus,
+    Estimate,
+    Pose,
+    Sighting,
+    Telemetry,
+    VideoFrame,
+)
+from housefly.messages.steering import (
+    LEVEL,
+    Action,
+    Behavior,
+    Command,
+    Path,
+    PlanAnswer,
+    Reference,
+    SafetyMode,
+    Setpoint,
+)
+
+__all__ = [
+    "LEVEL",
+    "Action",
+    "Behavior",
+    "Command",
+    "DroneStatus",
+    "Estimate",
+    "Event",
+    "Inputs",
+    "LinkStatus",
+    "Order",
+    "OrderKind",
+    "Outputs",
+    "Path",
+    "Phase",
+    "PilotStep",
+    "PlanAnswer",
+    "Pose",
+    "Reference",
+    "SafetyMode",
+    "Setpoint",
+    "Severity",
+    "Sighting",
+    "Telemetry",
+    "VideoFrame",
+]

@@ -1,0 +1,157 @@
+"""What people ask for and what becomes of it: orders, events, and one whole step of the pilot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from housefly.geometry import Vec2, Vec3
+from housefly.messages.sensing import Estimate, Sighting, Telemetry
+from housefly.messages.steering import Behavior, Command, Path, Reference, SafetyMode
+
+
+class OrderKind(Enum):
+    """What people and tasks may ask of the pilot."""
+
+    TAKE_OFF = "take_off"
+    LAND = "land"
+    HOVER = "hover"
+    GO = "go"
+    SERVICE = "service"
+    HOME = "home"
+    STOP = "stop"
+    RESUME = "resume"
+    CUT = "cut"
+    RESET = "reset"
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """One order of a person or a task.
+
+    GO flies to ``place`` or ``goal`` and hovers there. SERVICE is the paper's service: take off, fly there, look for
+    ``look_s``, come home, land. HOME flies home and lands. STOP hovers and latches until RESUME; LAND and CUT always pass.
+
+    Attributes:
+        kind: what to do.
+        place: name of a place, or "".
+        goal: world xy [m], when there is no place.
+        look_at: world point [m] to face on arrival; None keeps the place's own view, or the heading.
+        look_s: how long to look before coming home [s].
+        issued_at: when it was given [s]; orders older than 0.5 s that move the drone are refused.
+        sender: who asked.
+    """
+
+    kind: OrderKind
+    place: str = ""
+    goal: Vec2 | None = None
+    look_at: Vec3 | None = None
+    look_s: float = 5.0
+    issued_at: float = 0.0
+    sender: str = ""
+
+
+class Severity(Enum):
+    """How much an event matters to a person."""
+
+    INFO = "info"
+    WARNING = "warning"
+    FAULT = "fault"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """Something happened that a person may want to know."""
+
+    at: float
+    severity: Severity
+    code: str
+    text: str
+
+
+class Phase(Enum):
+    """How far an errand has come."""
+
+    IDLE = "idle"
+    TAKING_OFF = "taking off"
+    OUTBOUND = "flying to goal"
+    LOOKING = "looking"
+    HOLDING = "holding"
+    RETURNING = "returning"
+    LANDING = "landing"
+
+
+@dataclass(frozen=True, slots=True)
+class Inputs:
+    """All that a pilot step may know, besides the time."""
+
+    sightings: tuple[Sighting, ...] = ()
+    telemetry: Telemetry | None = None
+    orders: tuple[Order, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """All that a pilot step decides.
+
+    Attributes:
+        command: for the drone driver.
+        estimate: None until the first sighting.
+        reference: None while nothing is tracked.
+        behavior, phase, safety: states of the acceptor, the errand and the last gate.
+        goal_name: where the errand goes, in words ("" when none).
+        path: the path in use.
+        waypoint: index into ``path.waypoints`` of the next waypoint.
+        reason: why safety or the pilot holds back, in words ("" when nothing does).
+        events: what happened in this step.
+    """
+
+    command: Command
+    estimate: Estimate | None = None
+    reference: Reference | None = None
+    behavior: Behavior = Behavior.HOVER
+    phase: Phase = Phase.IDLE
+    safety: SafetyMode = SafetyMode.NOMINAL
+    goal_name: str = ""
+    path: Path | None = None
+    waypoint: int = 0
+    reason: str = ""
+    events: tuple[Event, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PilotStep:
+    """One whole step, as the bus carries it and the recorder keeps it: enough to replay the pilot bit for bit."""
+
+    sequence: int
+    now: float
+    inputs: Inputs
+    outputs: Outputs
+
+
+@dataclass(frozen=True, slots=True)
+class LinkStatus:
+    """Health of the pilot's wires and loop, published about twice a second.
+
+    Attributes:
+        at: time [s].
+        tracking_connected, drone_connected, video_connected: wire states.
+        tracking_rate_hz: sightings of our drone per second over the last second.
+        telemetry_rate_hz, video_rate_hz: likewise.
+        loop_p50_s, loop_p99_s, loop_max_s: lateness of the pilot loop's ticks over the last ten seconds [s].
+        missed_ticks: ticks skipped since start.
+        notes: anything a person should read, in words.
+    """
+
+    at: float
+    tracking_connected: bool = False
+    drone_connected: bool = False
+    video_connected: bool = False
+    tracking_rate_hz: float = 0.0
+    telemetry_rate_hz: float = 0.0
+    video_rate_hz: float = 0.0
+    loop_p50_s: float = 0.0
+    loop_p99_s: float = 0.0
+    loop_max_s: float = 0.0
+    missed_ticks: int = 0
+    notes: tuple[str, ...] = field(default=())

@@ -1,0 +1,117 @@
+"""What is seen and told: sightings, telemetry, pictures, and the estimate made of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from housefly.geometry import IDENTITY, Quaternion, Vec3, yaw_of
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """Position [m] and orientation (w, x, y, z) of a body in the world."""
+
+    position: Vec3
+    orientation: Quaternion = IDENTITY
+
+    @property
+    def yaw(self) -> float:
+        """Heading psi [rad] in (-pi, pi]."""
+        return yaw_of(self.orientation)
+
+
+@dataclass(frozen=True, slots=True)
+class Sighting:
+    """One body seen once by the tracking system.
+
+    Attributes:
+        body: name of the tracked body.
+        pose: where it was.
+        captured_at: when the cameras saw it [s, our monotonic clock].
+        received_at: when we heard of it [s].
+    """
+
+    body: str
+    pose: Pose
+    captured_at: float
+    received_at: float
+
+
+class DroneStatus(Enum):
+    """What the drone says it is doing."""
+
+    UNKNOWN = "unknown"
+    LANDED = "landed"
+    TAKING_OFF = "taking off"
+    FLYING = "flying"
+    LANDING = "landing"
+    EMERGENCY = "emergency"
+
+
+@dataclass(frozen=True, slots=True)
+class Telemetry:
+    """What the drone last said of itself.
+
+    Attributes:
+        received_at: when we heard it [s].
+        status: the drone's own state.
+        battery: charge, 0 to 1.
+        phi, theta, psi: attitude [rad], REP-103 signs; psi is relative to the drone's own start, not to the world.
+        height: height above the floor by the drone's own sensor [m].
+        velocity: body velocity forward, left, up by the drone's own estimate [m/s].
+        faults: the drone's complaints, in words.
+    """
+
+    received_at: float
+    status: DroneStatus
+    battery: float
+    phi: float = 0.0
+    theta: float = 0.0
+    psi: float = 0.0
+    height: float = 0.0
+    velocity: Vec3 = (0.0, 0.0, 0.0)
+    faults: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """Where the drone is, by the Kalman filter (paper V-D).
+
+    Attributes:
+        at: time the estimate is for [s].
+        position: world [m]; z comes from tracking.
+        velocity: world [m/s].
+        yaw: heading psi [rad].
+        pose_age: time since the last accepted sighting was captured [s].
+        position_std: one-sigma uncertainty in x and y [m].
+    """
+
+    at: float
+    position: Vec3
+    velocity: Vec3
+    yaw: float
+    pose_age: float
+    position_std: float
+
+
+@dataclass(frozen=True, slots=True)
+class VideoFrame:
+    """One encoded picture of the drone's camera.
+
+    Attributes:
+        data: H.264 Annex B access unit; key frames start with SPS and PPS.
+        keyframe: can be decoded without earlier frames.
+        width, height: shown size [px].
+        sequence: the drone's frame number.
+        received_at: when its last byte arrived [s].
+        drone_time: the drone's own clock [s].
+    """
+
+    data: bytes
+    keyframe: bool
+    width: int
+    height: int
+    sequence: int
+    received_at: float
+    drone_time: float = 0.0

@@ -1,0 +1,114 @@
+"""What is wanted: paths, references, setpoints, commands."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+from housefly.geometry import Vec2, Vec3
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A planned way through the map.
+
+    Attributes:
+        waypoints: world xy [m], start cell centre first, goal last.
+        length: sum of the legs [m].
+        clearance: smallest distance [m] from the path to an obstacle in the map, before inflation.
+    """
+
+    waypoints: tuple[Vec2, ...]
+    length: float
+    clearance: float
+
+
+@dataclass(frozen=True, slots=True)
+class PlanAnswer:
+    """The answer to "how do I get from start to goal?"; ``path`` is None when there is no way.
+
+    Attributes:
+        start, goal: as asked [m].
+        path: the way, or None.
+        reason: in words, why there is no path ("" when there is one).
+        suggestion: nearest free cell centre to a blocked or outside start or goal [m], when there is one.
+        duration: expected flight time [s].
+    """
+
+    start: Vec2
+    goal: Vec2
+    path: Path | None
+    reason: str = ""
+    suggestion: Vec2 | None = None
+    duration: float = 0.0
+
+
+class Behavior(Enum):
+    """States of the finite state acceptor (paper Fig. 10)."""
+
+    HOVER = "hover"
+    ALTITUDE_CONTROL = "altitudeControl"
+    YAW_CONTROL = "yawControl"
+    PATH_TRACKING = "pathTracking"
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """Where the drone should be now: position [m], velocity [m/s] and yaw [rad] in the world."""
+
+    position: Vec3
+    velocity: Vec3
+    yaw: float
+
+
+@dataclass(frozen=True, slots=True)
+class Setpoint:
+    """What control asks of the drone's inner loops.
+
+    Attributes:
+        theta: wanted pitch [rad], positive accelerates forward.
+        phi: wanted roll [rad], positive accelerates right.
+        vz: wanted climb rate [m/s].
+        yaw_rate: wanted yaw rate [rad/s], positive counter-clockwise.
+    """
+
+    theta: float = 0.0
+    phi: float = 0.0
+    vz: float = 0.0
+    yaw_rate: float = 0.0
+
+
+LEVEL = Setpoint()
+
+
+class Action(Enum):
+    """What kind of command goes to the drone."""
+
+    IDLE = "idle"
+    TAKE_OFF = "take off"
+    FLY = "fly"
+    HOVER = "hover"
+    LAND = "land"
+    CUT = "cut motors"
+    RESET = "reset emergency"
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
+
+    HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude, which drifts.
+    """
+
+    action: Action
+    setpoint: Setpoint = LEVEL
+
+
+class SafetyMode(Enum):
+    """What the last gate decided; the worst wins, in this order."""
+
+    NOMINAL = "nominal"
+    LEVEL = "level"
+    STOPPED = "stopped"
+    LAND = "land"
+    CUT = "cut"
