@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,8 @@ _BUFFER_SIZE = 512
 class McapLog:
     """An open recording; every method may raise OSError.
 
+    Log times are dates, so that viewers show when it was; the stamps inside the messages stay on the flight's own clock.
+
     Args:
         path: file to write.
         notes: what is kept beside the messages, as text.
@@ -33,6 +36,7 @@ class McapLog:
         self._file.flush()
         self._channels: dict[str, int] = {}
         self._counts: dict[str, int] = {}
+        self._epoch: float | None = None
 
     def add(self, topic: str, at: float, message: Any) -> None:
         """Append a message of a standard ROS 2 type at a time [s]."""
@@ -55,5 +59,7 @@ class McapLog:
             schema = self._writer.register_schema(type_name, "ros2msg", definition(type_name).encode())
             channel = self._channels[topic] = self._writer.register_channel(topic, "cdr", schema)
         count = self._counts[topic] = self._counts.get(topic, -1) + 1
-        stamp = nanoseconds(at)
+        if self._epoch is None:
+            self._epoch = time.time() - at
+        stamp = nanoseconds(self._epoch + at)
         self._writer.add_message(channel, stamp, data, stamp, count)
