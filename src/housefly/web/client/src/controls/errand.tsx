@@ -43,7 +43,7 @@ function Plan() {
       <p class="way">
         <Way />
       </p>
-      <p class="why">{notice.value || goal.value?.note || hint.value || clearance()}</p>
+      <p class="why">{notice.value || hint.value || goal.value?.note || clearance()}</p>
     </div>
   );
 }
