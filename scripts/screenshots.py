@@ -14,7 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from playwright.sync_api import Browser, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
@@ -34,6 +34,11 @@ def address_in(log: Path) -> str:
             return re.findall(r"http://\S+", text)[0]
         time.sleep(0.1)
     sys.exit(f"the demo did not get ready:\n{log.read_text()}")
+
+
+def state(page: Page, words: str) -> Locator:
+    """Return the state line of the console with these words."""
+    return page.get_by_role("banner").get_by_text(words)
 
 
 def photograph(pages: dict[str, Page], moment: str) -> None:
@@ -64,18 +69,18 @@ def fly(browser: Browser, address: str) -> None:
     dark = context.new_page()
     dark.emulate_media(color_scheme="dark")
     dark.goto(address.split("?")[0])
-    expect(desktop.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=15_000)
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
     photograph({"console": desktop, "phone": phone}, "ready")
     hold(desktop, "Send to look and come back")
-    expect(desktop.get_by_text("Flying to Entrance")).to_be_visible(timeout=30_000)
+    expect(state(desktop, "Flying to Entrance")).to_be_visible(timeout=30_000)
     desktop.wait_for_timeout(7500)
     photograph({"console": desktop, "phone": phone}, "flying")
-    expect(desktop.get_by_text("Looking at Entrance")).to_be_visible(timeout=60_000)
+    expect(state(desktop, "Looking at Entrance")).to_be_visible(timeout=60_000)
     desktop.wait_for_timeout(1500)
     photograph({"console": desktop, "phone": phone, "console-dark": dark}, "arrived")
-    expect(desktop.get_by_text("Ready on the pad")).to_be_visible(timeout=90_000)
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=90_000)
 
 
 def photograph_report(browser: Browser, folder: Path) -> None:
@@ -102,7 +107,9 @@ def main() -> None:
         photograph_report(browser, Path(folder) / "flight")
         browser.close()
     housefly("plan", "--to", "entrance", "--png", str(IMAGES / "room.png"), stdout=subprocess.DEVNULL).wait()
-    housefly("plan", "--to", "entrance", "--mode", "paper", "--png", str(IMAGES / "room-paper.png"), stdout=subprocess.DEVNULL).wait()
+    housefly(
+        "plan", "--to", "entrance", "--mode", "paper", "--png", str(IMAGES / "room-paper.png"), stdout=subprocess.DEVNULL
+    ).wait()
     print("room.png\nroom-paper.png")
 
 

@@ -77,6 +77,10 @@ def hold(page: Page, button: Locator, seconds: float) -> None:
     page.mouse.up()
 
 
+def state(page: Page, words: str) -> Locator:
+    return page.get_by_role("banner").get_by_text(words)
+
+
 def picture(page: Page) -> bytes:
     return page.locator("canvas").first.screenshot()
 
@@ -94,14 +98,14 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(dem
     hosts: set[str] = set()
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(demo.url)
-    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
     page.wait_for_timeout(1500)
     on_the_pad = picture(page)
     send_to_the_entrance(page)
-    expect(page.get_by_text("Looking at Entrance")).to_be_visible(timeout=60_000)
+    expect(state(page, "Looking at Entrance")).to_be_visible(timeout=60_000)
     at_the_door = picture(page)
     assert at_the_door != on_the_pad
-    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=90_000)
+    expect(state(page, "Ready on the pad")).to_be_visible(timeout=90_000)
     assert picture(page) != at_the_door
     assert hosts == {"127.0.0.1"}
     assert demo.leave() == 0
@@ -110,30 +114,30 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(dem
 @pytest.mark.timeout(240)
 def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_back(demo: Demo, page: Page) -> None:
     page.goto(demo.url)
-    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
     send_to_the_entrance(page)
-    expect(page.get_by_text("Flying to Entrance")).to_be_visible(timeout=30_000)
+    expect(state(page, "Flying to Entrance")).to_be_visible(timeout=30_000)
     for words in ("housefly.web.process", "camera"):
         os.kill(demo.part(words).pid, signal.SIGKILL)
-    expect(page.get_by_text("Looking at Entrance")).to_be_visible(timeout=60_000)
+    expect(state(page, "Looking at Entrance")).to_be_visible(timeout=60_000)
     page.wait_for_timeout(1000)
     first = picture(page)
-    expect(page.get_by_text("Coming home", exact=True)).to_be_visible(timeout=30_000)
+    expect(state(page, "Coming home")).to_be_visible(timeout=30_000)
     page.wait_for_timeout(3000)
     assert picture(page) != first
-    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=90_000)
+    expect(state(page, "Ready on the pad")).to_be_visible(timeout=90_000)
 
 
 @pytest.mark.timeout(240)
 def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_nothing(demo: Demo, page: Page) -> None:
     page.goto(demo.url)
-    expect(page.get_by_text("Ready on the pad")).to_be_visible(timeout=15_000)
+    expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
     send_to_the_entrance(page)
-    expect(page.get_by_text("Flying to Entrance")).to_be_visible(timeout=30_000)
+    expect(state(page, "Flying to Entrance")).to_be_visible(timeout=30_000)
     page.wait_for_timeout(3000)
     os.kill(demo.part("housefly.app.pilot_main").pid, signal.SIGKILL)
     page.wait_for_timeout(12_000)
-    expect(page.get_by_text("Flying to Entrance")).not_to_be_visible()
+    expect(state(page, "Flying to Entrance")).not_to_be_visible()
     position = page.get_by_text(re.compile(r"^\s*\d+\.\d\d\s+\d+\.\d\d"))
     before = position.first.inner_text()
     page.wait_for_timeout(4000)
