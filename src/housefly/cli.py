@@ -43,7 +43,7 @@ Actions = argparse._SubParsersAction  # the type that add_subparsers returns has
 
 def _add_site(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--site", default="bsen", metavar="SITE", help="site file, folder, or shipped site (default: bsen)")
-    parser.add_argument("--mode", choices=("default", "paper"), help="fly the paper's chain as printed, or the mended one")
+    parser.add_argument("--mode", choices=("default", "paper"), help="fly the paper's own chain, or the mended one")
 
 
 def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
@@ -85,7 +85,7 @@ def _add_fly(actions: Actions[argparse.ArgumentParser]) -> None:
     parser.add_argument("place", help="a named place (housefly room show lists them)")
     _add_site(parser)
     parser.add_argument(
-        "--headless", action="store_true", help="without the console (needed today: fly in the console with demo)"
+        "--headless", action="store_true", help="without the console"
     )
     parser.add_argument("--lockstep", action="store_true", help="stepped clock, no wires: as fast as the machine can")
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")

@@ -74,7 +74,6 @@ class Pilot:
         self._acceptor = Acceptor()
         self._home = room.home
         self._telemetry: Telemetry | None = None
-        self._newest: Sighting | None = None
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
         self._yaw_reference: float | None = None
@@ -124,10 +123,10 @@ class Pilot:
         """
         grounded = self._status is DroneStatus.LANDED
         events = list(self._filter.see(inputs.sightings, now, grounded))
-        self._newest = next((s for s in reversed(inputs.sightings) if s.body == self._site.tracking.body), self._newest)
-        if inputs.orders and grounded and self._captain.errand.phase is Phase.IDLE and self._newest is not None:
+        believed = self._filter.believed
+        if inputs.orders and grounded and self._captain.errand.phase is Phase.IDLE and believed is not None:
             self._filter = _estimator(self._site)
-            events.extend(self._filter.see((self._newest,), now, grounded))
+            events.extend(self._filter.see((believed,), now, grounded))
         return events
 
     def _scene(self, now: float, estimate: Estimate | None) -> Scene:

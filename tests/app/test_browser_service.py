@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -33,8 +34,9 @@ class Demo:
     def part(self, words: str) -> psutil.Process:
         """Return the process whose command line has these words."""
         for child in psutil.Process(self.process.pid).children(recursive=True):
-            if words in " ".join(child.cmdline()):
-                return child
+            with suppress(psutil.Error):
+                if words in " ".join(child.cmdline()):
+                    return child
         raise AssertionError(f"no process with {words!r}")
 
     def leave(self) -> int:

@@ -70,3 +70,13 @@ def test_the_paper_mode_flies_the_service_too(tmp_path: Path) -> None:
 def test_an_unknown_place_is_refused_with_the_known_ones(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["fly", "cellar", "--headless", "--lockstep", "--out", str(tmp_path)]) == 2
     assert "entrance" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["small_house", "turtlebot3"])
+def test_strangers_maps_are_imported_and_flown(tmp_path: Path, shared_data: Path, name: str) -> None:
+    map_file = shared_data / "rooms" / name / "map.yaml"
+    assert main(["room", "import", str(map_file), "--out", str(tmp_path / "room")]) == 0
+    out = tmp_path / "out"
+    assert main(["fly", "far", "--headless", "--lockstep", "--site", str(tmp_path / "room"), "--out", str(out)]) == 0
+    assert json.loads((out / "summary.json").read_text())["outcome"] == "completed"

@@ -10,6 +10,7 @@ from pathlib import Path
 from rich.console import Console
 
 from housefly.app.launcher import Launcher, parts_of
+from housefly.app.ports import refuse_taken_ports
 from housefly.app.premises import Premises
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
@@ -25,6 +26,7 @@ READY_TIMEOUT = 60.0
 def stay(premises: Premises, folder: Path, record: Path | None, console: Console) -> int:
     """Start everything, say where the console is and when it is ready, stay until Ctrl-C."""
     started = time.monotonic()
+    refuse_taken_ports(premises.site, web=True)
     runtime = new_runtime(premises.site, folder)
     with ExitStack() as stack:
         launcher = stack.enter_context(Launcher(runtime, folder, parts_of(runtime)))
@@ -37,7 +39,7 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
             _idle(launcher, console)
         except KeyboardInterrupt:
             console.print("\nlanding the drone, then leaving (Ctrl-C again leaves at once)")
-            launcher.stop()
+            _land_and_leave(launcher, console)
     return 0
 
 
@@ -47,6 +49,7 @@ def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> 
         f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {'simulated room' if site.twin.enabled else 'real hardware'}"
     )
     console.print(f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]", soft_wrap=True)
+    console.print(f"bus:      {runtime.bus}  (who may run programs here may listen and order)")
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
         missing = Readiness(site, bus, web=True, video=video).wait(READY_TIMEOUT, status.update)
@@ -56,6 +59,14 @@ def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> 
     console.print(
         f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold Go. Ctrl-C lands and ends."
     )
+
+
+def _land_and_leave(launcher: Launcher, console: Console) -> None:
+    try:
+        launcher.stop()
+    except KeyboardInterrupt:
+        launcher.abandon()
+        console.print("left at once: a drone in the air is on its own now")
 
 
 def _record(premises: Premises, folder: Path, bus: Bus) -> Callable[[], None]:

@@ -74,7 +74,7 @@ def plan(options: argparse.Namespace) -> int:
         draw_room(premises.room, premises.grid, Path(options.png), route=answer.path.waypoints if answer.path else None)
         console.print(f"drawn: {options.png}")
     else:
-        console.print(text_map(premises.room, premises.grid), markup=False)
+        console.print(text_map(premises.room, premises.grid), markup=False, soft_wrap=True)
     return 0 if answer.path else 1
 
 
@@ -83,7 +83,7 @@ def room_show(options: argparse.Namespace) -> int:
     from housefly.room.draw import draw_room, text_map
 
     premises = _premises(options)
-    console.print(text_map(premises.room, premises.grid), markup=False, no_wrap=True, crop=False)
+    console.print(text_map(premises.room, premises.grid), markup=False, soft_wrap=True)
     for place in premises.room.places:
         x, y = place.viewpoint
         console.print(f"  {place.name:<12} hover at {x:.2f},{y:.2f}  {place.title}")

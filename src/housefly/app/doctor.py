@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import importlib.util
 import os
-import shutil
-import socket
 import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from housefly.app.browser_video import video_of_the_browser
+from housefly.app.ports import needs_of
 from housefly.config import Site
 
 PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "firefox", "microsoft-edge")
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,9 +30,9 @@ class Finding:
 def examine(site: Site) -> tuple[Finding, ...]:
     """Check this machine for a site."""
     checks: tuple[Callable[[Site], Finding], ...] = (
-        _python, _physics, _renderer, _encoder, _browser, _cores, _drone_ports, _tracking_port, _console_port, _priority,
+        _python, _physics, _renderer, _encoder, _browser, _cores, _hardware, _priority,
     )  # fmt: skip
-    return tuple(check(site) for check in checks)
+    return (*(check(site) for check in checks), *_ports(site))
 
 
 def _python(_: Site) -> Finding:
@@ -67,9 +66,9 @@ def _encoder(_: Site) -> Finding:
 
 
 def _browser(_: Site) -> Finding:
-    there = [name for name in BROWSERS if shutil.which(name)]
-    found = f"{there[0]} (any browser that knows WebCodecs shows the video)" if there else "none found on this machine"
-    return Finding("browser", bool(there), found, "apt-get install -y chromium", optional=True)
+    found = video_of_the_browser()
+    remedy = "apt-get install -y chromium (the console works without video in any browser)"
+    return Finding("browser that shows the video", found.shows, found.words, remedy, optional=True)
 
 
 def _cores(_: Site) -> Finding:
@@ -77,40 +76,23 @@ def _cores(_: Site) -> Finding:
     return Finding("processor cores", cores >= 2, str(cores), "two cores are the target; one is too few for the twin with video")
 
 
-def _drone_ports(site: Site) -> Finding:
-    if not site.twin.enabled:
-        return Finding("drone", True, f"real, expected at {site.drone.address}")
-    taken = [f"UDP {port}" for port in (5554, 5556) if not _free(site.drone.address, port, socket.SOCK_DGRAM)]
-    taken += [f"TCP {port}" for port in (5555, 5559) if not _free(site.drone.address, port, socket.SOCK_STREAM)]
-    return _ports("ports of the simulated drone", taken, site.drone.address, "drone.address, for example 127.0.0.2")
+def _ports(site: Site) -> tuple[Finding, ...]:
+    return tuple(
+        Finding(
+            f"ports of the {need.name}",
+            not need.taken,
+            f"taken at {need.address}: {', '.join(need.taken)}" if need.taken else f"free at {need.address}",
+            f"end the program that uses it, or change {need.remedy}",
+        )
+        for need in needs_of(site, web=True)
+    )
 
 
-def _tracking_port(site: Site) -> Finding:
-    address, port = site.tracking.address, site.tracking.port
-    if not site.twin.enabled:
-        return Finding("tracking system", True, f"real, expected at {address}:{port}")
-    taken = [] if _free(address, port, socket.SOCK_STREAM) else [f"TCP {port}"]
-    return _ports("port of the simulated tracking system", taken, address, "tracking.port")
-
-
-def _console_port(site: Site) -> Finding:
-    taken = [] if _free(site.web.host, site.web.port, socket.SOCK_STREAM) else [f"TCP {site.web.port}"]
-    return _ports("port of the console", taken, site.web.host, "web.port (or use --port)")
-
-
-def _ports(name: str, taken: list[str], address: str, key: str) -> Finding:
-    found = f"taken at {address}: {', '.join(taken)}" if taken else f"free at {address}"
-    return Finding(name, not taken, found, f"end the program that uses it, or change {key} in the site file")
-
-
-def _free(address: str, port: int, kind: socket.SocketKind) -> bool:
-    with socket.socket(socket.AF_INET, kind) as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            probe.bind((address, port))
-        except OSError:
-            return False
-    return True
+def _hardware(site: Site) -> Finding:
+    if site.twin.enabled:
+        return Finding("drone and tracking", True, "simulated")
+    tracking = f"{site.tracking.address}:{site.tracking.port}"
+    return Finding("drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}")
 
 
 def _priority(_: Site) -> Finding:

@@ -23,13 +23,15 @@ START_TIMEOUT = 60.0
 INTERRUPTED = "interrupted"
 
 
-def fly_headless(
+def fly_over_wires(
     runtime: Runtime,
     folder: Path,
     order: Order,
     recorder: FlightRecorder,
     on_step: Callable[[PilotStep], None],
     say: Callable[[str], None],
+    *,
+    web: bool = False,
     give_up_after: float = 240.0,
 ) -> str:
     """Fly one service over real wires and return its outcome ("completed" or the reason).
@@ -40,8 +42,8 @@ def fly_headless(
         LinkError: the drone or the tracking system did not answer in time.
     """
     site = runtime.site()
-    with Launcher(runtime, folder, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
-        missing = Readiness(site, bus, web=False, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
+    with Launcher(runtime, folder, parts_of(runtime, web=web)), ZenohBus(connect=runtime.bus) as bus:
+        missing = Readiness(site, bus, web=web, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
         if missing:
             raise LinkError(f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}")
         return _serve(bus, order, recorder, on_step, give_up_after)

@@ -105,6 +105,13 @@ class Launcher:
             running.log.close()
         self._running.clear()
 
+    def abandon(self) -> None:
+        """End everything at once; a flying drone is left to its own watchdog."""
+        self._leaving.set()
+        for running in self._running.values():
+            running.process.kill()
+            running.process.wait()
+
     def _start(self, part: Part) -> _Running:
         log = (self.folder / f"{part.name}.log").open("ab")
         command = [sys.executable, "-m", "housefly.app.child", str(os.getpid()), str(part.niceness), part.module, *part.arguments]

@@ -45,6 +45,11 @@ class Estimator(Protocol):
         ...
 
     @property
+    def believed(self) -> Sighting | None:
+        """The newest sighting that was taken in."""
+        ...
+
+    @property
     def refused(self) -> Refused:
         """How many sightings were not believed, and why."""
         ...

@@ -7,6 +7,7 @@ from math import inf
 
 from housefly.estimation.height_yaw import HeightAndYaw
 from housefly.estimation.intake import Complaints, Refusal, Refused, fault_of
+from housefly.geometry import Vec3
 from housefly.messages import Event, Severity, Sighting
 
 RESTART_AFTER = 0.5
@@ -23,6 +24,13 @@ class Door(ABC):
         self._last_capture = -inf
         self._refusing = False
         self._upright: HeightAndYaw | None = None
+        self._believed: Sighting | None = None
+        self._place: Vec3 | None = None
+
+    @property
+    def believed(self) -> Sighting | None:
+        """The newest sighting that was taken in."""
+        return self._believed
 
     @property
     def refused(self) -> Refused:
@@ -41,6 +49,8 @@ class Door(ABC):
         fault = fault_of(sighting, now, self._last_capture)
         if fault is not None:
             return self._complaints.refuse(fault, now)
+        if self._repeats(sighting) and not grounded:
+            return self._complaints.refuse(Refusal.FROZEN, now)
         if self._upright is None:
             self._begin(sighting, now)
             return ()
@@ -52,6 +62,11 @@ class Door(ABC):
             return ()
         self._refusing = True
         return self._refuse_jump(sighting, now, grounded)
+
+    def _repeats(self, sighting: Sighting) -> bool:
+        """Return whether the place is the one before to the last bit: in the air only a system that repeats itself says so."""
+        before, self._place = self._place, sighting.pose.position
+        return self._place == before
 
     def _refuse_jump(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
         events = self._complaints.refuse(Refusal.JUMP, now)
@@ -68,6 +83,7 @@ class Door(ABC):
 
     def _settled(self, sighting: Sighting) -> None:
         self._last_capture, self._refusing = sighting.captured_at, False
+        self._believed = sighting
         self._complaints.believed()
 
     @abstractmethod

@@ -27,6 +27,7 @@ class Refusal(Enum):
     OUT_OF_ORDER = "its stamp is not newer than the last one"
     STALE = "it is too old"
     JUMP = "it is too far from where the drone can be"
+    FROZEN = "it stays the same to the last bit while the drone flies"
 
 
 @dataclass(frozen=True, slots=True)

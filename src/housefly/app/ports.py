@@ -1,0 +1,72 @@
+"""Which of the ports that a site needs on this machine are taken."""
+
+from __future__ import annotations
+
+import socket
+from dataclasses import dataclass
+
+from housefly.config import Site
+from housefly.errors import LinkError
+
+DRONE_PORTS = (
+    (5554, socket.SOCK_DGRAM, "UDP"),
+    (5556, socket.SOCK_DGRAM, "UDP"),
+    (5555, socket.SOCK_STREAM, "TCP"),
+    (5559, socket.SOCK_STREAM, "TCP"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """Ports that one part of a run listens on.
+
+    Attributes:
+        name: whose they are.
+        address: where.
+        taken: those that somebody else listens on, in words.
+        remedy: what to change.
+    """
+
+    name: str
+    address: str
+    taken: tuple[str, ...]
+    remedy: str
+
+
+def needs_of(site: Site, *, web: bool) -> tuple[Need, ...]:
+    """Look at the ports that a site needs on this machine."""
+    needs = []
+    if site.twin.enabled:
+        address = site.drone.address
+        taken = tuple(f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind))
+        needs.append(Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2"))
+        needs.append(_tcp("simulated tracking system", site.tracking.address, site.tracking.port, "tracking.port"))
+    if web and site.web.port:
+        needs.append(_tcp("console", site.web.host, site.web.port, "web.port, or use --port"))
+    return tuple(needs)
+
+
+def refuse_taken_ports(site: Site, *, web: bool) -> None:
+    """Raise LinkError when a port that the site needs is taken: better now than a drone of somebody else's in the picture."""
+    for need in needs_of(site, web=web):
+        if need.taken:
+            raise LinkError(
+                f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another Housefly run?); "
+                f"end that program, or change {need.remedy}"
+            )
+
+
+def _tcp(name: str, address: str, port: int, remedy: str) -> Need:
+    return Need(name, address, () if _free(address, port, socket.SOCK_STREAM) else (f"TCP {port}",), remedy)
+
+
+def _free(address: str, port: int, kind: socket.SocketKind) -> bool:
+    with socket.socket(socket.AF_INET6 if ":" in address else socket.AF_INET, kind) as probe:
+        if kind is socket.SOCK_STREAM:
+            # As servers do: a port in TIME_WAIT is free. On UDP this option would hide a listener.
+            probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((address, port))
+        except OSError:
+            return False
+    return True
