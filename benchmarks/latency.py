@@ -1,4 +1,4 @@
-"""From a Vicon packet, and from STOP, to the AT command: both ends are real sockets, the pilot is the real process.
+"""From a Vicon packet, from STOP, and from a click in a browser to the AT command, over real sockets, with the real processes.
 
 The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT commands as an AR.Drone.
 A pose that steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive bit.
@@ -8,12 +8,16 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+import re
+import shutil
 import tempfile
 import time
 from pathlib import Path
 
+from playwright.async_api import Page, async_playwright
+
 from _run import bench_site, percentile, table
-from housefly.app.launcher import Launcher, Part
+from housefly.app.launcher import Launcher, parts_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.bus.stop import StopSender
@@ -27,6 +31,8 @@ from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.vicon_server import ViconServer
 
 TRIALS = 200
+CLICKS, LANDINGS = 100, 10
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
 STEP_ASIDE = 0.03
 """How far the pose jumps [m]: well inside the innovation gate."""
 CADENCE = 0.030
@@ -40,11 +46,17 @@ class Probe(KinematicWorld):
     def __init__(self) -> None:
         super().__init__()
         self.heard: list[tuple[float, Stick]] = []
+        self.landings: list[float] = []
 
     def stick(self, stick: Stick) -> None:
         """Note the command."""
         self.heard.append((time.monotonic(), stick))
         super().stick(stick)
+
+    def request_land(self) -> None:
+        """Note the order."""
+        self.landings.append(time.monotonic())
+        super().request_land()
 
 
 class Bench:
@@ -116,8 +128,42 @@ async def stop_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> list
     return delays
 
 
-async def measure() -> tuple[list[float], list[float]]:
-    """Start the pilot, take off, measure."""
+async def pressed_at(page: Page, name: str) -> float:
+    """Click a button and return when the pointer came down [s, monotonic]."""
+    await page.get_by_role("button", name=re.compile(f"^{name}")).first.click()
+    epoch = float(await page.evaluate("window.pressedAt")) / 1000
+    return epoch - time.time() + time.monotonic()
+
+
+async def clicks_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> tuple[list[float], list[float]]:
+    """Measure STOP clicked -> first hover command, and Land clicked -> first landing command."""
+    stops, landings = [], []
+    web = runtime.site().web
+    async with async_playwright() as play:
+        browser = await play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        page = await browser.new_page(viewport={"width": 1280, "height": 800})
+        await page.goto(f"http://{web.host}:{web.port}/?token={runtime.token}")
+        await page.evaluate(
+            "addEventListener('pointerdown', () => { window.pressedAt = performance.timeOrigin + performance.now() }, true)"
+        )
+        for _ in range(CLICKS):
+            bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+            await asyncio.sleep(0.4)
+            stops.append(await bench.reaction(lambda s: s.hover, await pressed_at(page, "STOP")))
+        bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+        for _ in range(LANDINGS):
+            bus.publish(ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"))
+            await asyncio.sleep(4.0)
+            bench.world.landings.clear()
+            since = await pressed_at(page, "Land")
+            await asyncio.sleep(4.0)
+            landings.append(bench.world.landings[0] - since)
+        await browser.close()
+    return stops, landings
+
+
+async def measure() -> list[tuple[str, list[float]]]:
+    """Start pilot and console, take off, measure."""
     site = bench_site("127.9.2.1", drone__has_video=False)
     bench = Bench(site)
     await bench.drone.start()
@@ -125,8 +171,9 @@ async def measure() -> tuple[list[float], list[float]]:
     living = asyncio.create_task(bench.live())
     with tempfile.TemporaryDirectory() as folder:
         runtime = new_runtime(site, Path(folder))
-        with Launcher(runtime, Path(folder), (Part("pilot", "housefly.app.pilot_main"),)), ZenohBus(connect=runtime.bus) as bus:
-            ready = Readiness(site, bus, web=False, video=False)
+        parts = tuple(part for part in parts_of(runtime) if part.name != "twin")
+        with Launcher(runtime, Path(folder), parts), ZenohBus(connect=runtime.bus) as bus:
+            ready = Readiness(runtime.site(), bus, web=True, video=False)
             missing = await asyncio.to_thread(ready.wait, 60.0)
             if missing:
                 raise SystemExit(missing)
@@ -134,24 +181,27 @@ async def measure() -> tuple[list[float], list[float]]:
             await asyncio.sleep(8.0)
             tracking = await tracking_to_command(bench)
             stop = await stop_to_command(bench, runtime, bus)
-            bus.publish(ORDER, Order(OrderKind.LAND, issued_at=time.monotonic(), sender="benchmark"))
-            await asyncio.sleep(3.0)
+            clicked, landed = await clicks_to_command(bench, runtime, bus)
     living.cancel()
     await bench.vicon.stop()
     await bench.drone.stop()
-    return tracking, stop
+    return [
+        ("Vicon frame sent -> changed AT command", tracking),
+        ("STOP sent -> hover AT command", stop),
+        ("STOP clicked in Chromium -> hover AT command", clicked),
+        ("Land clicked in Chromium -> landing AT command", landed),
+    ]
 
 
 def main() -> None:
-    """Print both latencies against the AR.Drone's own command period."""
-    tracking, stop = asyncio.run(measure())
-    print("### From a packet to the AT command, over real sockets, the pilot in its own process\n")
+    """Print the latencies against the AR.Drone's own command period."""
+    print("### To the AT command, over real sockets, pilot and console in processes of their own\n")
     rows = []
-    for name, values in (("Vicon frame sent -> changed AT command", tracking), ("STOP sent -> hover AT command", stop)):
+    for name, values in asyncio.run(measure()):
         figures = [percentile(values, share) for share in (0.5, 0.99, 1.0)]
         rows.append([name, len(values), *(f"{v * 1e3:.1f}" for v in figures), f"{figures[0] / CADENCE:.2f}"])
     print(table(["", "trials", "p50 [ms]", "p99 [ms]", "max [ms]", "p50 over the 30 ms command period"], rows))
-    print("\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP does not wait.")
+    print("\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP and Land do not wait.")
 
 
 if __name__ == "__main__":
