@@ -50,7 +50,7 @@ def fly_service(premises: Premises, place: str, look_s: float, out: Path, consol
                 runtime = new_runtime(premises.site, logs)
                 if web:
                     console.print(f"console: {_address(runtime)}", soft_wrap=True)
-                outcome = fly_over_wires(runtime, logs, order, recorder, progress.step, progress.say, web=web)
+                outcome = fly_over_wires(runtime, logs, premises.room.home, order, recorder, progress.step, progress.say, web=web)
     finally:
         summary = recorder.finish(outcome)
     _tell(summary, out, console)

@@ -15,6 +15,7 @@ from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.errors import LinkError
+from housefly.geometry import Vec2
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
@@ -26,6 +27,7 @@ INTERRUPTED = "interrupted"
 def fly_over_wires(
     runtime: Runtime,
     folder: Path,
+    home: Vec2,
     order: Order,
     recorder: FlightRecorder,
     on_step: Callable[[PilotStep], None],
@@ -46,12 +48,14 @@ def fly_over_wires(
         missing = Readiness(site, bus, web=web, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
         if missing:
             raise LinkError(f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}")
-        return _serve(bus, order, recorder, on_step, give_up_after)
+        return _serve(bus, home, order, recorder, on_step, give_up_after)
 
 
-def _serve(bus: Bus, order: Order, recorder: FlightRecorder, on_step: Callable[[PilotStep], None], give_up_after: float) -> str:
+def _serve(
+    bus: Bus, home: Vec2, order: Order, recorder: FlightRecorder, on_step: Callable[[PilotStep], None], give_up_after: float
+) -> str:
     clock, done = RealClock(), threading.Event()
-    watch = ServiceWatch(clock.now(), give_up_after)
+    watch = ServiceWatch(clock.now(), home, give_up_after)
 
     def heard(step: PilotStep) -> None:
         nonlocal watch

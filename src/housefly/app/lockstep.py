@@ -28,7 +28,7 @@ def fly_lockstep(premises: Premises, order: Order, on_step: Callable[[PilotStep]
     pilot = Pilot(premises.site, premises.room, premises.grid)
     period = 1.0 / premises.site.control.rate_hz
     order_at = room.now + SETTLE
-    watch = ServiceWatch(order_at, give_up_after)
+    watch = ServiceWatch(order_at, premises.room.home, give_up_after)
     sequence, given = 0, False
     while not watch.outcome:
         room.advance(period)

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import inf
 
+from housefly.geometry import Vec2, distance
 from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode, Severity
 
 STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
 """The phases of a whole service, in order."""
 
 COMPLETED = "completed"
+HOME_RADIUS = 1.0
+"""A service that ends further from the pad than this has not come home [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +22,7 @@ class ServiceWatch:
 
     Attributes:
         started_at: when the order was given [s].
+        home: where the pad is, world xy [m].
         give_up_after: longest time allowed for the whole service [s].
         grace: longest time allowed until the pilot starts to act [s].
         seen: phases passed, in order.
@@ -27,6 +32,7 @@ class ServiceWatch:
     """
 
     started_at: float
+    home: Vec2
     give_up_after: float = 240.0
     grace: float = 3.0
     seen: tuple[Phase, ...] = ()
@@ -52,7 +58,7 @@ class ServiceWatch:
         landed = telemetry is not None and telemetry.status is DroneStatus.LANDED
         idle = step.outputs.phase is Phase.IDLE
         if self.seen and idle and landed:
-            return COMPLETED if self.seen == STAGES else self.trouble or "landed before the service was done"
+            return self._verdict_on_the_ground(step)
         if not self.seen and idle and elapsed > self.grace:
             return self.trouble or "the pilot did not start"
         if step.outputs.safety is SafetyMode.CUT:
@@ -60,3 +66,12 @@ class ServiceWatch:
         if elapsed > self.give_up_after:
             return f"not done after {self.give_up_after:.0f} s" + (f": {self.trouble}" if self.trouble else "")
         return ""
+
+    def _verdict_on_the_ground(self, step: PilotStep) -> str:
+        if self.seen != STAGES:
+            return self.trouble or "landed before the service was done"
+        estimate = step.outputs.estimate
+        away = inf if estimate is None else distance(estimate.position[:2], self.home)
+        if away > HOME_RADIUS:
+            return f"landed {away:.1f} m from the pad" + (f": {self.trouble}" if self.trouble else "")
+        return COMPLETED

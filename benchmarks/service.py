@@ -1,0 +1,66 @@
+"""The whole service in lock step with the twin: mode default against mode paper, at tracking rates from 100 to 10 Hz."""
+
+from __future__ import annotations
+
+import time
+from statistics import mean
+
+from _run import table
+from housefly.app.lockstep import fly_lockstep
+from housefly.app.premises import Premises, open_premises, read_site
+from housefly.messages import Order, OrderKind, PilotStep
+from housefly.record.series import collect
+from housefly.record.summary import Summary, summarize
+
+SEEDS = (1, 2, 3)
+CASES = ((100.0, 0.02, 0.0), (30.0, 0.02, 0.2), (10.0, 0.05, 0.0), (10.0, 0.1, 0.3))
+
+
+def fly(premises: Premises) -> tuple[Summary, float]:
+    """Fly one service; return its summary and the flight seconds per second of processor time."""
+    steps: list[PilotStep] = []
+    start = time.process_time()
+    outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, "entrance", look_s=3.0), steps.append)
+    speed = steps[-1].now / (time.process_time() - start)
+    flight = collect(steps, premises.site.tracking.body)
+    return summarize(flight, outcome, premises.site, premises.room, premises.grid), speed
+
+
+def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
+    """Fly one case with every seed and return its row."""
+    changes = {"twin__mocap_rate_hz": rate, "twin__mocap_latency": latency, "twin__mocap_dropout": loss}
+    flown = [fly(open_premises(read_site("bsen", mode=mode, twin__seed=seed, **changes))) for seed in SEEDS]
+    summaries = [summary for summary, _ in flown]
+    done = sum(summary.outcome == "completed" for summary in summaries)
+
+    def average(key: str) -> str:
+        values = [getattr(summary, key) for summary in summaries]
+        return "-" if any(value is None for value in values) else f"{1000 * mean(values):.0f}"
+
+    return [
+        mode,
+        f"{rate:.0f} Hz, {1000 * latency:.0f} ms, {loss:.0%} lost",
+        f"{done} of {len(SEEDS)}",
+        f"{mean(s.duration_s for s in summaries):.0f}",
+        average("rms_error_m"),
+        average("max_error_m"),
+        average("arrival_error_m"),
+        average("landed_error_m"),
+        f"{mean(s.behavior_switches_per_s or 0.0 for s in summaries):.1f}",
+        f"{mean(speed for _, speed in flown):.0f}",
+    ]
+
+
+def main() -> None:
+    """Print the table."""
+    print("### The service: home to the entrance and back, with pilot, firmware, physics and tracking, stepped clock\n")
+    headings = [
+        "mode", "tracking: rate, latency, loss", "completed", "duration [s]", "rms off the path [mm]", "largest [mm]",
+        "off the goal [mm]", "landed off the pad [mm]", "state switches per s", "flight seconds per core-second",
+    ]  # fmt: skip
+    print(table(headings, [row(mode, *case) for case in CASES for mode in ("default", "paper")]))
+    print(f"\nMeans over seeds {', '.join(map(str, SEEDS))}. Errors are of the measured place against the planned path.")
+
+
+if __name__ == "__main__":
+    main()
