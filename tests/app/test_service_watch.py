@@ -5,6 +5,7 @@ from housefly.messages import (
     Action,
     Command,
     DroneStatus,
+    Estimate,
     Event,
     Inputs,
     Outputs,
@@ -16,15 +17,25 @@ from housefly.messages import (
 )
 
 
-def step(now: float, phase: Phase, status: DroneStatus, *events: Event, safety: SafetyMode = SafetyMode.NOMINAL) -> PilotStep:
+HOME = (1.0, 2.0)
+
+
+def step(
+    now: float,
+    phase: Phase,
+    status: DroneStatus,
+    *events: Event,
+    safety: SafetyMode = SafetyMode.NOMINAL,
+    at: tuple[float, float] = HOME,
+) -> PilotStep:
     telemetry = Telemetry(received_at=now, status=status, battery=0.8)
-    return PilotStep(
-        0, now, Inputs(telemetry=telemetry), Outputs(Command(Action.IDLE), phase=phase, safety=safety, events=events)
-    )
+    estimate = Estimate(now, (*at, 0.0), (0.0, 0.0, 0.0), 0.0, 0.01, 0.01)
+    outputs = Outputs(Command(Action.IDLE), estimate, phase=phase, safety=safety, events=events)
+    return PilotStep(0, now, Inputs(telemetry=telemetry), outputs)
 
 
-def watched(*steps: PilotStep, watch: ServiceWatch | None = None) -> ServiceWatch:
-    watch = watch or ServiceWatch(0.0)
+def watched(*steps: PilotStep) -> ServiceWatch:
+    watch = ServiceWatch(0.0, HOME)
     for one in steps:
         watch = watch.after(one)
     return watch
@@ -72,3 +83,8 @@ def test_it_gives_up_in_time_and_remembers_the_worst() -> None:
 
 def test_a_motor_cut_ends_the_watch_at_once() -> None:
     assert watched(step(1, Phase.OUTBOUND, DroneStatus.FLYING, safety=SafetyMode.CUT)).outcome == "motors were cut"
+
+
+def test_a_landing_far_from_the_pad_is_not_a_completed_service() -> None:
+    outcome = watched(*whole_service(), step(9, Phase.IDLE, DroneStatus.LANDED, at=(4.0, 2.0))).outcome
+    assert outcome == "landed 3.0 m from the pad"
