@@ -16,7 +16,6 @@ from housefly.messages import (
     Telemetry,
 )
 
-
 HOME = (1.0, 2.0)
 
 
