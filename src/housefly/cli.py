@@ -84,9 +84,7 @@ def _add_fly(actions: Actions[argparse.ArgumentParser]) -> None:
     )
     parser.add_argument("place", help="a named place (housefly room show lists them)")
     _add_site(parser)
-    parser.add_argument(
-        "--headless", action="store_true", help="without the console"
-    )
+    parser.add_argument("--headless", action="store_true", help="without the console")
     parser.add_argument("--lockstep", action="store_true", help="stepped clock, no wires: as fast as the machine can")
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
     parser.add_argument("--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking")
