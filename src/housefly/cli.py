@@ -144,7 +144,11 @@ def _add_doctor(actions: Actions[argparse.ArgumentParser]) -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return the exit code."""
     options = build_parser().parse_args(arguments)
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    for number in (
+        signal.SIGINT,
+        signal.SIGTERM,
+    ):  # said outright: a shell that starts us in the background lets SIGINT be ignored
+        signal.signal(number, signal.default_int_handler)
     try:
         return int(options.run(options))
     except HouseflyError as error:
