@@ -21,6 +21,8 @@ from housefly.record.recorder import FlightRecorder
 
 START_TIMEOUT = 60.0
 """How long pilot, twin and drone may take until everything answers [s]."""
+SETTLE = 5.0
+"""How long the order waits for the first recorded sighting [s]."""
 INTERRUPTED = "interrupted"
 
 
@@ -54,19 +56,23 @@ def fly_over_wires(
 def _serve(
     bus: Bus, home: Vec2, order: Order, recorder: FlightRecorder, on_step: Callable[[PilotStep], None], give_up_after: float
 ) -> str:
-    clock, done = RealClock(), threading.Event()
+    clock, seen, done = RealClock(), threading.Event(), threading.Event()
     watch = ServiceWatch(clock.now(), home, give_up_after)
 
     def heard(step: PilotStep) -> None:
         nonlocal watch
         recorder.step(step)
         on_step(step)
+        if step.inputs.sightings:
+            seen.set()
         watch = watch.after(step)
         if watch.outcome:
             done.set()
 
     open_ = [bus.subscribe(STEP, heard), bus.subscribe(VIDEO, recorder.video), bus.subscribe(LINK, recorder.link)]
     try:
+        # The recording must hold what the pilot knows when it decides, or no replay could decide the same.
+        seen.wait(SETTLE)
         bus.publish(ORDER, Order(order.kind, order.place, order.goal, order.look_at, order.look_s, clock.now(), "headless"))
         try:
             while not done.wait(0.2):

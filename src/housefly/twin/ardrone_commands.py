@@ -1,7 +1,8 @@
 """UDP 5556 of the simulated drone: AT commands become calls on the world, the configuration and the link.
 
 Sequence rule: a command counts when its number is above the last one; number 1, or two seconds of silence, starts anew
-(ardrone-wire 1.2). The emergency bit acts when it rises, so that a client may repeat it; the other REF bit acts each time.
+(docs/wires.md, section 4). The emergency bit acts when it rises, so that a client may repeat it; the other REF bit acts
+each time.
 """
 
 from __future__ import annotations

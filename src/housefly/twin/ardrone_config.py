@@ -1,6 +1,7 @@
 """The simulated drone's configuration: common keys, and custom ones stacked by session, user and application.
 
-Rules of ardrone-wire 1.4. Every well-formed CONFIG is acknowledged by the server; whether it counted is what ``write`` returns:
+Rules: Parrot ARDroneLib SDK 2.0.1, multiconfiguration. Every well-formed CONFIG is acknowledged by the server; whether it
+counted is what ``write`` returns:
 
 - a key that may never be written, does not exist, or a value of another type does not count;
 - keys that need ids count only right after CONFIG_IDS with the three ids in force, none of them the default one;

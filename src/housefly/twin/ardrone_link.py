@@ -8,7 +8,7 @@ Address = tuple[str, int]
 """IP address and port of a peer."""
 
 LINK_LOST_AFTER = 2.0
-"""Silence on the AT port [s] after which the firmware forgets the sequence and stops navdata (ardrone-wire 1.2)."""
+"""Silence on the AT port [s] after which the firmware forgets the sequence and stops navdata (docs/wires.md, section 4)."""
 
 
 @dataclass(slots=True)

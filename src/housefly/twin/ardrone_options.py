@@ -1,7 +1,7 @@
 """The navdata options of the simulated drone, filled with what its firmware believes.
 
-Native units and the native frame forward-right-down, as ardrone-wire 1.3 lists them. Options that the twin does not simulate
-keep one constant value and are packed once.
+Native units and the native frame forward-right-down, as Parrot ARDroneLib SDK 2.0.1 (navdata_common.h) lists them. Options that
+the twin does not simulate keep one constant value and are packed once.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A simulated AR.Drone 2.0 on its real ports: UDP 5554 and 5556, TCP 5555 and 5559 of one address.
 
-Clients written for the real drone fly it without knowing: ardrone-wire, section 6. The server moves nothing by itself; whoever
-owns the world advances it.
+Clients written for the real drone fly it without knowing; which ones did stands in docs/wires.md, section 3. The server moves
+nothing by itself; whoever owns the world advances it.
 """
 
 from __future__ import annotations

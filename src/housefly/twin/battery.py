@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 ENDURANCE = 720.0
-"""Hovering from full to empty [s] (3S 1000 mAh: rated 12 min, ardrone-wire section 5)."""
+"""Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
 IDLE_SHARE = 0.05
 """Part of the hovering power that the electronics take with motors off."""
 LOW_VOLTAGE = 9.7

@@ -1,6 +1,7 @@
 """The AR.Drone 2.0 as a MuJoCo body: mass, hull, looks, cameras and reflective markers.
 
-Numbers: ``ardrone-wire.md`` section 5. The body frame is forward, left, up with its origin in the centre of mass.
+Mass: Douthwaite, ARdrone.m. Inertia and arm: paparazzi, simple_ardrone2.xml. Cameras: the calibrations shipped with
+AutonomyLab/ardrone_autonomy. The body frame is forward, left, up with its origin in the centre of mass.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The drone's own computer: which state it is in, what it listens to, when it cuts its motors.
 
-States and bits: ``ardrone-wire.md`` sections 1.2, 1.3 and 5. The class is driven one control period at a time and knows
-neither physics nor wires.
+States and watchdogs: Parrot ARDroneLib SDK 2.0.1 and docs/wires.md, section 4. The class is driven one control period at a
+time and knows neither physics nor wires.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A World without MuJoCo: a point that leans, climbs and turns as told, in an empty room.
 
 For tests of the wires and for machines without the simulated room. Tilt and turn follow at once, speed follows tilt against
-linear drag (ardrone-wire section 4, c1), climb follows at once; no noise, no delays, no tracking.
+linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows at once; no noise, no delays, no tracking.
 """
 
 from __future__ import annotations

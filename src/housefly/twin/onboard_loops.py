@@ -1,6 +1,6 @@
 """The AR.Drone's inner loops: references in, thrust and torque out.
 
-Identified constants: ``ardrone-wire.md`` section 4. The loops act on what the sensors measured, never on the truth.
+c5 and c7: tum-vision/tum_ardrone, DroneKalmanFilter. The loops act on what the sensors measured, never on the truth.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ TRIM_SPEED = 0.3
 RATE_POLE = 150.0
 """Pole of the innermost body rate loop [1/s]."""
 THRUST_MAX = 4 * 1.56
-"""Four motors at full throttle [N]."""
+"""Four motors at full throttle [N] (paparazzi, simple_ardrone2.xml)."""
 ANGULAR_ACCELERATION_MAX = 300.0
 """Bound of torque over inertia [rad/s^2]: tames a crash; the identified attitude lag already holds the motors' own."""
 

@@ -1,7 +1,8 @@
 """What the drone's own sensors make of the truth: noise, bias, drift, delay.
 
-Sizes and delays: ``ardrone-wire.md`` sections 4 and 5 (speed and height 40 ms late, sonar 25 Hz); where that is silent, the
-numbers are chosen so that a hover by optical flow wanders by centimetres to decimetres in minutes.
+Speed and height come 40 ms late (tum-vision/tum_ardrone, DroneKalmanFilter), the sonar pings at 25 Hz (Parrot ARDroneLib SDK
+2.0.1, ultrasound_freq 8). All other numbers are chosen so that a hover by optical flow wanders by centimetres to decimetres
+in minutes.
 """
 
 from __future__ import annotations

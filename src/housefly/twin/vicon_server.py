@@ -1,7 +1,7 @@
 """The simulated tracking system on its real wire: a Vicon DataStream server.
 
 The server speaks first (the kinds it offers), clients answer with the kinds they want and ask for frames, all of them or the
-next few. Facts: reference/bus-and-interop.md section 5. Positions leave in millimetres, rotations as row-major matrices; a body
+next few. Facts: docs/wires.md, section 5. Positions leave in millimetres, rotations as row-major matrices; a body
 that the cameras do not see is left out of its frame.
 """
 

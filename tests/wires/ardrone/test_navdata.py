@@ -18,7 +18,7 @@ from housefly.wires.ardrone.layout import Structure
 from housefly.wires.ardrone.navdata import DroneState, NavdataPacket, RawOption, decode_navdata, encode_navdata
 
 SIZES = (148, 8, 52, 46, 16, 12, 88, 16, 24, 76, 56, 16, 44, 92, 108, 364, 328, 8, 40, 65, 12, 18, 75, 56, 72, 32, 8)
-"""Sizes with their header, compiled from Parrot's header file (ardrone-wire, section 1.3)."""
+"""Sizes with their header, compiled from Parrot's navdata_common.h (ARDroneLib SDK 2.0.1)."""
 
 RANGES = {
     "b": (-128, 127),

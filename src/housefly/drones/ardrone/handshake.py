@@ -1,7 +1,7 @@
 """Writing and reading the drone's configuration.
 
 Each CONFIG is acknowledged by state bit 6, which is cleared again with CTRL 5; one at a time. Keys of sessions, users and
-applications count only with our three ids, named right before (ardrone-wire, section 1.4).
+applications count only with our three ids, named right before (Parrot ARDroneLib SDK 2.0.1).
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Sequence numbers of AT commands, and when they start again at 1.
 
-A drone obeys a command only when its number is above the last one it obeyed; 1 always counts (ardrone-wire, section 1.2).
+A drone obeys a command only when its number is above the last one it obeyed; 1 always counts (docs/wires.md, section 4).
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
 A line is ``AT*NAME=<sequence>[,argument...]`` and a carriage return; several lines may share a datagram. Arguments are signed
 decimal integers, quoted strings, and floats written as the integer that has the same 32 bits.
-``LAYOUTS`` is the one table of names and argument kinds. Facts: ardrone-wire, section 1.2.
+``LAYOUTS`` is the one table of names and argument kinds. Facts: Parrot ARDroneLib SDK 2.0.1, at_msgs.h.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The AT commands as values; ``at`` writes and reads them. Facts: ardrone-wire, section 1.2."""
+"""The AT commands as values; ``at`` writes and reads them. Facts: Parrot ARDroneLib SDK 2.0.1, at_msgs.h."""
 
 from __future__ import annotations
 

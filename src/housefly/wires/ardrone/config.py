@@ -1,6 +1,6 @@
 """The drone's configuration: value formats, the dump over TCP port 5559, multiconfig ids.
 
-The dump is lines ``section:key = value`` and ends with a NUL byte. Facts: ardrone-wire, section 1.4.
+The dump is lines ``section:key = value`` and ends with a NUL byte. Facts: Parrot ARDroneLib SDK 2.0.1.
 The keys are in ``config_keys``.
 """
 

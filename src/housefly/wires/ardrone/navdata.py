@@ -1,7 +1,7 @@
 """Navdata: the drone's report over UDP port 5554.
 
 A packet is a 16-byte header (magic, state bits, sequence, vision flag), options (u16 tag, u16 size with these four bytes,
-payload) and last the checksum option, the sum of all bytes before it. Facts: ardrone-wire, section 1.3.
+payload) and last the checksum option, the sum of all bytes before it. Facts: Parrot ARDroneLib SDK 2.0.1.
 Options are decoded when asked for: at 200 packets a second a client pays only for what it reads.
 """
 

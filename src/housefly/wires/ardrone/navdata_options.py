@@ -1,4 +1,4 @@
-"""The table of navdata options: tag, type, exact size. Facts: ardrone-wire, section 1.3."""
+"""The table of navdata options: tag, type, exact size. Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
 """PaVE: the header before each H.264 picture on TCP port 5555, and the cutting of a TCP stream into pictures.
 
-Facts: ardrone-wire, section 1.5. Headers have 64 or, in some firmware, 68 bytes; the field ``header_size`` decides.
+Facts: Parrot ARDroneLib SDK 2.0.1 and recorded streams. Headers have 64 or, in some firmware, 68 bytes; the
+field ``header_size`` decides.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The one place where the AR.Drone's signs and units meet ours.
 
 The drone's body frame is forward-right-down with angles in millidegrees and lengths in millimetres; PCMD has signs of its own.
-Ours is forward-left-up (REP-103), radians and metres. Facts: ardrone-wire, sections 1.2 and 1.3.
+Ours is forward-left-up (REP-103), radians and metres. Facts: Parrot ARDroneLib SDK 2.0.1, AutonomyLab/ardrone_autonomy.
 """
 
 from __future__ import annotations

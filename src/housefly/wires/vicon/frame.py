@@ -1,6 +1,6 @@
 """The objects of a frame that Housefly speaks; each knows its own layout.
 
-Facts: reference/bus-and-interop.md section 5, measured against the SDK's own client. All other kinds are skipped by length.
+Layout: whoenig/vicon-datastream-sdk, checked against the SDK's own client. All other kinds are skipped by length.
 """
 
 from __future__ import annotations
