@@ -1,8 +1,8 @@
 """The drone's 103 configuration keys: type, category, who may write them, default.
 
 Defaults of limits, rates and codecs are Parrot's (ARDroneLib SDK 2.0.1, config_keys.h). Where the real default belongs to one
-machine (serial number, calibration, build date) the value here is a neutral one of ours. Values are written as on the wire, without
-the exponent form of floats.
+machine (serial number, calibration, build date) the value here is a neutral one of ours. Values are written as on the wire,
+without the exponent form of floats.
 """
 
 from __future__ import annotations
