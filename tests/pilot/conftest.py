@@ -238,6 +238,13 @@ class Flight:
         self.until(lambda o: o.phase is Phase.HOLDING, 10.0)
         return self.run(2.0)
 
+    def depart(self, seconds: float = 0.0) -> Outputs:
+        """Leave for the entrance and fly this long on the path."""
+        self.run(0.5)
+        self.step(self.order(OrderKind.GO, place="entrance"))
+        outputs = self.until(lambda o: o.phase is Phase.OUTBOUND)
+        return self.run(seconds) if seconds else outputs
+
     @property
     def home_error(self) -> float:
         """Distance from the pad [m]."""

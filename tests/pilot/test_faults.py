@@ -16,10 +16,7 @@ Fly = Callable[..., Any]
 
 def cruising(flight: Any) -> Any:
     """Send the drone towards the entrance and return in mid-flight."""
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
-    flight.run(6.0)
+    flight.depart(6.0)
     return flight
 
 

@@ -59,10 +59,7 @@ def test_land_comes_down_where_the_drone_is(fly: Fly) -> None:
 
 def test_hover_ends_the_errand_and_holds_here(fly: Fly) -> None:
     flight = fly()
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
-    flight.run(6.0)
+    flight.depart(6.0)
     outputs = flight.step(flight.order(OrderKind.HOVER))
     here = (flight.body.x, flight.body.y)
     assert outputs.phase is Phase.HOLDING
@@ -82,10 +79,7 @@ def test_home_brings_the_drone_back_onto_its_pad(fly: Fly) -> None:
 
 def test_a_second_goal_on_the_way_takes_over(fly: Fly) -> None:
     flight = fly()
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
-    flight.run(4.0)
+    flight.depart(4.0)
     flight.step(flight.order(OrderKind.GO, goal=(3.0, 3.5)))
     flight.until(lambda o: o.phase is Phase.HOLDING)
     assert distance((flight.body.x, flight.body.y), (3.0, 3.5)) < 0.2
@@ -93,10 +87,7 @@ def test_a_second_goal_on_the_way_takes_over(fly: Fly) -> None:
 
 def test_stop_hovers_at_once_latches_and_needs_resume_and_a_fresh_order(fly: Fly) -> None:
     flight = fly()
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
-    flight.run(3.0)
+    flight.depart(3.0)
     outputs = flight.step(flight.order(OrderKind.STOP))
     assert outputs.command.action is Action.HOVER and outputs.safety is SafetyMode.STOPPED
     flight.step(flight.order(OrderKind.GO, place="entrance"))
@@ -112,9 +103,7 @@ def test_stop_hovers_at_once_latches_and_needs_resume_and_a_fresh_order(fly: Fly
 
 def test_resume_without_stop_disturbs_nothing(fly: Fly) -> None:
     flight = fly()
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
+    flight.depart()
     assert flight.step(flight.order(OrderKind.RESUME)).phase is Phase.OUTBOUND
     assert flight.until(lambda o: o.phase is Phase.HOLDING).goal_name == "entrance"
 

@@ -93,9 +93,7 @@ def test_mode_paper_commands_one_axis_at_a_time_and_mode_default_all(fly: Fly) -
         Behavior.PATH_TRACKING: (1, 1, 0, 0),
     }
     flight = fly(mode="paper")
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    outputs = flight.until(lambda o: o.phase is Phase.OUTBOUND)
+    outputs = flight.depart()
     while outputs.phase is Phase.OUTBOUND:
         s = outputs.command.setpoint
         for value, free in zip((s.theta, s.phi, s.vz, s.yaw_rate), allowed[outputs.behavior], strict=True):

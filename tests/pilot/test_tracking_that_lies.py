@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from housefly.messages import OrderKind, Phase, Pose, Sighting
+from housefly.messages import Pose, Sighting
 
 Fly = Callable[..., Any]
 
@@ -23,17 +23,9 @@ def lie(flight: Any, told: Callable[[Sighting], Sighting]) -> None:
     flight._look = lambda: tuple(told(sighting) for sighting in look())
 
 
-def on_its_way(fly: Fly) -> Any:
-    flight = fly()
-    flight.run(0.5)
-    flight.step(flight.order(OrderKind.GO, place="entrance"))
-    flight.until(lambda o: o.phase is Phase.OUTBOUND)
-    flight.run(6.0)
-    return flight
-
-
 def test_frozen_poses_with_fresh_stamps_count_as_no_tracking(fly: Fly) -> None:
-    flight = on_its_way(fly)
+    flight = fly()
+    flight.depart(6.0)
     here = (flight.body.x, flight.body.y)
     pose = Pose((*here, flight.body.z))
     lie(flight, lambda sighting: replace(sighting, pose=replace(pose, orientation=sighting.pose.orientation)))
@@ -44,7 +36,8 @@ def test_frozen_poses_with_fresh_stamps_count_as_no_tracking(fly: Fly) -> None:
 
 @pytest.mark.xfail(strict=True, reason="a tracking system that drifts slowly takes the drone along")
 def test_a_drift_of_two_centimetres_a_second_is_noticed(fly: Fly) -> None:
-    flight = on_its_way(fly)
+    flight = fly()
+    flight.depart(6.0)
     start = flight.now
 
     def drifted(sighting: Sighting) -> Sighting:
