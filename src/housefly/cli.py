@@ -46,6 +46,18 @@ def _add_site(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--mode", choices=("default", "paper"), help="fly the paper's own chain, or the mended one")
 
 
+def _add_console(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
+    parser.add_argument("--record", metavar="DIR", help="record everything that is flown into this folder")
+
+
+def _add_simulation(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--seed", type=int, help="seed of all simulated noise")
+    parser.add_argument(
+        "--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking (default: 100)"
+    )
+
+
 def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "demo",
@@ -54,12 +66,8 @@ def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
         "Ctrl-C lands the drone first.",
     )
     _add_site(parser)
-    parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
-    parser.add_argument("--seed", type=int, help="seed of all simulated noise")
-    parser.add_argument(
-        "--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking (default: 100)"
-    )
-    parser.add_argument("--record", metavar="DIR", help="record everything that is flown into this folder")
+    _add_console(parser)
+    _add_simulation(parser)
     parser.set_defaults(run=commands.demo)
 
 
@@ -70,8 +78,7 @@ def _add_run(actions: Actions[argparse.ArgumentParser]) -> None:
         description="Start what a site needs: pilot and console always, the simulated room only where the site enables it.",
     )
     _add_site(parser)
-    parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
-    parser.add_argument("--record", metavar="DIR", help="record everything that is flown into this folder")
+    _add_console(parser)
     parser.set_defaults(run=commands.run, seed=None, mocap_rate=None)
 
 
@@ -86,8 +93,7 @@ def _add_fly(actions: Actions[argparse.ArgumentParser]) -> None:
     _add_site(parser)
     parser.add_argument("--headless", action="store_true", help="without the console")
     parser.add_argument("--lockstep", action="store_true", help="stepped clock, no wires: as fast as the machine can")
-    parser.add_argument("--seed", type=int, help="seed of all simulated noise")
-    parser.add_argument("--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking")
+    _add_simulation(parser)
     parser.add_argument("--look", type=float, default=5.0, metavar="S", help="how long to look (default: 5 s)")
     parser.add_argument("--out", metavar="DIR", help="where to write the record (default: flights/<time>)")
     parser.set_defaults(run=commands.fly)
@@ -144,10 +150,8 @@ def _add_doctor(actions: Actions[argparse.ArgumentParser]) -> None:
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return the exit code."""
     options = build_parser().parse_args(arguments)
-    for number in (
-        signal.SIGINT,
-        signal.SIGTERM,
-    ):  # said outright: a shell that starts us in the background lets SIGINT be ignored
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Said outright: a shell that starts us in the background lets SIGINT be ignored.
         signal.signal(number, signal.default_int_handler)
     try:
         return int(options.run(options))

@@ -7,9 +7,6 @@ from dataclasses import dataclass
 from housefly.geometry import Vec2
 from housefly.messages import DroneStatus, Estimate
 
-LANDED_OR_CUT = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY, DroneStatus.UNKNOWN})
-"""States in which the drone may be standing somewhere."""
-
 
 @dataclass(frozen=True, slots=True)
 class Scene:

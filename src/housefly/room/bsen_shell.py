@@ -6,7 +6,6 @@ from housefly.room.model import Solid
 from housefly.room.parts import BIRCH, CHARCOAL, CREAM, GLASS, OAK, STEEL, WALNUT, WHITE, Part, box, paint, placed
 
 HEIGHT = 2.70
-THICK = 0.10
 SKIRTING = 0.012
 
 WALL = paint(0.92, 0.90, 0.85)
