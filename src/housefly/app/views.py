@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from math import cos, sin
-
 from housefly.app.premises import Premises
 from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
-from housefly.geometry import Vec2
 from housefly.room.grid import Cell, OccupancyGrid
-from housefly.room.model import Shape, Solid
+from housefly.room.model import Solid
+from housefly.room.outline import outline
 
 CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFLATED: "i", Cell.OUTSIDE: "x"}
 
@@ -49,14 +47,4 @@ def grid_view(grid: OccupancyGrid) -> GridView:
 def _outline(solid: Solid) -> OutlineView:
     red, green, blue, _ = solid.colour
     colour = f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
-    return OutlineView(solid.thing, _corners(solid), solid.position[2] + solid.size[2] / 2, colour)
-
-
-def _corners(solid: Solid) -> tuple[Vec2, ...]:
-    x, y, _ = solid.position
-    a, b = solid.size[0] / 2, solid.size[1] / 2
-    if solid.shape is Shape.CYLINDER:
-        turns = [n * 0.5235987755982988 for n in range(12)]
-        return tuple((x + a * cos(t), y + a * sin(t)) for t in turns)
-    c, s = cos(solid.yaw), sin(solid.yaw)
-    return tuple((x + c * i - s * j, y + s * i + c * j) for i, j in ((-a, -b), (a, -b), (a, b), (-a, b)))
+    return OutlineView(solid.thing, outline(solid), solid.position[2] + solid.size[2] / 2, colour)

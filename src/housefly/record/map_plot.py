@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import cos, pi, sin
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -18,7 +17,8 @@ from housefly.messages import Phase
 from housefly.record import svg
 from housefly.record.series import FlightSeries
 from housefly.room.grid import Cell, OccupancyGrid
-from housefly.room.model import Room, Shape, Solid
+from housefly.room.model import Room
+from housefly.room.outline import outline
 
 _CELLS = (
     (Cell.OUTSIDE, svg.OUTSIDE, "", "outside"),
@@ -83,18 +83,8 @@ def _corners(grid: OccupancyGrid, run: tuple[int, int], first_row: int, end_row:
 
 
 def _draw_furniture(axes: Axes, room: Room) -> None:
-    outlines = [_footprint(solid) for solid in room.solids if solid.collides]
+    outlines = [outline(solid) for solid in room.solids if solid.collides]
     axes.add_collection(PolyCollection(outlines, facecolor="none", edgecolor=svg.FURNITURE, linewidth=0.7, zorder=2))
-
-
-def _footprint(solid: Solid) -> list[Vec2]:
-    length, width = solid.size[0] / 2.0, solid.size[1] / 2.0
-    if solid.shape is Shape.CYLINDER:
-        local = [(length * cos(a * pi / 12), width * sin(a * pi / 12)) for a in range(24)]
-    else:
-        local = [(length, width), (-length, width), (-length, -width), (length, -width)]
-    c, s = cos(solid.yaw), sin(solid.yaw)
-    return [(solid.position[0] + c * x - s * y, solid.position[1] + s * x + c * y) for x, y in local]
 
 
 def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:

@@ -20,6 +20,7 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2, rotate
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room, Shape, Solid
+from housefly.room.outline import outline
 
 LOOK: dict[Cell, tuple[str, str, str]] = {
     Cell.FREE: ("#fbfaf7", ".", "free"),
@@ -59,7 +60,7 @@ def draw_room(
     axes = figure.add_axes((0.4 / (width + 0.6), 0.85 / (height + 1.5), width / (width + 0.6), height / (height + 1.5)))
     _cells(axes, grid)
     for solid in sorted(room.solids, key=lambda s: s.position[2] + s.size[2] / 2):
-        axes.add_patch(_outline(solid))
+        axes.add_patch(_patch(solid))
     _labels(axes, room)
     _cameras(axes, room)
     _lines(axes, route, trail)
@@ -109,7 +110,7 @@ def _frame(room: Room, grid: OccupancyGrid) -> tuple[float, float, float, float]
     inside = np.argwhere(grid.cells != Cell.OUTSIDE)
     low = np.array(grid.origin) + inside.min(axis=0) * grid.resolution if inside.size else np.array(grid.origin)
     high = np.array(grid.origin) + (inside.max(axis=0) + 1) * grid.resolution if inside.size else low + 1.0
-    corners = np.vstack([low, high, *(_corners(solid) for solid in room.solids)])
+    corners = np.vstack([low, high, *(outline(solid) for solid in room.solids)])
     (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 0.3, corners.max(axis=0) + 0.3
     return float(x_min), float(y_min), float(x_max), float(y_max)
 
@@ -127,20 +128,14 @@ def _cells(axes: Axes, grid: OccupancyGrid) -> None:
             axes.plot(extent[:2], [y + k * grid.resolution] * 2, color="#c9ced2", lw=0.6, zorder=1)
 
 
-def _corners(solid: Solid) -> Any:
-    a, b = solid.size[0] / 2, solid.size[1] / 2
-    turn = np.array([[cos(solid.yaw), sin(solid.yaw)], [-sin(solid.yaw), cos(solid.yaw)]])
-    return np.array([(-a, -b), (a, -b), (a, b), (-a, b)]) @ turn + np.array(solid.position[:2])
-
-
-def _outline(solid: Solid) -> Patch:
+def _patch(solid: Solid) -> Patch:
     fill = to_rgba(solid.colour[:3], 0.5 if solid.collides else 0.25)
     style: dict[str, Any] = {"facecolor": fill, "edgecolor": to_rgba(INK, 0.45), "linewidth": 0.4, "zorder": 2}
     if solid.thing in ("wall", "unexplored"):
         style |= {"facecolor": LOOK[Cell.OCCUPIED][0], "edgecolor": "none"}
     if solid.shape is Shape.CYLINDER:
         return Circle(solid.position[:2], solid.size[0] / 2, **style)
-    return Polygon(_corners(solid), closed=True, **style)
+    return Polygon(outline(solid), closed=True, **style)
 
 
 def _labels(axes: Axes, room: Room) -> None:
@@ -156,8 +151,7 @@ def _labels(axes: Axes, room: Room) -> None:
         if any(hypot(x - u, y - v) < LABEL_SPACING for u, v in written):
             continue
         written.append((x, y))
-        corners = _corners(solid)
-        extent = corners.max(axis=0) - corners.min(axis=0)
+        extent = np.ptp(outline(solid), axis=0)
         upright = 90.0 if extent[1] > 1.6 * extent[0] and len(thing) > 3 else 0.0
         axes.text(x, y, thing, fontsize=7.5, color=INK, ha="center", va="center", rotation=upright, zorder=6, **_halo())
 
