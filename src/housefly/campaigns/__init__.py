@@ -1,0 +1,1 @@
+"""Campaigns: many flights from one specification, resumable, on one machine or many."""

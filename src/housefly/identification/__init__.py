@@ -1,0 +1,1 @@
+"""The constants of one drone from its own flight (paper V-C.1)."""
