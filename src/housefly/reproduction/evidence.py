@@ -1,0 +1,96 @@
+"""Everything that was measured for the tables and the findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from housefly.config import Site
+from housefly.experiments.outcomes import Outcomes
+from housefly.record.summary import Summary
+from housefly.reproduction import edges, streams, trials
+from housefly.reproduction.edges import Edges, find_edges
+from housefly.reproduction.maps import MapFacts, survey
+from housefly.reproduction.streams import Streams, fly_streams
+from housefly.reproduction.trials import fly_trials
+
+EDGE_SEEDS = 12
+"""Drones for each search of an edge: each gives one edge, so the interval of their mean narrows quickly."""
+
+Progress = Callable[[float], None]
+"""Told the share of all flights that have ended, 0 to 1."""
+
+
+@dataclass(frozen=True, slots=True)
+class AngularStep:
+    """A step of one tilt axis of a flown drone with the fitted first-order curve (Fig. 11).
+
+    Attributes:
+        lag: fitted lambda [1/s].
+        gain: fitted c / lambda.
+        delay: fitted pure delay [s].
+        unexplained: share of the variance that the curve with delay leaves.
+        unexplained_without_delay: share that the paper's eq. (22) leaves, which has none.
+    """
+
+    lag: float
+    gain: float
+    delay: float
+    unexplained: float
+    unexplained_without_delay: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """What the findings rest on.
+
+    Attributes:
+        site: whose room, drone and gains.
+        maps: about map and planner.
+        streams: the service on every stream.
+        edges: largest stable frequencies.
+        trials: small experiments, by key.
+        services: whole services flown on the twin, from take-off to landing.
+        pitch: a step in pitch on the twin; None when none was flown.
+    """
+
+    site: Site
+    maps: MapFacts
+    streams: Streams
+    edges: Edges
+    trials: Mapping[str, Outcomes]
+    services: tuple[Summary, ...] = ()
+    pitch: AngularStep | None = None
+
+
+def gather(
+    site: Site,
+    seeds: int,
+    on_progress: Progress = lambda share: None,
+    changes: Mapping[str, Mapping[str, Any]] | None = None,
+) -> Evidence:
+    """Survey the map and fly everything that needs no twin.
+
+    Args:
+        site: whose room, drone and gains; its seed draws the drones.
+        seeds: drones for each cell of a table.
+        on_progress: told the share of flights that have ended.
+        changes: columns replaced in single trials, by key.
+    """
+    edge_seeds = min(seeds, EDGE_SEEDS)
+    total = streams.flights(seeds) + edges.flights(edge_seeds) + trials.flights(seeds)
+    ended = 0
+
+    def landed(more: int) -> None:
+        nonlocal ended
+        ended += more
+        on_progress(ended / total)
+
+    return Evidence(
+        site=site,
+        maps=survey(site),
+        streams=fly_streams(site, seeds, landed),
+        edges=find_edges(site, edge_seeds, landed),
+        trials=fly_trials(site, seeds, landed, changes),
+    )
