@@ -55,7 +55,8 @@ class Streams:
             chosen &= self.cases["mode"] == MODES.index(mode)
         for name, value in columns.items():
             chosen &= self.cases[name] == value
-        return self.outcomes[chosen]
+        found: Outcomes = self.outcomes[chosen]
+        return found
 
 
 def gains(frequency: float) -> tuple[float, float]:
