@@ -10,7 +10,9 @@ from housefly.config import Site
 from housefly.experiments.outcomes import Outcomes
 from housefly.record.summary import Summary
 from housefly.reproduction import edges, streams, trials
+from housefly.reproduction.angular_step import AngularStep
 from housefly.reproduction.edges import Edges, find_edges
+from housefly.reproduction.equations import Equations, examine
 from housefly.reproduction.maps import MapFacts, survey
 from housefly.reproduction.streams import Streams, fly_streams
 from housefly.reproduction.trials import fly_trials
@@ -22,25 +24,6 @@ Progress = Callable[[float], None]
 """Told the share of all flights that have ended, 0 to 1."""
 
 
-@dataclass(frozen=True, slots=True)
-class AngularStep:
-    """A step of one tilt axis of a flown drone with the fitted first-order curve (Fig. 11).
-
-    Attributes:
-        lag: fitted lambda [1/s].
-        gain: fitted c / lambda.
-        delay: fitted pure delay [s].
-        unexplained: share of the variance that the curve with delay leaves.
-        unexplained_without_delay: share that the paper's eq. (22) leaves, which has none.
-    """
-
-    lag: float
-    gain: float
-    delay: float
-    unexplained: float
-    unexplained_without_delay: float
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
     """What the findings rest on.
@@ -48,6 +31,7 @@ class Evidence:
     Attributes:
         site: whose room, drone and gains.
         maps: about map and planner.
+        equations: about equations and conditions.
         streams: the service on every stream.
         edges: largest stable frequencies.
         trials: small experiments, by key.
@@ -57,6 +41,7 @@ class Evidence:
 
     site: Site
     maps: MapFacts
+    equations: Equations
     streams: Streams
     edges: Edges
     trials: Mapping[str, Outcomes]
@@ -90,6 +75,7 @@ def gather(
     return Evidence(
         site=site,
         maps=survey(site),
+        equations=examine(site),
         streams=fly_streams(site, seeds, landed),
         edges=find_edges(site, edge_seeds, landed),
         trials=fly_trials(site, seeds, landed, changes),
