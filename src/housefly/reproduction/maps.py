@@ -22,6 +22,8 @@ BOX = 0.3
 """Edge of the unexpected obstacle, which reaches from the floor to the ceiling [m]."""
 SPACING = 0.25
 """Between the places on the way where it is put, one after another [m]."""
+MAX_HALF_BAND = 1.0
+"""Most that a site may count below and above the flight height [m]."""
 ENDS = 1.0
 """No box stands nearer to either end of the way than this [m]: there neither map can help."""
 
@@ -32,6 +34,8 @@ class MapFacts:
 
     Attributes:
         cells: of the grid of mode paper, along x and y.
+        free: cells that are free at the flight height, without virtual obstacles.
+        free_at_every_height: those of them that are free from the floor to twice the flight height.
         resolution: edge of a cell [m].
         hull: length and width [m].
         half_diagonal: of the hull [m].
@@ -50,6 +54,8 @@ class MapFacts:
     """
 
     cells: tuple[int, int]
+    free: int
+    free_at_every_height: int
     resolution: float
     hull: Vec2
     half_diagonal: float
@@ -73,17 +79,19 @@ def survey(site: Site) -> MapFacts:
     pairs, wrong = compared(free, free)
     way = service_path(paper).waypoints
     boxes, hit_static, hit_updated = unexpected(default)
-    bare = changed(paper.site, map__paper_virtual_obstacles=())
+    bare = _without_virtual_obstacles(paper)
     hull = paper.site.drone
     return MapFacts(
         cells=paper.grid.shape,
+        free=int((bare.grid.cells == Cell.FREE).sum()),
+        free_at_every_height=_free_at_every_height(bare),
         resolution=paper.grid.resolution,
         hull=(hull.hull_length, hull.hull_width),
         half_diagonal=half_diagonal(hull.hull_length, hull.hull_width),
         pairs=pairs,
         wrong=wrong,
         detour=_detour(paper),
-        bare_clearance=_gap(Premises(bare, paper.room, build_grid(paper.room, bare))),
+        bare_clearance=_gap(bare),
         clearance=_gap(paper),
         drawn=len(paper.site.map.paper_virtual_obstacles),
         legs=len(way) - 1,
@@ -145,6 +153,17 @@ def _detour(paper: Premises) -> float:
         assert straight.path is not None, "the same grid and ends had a way a moment ago"
         ratios.append(path_length(steps) / straight.path.length)
     return float(np.mean(ratios))
+
+
+def _without_virtual_obstacles(here: Premises) -> Premises:
+    bare = changed(here.site, map__paper_virtual_obstacles=())
+    return Premises(bare, here.room, build_grid(here.room, bare))
+
+
+def _free_at_every_height(here: Premises) -> int:
+    whole = changed(here.site, map__half_band=min(MAX_HALF_BAND, here.site.map.flight_height))
+    free = (here.grid.cells == Cell.FREE) & (build_grid(here.room, whole).cells == Cell.FREE)
+    return int(free.sum())
 
 
 def _gap(here: Premises) -> float:

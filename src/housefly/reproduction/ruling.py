@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import isfinite
 from typing import NamedTuple
 
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Finding, Verdict
+from housefly.reproduction.intervals import Estimate
 
 
 class Ruling(NamedTuple):
@@ -48,3 +50,14 @@ def untestable(reason: str) -> Callable[[Evidence], Ruling]:
 def percent(share: float) -> str:
     """Return a share in words."""
     return f"{100 * share:.0f} %"
+
+
+def percents(share: Estimate) -> str:
+    """Return a share with its interval in words."""
+    return f"{percent(share.value)} ({100 * share.low:.0f} to {100 * share.high:.0f})"
+
+
+def centimetres(length: Estimate) -> str:
+    """Return a mean length [m] with half its interval, in cm."""
+    half = f" ± {100 * length.half:.1f}" if isfinite(length.half) else ""
+    return f"{100 * length.value:.1f}{half} cm"
