@@ -99,7 +99,8 @@ def _normal(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> N
     mean, sigma = numbers
     low, high = ndtr((column.low - mean) / sigma), ndtr((column.high - mean) / sigma)
     drawn: Numbers = mean + sigma * ndtri(low + (high - low) * shares)
-    return np.clip(drawn, column.low, column.high)
+    clipped: Numbers = np.clip(drawn, column.low, column.high)
+    return clipped
 
 
 def _choice(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
