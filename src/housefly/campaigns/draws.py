@@ -99,12 +99,12 @@ def _normal(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> N
     mean, sigma = numbers
     low, high = ndtr((column.low - mean) / sigma), ndtr((column.high - mean) / sigma)
     drawn: Numbers = mean + sigma * ndtri(low + (high - low) * shares)
-    clipped: Numbers = np.clip(drawn, column.low, column.high)
-    return clipped
+    return np.clip(drawn, column.low, column.high)
 
 
 def _choice(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
-    return np.asarray(numbers)[(shares * len(numbers)).astype(int)]
+    chosen: Numbers = np.asarray(numbers, dtype=float)[(shares * len(numbers)).astype(int)]
+    return chosen
 
 
 _QUANTILES: dict[str, Callable[[Numbers, tuple[float, ...], Parameter], Numbers]] = {

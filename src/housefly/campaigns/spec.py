@@ -111,7 +111,7 @@ def _with_numbers(spec: Spec) -> Spec:
     if whole.drones > MOST_DRONES:
         raise ConfigError(
             "seeds",
-            f"{whole.points} points of the grid times {spec.seeds} seeds are {whole.drones} drones; at most {MOST_DRONES}",
+            f"{whole.points} points times {spec.seeds} seeds are {whole.drones} drones; allowed: at most {MOST_DRONES}",
         )
     return whole
 

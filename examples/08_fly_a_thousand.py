@@ -1,0 +1,33 @@
+"""Fly a thousand drones that differ, and read the results as any tool of data people reads them.
+
+Learns: a campaign is a file; every drone is a row; shares and means come with intervals; a second run goes on where it stopped.
+Prints: how many drones fly, then for each mode and rate the share of stable flights and the error.
+"""
+
+import tempfile
+from pathlib import Path
+
+import pyarrow.parquet as pq
+
+from housefly.app.premises import read_site
+from housefly.campaigns.folder import CampaignFolder
+from housefly.campaigns.plan import plan_campaign
+from housefly.campaigns.runner import LocalFleet, run_campaign
+from housefly.campaigns.spec import load_spec
+from housefly.campaigns.summary import shown, summarize
+
+spec = load_spec(Path(__file__).parent / "08_tracking_rate.toml")
+plan = plan_campaign(spec, read_site(spec.site))
+print(f"{spec.points} points x {spec.seeds} seeds = {plan.drones} drones")
+
+with tempfile.TemporaryDirectory() as out:
+    folder = CampaignFolder(Path(out), plan)
+    run_campaign(plan, folder, LocalFleet(), on_landed=lambda drones: None)
+    folder.finish()
+    table = pq.read_table(Path(out) / "results.parquet")
+
+for cell in summarize(spec, table):
+    where = ", ".join(f"{name} {shown(name, value)}" for name, value in zip(spec.grid, cell.values, strict=True))
+    stable, error = cell.estimates["stable"], cell.estimates["rms_error"]
+    share = f"{stable.value:4.0%} stable ({stable.low:.0%} to {stable.high:.0%})"
+    print(f"{where}: {share}, {100 * error.value:.1f} cm off the path")
