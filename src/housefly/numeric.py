@@ -6,14 +6,33 @@ same code. They are cached on disk and release the interpreter lock. No ``fastma
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from hashlib import sha256
 from math import pi
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 import numpy as np
-from numba import njit
+from numba import config, njit
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+
+HERE = Path(__file__).parent
+FOLDERS = ("estimation", "behavior", "control", "safety", "experiments")
+"""Where compiled functions live, and the files beside this one."""
+
+
+def _version() -> str:
+    """Return a name for the present state of every source that holds compiled functions."""
+    sources = [HERE / "numeric.py", HERE / "geometry.py", *(file for name in FOLDERS for file in (HERE / name).glob("*.py"))]
+    stamps = ((str(file), file.stat().st_mtime_ns, file.stat().st_size) for file in sorted(sources))
+    return sha256(repr(tuple(stamps)).encode()).hexdigest()[:16]
+
+
+# The compiler's own cache looks at a function's own file only, so a caller would keep the old code of what it calls.
+if not config.CACHE_DIR and os.access(HERE / "__pycache__", os.W_OK):
+    config.CACHE_DIR = str(HERE / "__pycache__" / f"compiled-{_version()}")
 
 
 def compiled(function: Function) -> Function:

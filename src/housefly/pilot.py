@@ -8,20 +8,22 @@ same inputs give the same outputs bit for bit.
 
 from __future__ import annotations
 
-from math import inf
+from math import inf, nan
 
 from housefly.behavior.acceptor import PAPER_EPSILONS, Acceptor, Condition, conditions_of
 from housefly.behavior.captain import Captain
+from housefly.behavior.nose import YAW_SLEW, Nose, nose_after
 from housefly.behavior.scene import Scene
 from housefly.behavior.tracking import Track
 from housefly.behavior.watch import Watch
 from housefly.config import Site
-from housefly.control.autopilot import Aim, Autopilot, Where
+from housefly.control.autopilot import Autopilot
 from housefly.control.laws import acceleration
+from housefly.control.steering import Aim, Where
 from housefly.estimation.contracts import Estimator
 from housefly.estimation.filter import PoseFilter
 from housefly.estimation.paper_filter import PaperFilter
-from housefly.geometry import Vec2, distance, quaternion_from_euler, wrap_angle
+from housefly.geometry import Vec2, distance, quaternion_from_euler
 from housefly.messages import (
     Action,
     Behavior,
@@ -42,6 +44,7 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.navigator import RoomNavigator
+from housefly.numeric import wrapped
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 from housefly.safety.facts import Facts, Fence
@@ -49,8 +52,6 @@ from housefly.safety.gate import Gate, Verdict
 from housefly.safety.notices import Notices
 from housefly.safety.rules import CEILING_SLACK
 
-YAW_SLEW = 0.9
-"""How quickly the wanted heading turns in mode default [rad/s]: what is filmed should stay recognizable."""
 LONGEST_TICK = 0.1
 """After a stall the references move on by no more than this [s]."""
 FLYING_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
@@ -76,8 +77,7 @@ class Pilot:
         self._telemetry: Telemetry | None = None
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
-        self._yaw_reference: float | None = None
-        self._yaw_target = 0.0
+        self._nose = Nose()
         self._track: Track | None = None
         self._held_back = False
         self._notices = Notices()
@@ -135,20 +135,20 @@ class Pilot:
         return Scene(now, self._status, heard.battery if heard else 0.0, age, estimate, self._gate.landing)
 
     def _facing(self, estimate: Estimate | None) -> bool:
-        return estimate is not None and abs(wrap_angle(self._yaw_target - estimate.yaw)) < self._site.control.epsilon_yaw
+        return estimate is not None and abs(wrapped(self._nose.target - estimate.yaw)) < self._site.control.epsilon_yaw
 
     # --- behavior: what to track, and the acceptor's state ---
 
     def _follow(self, estimate: Estimate | None, dt: float) -> None:
         """Move the reference on and let the acceptor choose its state."""
         if estimate is None or self._captain.errand.phase not in FLYING_PHASES:
-            self._track, self._yaw_reference = None, None
+            self._track, self._nose = None, Nose(self._nose.target)
             self._acceptor = self._acceptor.after(Condition.REST, self._now)
             return
         track = self._tracked(estimate, dt)
         self._track = track
-        self._yaw_target = self._wanted_yaw(track, estimate)
-        self._yaw_reference = self._slewed(self._yaw_target, estimate.yaw, dt)
+        turn_max = inf if self._paper else YAW_SLEW * dt
+        self._nose = nose_after(self._nose, self._wished_yaw(track, estimate), estimate.yaw, turn_max)
         errors = self._errors(track, estimate)
         conditions = conditions_of(self._acceptor, errors, self._site.control, self._paper)
         dwell = 0.0 if self._paper else self._site.control.dwell
@@ -161,28 +161,20 @@ class Pilot:
         moving = self._acceptor.state in MOVING_BEHAVIORS and not self._held_back
         return course.follower.step(estimate.position[:2], moving, dt)
 
-    def _wanted_yaw(self, track: Track, estimate: Estimate) -> float:
-        wanted = track.yaw
+    def _wished_yaw(self, track: Track, estimate: Estimate) -> float:
+        """Return the heading that the way or the errand wants [rad]; nan keeps the last."""
+        wish = track.yaw
         if track.finished and not self._paper and self._captain.course.follower is not None:
             arrival = self._captain.errand.mission.arrival_yaw(estimate.position[:2])
-            wanted = wanted if arrival is None else arrival
-        if wanted is not None:
-            return wanted
-        return estimate.yaw if self._yaw_reference is None else self._yaw_target
-
-    def _slewed(self, target: float, yaw: float, dt: float) -> float:
-        if self._paper:
-            return target
-        last = yaw if self._yaw_reference is None else self._yaw_reference
-        turn = min(max(wrap_angle(target - last), -YAW_SLEW * dt), YAW_SLEW * dt)
-        return wrap_angle(last + turn)
+            wish = wish if arrival is None else arrival
+        return nan if wish is None else wish
 
     def _errors(self, track: Track, estimate: Estimate) -> tuple[float, float, float]:
         """Return errors of height [m], yaw [rad] and place [m]; the place is the path's end, in mode paper the waypoint."""
         x, y, z = estimate.position
         follower = self._captain.course.follower
         place = track.position if self._paper or follower is None else follower.goal
-        yaw_error = wrap_angle(estimate.yaw - self._yaw_target)
+        yaw_error = wrapped(estimate.yaw - self._nose.target)
         return z - self._site.map.flight_height, yaw_error, distance((x, y), place)
 
     # --- control ---
@@ -194,10 +186,10 @@ class Pilot:
         if errand.phase not in FLYING_PHASES:
             return Command(PHASE_ACTIONS[errand.phase])
         forecast = self._filter.forecast(now)
-        if estimate is None or forecast is None or self._track is None or self._yaw_reference is None:
+        if estimate is None or forecast is None or self._track is None:
             return Command(Action.HOVER)
         track = self._track
-        aim = Aim(track.position, track.velocity, track.acceleration, self._site.map.flight_height, self._yaw_reference)
+        aim = Aim(track.position, track.velocity, track.acceleration, self._site.map.flight_height, self._nose.reference)
         where = Where(forecast.position, forecast.velocity, forecast.disturbance, estimate.position[2], estimate.yaw)
         return self._autopilot.paper(self._acceptor.state, aim, where) if self._paper else self._autopilot.default(aim, where)
 
@@ -245,10 +237,10 @@ class Pilot:
         )
 
     def _reference(self, track: Track | None) -> Reference | None:
-        if track is None or self._yaw_reference is None:
+        if track is None:
             return None
         (x, y), (vx, vy) = track.position, track.velocity
-        return Reference((x, y, self._site.map.flight_height), (vx, vy, 0.0), self._yaw_reference)
+        return Reference((x, y, self._site.map.flight_height), (vx, vy, 0.0), self._nose.reference)
 
 
 def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:

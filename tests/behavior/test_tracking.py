@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.behavior.cells import CellFollower, paper_heading
-from housefly.behavior.tracking import ACCELERATION, CORNER_JUMP, PathFollower, Track, speed_allowed, travelled
+from housefly.behavior.ride import ACCELERATION, speed_allowed, travelled
+from housefly.behavior.tracking import CORNER_JUMP, PathFollower, Track
 from housefly.geometry import Vec2, distance
 from housefly.messages import Path
 
@@ -94,9 +95,10 @@ def test_a_path_of_one_point_is_finished_at_once_and_has_no_heading() -> None:
 def test_compiled_steps_match_their_plain_twins(s: float, v: float, wanted: float) -> None:
     marks, speeds = np.array([0.0, 4.0, 10.0]), np.array([0.0, 0.1, 0.0])
     ahead = [np.sqrt(c * c + 2.0 * 0.4 * (m - s)) for m, c in zip(marks, speeds, strict=True) if m > s]
-    assert speed_allowed(s, marks, speeds, 0.4) == pytest.approx(min(ahead))
-    twin = travelled.py_func(s, v, wanted, marks, speeds, 0.4, 0.01)  # type: ignore[attr-defined]
-    assert travelled(s, v, wanted, marks, speeds, 0.4, 0.01) == pytest.approx(twin)
+    leg = 0 if s < 4.0 else 1
+    assert speed_allowed(s, leg, wanted, marks, speeds, 0.4) == pytest.approx(min([wanted, *ahead]))
+    arguments = (s, v, leg, wanted, marks, speeds, 0.4, 0.01)
+    assert travelled(*arguments) == pytest.approx(travelled.py_func(*arguments))  # type: ignore[attr-defined]
 
 
 def test_the_papers_follower_goes_on_when_nearer_than_eps3() -> None:

@@ -7,7 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config import Site
-from housefly.control.autopilot import Aim, Autopilot, Where
+from housefly.control.autopilot import Autopilot
+from housefly.control.steering import Aim, Where
 from housefly.messages import Action, Behavior
 
 SITE = Site()

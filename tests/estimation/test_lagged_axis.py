@@ -15,6 +15,7 @@ from housefly.estimation.lagged_axis import (
     narrowed,
     predicted,
     spread_out,
+    transition,
 )
 
 MODEL = AxisModel(lag=7.0, gain=0.9, drag=0.58, hover_drag=2.0, noise=0.5, wander=0.2)
@@ -35,7 +36,7 @@ def spreads(draw: st.DrawFn) -> Spread:
     return Spread(*full[np.triu_indices(4)])
 
 
-def transition(flown: bool, dt: float) -> np.ndarray:
+def matrix_of(flown: bool, dt: float) -> np.ndarray:
     """The same discrete transition, written as a matrix."""
     drag = MODEL.drag if flown else MODEL.hover_drag
     decay, reach = np.exp(-MODEL.lag * dt), dt * (1.0 - 0.5 * drag * dt)
@@ -58,22 +59,22 @@ def test_prediction_agrees_with_the_exact_solution(axis: Axis, u: float, flown: 
         ]
     )
     exact = expm(system * dt) @ np.array([*axis, 1.0])
-    assert tuple(predicted(axis, u, flown, MODEL, dt)) == pytest.approx(tuple(exact[:4]), abs=3e-4)
+    assert tuple(predicted(axis, u, transition(MODEL, flown, dt))) == pytest.approx(tuple(exact[:4]), abs=3e-4)
 
 
 @given(axes, st.booleans(), st.floats(0.0, 0.02))
 def test_prediction_matches_its_matrix_twin(axis: Axis, flown: bool, dt: float) -> None:
-    twin = transition(flown, dt) @ np.array(axis)
-    assert tuple(predicted(axis, 0.0, flown, MODEL, dt)) == pytest.approx(tuple(twin), abs=1e-12)
+    twin = matrix_of(flown, dt) @ np.array(axis)
+    assert tuple(predicted(axis, 0.0, transition(MODEL, flown, dt))) == pytest.approx(tuple(twin), abs=1e-12)
 
 
 @given(spreads(), st.booleans(), st.floats(0.0, 0.02))
 def test_covariance_matches_f_p_f_transposed_plus_q(p: Spread, flown: bool, dt: float) -> None:
-    f = transition(flown, dt)
+    f = matrix_of(flown, dt)
     q = np.zeros((4, 4))
     q[2, 2] = MODEL.noise**2 * (1.0 if flown else HOVER_DOUBT) * (1.0 - np.exp(-2.0 * MODEL.lag * dt))
     q[3, 3] = MODEL.wander**2 * dt if flown else 0.0
-    assert matrix(spread_out(p, flown, MODEL, dt)) == pytest.approx(f @ matrix(p) @ f.T + q, abs=1e-10)
+    assert matrix(spread_out(p, transition(MODEL, flown, dt))) == pytest.approx(f @ matrix(p) @ f.T + q, abs=1e-10)
 
 
 @given(axes, spreads(), numbers, st.floats(1e-6, 1e-2))
@@ -90,6 +91,6 @@ def test_correction_matches_the_joseph_form(axis: Axis, p: Spread, seen: float, 
 @given(spreads(), st.lists(st.tuples(st.booleans(), st.booleans(), st.floats(0.001, 0.02)), max_size=60))
 def test_covariance_stays_positive_through_any_series_of_steps(p: Spread, series: list[tuple[bool, bool, float]]) -> None:
     for measured, flown, dt in series:
-        p = spread_out(p, flown, MODEL, dt)
+        p = spread_out(p, transition(MODEL, flown, dt))
         p = narrowed(p, 1e-5) if measured else p
         assert np.linalg.eigvalsh(matrix(p)).min() > -1e-9

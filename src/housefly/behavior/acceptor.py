@@ -84,6 +84,22 @@ def steady_conditions(
     return 1 * q1 + 2 * q2 + 4 * q3 + 8 * q4
 
 
+@compiled
+def next_state(state: int, since: float, conditions: int, now: float, dwell: float) -> int:
+    """Return the state after one look at the conditions; REST counts at once, the rest after ``dwell`` [s].
+
+    Args:
+        state: present one, an index into ``STATES``.
+        since: when it was entered [s].
+        conditions: bits.
+        now: [s].
+        dwell: shortest stay in a state [s].
+    """
+    if now - since < dwell and not conditions & 16:
+        return state
+    return TABLE[state, conditions]
+
+
 @dataclass(frozen=True, slots=True)
 class Acceptor:
     """The acceptor in one state.
@@ -100,9 +116,7 @@ class Acceptor:
 
     def after(self, conditions: int, now: float, dwell: float = 0.0) -> Acceptor:
         """Return the acceptor after one look at the conditions; REST counts at once, the rest after ``dwell`` [s]."""
-        if now - self.since < dwell and not conditions & Condition.REST:
-            return self
-        target = STATES[int(TABLE[STATES.index(self.state), conditions])]
+        target = STATES[next_state(STATES.index(self.state), self.since, int(conditions), now, dwell)]
         return self if target is self.state else Acceptor(target, now, self.switches + 1)
 
 

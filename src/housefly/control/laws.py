@@ -37,10 +37,10 @@ def tilt(ax: float, ay: float, psi: float, gain: float) -> tuple[float, float]:
 
     Eqs. (20)-(21) for any heading, divided by the inner loop's static gain c / lambda of eqs. (22)-(23).
     """
-    forward = cos(psi) * ax + sin(psi) * ay
-    left = -sin(psi) * ax + cos(psi) * ay
-    theta = atan(forward / GRAVITY)
-    phi = -atan(cos(theta) * left / GRAVITY)
+    c, s = cos(psi), sin(psi)
+    forward, left = (c * ax + s * ay) / GRAVITY, (c * ay - s * ax) / GRAVITY
+    # cos(atan(t)) = 1 / sqrt(1 + t^2), four times as fast
+    theta, phi = atan(forward), -atan(left / sqrt(1.0 + forward * forward))
     return theta / gain, phi / gain
 
 
@@ -77,9 +77,10 @@ def clipped_per_axis(theta: float, phi: float, bound: float) -> tuple[float, flo
 @compiled
 def acceleration(theta: float, phi: float, psi: float) -> tuple[float, float]:
     """Return the world acceleration [m/s^2] at an attitude [rad]: eqs. (8)-(9) for any heading, thrust holding the height."""
-    forward = GRAVITY * sin(theta) / cos(theta)
-    left = -GRAVITY * sin(phi) / (cos(phi) * cos(theta))
-    return cos(psi) * forward - sin(psi) * left, sin(psi) * forward + cos(psi) * left
+    c, s, upright = cos(psi), sin(psi), cos(theta)
+    forward = GRAVITY * sin(theta) / upright
+    left = -GRAVITY * sin(phi) / (cos(phi) * upright)
+    return c * forward - s * left, s * forward + c * left
 
 
 @compiled

@@ -9,8 +9,11 @@ from __future__ import annotations
 from math import exp
 from typing import NamedTuple
 
-from housefly.control.laws import acceleration
+from housefly.control.laws import acceleration, saturated_jointly, tilt
 from housefly.numeric import compiled, wrapped
+
+HOVER_BRAKE = 1.5
+"""How quickly the drone's own hover stops it, on top of drag [1/s]."""
 
 
 class Body(NamedTuple):
@@ -52,6 +55,74 @@ def lagged(value: float, target: float, pole: float, dt: float) -> float:
     return target + (value - target) * exp(-pole * dt)
 
 
+class Beat(NamedTuple):
+    """A step of fixed length, its decays worked out beforehand.
+
+    Attributes:
+        dt: length [s].
+        attitude, climb, turn: what is left of a deviation of the attitude and the rates after it.
+    """
+
+    dt: float
+    attitude: float
+    climb: float
+    turn: float
+
+
+@compiled
+def beat_of(constants: Constants, dt: float) -> Beat:
+    """Return a step of dt [s]; midpoint rule, so keep it below about 20 ms."""
+    return Beat(dt, exp(-constants.lag * dt), exp(-constants.climb_lag * dt), exp(-constants.yaw_lag * dt))
+
+
+@compiled
+def moved(
+    body: Body,
+    theta_des: float,
+    phi_des: float,
+    vz_des: float,
+    yaw_rate_des: float,
+    wind: tuple[float, float],
+    constants: Constants,
+    beat: Beat,
+) -> Body:
+    """Return the drone after one step; arguments as in ``body_step``."""
+    dt = beat.dt
+    theta_end, phi_end = constants.gain * theta_des, constants.gain * phi_des
+    theta = theta_end + (body.theta - theta_end) * beat.attitude
+    phi = phi_end + (body.phi - phi_end) * beat.attitude
+    vz = vz_des + (body.vz - vz_des) * beat.climb
+    rate = yaw_rate_des + (body.yaw_rate - yaw_rate_des) * beat.turn
+    turn = 0.5 * dt * (body.yaw_rate + rate)
+    middle = body.psi + 0.5 * turn
+    ax, ay = acceleration(0.5 * (body.theta + theta), 0.5 * (body.phi + phi), middle)
+    half = 0.5 * constants.drag * dt
+    keep, share = (1.0 - half) / (1.0 + half), dt / (1.0 + half)
+    vx = body.vx * keep + share * (ax + wind[0])
+    vy = body.vy * keep + share * (ay + wind[1])
+    x = body.x + 0.5 * dt * (body.vx + vx)
+    y = body.y + 0.5 * dt * (body.vy + vy)
+    z = body.z + 0.5 * dt * (body.vz + vz)
+    return Body(x, y, z, wrapped(body.psi + turn), vx, vy, vz, rate, theta, phi)
+
+
+@compiled
+def between(before: Body, after: Body, dt: float, part: float) -> tuple[float, float, float, float]:
+    """Return position [m] and heading [rad] ``part`` [s] after the beginning of a step of dt [s]; speeds change evenly."""
+    share = 0.5 * part * part / dt
+    x = before.x + part * before.vx + share * (after.vx - before.vx)
+    y = before.y + part * before.vy + share * (after.vy - before.vy)
+    z = before.z + part * before.vz + share * (after.vz - before.vz)
+    return x, y, z, wrapped(before.psi + part * before.yaw_rate + share * (after.yaw_rate - before.yaw_rate))
+
+
+@compiled
+def hover_tilt(body: Body, wind: tuple[float, float], tilt_max: float) -> tuple[float, float]:
+    """Return pitch and roll [rad] that the drone gives itself when it hovers: it brakes, and leans against what pushes it."""
+    theta, phi = tilt(-HOVER_BRAKE * body.vx - wind[0], -HOVER_BRAKE * body.vy - wind[1], body.psi, 1.0)
+    return saturated_jointly(theta, phi, tilt_max)
+
+
 @compiled
 def body_step(
     body: Body,
@@ -75,17 +146,4 @@ def body_step(
         constants: the drone's constants.
         dt: step [s]; midpoint rule, so keep it below about 20 ms.
     """
-    theta = lagged(body.theta, constants.gain * theta_des, constants.lag, dt)
-    phi = lagged(body.phi, constants.gain * phi_des, constants.lag, dt)
-    vz = lagged(body.vz, vz_des, constants.climb_lag, dt)
-    rate = lagged(body.yaw_rate, yaw_rate_des, constants.yaw_lag, dt)
-    turn = 0.5 * dt * (body.yaw_rate + rate)
-    middle = body.psi + 0.5 * turn
-    ax, ay = acceleration(0.5 * (body.theta + theta), 0.5 * (body.phi + phi), middle)
-    half = 0.5 * constants.drag * dt
-    vx = (body.vx * (1.0 - half) + dt * (ax + wind[0])) / (1.0 + half)
-    vy = (body.vy * (1.0 - half) + dt * (ay + wind[1])) / (1.0 + half)
-    x = body.x + 0.5 * dt * (body.vx + vx)
-    y = body.y + 0.5 * dt * (body.vy + vy)
-    z = body.z + 0.5 * dt * (body.vz + vz)
-    return Body(x, y, z, wrapped(body.psi + turn), vx, vy, vz, rate, theta, phi)
+    return moved(body, theta_des, phi_des, vz_des, yaw_rate_des, wind, constants, beat_of(constants, dt))

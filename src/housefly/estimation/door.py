@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from math import inf
 
-from housefly.estimation.height_yaw import HeightAndYaw
+from housefly.estimation.height_yaw import Upright, stood, upright_seen
 from housefly.estimation.intake import Complaints, Refusal, Refused, fault_of
 from housefly.geometry import Vec3
 from housefly.messages import Event, Severity, Sighting
@@ -23,7 +23,7 @@ class Door(ABC):
         self._complaints = Complaints()
         self._last_capture = -inf
         self._refusing = False
-        self._upright: HeightAndYaw | None = None
+        self._upright: Upright | None = None
         self._believed: Sighting | None = None
         self._place: Vec3 | None = None
 
@@ -54,12 +54,15 @@ class Door(ABC):
         if self._upright is None:
             self._begin(sighting, now)
             return ()
-        plausible = self._upright.believes(sighting.pose, sighting.captured_at, self._refusing)
+        pose, at = sighting.pose, sighting.captured_at
+        z, noise = pose.position[2], self._position_noise
+        plausible, without, taken = upright_seen(self._upright, z, pose.yaw, at, self._refusing, noise)
         if self._believes(sighting, now, self._refusing) and plausible:
-            self._upright.take(sighting.pose, sighting.captured_at)
+            self._upright = taken
             self._take(sighting, now)
             self._settled(sighting)
             return ()
+        self._upright = without
         self._refusing = True
         return self._refuse_jump(sighting, now, grounded)
 
@@ -77,7 +80,8 @@ class Door(ABC):
         return (Event(now, Severity.INFO, "tracking_restarted", "the drone was moved on the ground: tracking starts anew"),)
 
     def _begin(self, sighting: Sighting, now: float) -> None:
-        self._upright = HeightAndYaw(sighting.pose, sighting.captured_at, self._position_noise)
+        pose = sighting.pose
+        self._upright = stood(pose.position[2], pose.yaw, sighting.captured_at, self._position_noise)
         self._settled(sighting)
         self._start(sighting, now)
 

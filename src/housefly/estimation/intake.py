@@ -7,6 +7,7 @@ from enum import Enum
 from math import isfinite
 
 from housefly.messages import Event, Severity, Sighting
+from housefly.numeric import compiled
 
 FUTURE_TOLERANCE = 0.005
 """A stamp may lie this far ahead of our clock [s]: clocks are read at different moments."""
@@ -41,6 +42,21 @@ class Refused:
         return dict(self.counts)[refusal]
 
 
+FUTURE, OUT_OF_ORDER, STALE = 1, 2, 3
+"""What ``stamp_fault`` finds."""
+STAMP_FAULTS = {FUTURE: Refusal.FUTURE, OUT_OF_ORDER: Refusal.OUT_OF_ORDER, STALE: Refusal.STALE}
+
+
+@compiled
+def stamp_fault(captured_at: float, now: float, last_capture: float) -> int:
+    """Return what is wrong with a stamp, 0 when nothing is; times in seconds."""
+    if captured_at > now + FUTURE_TOLERANCE:
+        return FUTURE
+    if captured_at <= last_capture:
+        return OUT_OF_ORDER
+    return STALE if now - captured_at > OLDEST else 0
+
+
 def fault_of(sighting: Sighting, now: float, last_capture: float) -> Refusal | None:
     """Return what is wrong with a sighting by itself and its stamp, or None.
 
@@ -54,13 +70,7 @@ def fault_of(sighting: Sighting, now: float, last_capture: float) -> Refusal | N
         return Refusal.NOT_FINITE
     if abs(sum(number * number for number in pose.orientation) - 1.0) > 0.02:
         return Refusal.NOT_A_ROTATION
-    if sighting.captured_at > now + FUTURE_TOLERANCE:
-        return Refusal.FUTURE
-    if sighting.captured_at <= last_capture:
-        return Refusal.OUT_OF_ORDER
-    if now - sighting.captured_at > OLDEST:
-        return Refusal.STALE
-    return None
+    return STAMP_FAULTS.get(stamp_fault(sighting.captured_at, now, last_capture))
 
 
 class Complaints:

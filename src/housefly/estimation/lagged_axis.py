@@ -4,7 +4,7 @@
 
 ``a`` is what the tilt accelerates by: the lag state of paper eqs. (22)-(23), without which the estimate is biased by the lag.
 ``d`` is whatever pushes steadily: wind, a bent frame, a floor that is not level. Both axes see the same times and noises, so they
-share one covariance, kept as the ten numbers of its upper triangle.
+share one transition and one covariance, kept as the ten numbers of its upper triangle.
 """
 
 from __future__ import annotations
@@ -18,6 +18,10 @@ HOVER_DOUBT = 4.0
 """Variance of the unmodelled acceleration while the drone flies itself, as a multiple of that under our command."""
 DISTURBANCE_MAX = 1.0
 """Largest disturbance believed [m/s^2]."""
+FIRST_VELOCITY_VARIANCE = 0.05
+"""Variance of the velocity before anything was seen [m^2/s^2]."""
+FIRST_DISTURBANCE = 0.2
+"""One-sigma disturbance before anything was seen [m/s^2]."""
 
 
 class Axis(NamedTuple):
@@ -64,59 +68,102 @@ class AxisModel(NamedTuple):
     wander: float
 
 
+class Transition(NamedTuple):
+    """What one step does to an axis, worked out once for both: x += xv v + xa a + xd d + xu u, and so on.
+
+    Attributes:
+        xv, xa, xd, vv, va, vd, aa: entries of the transition matrix; xx and dd are 1, the others 0.
+        xu, vu, au: what a commanded acceleration adds.
+        noise_aa, noise_dd: variance that the step adds.
+    """
+
+    xv: float
+    xa: float
+    xd: float
+    vv: float
+    va: float
+    vd: float
+    aa: float
+    xu: float
+    vu: float
+    au: float
+    noise_aa: float
+    noise_dd: float
+
+
 @compiled
-def _coefficients(model: AxisModel, flown: bool, dt: float) -> tuple[float, float, float, float, float, float, float]:
-    """Return (decay, vv, va, vd, xv, xa, xd) of the transition matrix: midpoint rule in v, trapezoid in x, exact in a."""
+def transition(model: AxisModel, flown: bool, dt: float) -> Transition:
+    """Return one step of dt [s]: midpoint rule in v, trapezoid in x, exact in a.
+
+    When not ``flown`` (the drone hovers, lands or stands by itself) a command does not count, the drone brakes, and its own loops
+    hold against disturbances.
+    """
     drag = model.drag if flown else model.hover_drag
+    heeded = 1.0 if flown else 0.0
+    half = 0.5 * dt
     decay = exp(-model.lag * dt)
-    reach = dt * (1.0 - 0.5 * drag * dt)
+    reach = dt * (1.0 - half * drag)
     vv = 1.0 - drag * reach
     va = 0.5 * (1.0 + decay) * reach
-    vd = reach if flown else 0.0
-    return decay, vv, va, vd, 0.5 * dt * (1.0 + vv), 0.5 * dt * va, 0.5 * dt * vd
+    vd = heeded * reach
+    au = heeded * model.gain * (1.0 - decay)
+    vu = half * (1.0 - half * drag) * au
+    variance = model.noise * model.noise * (1.0 if flown else HOVER_DOUBT)
+    return Transition(
+        xv=half * (1.0 + vv),
+        xa=half * va,
+        xd=half * vd,
+        vv=vv,
+        va=va,
+        vd=vd,
+        aa=decay,
+        xu=half * vu,
+        vu=vu,
+        au=au,
+        noise_aa=variance * (1.0 - decay * decay),
+        noise_dd=heeded * model.wander * model.wander * dt,
+    )
 
 
 @compiled
-def predicted(axis: Axis, u: float, flown: bool, model: AxisModel, dt: float) -> Axis:
-    """Return the axis after dt [s] with the commanded acceleration u [m/s^2] in force.
+def first_spread(variance: float, noise: float) -> Spread:
+    """Return the covariance at the first sighting: its variance [m^2], the unmodelled acceleration, one sigma [m/s^2]."""
+    disturbance = FIRST_DISTURBANCE * FIRST_DISTURBANCE
+    return Spread(variance, 0.0, 0.0, 0.0, FIRST_VELOCITY_VARIANCE, 0.0, 0.0, noise * noise, 0.0, disturbance)
 
-    When not ``flown`` (the drone hovers, lands or stands by itself) u does not count, the drone brakes, and its own loops hold
-    against disturbances.
-    """
-    decay, vv, va, vd, xv, xa, xd = _coefficients(model, flown, dt)
-    push = model.gain * u * (1.0 - decay) if flown else 0.0
-    pushed_v = 0.5 * dt * (1.0 - 0.5 * model.drag * dt) * push
+
+@compiled
+def predicted(axis: Axis, u: float, step: Transition) -> Axis:
+    """Return the axis after one step with the commanded acceleration u [m/s^2] in force."""
     return Axis(
-        axis.x + xv * axis.v + xa * axis.a + xd * axis.d + 0.5 * dt * pushed_v,
-        vv * axis.v + va * axis.a + vd * axis.d + pushed_v,
-        decay * axis.a + push,
+        axis.x + step.xv * axis.v + step.xa * axis.a + step.xd * axis.d + step.xu * u,
+        step.vv * axis.v + step.va * axis.a + step.vd * axis.d + step.vu * u,
+        step.aa * axis.a + step.au * u,
         axis.d,
     )
 
 
 @compiled
-def spread_out(p: Spread, flown: bool, model: AxisModel, dt: float) -> Spread:
-    """Return the covariance after dt [s]: F P F' + Q."""
-    decay, vv, va, vd, xv, xa, xd = _coefficients(model, flown, dt)
-    fxx = p.xx + xv * p.xv + xa * p.xa + xd * p.xd
-    fxv = p.xv + xv * p.vv + xa * p.va + xd * p.vd
-    fxa = p.xa + xv * p.va + xa * p.aa + xd * p.ad
-    fxd = p.xd + xv * p.vd + xa * p.ad + xd * p.dd
-    fvv = vv * p.vv + va * p.va + vd * p.vd
-    fva = vv * p.va + va * p.aa + vd * p.ad
-    fvd = vv * p.vd + va * p.ad + vd * p.dd
-    variance = model.noise * model.noise * (1.0 if flown else HOVER_DOUBT)
+def spread_out(p: Spread, step: Transition) -> Spread:
+    """Return the covariance after one step: F P F' + Q."""
+    fxx = p.xx + step.xv * p.xv + step.xa * p.xa + step.xd * p.xd
+    fxv = p.xv + step.xv * p.vv + step.xa * p.va + step.xd * p.vd
+    fxa = p.xa + step.xv * p.va + step.xa * p.aa + step.xd * p.ad
+    fxd = p.xd + step.xv * p.vd + step.xa * p.ad + step.xd * p.dd
+    fvv = step.vv * p.vv + step.va * p.va + step.vd * p.vd
+    fva = step.vv * p.va + step.va * p.aa + step.vd * p.ad
+    fvd = step.vv * p.vd + step.va * p.ad + step.vd * p.dd
     return Spread(
-        fxx + xv * fxv + xa * fxa + xd * fxd,
-        vv * fxv + va * fxa + vd * fxd,
-        decay * fxa,
+        fxx + step.xv * fxv + step.xa * fxa + step.xd * fxd,
+        step.vv * fxv + step.va * fxa + step.vd * fxd,
+        step.aa * fxa,
         fxd,
-        vv * fvv + va * fva + vd * fvd,
-        decay * fva,
+        step.vv * fvv + step.va * fva + step.vd * fvd,
+        step.aa * fva,
         fvd,
-        decay * decay * p.aa + variance * (1.0 - decay * decay),
-        decay * p.ad,
-        p.dd + (model.wander * model.wander * dt if flown else 0.0),
+        step.aa * step.aa * p.aa + step.noise_aa,
+        step.aa * p.ad,
+        p.dd + step.noise_dd,
     )
 
 
@@ -135,8 +182,8 @@ def corrected(axis: Axis, p: Spread, seen: float, r: float) -> Axis:
 @compiled
 def narrowed(p: Spread, r: float) -> Spread:
     """Return the covariance after a position measurement of variance r [m^2]."""
-    s = p.xx + r
-    kx, kv, ka, kd = p.xx / s, p.xv / s, p.xa / s, p.xd / s
+    shrink = 1.0 / (p.xx + r)
+    kx, kv, ka, kd = p.xx * shrink, p.xv * shrink, p.xa * shrink, p.xd * shrink
     return Spread(
         r * kx,
         r * kv,

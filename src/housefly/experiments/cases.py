@@ -21,7 +21,7 @@ from housefly.errors import ConfigError
 DEFAULT, PAPER = 0, 1
 """Values of the column ``mode``."""
 DELAY_COMPENSATED, ON_ARRIVAL, HELD_SAMPLE, FINITE_DIFFERENCE = range(4)
-"""Values of the column ``estimator``: ours; the paper's Kalman filter; the same fed the held sample at every tick; none at all."""
+"""Values of the column ``estimator``: ours; the paper's Kalman filter; the same fed the held sample each tick; none at all."""
 PLAIN = Constants()
 
 

@@ -31,10 +31,11 @@ class Mission:
     Attributes:
         task: how the reference moves.
         waypoints: world xy [m]; the drone starts at rest above the first.
-        duration: of the flight, ``SETTLE`` included [s].
+        duration: of the flight, ``settle`` included [s].
         height: z_ref, where it also starts [m].
         yaw: heading at the start [rad].
         arrival_yaw: heading wanted at the end [rad]; None keeps the path's.
+        settle: how long the drone hovers before the task begins [s].
     """
 
     task: Task
@@ -43,3 +44,4 @@ class Mission:
     height: float = 1.1
     yaw: float = 0.0
     arrival_yaw: float | None = None
+    settle: float = SETTLE

@@ -12,6 +12,7 @@ from math import isfinite
 from housefly.config import LimitsConfig
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
 from housefly.safety.facts import Facts, Fence
+from housefly.safety.limits import limited
 from housefly.safety.rules import RULES, SEVERITY, Rule
 
 A, M = Action, SafetyMode
@@ -104,18 +105,10 @@ class Gate:
         return Command(action)
 
     def _limited(self, setpoint: Setpoint) -> Setpoint:
-        tilt, climb, turn = self._limits.tilt_max, self._limits.vertical_speed_max, self._limits.yaw_rate_max
-        return Setpoint(
-            theta=_bounded(setpoint.theta, tilt),
-            phi=_bounded(setpoint.phi, tilt),
-            vz=_bounded(setpoint.vz, climb),
-            yaw_rate=_bounded(setpoint.yaw_rate, turn),
-        )
+        limits = self._limits
+        asked = (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
+        return Setpoint(*limited(*asked, limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max))
 
 
 def _finite(setpoint: Setpoint) -> bool:
     return all(isfinite(value) for value in (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate))
-
-
-def _bounded(value: float, bound: float) -> float:
-    return min(max(value, -bound), bound)

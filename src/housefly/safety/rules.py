@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from housefly.config import LimitsConfig
 from housefly.messages import DroneStatus, SafetyMode
 from housefly.safety.facts import Facts, Fence
+from housefly.safety.limits import too_old
 
 CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
@@ -50,7 +51,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "telemetry_lost",
         SafetyMode.LAND,
-        lambda f, limits, _: f.airborne and not f.telemetry_age <= limits.telemetry_age,
+        lambda f, limits, _: f.airborne and too_old(f.telemetry_age, limits.telemetry_age),
         lambda f, _: f"the drone is silent for {f.telemetry_age:.1f} s: landing",
     ),
     Rule(
@@ -63,7 +64,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "tracking_lost",
         SafetyMode.LAND,
-        lambda f, limits, _: f.airborne and not f.pose_age <= limits.pose_age_land,
+        lambda f, limits, _: f.airborne and too_old(f.pose_age, limits.pose_age_land),
         lambda f, _: f"tracking lost for {f.pose_age:.1f} s: landing",
     ),
     Rule(
@@ -87,7 +88,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "tracking_old",
         SafetyMode.LEVEL,
-        lambda f, limits, _: f.status is DroneStatus.FLYING and not f.pose_age <= limits.pose_age_level,
+        lambda f, limits, _: f.status is DroneStatus.FLYING and too_old(f.pose_age, limits.pose_age_level),
         lambda f, _: f"tracking lost for {f.pose_age:.1f} s: the drone holds itself",
     ),
 )
