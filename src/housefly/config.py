@@ -227,7 +227,7 @@ def site_from_tree(tree: dict[str, Any], source: str = "") -> Site:
     except ValidationError as error:
         first = error.errors()[0]
         key = ".".join(str(part) for part in first["loc"]) or "site"
-        raise ConfigError(key, _explain(first, _field_at(first["loc"])), source) from error
+        raise ConfigError(key, explain(first, Site), source) from error
 
 
 def changed(site: Site, **values: Any) -> Site:
@@ -246,8 +246,26 @@ def changed(site: Site, **values: Any) -> Site:
     return site_from_tree(tree)
 
 
-def _field_at(location: tuple[int | str, ...]) -> FieldInfo | None:
-    section: Any = Site
+def explain(problem: Any, root: type[Section]) -> str:
+    """Return one of pydantic's problems in words: the value, what is allowed, the unit; ``root`` declares the keys."""
+    kind, value = problem["type"], problem["input"]
+    if kind == "extra_forbidden":
+        return "is not a known key"
+    if kind == "missing":
+        return "is missing"
+    if kind == "value_error":
+        return str(problem["ctx"]["error"])
+    found = _field_at(problem["loc"], root)
+    bounds = _bounds(found)
+    unit = ((found.json_schema_extra or {}) if found and isinstance(found.json_schema_extra, dict) else {}).get("unit")
+    unit_text = f" {unit}" if unit not in (None, "1") else ""
+    if bounds:
+        return f"is {value!r}; allowed: a number from {bounds[0]:.9g} to {bounds[1]:.9g}{unit_text}"
+    return f"is {value!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
+
+
+def _field_at(location: tuple[int | str, ...], root: type[Section]) -> FieldInfo | None:
+    section: Any = root
     found: FieldInfo | None = None
     for part in location:
         if isinstance(part, int):
@@ -258,20 +276,6 @@ def _field_at(location: tuple[int | str, ...]) -> FieldInfo | None:
         found = fields[part]
         section = found.annotation
     return found
-
-
-def _explain(problem: Any, found: FieldInfo | None) -> str:
-    kind, value = problem["type"], problem["input"]
-    if kind == "extra_forbidden":
-        return "is not a known key"
-    if kind == "value_error":
-        return str(problem["ctx"]["error"])
-    bounds = _bounds(found)
-    unit = ((found.json_schema_extra or {}) if found and isinstance(found.json_schema_extra, dict) else {}).get("unit")
-    unit_text = f" {unit}" if unit not in (None, "1") else ""
-    if bounds:
-        return f"is {value!r}; allowed: a number from {bounds[0]:g} to {bounds[1]:g}{unit_text}"
-    return f"is {value!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
 
 
 def _bounds(found: FieldInfo | None) -> tuple[float, float] | None:
