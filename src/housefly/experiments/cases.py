@@ -103,7 +103,7 @@ PARAMETERS: tuple[Parameter, ...] = (
     Parameter("pose_age_level", "s", 0.05, inf, lambda s: s.limits.pose_age_level, "pose age at which the drone holds itself"),
     Parameter("pose_age_land", "s", 0.3, inf, lambda s: s.limits.pose_age_land, "pose age at which it lands: the flight ends"),
     Parameter("lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag, "lambda of the drone"),
-    Parameter("gain", "1", 0.2, 2.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
+    Parameter("gain", "1", 0.05, 20.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
     Parameter("drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "linear drag over mass of the drone"),
     Parameter("delay", "s", 0.0, 0.5, lambda s: s.twin.command_delay, "from command to first reaction of the drone"),
     Parameter("climb_lag", "1/s", 0.2, 50.0, lambda s: PLAIN.climb_lag, "pole of the drone's climb rate"),
