@@ -97,7 +97,7 @@ def next_state(state: int, since: float, conditions: int, now: float, dwell: flo
     """
     if now - since < dwell and not conditions & 16:
         return state
-    return TABLE[state, conditions]
+    return int(TABLE[state, conditions])
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,11 +29,15 @@ class Way(NamedTuple):
         points: corners, no two neighbours alike [m], shape (n, 2).
         marks: arc length of each [m], shape (n,).
         speeds: highest speed at each [m/s], shape (n,).
+        along: direction of each leg, shape (n - 1, 2).
+        headings: the same as angles [rad], shape (n - 1,).
     """
 
     points: Numbers
     marks: Numbers
     speeds: Numbers
+    along: Numbers
+    headings: Numbers
 
 
 class Ride(NamedTuple):
@@ -106,11 +110,11 @@ def leg_from(leg: int, s: float, marks: Numbers) -> int:
 @compiled
 def place_on(leg: int, s: float, way: Way) -> tuple[float, float]:
     """Return the point [m] at arc length s [m], which lies on this leg or past the end."""
-    ax, ay = way.points[leg, 0], way.points[leg, 1]
+    x, y = way.points[leg, 0], way.points[leg, 1]
     if way.marks.size == 1:
-        return ax, ay
-    share = min(max((s - way.marks[leg]) / (way.marks[leg + 1] - way.marks[leg]), 0.0), 1.0)
-    return ax + share * (way.points[leg + 1, 0] - ax), ay + share * (way.points[leg + 1, 1] - ay)
+        return x, y
+    done = min(max(s - way.marks[leg], 0.0), way.marks[leg + 1] - way.marks[leg])
+    return x + done * way.along[leg, 0], y + done * way.along[leg, 1]
 
 
 @compiled
@@ -138,9 +142,12 @@ def ridden(ride: Ride, way: Way, speed: float, x: float, y: float, moving: bool,
 @compiled
 def headed(ride: Ride, way: Way) -> Ride:
     """Return the ride with the heading of the path ahead; near the end the last one stays."""
-    here_x, here_y = place_on(ride.leg, ride.s, way)
     s = ride.s + LOOK_AHEAD
-    x, y = place_on(leg_from(ride.leg, s, way.marks), s, way)
+    leg = leg_from(ride.leg, s, way.marks)
+    if leg == ride.leg and ride.s + KEEP_HEADING < way.marks[-1]:
+        return Ride(ride.s, ride.v, ride.a, ride.leg, way.headings[leg])
+    here_x, here_y = place_on(ride.leg, ride.s, way)
+    x, y = place_on(leg, s, way)
     dx, dy = x - here_x, y - here_y
     yaw = atan2(dy, dx) if dx * dx + dy * dy > KEEP_HEADING * KEEP_HEADING else ride.yaw
     return Ride(ride.s, ride.v, ride.a, ride.leg, yaw)
@@ -153,8 +160,6 @@ def target_of(ride: Ride, way: Way) -> Target:
     finished = ride.s >= way.marks[-1]
     along_x, along_y = 0.0, 0.0
     if way.marks.size > 1:
-        length = way.marks[ride.leg + 1] - way.marks[ride.leg]
-        along_x = (way.points[ride.leg + 1, 0] - way.points[ride.leg, 0]) / length
-        along_y = (way.points[ride.leg + 1, 1] - way.points[ride.leg, 1]) / length
+        along_x, along_y = way.along[ride.leg, 0], way.along[ride.leg, 1]
     a = 0.0 if finished else ride.a
     return Target(x, y, along_x * ride.v, along_y * ride.v, along_x * a, along_y * a, ride.yaw, ride.leg + 1, finished)

@@ -53,9 +53,17 @@ def track_of(target: Target, last_waypoint: int) -> Track:
 def way_along(waypoints: tuple[Vec2, ...]) -> Way:
     """Return a path as arrays, with the speeds that its corners allow."""
     points = waypoints[:1] + tuple(b for a, b in pairwise(waypoints) if distance(a, b) > 1e-6)
-    marks = np.concatenate(([0.0], np.cumsum([distance(a, b) for a, b in pairwise(points)])))
+    lengths = np.array([distance(a, b) for a, b in pairwise(points)])
     corners = [_corner_speed(*three) for three in zip(points, points[1:], points[2:], strict=False)]
-    return Way(np.array(points, dtype=float), marks, np.array([0.0, *corners, 0.0][: len(points)]))
+    places = np.array(points, dtype=float)
+    along = np.diff(places, axis=0) / lengths[:, None]
+    return Way(
+        points=places,
+        marks=np.concatenate(([0.0], np.cumsum(lengths))),
+        speeds=np.array([0.0, *corners, 0.0][: len(points)]),
+        along=along,
+        headings=np.arctan2(along[:, 1], along[:, 0]),
+    )
 
 
 class PathFollower:

@@ -130,19 +130,25 @@ def looked(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float) 
 def reached(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float) -> Reached:
     """Return both axes and their covariance at a time [s], carried from the last measurement."""
     ring = spans.size - 1
-    x, y, p, start, span = h.x, h.y, h.spread, h.at, h.span
+    p, start, span = h.spread, h.at, h.span
     while span < h.newest and spans[(span + 1) & ring].sent + delay <= at + NO_TIME:
-        row = spans[span & ring]
-        end = spans[(span + 1) & ring].sent + delay
-        if abs(start - row.sent - delay) <= NO_TIME:
+        row, end = spans[span & ring], spans[(span + 1) & ring].sent + delay
+        if span > h.span:
             step = _step(row)
             for _ in range(row.pieces):
-                x, y, p = predicted(x, row.ux, step), predicted(y, row.uy, step), spread_out(p, step)
+                p = spread_out(p, step)
         else:
-            x, y, p = _spread_carried(x, y, p, row, model, end - start)
+            p = _spread_carried(p, row, model, end - start)
         start = end
         span += 1
-    x, y, p = _spread_carried(x, y, p, spans[span & ring], model, at - start)
+    row = spans[span & ring]
+    x, y = (h.x, h.y) if span == h.span else (_axis_x(row), _axis_y(row))
+    if at - start <= NO_TIME:
+        return Reached(span, x, y, p)
+    pieces = ceil((at - start) / LONGEST_STEP - NO_TIME)
+    step = transition(model, row.flown > 0, (at - start) / pieces)
+    for _ in range(pieces):
+        x, y, p = predicted(x, row.ux, step), predicted(y, row.uy, step), spread_out(p, step)
     return Reached(span, x, y, p)
 
 
@@ -236,14 +242,14 @@ def _carried(x: Axis, y: Axis, row: Any, model: AxisModel, seconds: float) -> tu
 
 
 @compiled
-def _spread_carried(x: Axis, y: Axis, p: Spread, row: Any, model: AxisModel, seconds: float) -> tuple[Axis, Axis, Spread]:
+def _spread_carried(p: Spread, row: Any, model: AxisModel, seconds: float) -> Spread:
     if seconds <= NO_TIME:
-        return x, y, p
+        return p
     pieces = ceil(seconds / LONGEST_STEP - NO_TIME)
     step = transition(model, row.flown > 0, seconds / pieces)
     for _ in range(pieces):
-        x, y, p = predicted(x, row.ux, step), predicted(y, row.uy, step), spread_out(p, step)
-    return x, y, p
+        p = spread_out(p, step)
+    return p
 
 
 @compiled

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from housefly.control.model import Beat, Body, Constants, beat_of, hover_tilt, moved
 from housefly.estimation.horizon import NO_TIME
-from housefly.experiments.random import State, normals
+from housefly.experiments.random import State, normal
 from housefly.experiments.tracking_noise import Camera, Frames, Stream, exposed
 from housefly.numeric import compiled
 
@@ -86,9 +86,8 @@ def gusted(gust: tuple[float, float], air: Airframe, random: State) -> tuple[flo
     """Return the push of the gusts one tick later [m/s^2]."""
     if air.gust <= 0.0:
         return gust
-    one, two = normals(random)
     fresh = air.gust * sqrt(1.0 - air.gust_kept * air.gust_kept)
-    return air.gust_kept * gust[0] + fresh * one, air.gust_kept * gust[1] + fresh * two
+    return air.gust_kept * gust[0] + fresh * normal(random), air.gust_kept * gust[1] + fresh * normal(random)
 
 
 @compiled

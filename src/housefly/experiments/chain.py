@@ -7,7 +7,7 @@ Only the errand is left out: there is one task, the drone flies from the beginni
 
 from __future__ import annotations
 
-from math import inf, isfinite, nan, sqrt
+from math import inf, isfinite, isnan, nan, sqrt
 from typing import Any, NamedTuple
 
 from housefly.behavior.acceptor import next_state, printed_conditions, steady_conditions
@@ -16,6 +16,7 @@ from housefly.behavior.nose import YAW_SLEW, Nose, nose_after
 from housefly.behavior.ride import Ride, Target, headed, ridden, target_of
 from housefly.control.laws import acceleration
 from housefly.control.steering import Aim, Asked, Gains, Where, steered, steered_by_paper
+from housefly.estimation.horizon import NO_TIME
 from housefly.experiments.belief import Estimated
 from housefly.experiments.route import PATH, STEP, Route
 from housefly.numeric import compiled, wrapped
@@ -27,11 +28,20 @@ NOMINAL, LEVEL, LAND = 0, 1, 2
 """What the gate found."""
 
 
+class Hold(NamedTuple):
+    """A place [m] and a heading [rad] to keep."""
+
+    x: float
+    y: float
+    yaw: float
+
+
 class Course(NamedTuple):
     """What the pilot remembers besides its belief.
 
     Attributes:
         begun: the task has begun.
+        hold: where the drone waits before, on a path where it was first seen; its heading is nan before anything was seen.
         ride: mode default's place on the path.
         cell, cell_yaw: mode paper's waypoint and heading [rad].
         nose: wanted headings.
@@ -40,6 +50,7 @@ class Course(NamedTuple):
     """
 
     begun: bool
+    hold: Hold
     ride: Ride
     cell: int
     cell_yaw: float
@@ -52,13 +63,13 @@ class Course(NamedTuple):
 @compiled
 def course_begun() -> Course:
     """Return the course before anything was seen."""
-    return Course(False, Ride(0.0, 0.0, 0.0, 0, nan), 0, 0.0, Nose(0.0, nan), HOVER, 0.0, NOMINAL)
+    return Course(False, Hold(0.0, 0.0, nan), Ride(0.0, 0.0, 0.0, 0, nan), 0, 0.0, Nose(0.0, nan), HOVER, 0.0, NOMINAL)
 
 
 @compiled
 def remembering(c: Course, safety: int) -> Course:
     """Return the course with what the gate found."""
-    return Course(c.begun, c.ride, c.cell, c.cell_yaw, c.nose, c.state, c.since, safety)
+    return Course(c.begun, c.hold, c.ride, c.cell, c.cell_yaw, c.nose, c.state, c.since, safety)
 
 
 @compiled
@@ -88,19 +99,31 @@ def gains_of_case(case: Any) -> Gains:
 @compiled
 def tracked(c: Course, route: Route, case: Any, here: Estimated, now: float, dt: float) -> tuple[Course, Target]:
     """Return the course with its reference moved on by dt [s], and the reference."""
-    begins = not c.begun and now >= route.settle - 1e-9
-    if begins:
-        c = Course(True, c.ride, 0, paper_heading(here.yaw), c.nose, c.state, c.since, c.safety)
-    if not c.begun or route.task != PATH:
-        last = len(route.cells) - 1 if c.begun and route.task == STEP else 0
-        return c, standing(route, last)
+    if isnan(c.hold.yaw):
+        c = _found(c, route, here)
+    if not c.begun and now >= route.settle - NO_TIME:
+        heading = paper_heading(here.yaw)
+        c = Course(True, c.hold, c.ride, 0, heading, c.nose, c.state, c.since, c.safety)
+    if not c.begun:
+        return c, Target(c.hold.x, c.hold.y, 0.0, 0.0, 0.0, 0.0, c.hold.yaw, 0, True)
+    if route.task != PATH:
+        return c, standing(route, len(route.cells) - 1 if route.task == STEP else 0)
     if case.mode > 0:
         cell, yaw = cell_after(c.cell, c.cell_yaw, route.cells, here.x, here.y, case.epsilon_position)
-        moved = Course(True, c.ride, cell, yaw, c.nose, c.state, c.since, c.safety)
+        moved = Course(True, c.hold, c.ride, cell, yaw, c.nose, c.state, c.since, c.safety)
         return moved, cell_target(cell, yaw, route.cells)
     moving = (c.state == PATH_TRACKING or c.state == HOVER) and c.safety == NOMINAL
     ride = headed(ridden(c.ride, route.way, case.speed, here.x, here.y, moving, dt), route.way)
-    return Course(True, ride, c.cell, c.cell_yaw, c.nose, c.state, c.since, c.safety), target_of(ride, route.way)
+    return Course(True, c.hold, ride, c.cell, c.cell_yaw, c.nose, c.state, c.since, c.safety), target_of(ride, route.way)
+
+
+@compiled
+def _found(c: Course, route: Route, here: Estimated) -> Course:
+    """Return the course of a drone just found in the air: on a path it waits right there, as the live pilot does."""
+    hold = Hold(route.cells[0, 0], route.cells[0, 1], route.yaw)
+    if route.task == PATH:
+        hold = Hold(here.x, here.y, here.yaw)
+    return Course(c.begun, hold, c.ride, c.cell, c.cell_yaw, c.nose, c.state, c.since, c.safety)
 
 
 @compiled
@@ -125,7 +148,7 @@ def accepted(c: Course, route: Route, case: Any, here: Estimated, target: Target
         conditions = steady_conditions(c.state, rise, turn, off, eps1, eps2, eps3)
     state = next_state(c.state, c.since, conditions, now, case.dwell)
     since = c.since if state == c.state else now
-    return Course(c.begun, c.ride, c.cell, c.cell_yaw, nose, state, since, c.safety)
+    return Course(c.begun, c.hold, c.ride, c.cell, c.cell_yaw, nose, state, since, c.safety)
 
 
 @compiled

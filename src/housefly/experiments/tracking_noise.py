@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from housefly.control.model import Body, between
 from housefly.estimation.height_yaw import YAW_PER_METRE
-from housefly.experiments.random import State, exponential, normals, uniform
+from housefly.experiments.random import State, exponential, normal, uniform
 from housefly.numeric import compiled, wrapped
 
 FRAME = np.dtype([(name, "f8") for name in ("captured_at", "received_at", "x", "y", "z", "yaw")])
@@ -93,7 +93,5 @@ def _write(frame: Any, noise: float, random: State, at: float, arrival: float, x
     frame.captured_at, frame.received_at = at, arrival
     frame.x, frame.y, frame.z, frame.yaw = x, y, z, yaw
     if noise > 0.0:
-        one, two = normals(random)
-        three, four = normals(random)
-        frame.x, frame.y, frame.z = x + noise * one, y + noise * two, z + noise * three
-        frame.yaw = wrapped(yaw + YAW_PER_METRE * noise * four)
+        frame.x, frame.y, frame.z = x + noise * normal(random), y + noise * normal(random), z + noise * normal(random)
+        frame.yaw = wrapped(yaw + YAW_PER_METRE * noise * normal(random))

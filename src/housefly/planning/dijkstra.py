@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.numeric import compiled
+from housefly.numeric import compiled_with_arrays
 
 Distances = NDArray[np.int32]
 Free = NDArray[np.bool_]
@@ -21,7 +21,7 @@ CellIndex = tuple[int, int]
 UNREACHED = -1
 
 
-@compiled
+@compiled_with_arrays
 def _settle(free: Any, start: int, goal: int, distance: Any, queue: Any) -> int:
     """Fill ``distance`` (flat, preset to UNREACHED) from ``start`` until ``goal`` is settled; goal -1 settles all cells.
 
@@ -49,7 +49,7 @@ def _settle(free: Any, start: int, goal: int, distance: Any, queue: Any) -> int:
     return head
 
 
-@compiled
+@compiled_with_arrays
 def _walk_back(distance: Any, stride: int, goal: int, out: Any) -> int:
     """Write the cells from ``goal`` to the start into ``out``; keeps its direction as long as that is a shortest way."""
     moves = (stride, 1, -stride, -1)

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.numeric import compiled
+from housefly.numeric import compiled, compiled_with_arrays
 from housefly.room.model import Shape, Solid
 
 Floats = NDArray[np.float64]
@@ -61,7 +61,7 @@ def _nearest(rows: Any, reaches: Any, xs: Any, ys: Any, cap: float, out: Any) ->
             out[i, j] = best
 
 
-@compiled
+@compiled_with_arrays
 def _shares(rows: Any, xs: Any, ys: Any, edge: float, samples: int, clearance: Any, out: Any) -> None:
     near = edge * 0.7072
     for i in range(xs.size):

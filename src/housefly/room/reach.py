@@ -8,13 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2
-from housefly.numeric import compiled
+from housefly.numeric import compiled_with_arrays
 from housefly.room.distance import Floats
 
 Mask = NDArray[np.bool_]
 
 
-@compiled
+@compiled_with_arrays
 def flood(open_cells: Any, i: int, j: int) -> Any:
     """Return the mask of open cells that are 4-connected to the cell (i, j); all false when that one is closed."""
     nx, ny = open_cells.shape
