@@ -86,7 +86,8 @@ class StampedObserver:
     def corrected(self, own: Rows, frame: int, measured: Rows, tick: int, issued: Issued) -> Rows:
         """Roll from the frame before to this one, then correct."""
         own = self._rolled(own, self._timing.taken_at(frame - 1), self._timing.taken_at(frame), tick, issued)
-        return own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
+        better: Rows = own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
+        return better
 
     def looked(self, own: Rows, tick: int, issued: Issued) -> tuple[Rows, Rows, Rows, Rows]:
         """Roll from the last frame to one command delay ahead; the estimator's own rows stay where the frame was taken."""
@@ -141,7 +142,8 @@ class PlainObserver:
         """Correct at the tick; the prediction of the tick comes first, once."""
         if frame == self._timing.delivered((tick - 1) * self._timing.tick):
             own = self._moved(own, tick, issued)
-        return own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
+        better: Rows = own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
+        return better
 
     def looked(self, own: Rows, tick: int, issued: Issued) -> tuple[Rows, Rows, Rows, Rows]:
         """Return the estimate itself."""

@@ -38,4 +38,5 @@ def moved(state: NDArray[Any], command: NDArray[Any], lag: float, drag: float, d
         dt: [s].
     """
     matrix, column = _discrete(lag, drag, round(dt, 12))
-    return matrix @ state + column * command
+    after: NDArray[Any] = matrix @ state + column * command
+    return after

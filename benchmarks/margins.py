@@ -1,0 +1,80 @@
+"""Margins that the gain advisor predicts, beside the edge that the batch engine finds by flying."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from math import sqrt
+
+import numpy as np
+from _run import table
+
+from housefly.config import Site
+from housefly.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, cases
+from housefly.experiments.engine import fly_many
+from housefly.experiments.mission import SETTLE, Mission, Task
+from housefly.tuning.advice import Question, advise
+from housefly.tuning.loop import Loop
+from housefly.tuning.margins import delay_margin, gain_margin
+
+STEP = 0.02
+TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))
+LAGS = (5.0, 7.0, 10.0)
+DRONES = 6
+
+
+def settles(loop: Loop, **truth: float) -> bool:
+    case = cases(
+        Site(), DRONES, seed=np.arange(DRONES), estimator=ON_ARRIVAL if loop.paper else DELAY_COMPENSATED,
+        alpha=loop.alpha, beta=loop.beta, model_lag=loop.lag, model_delay=loop.delay, model_drag=loop.drag, drag=loop.drag,
+        position_noise=loop.position_noise, acceleration_noise=loop.acceleration_noise, mocap_rate_hz=loop.tracking_hz,
+        mocap_latency=loop.latency, mocap_jitter=0.0, mocap_noise=1e-9, tilt_max=0.5, pose_age_level=10.0, pose_age_land=20.0,
+        **{"lag": loop.lag, "delay": loop.delay, **truth},
+    )  # fmt: skip
+    flown = fly_many(case, Mission(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
+    return bool((flown["residual"] < 0.2 * STEP).all())
+
+
+def edge(loop: Loop, column: str, inside: float, outside: float) -> float:
+    while outside - inside > 0.003 * outside:
+        middle = 0.5 * (inside + outside)
+        inside, outside = (middle, outside) if settles(loop, **{column: middle}) else (inside, middle)
+    return 0.5 * (inside + outside)
+
+
+def main() -> None:
+    rows, worst = [], 0.0
+    for paper in (False, True):
+        for lag in LAGS:
+            for rate, latency in TRACKING:
+                loop = Loop(4.0, 4.0, lag, 0.06, tracking_hz=rate, latency=latency, paper=paper)
+                gain, delay = gain_margin(loop), delay_margin(loop)
+                flown_gain = edge(loop, "gain", 1.0, 1.6 * gain)
+                flown_delay = edge(loop, "delay", loop.delay, min(0.5, loop.delay + 1.6 * delay)) - loop.delay
+                ratios = gain / flown_gain, delay / flown_delay
+                worst = max(worst, *(abs(ratio - 1.0) for ratio in ratios))
+                rows.append(
+                    (
+                        "paper" if paper else "default", f"{lag:g}", f"{rate:.0f} Hz, {1000 * latency:.0f} ms",
+                        f"{gain:.2f} / {flown_gain:.2f}", f"{ratios[0]:.3f}",
+                        f"{1000 * delay:.0f} / {1000 * flown_delay:.0f}", f"{ratios[1]:.3f}",
+                    )
+                )  # fmt: skip
+    print("### Margins: predicted and flown\n")
+    headings = ("filter of mode", "lambda [1/s]", "tracking", "gain margin", "ratio", "delay margin [ms]", "ratio")
+    print(table(headings, rows))
+    print(
+        f"\nalpha = beta = 4, command delay 60 ms; predicted by the matrix of the sampled loop / found by bisection over flights of the "
+        f"nonlinear batch engine. Largest difference {100 * worst:.1f} % (limit: 5 %)."
+    )
+    start = time.process_time()
+    advice = advise(Question(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))
+    assert advice is not None
+    print(
+        f"\nA recommendation (30 Hz, 50 ms) takes {time.process_time() - start:.1f} s of one core: "
+        f"natural frequency {sqrt(advice.judgement.loop.beta):.2f} rad/s."
+    )
+
+
+if __name__ == "__main__":
+    main()
