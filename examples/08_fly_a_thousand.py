@@ -1,12 +1,14 @@
 """Fly a thousand drones that differ, and read the results as any tool of data people reads them.
 
 Learns: a campaign is a file; every drone is a row; shares and means come with intervals; a second run goes on where it stopped.
-Prints: how many drones fly, then for each mode and rate the share of stable flights and the error.
+Prints: how many drones fly, what a look into the results says, then for each mode, rate and latency the share of stable flights
+and the error.
 """
 
 import tempfile
 from pathlib import Path
 
+import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from housefly.app.premises import read_site
@@ -20,13 +22,16 @@ spec = load_spec(Path(__file__).parent / "08_tracking_rate.toml")
 plan = plan_campaign(spec, read_site(spec.site))
 print(f"{spec.points} points x {spec.seeds} seeds = {plan.drones} drones")
 
-with tempfile.TemporaryDirectory() as out:
-    folder = CampaignFolder(Path(out), plan)
-    run_campaign(plan, folder, LocalFleet(), on_landed=lambda drones: None)
-    folder.finish()
-    table = pq.read_table(Path(out) / "results.parquet")
+with tempfile.TemporaryDirectory() as out, CampaignFolder(Path(out), plan) as folder:
+    run_campaign(plan, folder.missing(), folder, LocalFleet())
+    results = folder.finish()
+    table = pq.read_table(results)
+    print(
+        f"{table.num_rows} rows of {table.num_columns} columns; the slowest arrival: {pc.max(table['arrival_time']).as_py():.1f} s"
+    )
+    cells = summarize(spec, results)
 
-for cell in summarize(spec, table):
+for cell in cells:
     where = ", ".join(f"{name} {shown(name, value)}" for name, value in zip(spec.grid, cell.values, strict=True))
     stable, error = cell.estimates["stable"], cell.estimates["rms_error"]
     share = f"{stable.value:4.0%} stable ({stable.low:.0%} to {stable.high:.0%})"

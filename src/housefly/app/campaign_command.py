@@ -5,11 +5,14 @@ from __future__ import annotations
 import argparse
 import re
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
+from housefly.app.campaign_progress import CampaignProgress
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
@@ -17,6 +20,7 @@ if TYPE_CHECKING:
     from housefly.campaigns.plan import Plan
     from housefly.campaigns.runner import Fleet
     from housefly.campaigns.spec import Spec
+    from housefly.campaigns.summary import Cell
 
 console = Console(highlight=False)
 
@@ -37,6 +41,8 @@ PROBE = 200
 """Drones flown to estimate the time of all."""
 ROWS = 40
 """Rows of the summary that are printed."""
+WIDE = 140
+"""Columns of a line where the output is no terminal."""
 
 
 def add(actions: Any) -> None:
@@ -68,107 +74,103 @@ def run(options: argparse.Namespace) -> int:
     path = Path(options.spec)
     spec = load_spec(path)
     plan = plan_campaign(spec, _site(spec, path.parent))
-    seconds = sum(len(leg.points) * spec.seeds * leg.mission.duration for leg in plan.legs)
+    seconds = plan.drones * spec.mission.duration_s
     console.print(
         f"{spec.name}: {spec.points} points x {spec.seeds} seeds = {plan.drones:,} drones, {seconds:,.0f} drone-seconds"
     )
-    if options.dry_run:
-        return _estimate(plan, seconds, options.threads)
-    return _fly(plan, options)
+    return _estimate(plan, options.threads) if options.dry_run else _fly(plan, options)
 
 
 def _fly(plan: Plan, options: argparse.Namespace) -> int:
     from housefly.campaigns.folder import CampaignFolder
-    from housefly.campaigns.runner import LocalFleet
 
     out = Path(options.out or Path("campaigns") / re.sub(r"[^\w-]+", "_", plan.spec.name).strip("_"))
-    folder = CampaignFolder(out, plan, fresh=options.fresh)
-    try:
-        if options.cluster:
-            from housefly.campaigns.cluster import ClusterFleet
-
-            with ClusterFleet(options.cluster) as fleet:
+    with CampaignFolder(out, plan, fresh=options.fresh) as folder:
+        try:
+            with _fleet(options) as fleet:
                 _run(plan, folder, fleet)
-        else:
-            _run(plan, folder, LocalFleet(options.threads))
-    except KeyboardInterrupt:
-        left = sum(chunk.stop - chunk.start for chunk in folder.missing())
-        console.print(f"stopped; {plan.drones - left:,} of {plan.drones:,} drones are kept in {out}: run the same again to go on")
-        return 130
-    _conclude(plan.spec, folder)
+        except KeyboardInterrupt:
+            kept = f"{folder.landed:,} of {plan.drones:,} drones are kept in {out}"
+            console.print(f"stopped; {kept}: run the same again to go on", soft_wrap=True)
+            return 130
+        _conclude(plan.spec, folder)
     return 0
 
 
-def _run(plan: Plan, folder: CampaignFolder, fleet: Fleet) -> None:
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+@contextmanager
+def _fleet(options: argparse.Namespace) -> Iterator[Fleet]:
+    from housefly.campaigns.runner import LocalFleet
 
+    if not options.cluster:
+        yield LocalFleet(options.threads)
+        return
+    from housefly.campaigns.cluster import ClusterFleet
+
+    with ClusterFleet(options.cluster) as fleet:
+        others = ", ".join(sorted(fleet.foreign_processors()))
+        if others:
+            console.print(f"note: workers with other processors ({others}): the last bits of their numbers may differ")
+        yield fleet
+
+
+def _run(plan: Plan, folder: CampaignFolder, fleet: Fleet) -> None:
     from housefly.campaigns.runner import run_campaign
 
-    columns = (
-        TextColumn("drones"),
-        BarColumn(30),
-        MofNCompleteColumn(),
-        TextColumn("{task.fields[rate]}"),
-        TimeRemainingColumn(),
-    )
-    duration = plan.legs[0].mission.duration
-    with Progress(*columns, console=console, transient=not console.is_terminal) as progress:
-        task = progress.add_task("", total=plan.drones, rate="")
-        began, flown = time.monotonic(), -1
-
-        def landed(drones: int) -> None:
-            nonlocal flown
-            progress.advance(task, drones)
-            if flown < 0:
-                flown = 0  # the first call tells what an earlier run left
-                return
-            flown += drones
-            speed = flown * duration / max(time.monotonic() - began, 1e-3)
-            progress.update(task, rate=f"{speed:,.0f} drone-s/s")
-
-        run_campaign(plan, folder, fleet, landed)
+    missing = folder.missing()
+    if folder.landed:
+        console.print(f"{folder.landed:,} drones are there from an earlier run")
+    with CampaignProgress(plan.drones, folder.landed, plan.spec.mission.duration_s, console) as progress:
+        run_campaign(plan, missing, folder, fleet, progress.landed)
 
 
 def _conclude(spec: Spec, folder: CampaignFolder) -> None:
-    from rich.table import Table
-
     from housefly.campaigns.plots import draw_campaign
-    from housefly.campaigns.summary import SHARES, shown, summarize, write_summary
+    from housefly.campaigns.summary import summarize, write_summary
 
     cells = summarize(spec, folder.finish())
     write_summary(folder.path / "summary.csv", spec, cells)
     files = [file for measure in spec.plot for file in draw_campaign(spec, cells, measure, folder.path / measure)]
-    table = Table(box=None, pad_edge=False)
-    for heading in (*spec.grid, "drones", *spec.plot):
-        table.add_column(heading, justify="right")
-    for cell in cells[:ROWS]:
-        values = (shown(name, value) for name, value in zip(spec.grid, cell.values, strict=True))
-        numbers = []
-        for measure in spec.plot:
-            value, low, high = cell.estimates[measure]
-            scale, unit = (100.0, " %") if measure in SHARES else (1.0, "")
-            numbers.append(f"{scale * value:.3g}{unit} ({scale * low:.3g} .. {scale * high:.3g})")
-        table.add_row(*values, str(cell.drones), *numbers)
-    console.print(table)
-    if len(cells) > ROWS:
-        console.print(f"... {len(cells) - ROWS} more in summary.csv")
+    _print_table(spec, cells)
     names = ", ".join(["results.parquet", "summary.csv", *(file.name for file in files if file.suffix == ".png")])
     console.print(f"written: {folder.path} ({names})", soft_wrap=True)
 
 
-def _estimate(plan: Plan, seconds: float, threads: int | None) -> int:
-    from dataclasses import replace
+def _print_table(spec: Spec, cells: tuple[Cell, ...]) -> None:
+    from rich.table import Table
 
+    from housefly.campaigns.summary import SHARES, shown, told
+    from housefly.experiments.cases import BY_NAME
+    from housefly.experiments.outcomes import MEASURES
+
+    units = {measure.name: measure.unit for measure in MEASURES} | {name: BY_NAME[name].unit for name in spec.grid}
+    table = Table(box=None, pad_edge=False)
+    rows = []
+    for cell in cells[:ROWS]:
+        values = (shown(name, value) for name, value in zip(spec.grid, cell.values, strict=True))
+        rows.append((*values, str(cell.drones), *(told(measure, cell.estimates[measure]) for measure in spec.plot)))
+    for name, texts in zip((*spec.grid, "drones", *spec.plot), zip(*rows, strict=True), strict=True):
+        unit = "1" if name in SHARES else units.get(name, "1")
+        heading = name.replace("_", " ") + ("" if unit == "1" else f" \\[{unit}]")
+        table.add_column(heading, justify="right", min_width=max(map(len, texts)))
+    for row in rows:
+        table.add_row(*row)
+    (console if console.is_terminal else Console(highlight=False, width=WIDE)).print(table)
+    if len(cells) > ROWS:
+        console.print(f"... {len(cells) - ROWS} more in summary.csv")
+    console.print("means over stable flights and shares, with 95 % intervals over seeds")
+
+
+def _estimate(plan: Plan, threads: int | None) -> int:
     from housefly.experiments.engine import fly_many
 
     chunk = plan.chunks[0]
-    cases, _ = plan.cases_of(replace(chunk, stop=min(chunk.stop, chunk.start + PROBE)))
+    cases = plan.cases_of(chunk)[0][:PROBE]
     mission = plan.legs[chunk.leg].mission
     fly_many(cases[:1], mission, threads=threads)
     began = time.monotonic()
     fly_many(cases, mission, threads=threads)
-    spent = (time.monotonic() - began) / (len(cases) * mission.duration)
-    console.print(f"about {seconds * spent:,.1f} s here, in {len(plan.chunks)} chunks")
+    spent = (time.monotonic() - began) / len(cases)
+    console.print(f"about {plan.drones * spent:,.1f} s here, in {len(plan.chunks)} chunks")
     return 0
 
 

@@ -3,25 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from importlib import metadata
+from concurrent.futures import CancelledError
+from typing import Any
 
 from housefly.campaigns.plan import Chunk, Plan
+from housefly.campaigns.provenance import processor, versions
 from housefly.campaigns.runner import Landed
-from housefly.errors import ConfigError, LinkError, MissingPartError
+from housefly.errors import LinkError, MissingPartError
+from housefly.experiments.cases import Cases
 from housefly.experiments.engine import fly_many
+from housefly.experiments.mission import Mission
 from housefly.experiments.outcomes import Outcomes
 
 try:
-    from distributed import Client, as_completed
+    from distributed import Client, KilledWorker, wait
+    from distributed.comm.core import CommClosedError
 except ImportError as error:
     raise MissingPartError("distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'") from error
 
 PATIENCE = 10.0
 """How long the scheduler may take to answer, and the first worker to come [s]."""
-PACKAGES = ("housefly", "numba", "numpy")
-"""What must be the same everywhere, or the numbers would not be."""
-RETRIES = 5
-"""How often a chunk whose worker died is given to another one."""
+DEAF = 60.0
+"""How long a cluster without any worker is waited for [s]."""
+LOOK = 2.0
+"""How often to look whether the cluster is still there while nothing lands [s]."""
+AHEAD = 4
+"""Chunks handed out for each thread of the cluster."""
+KEPT = "what has landed is kept, run the same again to go on"
 
 
 class ClusterFleet:
@@ -31,19 +39,18 @@ class ClusterFleet:
         """Connect.
 
         Raises:
-            LinkError: nobody answers there, or no worker comes.
-            ConfigError: a worker has another version.
+            LinkError: nobody answers there, no worker comes, or a worker has other versions than this machine.
         """
+        self._address = address
         try:
             self._client = Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
         except (OSError, TimeoutError, ValueError) as error:
-            raise LinkError(f"no scheduler answers at {address}: start one with: dask scheduler") from error
+            raise LinkError(f"no scheduler answers at {address}; start one with: dask scheduler") from error
         try:
-            self._client.wait_for_workers(1, timeout=PATIENCE)
-        except TimeoutError as error:
+            self._check_workers()
+        except BaseException:
             self.close()
-            raise LinkError(f"no worker at {address} after {PATIENCE:.0f} s: start one with: dask worker {address}") from error
-        self._check_versions()
+            raise
 
     def __enter__(self) -> ClusterFleet:
         return self
@@ -52,34 +59,86 @@ class ClusterFleet:
         self.close()
 
     def close(self) -> None:
-        """Leave the cluster."""
+        """Leave the cluster; what is still handed out is taken back."""
         self._client.close()  # type: ignore[no-untyped-call]
 
+    def foreign_processors(self) -> set[str]:
+        """Return the types of the workers' processors that are not this machine's: their last bits may differ."""
+        return set(self._client.run(processor).values()) - {processor()}
+
     def fly(self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed) -> Iterator[tuple[Chunk, Outcomes]]:
-        """Hand out all chunks and yield each as it lands."""
-        futures = {self._client.submit(fly_chunk, plan, chunk, pure=False, retries=RETRIES): chunk for chunk in chunks}
-        for future in as_completed(list(futures)):  # type: ignore[no-untyped-call]
-            outcomes = future.result()
-            chunk = futures.pop(future)
-            future.release()
-            on_landed(chunk.stop - chunk.start)
-            yield chunk, outcomes
+        """Hand out chunks, some for every thread of the cluster, and yield each as it lands.
 
-    def _check_versions(self) -> None:
-        ours = versions()
-        for worker, theirs in self._client.run(versions).items():
-            for package, version in ours.items():
-                if theirs.get(package) != version:
-                    self.close()
-                    raise ConfigError("--cluster", f"{worker} has {package} {theirs.get(package)}, this machine {version}")
+        Raises:
+            LinkError: the scheduler is gone, no worker is left, or chunks kill every worker that takes them.
+        """
+        waiting = list(reversed(chunks))
+        flying: dict[Any, Chunk] = {}
+        while waiting or flying:
+            while waiting and len(flying) < AHEAD * max(self._threads(), 1):
+                chunk = waiting.pop()
+                flying[self._hand_out(plan, chunk)] = chunk
+            for future in self._landed(list(flying)):
+                chunk = flying.pop(future)
+                outcomes = self._result(future)
+                on_landed(chunk.drones)
+                yield chunk, outcomes
+
+    def _hand_out(self, plan: Plan, chunk: Chunk) -> Any:
+        cases, _ = plan.cases_of(chunk)
+        return self._client.submit(fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False)
+
+    def _landed(self, flying: list[Any]) -> list[Any]:
+        """Return those that have landed, at least one."""
+        alone = 0.0
+        while True:
+            try:
+                done = wait(flying, timeout=LOOK, return_when="FIRST_COMPLETED").done  # type: ignore[no-untyped-call]
+                return list(done)
+            except TimeoutError:
+                alone = 0.0 if self._threads() else alone + LOOK
+            except (CancelledError, CommClosedError) as error:
+                raise self._lost() from error
+            if alone > DEAF:
+                raise LinkError(f"no worker at {self._address} for {DEAF:.0f} s; {KEPT}")
+
+    def _result(self, future: Any) -> Outcomes:
+        try:
+            outcomes: Outcomes = future.result()
+        except KilledWorker as error:
+            raise LinkError(f"the workers at {self._address} die of their work ({error}); {KEPT}") from error
+        except (CancelledError, CommClosedError) as error:
+            raise self._lost() from error
+        return outcomes
+
+    def _lost(self) -> LinkError:
+        return LinkError(f"the scheduler at {self._address} is gone; {KEPT}")
+
+    def _threads(self) -> int:
+        if self._client.status != "running":
+            raise self._lost()
+        return sum(self._client.nthreads().values())  # type: ignore[no-untyped-call]
+
+    def _check_workers(self) -> None:
+        try:
+            self._client.wait_for_workers(1, timeout=PATIENCE)
+        except TimeoutError as error:
+            raise LinkError(
+                f"no worker at {self._address} after {PATIENCE:.0f} s; start one with: dask worker {self._address}"
+            ) from error
+        for worker, theirs in self._client.run(versions, on_error="return").items():
+            if isinstance(theirs, Exception):
+                raise LinkError(f"the worker {worker} has no housefly {versions()['housefly']} ({theirs})")
+            _refuse_others(theirs, versions(), worker)
 
 
-def versions() -> dict[str, str]:
-    """Return the versions of what the numbers depend on."""
-    return {package: metadata.version(package) for package in PACKAGES}
+def fly_chunk(cases: Cases, mission: Mission, wanted: dict[str, str]) -> Outcomes:
+    """Fly one chunk on one thread of a worker; raises LinkError when this worker has other versions than wanted."""
+    _refuse_others(versions(), wanted, "one that joined later")
+    return fly_many(cases, mission, threads=1)
 
 
-def fly_chunk(plan: Plan, chunk: Chunk) -> Outcomes:
-    """Fly one chunk on one thread of a worker."""
-    cases, _ = plan.cases_of(chunk)
-    return fly_many(cases, plan.legs[chunk.leg].mission, threads=1)
+def _refuse_others(theirs: dict[str, str], ours: dict[str, str], worker: str) -> None:
+    for name, version in ours.items():
+        if theirs.get(name) != version:
+            raise LinkError(f"the worker {worker} has {name} {theirs.get(name)}, this machine {version}: make them the same")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable
-from math import log
-from typing import Self
+from math import inf, isfinite, log
+from typing import Annotated, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,8 @@ except ImportError as error:
     raise MissingPartError("scipy (distributions)", "pip install 'housefly[lab]'") from error
 
 Numbers = NDArray[np.float64]
+Value = Annotated[float, Field(strict=True)] | str
+"""A number, or a word for one; true and false are neither."""
 
 
 class Draw(Section):
@@ -30,13 +32,13 @@ class Draw(Section):
         uniform: from, to.
         loguniform: from, to; equally likely in every octave.
         normal: mean, one sigma.
-        choice: values, equally likely.
+        choice: values or words, equally likely.
     """
 
     uniform: tuple[float, float] | None = Field(default=None, description="from, to")
     loguniform: tuple[float, float] | None = Field(default=None, description="from, to; equally likely in every octave")
     normal: tuple[float, float] | None = Field(default=None, description="mean, one sigma")
-    choice: tuple[float, ...] | None = Field(default=None, description="values, equally likely")
+    choice: tuple[Value, ...] | None = Field(default=None, min_length=1, description="values, equally likely")
 
     @model_validator(mode="after")
     def _one(self) -> Self:
@@ -51,23 +53,21 @@ class Draw(Section):
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """Its numbers."""
-        return tuple(getattr(self, self.kind))
+        """Its numbers, once words are numbers."""
+        return tuple(float(number) for number in getattr(self, self.kind))
 
     def check(self, key: str, column: Parameter) -> None:
-        """Raise ConfigError when the distribution makes no sense for a column."""
+        """Raise ConfigError when a distribution other than a choice makes no sense for a column."""
         unit = "" if column.unit == "1" else f" {column.unit}"
         bounds = f"{column.low:g} to {column.high:g}{unit}"
         if self.kind == "normal":
             mean, sigma = self.numbers
-            if not column.low <= mean <= column.high or not 0.0 < sigma < np.inf:
+            if not column.low <= mean <= column.high or not 0.0 < sigma < inf:
                 raise ConfigError(key, f"normal is [{mean:g}, {sigma:g}]; allowed: a mean from {bounds} and a positive sigma")
             return
-        if not self.numbers or not all(column.low <= number <= column.high for number in self.numbers):
-            raise ConfigError(key, f"{self.kind} is {list(self.numbers)}; allowed: numbers from {bounds}")
-        if self.kind == "choice":
-            return
         low, high = self.numbers
+        if not all(column.low <= number <= column.high and isfinite(number) for number in (low, high)):
+            raise ConfigError(key, f"{self.kind} is [{low:g}, {high:g}]; allowed: two finite numbers from {bounds}")
         if not low < high:
             raise ConfigError(key, f"{self.kind} is [{low:g}, {high:g}]; the first must be below the second")
         if self.kind == "loguniform" and low <= 0.0:
@@ -79,7 +79,7 @@ class Draw(Section):
 
 
 def shares_of(name: str, first: int, count: int) -> Numbers:
-    """Return uniform numbers in (0, 1) for drones ``first`` to ``first + count`` of one column."""
+    """Return uniform numbers in [0, 1) for drones ``first`` to ``first + count`` of one column."""
     stream = np.random.PCG64(zlib.crc32(name.encode()))
     stream.advance(first)
     return np.random.Generator(stream).random(count)
@@ -92,7 +92,7 @@ def _uniform(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> 
 
 def _loguniform(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
     low, high = numbers
-    return np.exp(log(low) + (log(high) - log(low)) * shares)
+    return np.clip(np.exp(log(low) + (log(high) - log(low)) * shares), low, high)
 
 
 def _normal(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:

@@ -6,20 +6,23 @@ campaign; a part that is foreign, torn or of another size counts as not flown.
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
-import os
 import shutil
-from importlib import metadata
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from housefly.campaigns.differences import differences
 from housefly.campaigns.plan import Chunk, Plan
+from housefly.campaigns.provenance import describe
 from housefly.errors import ConfigError, MissingPartError, RecordingError
-from housefly.experiments.cases import PARAMETERS, Cases
+from housefly.experiments.cases import CASE, PARAMETERS, Cases
 from housefly.experiments.outcomes import MEASURES, OUTCOME, Outcomes
 
 try:
@@ -31,137 +34,154 @@ except ImportError as error:
 DESCRIPTION = "campaign.json"
 RESULTS = "results.parquet"
 PARTS = "parts"
+LOCK = ".lock"
 UNITS = {parameter.name: parameter.unit for parameter in PARAMETERS} | {measure.name: measure.unit for measure in MEASURES}
-
-
-def describe(plan: Plan) -> dict[str, Any]:
-    """Return everything that the numbers depend on, as plain values."""
-    return {
-        "spec": plan.spec.model_dump(mode="json"),
-        "sites": [leg.site.model_dump(mode="json") for leg in plan.legs],
-        "ways": [[list(point) for point in leg.mission.waypoints] for leg in plan.legs],
-        "housefly": metadata.version("housefly"),
-    }
+SCHEMA = pa.schema(
+    [
+        pa.field(name, pa.from_numpy_dtype(kind), metadata={b"unit": UNITS.get(name, "1").encode()})
+        for name, kind in [("cell", np.dtype(np.int64))]
+        + [(name, table[name]) for table in (CASE, OUTCOME) for name in table.names or ()]
+    ]
+)
+"""Every result: the number of the point in the grid, the drone, what came of it."""
 
 
 class CampaignFolder:
-    """Results on disk, part by part."""
+    """Results on disk, part by part; one process at a time."""
 
     def __init__(self, path: Path, plan: Plan, *, fresh: bool = False) -> None:
-        """Open the folder of a campaign, or make it.
+        """Open the folder of a campaign, or make it; ``fresh`` forgets what an earlier run left.
 
         Raises:
-            ConfigError: the folder holds another campaign; the message names what differs.
+            ConfigError: the folder holds another campaign (the message names what differs), or another process uses it.
             RecordingError: it cannot be written.
         """
         self.path = path
+        self.landed = 0
         self._plan = plan
-        text = json.dumps(describe(plan), indent=1, sort_keys=True)
-        self._mark = hashlib.sha256(text.encode()).hexdigest()
-        try:
-            if fresh and path.is_dir():
+        description = describe(plan)
+        self._mark = hashlib.sha256(json.dumps(description, sort_keys=True).encode()).hexdigest().encode()
+        with _telling(path):
+            path.mkdir(parents=True, exist_ok=True)
+            if fresh:
+                self._refuse_strangers()
+            self._lock = (path / LOCK).open("w")
+            self._hold()
+            if fresh:
                 self._clear()
-            (path / PARTS).mkdir(parents=True, exist_ok=True)
-            self._claim(text)
-        except OSError as error:
-            raise RecordingError(f"{path} cannot be written: {error.strerror}") from error
+            (path / PARTS).mkdir(exist_ok=True)
+            self._claim(description)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *reason: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Let other processes use the folder."""
+        self._lock.close()
 
     def missing(self) -> tuple[Chunk, ...]:
-        """Return the chunks that are not there yet."""
-        return tuple(chunk for chunk in self._plan.chunks if not self._is_whole(chunk))
+        """Return the chunks that are not there yet; every part that is there is read and checked."""
+        chunks = tuple(chunk for chunk in self._plan.chunks if not self._is_whole(chunk))
+        self.landed = self._plan.drones - sum(chunk.drones for chunk in chunks)
+        return chunks
 
     def write(self, chunk: Chunk, flown: Outcomes) -> None:
         """Keep the results of a chunk; raises RecordingError when the disk does not take them."""
-        cases, cells = self._plan.cases_of(chunk)
-        path = self._part(chunk)
-        half = path.with_suffix(".writing")
-        try:
-            pq.write_table(self._table(cases, cells, flown, chunk), half, compression="zstd")
-            half.replace(path)
-        except OSError as error:
-            half.unlink(missing_ok=True)
-            raise RecordingError(
-                f"{path} cannot be written: {error.strerror or error}; what was flown is kept: run the same again"
-            ) from error
+        marks = {b"campaign": self._mark, b"chunk": str(chunk.number).encode()}
+        columns = _columns(*self._plan.cases_of(chunk), flown)
+        table = pa.table([columns[name] for name in SCHEMA.names], schema=SCHEMA.with_metadata(marks))
+        with _whole(self._part(chunk)) as half:
+            pq.write_table(table, half, compression="zstd", write_page_checksum=True)
+        self.landed += chunk.drones
 
-    def finish(self) -> pa.Table:
-        """Join all parts into ``results.parquet`` and return the table, drones in order."""
-        table = pa.concat_tables([pq.read_table(self._part(chunk)) for chunk in self._plan.chunks])
-        table = table.replace_schema_metadata({b"campaign": self._mark.encode()})
-        half = self.path / f"{RESULTS}.writing"
-        try:
-            pq.write_table(table, half, compression="zstd")
-            half.replace(self.path / RESULTS)
-        except OSError as error:
-            raise RecordingError(f"{self.path / RESULTS} cannot be written: {error.strerror or error}") from error
-        return table
+    def finish(self) -> Path:
+        """Join all parts into one file, drones in order, and return it; raises RecordingError when a part is not whole."""
+        path = self.path / RESULTS
+        schema = SCHEMA.with_metadata({b"campaign": self._mark})
+        with _whole(path) as half, pq.ParquetWriter(half, schema, compression="zstd") as writer:
+            for chunk in self._plan.chunks:
+                part = self._read(chunk)
+                if part is None:
+                    raise RecordingError(f"{self._part(chunk)} is not whole: run the same again")
+                writer.write_table(part.replace_schema_metadata(schema.metadata))
+        return path
 
     def _part(self, chunk: Chunk) -> Path:
         return self.path / PARTS / f"part-{chunk.number:06d}.parquet"
 
     def _is_whole(self, chunk: Chunk) -> bool:
+        return self._read(chunk) is not None
+
+    def _read(self, chunk: Chunk) -> pa.Table | None:
+        """Return a part, or None where it is absent, torn, of another campaign or of another chunk."""
         try:
-            found = pq.read_metadata(self._part(chunk))
-        except (OSError, pa.ArrowInvalid):
-            return False
-        marks = found.metadata or {}
-        return bool(marks.get(b"campaign") == self._mark.encode() and found.num_rows == chunk.stop - chunk.start)
+            table = pq.ParquetFile(self._part(chunk), page_checksum_verification=True).read()
+        except (OSError, pa.ArrowException):
+            return None
+        marks = table.schema.metadata or {}
+        ours = (marks.get(b"campaign"), marks.get(b"chunk")) == (self._mark, str(chunk.number).encode())
+        return table if ours and table.num_rows == chunk.drones and table.schema.equals(SCHEMA) else None
 
-    def _table(self, cases: Cases, cells: NDArray[np.int64], flown: Outcomes, chunk: Chunk) -> pa.Table:
-        varying = (*self._plan.spec.grid, *self._plan.spec.draw)
-        columns: dict[str, NDArray[Any]] = {"cell": cells, "seed": cases["seed"]}
-        columns |= {name: cases[name] for name in varying}
-        columns |= {name: flown[name] for name in OUTCOME.names or ()}
-        fields = [
-            pa.field(name, pa.from_numpy_dtype(values.dtype), metadata={b"unit": UNITS.get(name, "1").encode()})
-            for name, values in columns.items()
-        ]
-        marks = {b"campaign": self._mark.encode(), b"chunk": str(chunk.number).encode()}
-        return pa.table([np.ascontiguousarray(values) for values in columns.values()], schema=pa.schema(fields, metadata=marks))
-
-    def _claim(self, text: str) -> None:
-        description = self.path / DESCRIPTION
-        if not description.is_file():
-            half = description.with_suffix(".writing")
-            half.write_text(text, encoding="utf-8")
-            half.replace(description)
-            return
-        there = description.read_text(encoding="utf-8")
-        if there != text:
+    def _hold(self) -> None:
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            self._lock.close()
             raise ConfigError(
-                "--out",
-                f"{self.path} holds another campaign (it differs in {_difference(there, text)}): "
-                "choose another folder, or --fresh",
+                "--out", f"another process writes into {self.path}; wait for it or choose another folder"
+            ) from error
+
+    def _claim(self, description: dict[str, Any]) -> None:
+        file = self.path / DESCRIPTION
+        if not file.is_file():
+            with _whole(file) as half:
+                half.write_text(json.dumps(description, indent=1), encoding="utf-8")
+            return
+        differing = differences(file.read_text(encoding="utf-8"), description)
+        if differing:
+            self.close()
+            raise ConfigError(
+                "--out", f"{self.path} holds another campaign ({differing}): choose another folder, or start over with --fresh"
             )
 
-    def _clear(self) -> None:
-        """Remove what an earlier campaign left; refuses a folder that is none."""
-        if not any(self.path.iterdir()):
-            return
-        if not (self.path / DESCRIPTION).is_file():
+    def _refuse_strangers(self) -> None:
+        strangers = {file.name for file in self.path.iterdir()} - {LOCK, PARTS}
+        if strangers and DESCRIPTION not in strangers:
             raise ConfigError("--fresh", f"{self.path} is not the folder of a campaign: nothing was removed")
-        shutil.rmtree(self.path / PARTS, ignore_errors=True)
+
+    def _clear(self) -> None:
+        if (self.path / PARTS).is_dir():
+            shutil.rmtree(self.path / PARTS)
         for name in (DESCRIPTION, RESULTS):
             (self.path / name).unlink(missing_ok=True)
 
 
-def _difference(there: str, here: str) -> str:
+def _columns(cases: Cases, cells: NDArray[np.int64], flown: Outcomes) -> dict[str, NDArray[Any]]:
+    tables = {name: table[name] for table in (cases, flown) for name in table.dtype.names or ()}
+    return {name: np.ascontiguousarray(values) for name, values in ({"cell": cells} | tables).items()}
+
+
+@contextmanager
+def _whole(path: Path) -> Iterator[Path]:
+    """Give another name to write under, and rename it when all went well; what fails leaves nothing behind."""
+    half = path.with_name(f"{path.name}.writing")
+    with _telling(path):
+        try:
+            yield half
+            half.replace(path)
+        except BaseException:
+            half.unlink(missing_ok=True)
+            raise
+
+
+@contextmanager
+def _telling(path: Path) -> Iterator[None]:
     try:
-        old, new = json.loads(there), json.loads(here)
-    except ValueError:
-        return f"{DESCRIPTION} cannot be read"
-    return ", ".join(_differing(old, new, ""))[:300] or "the order of keys"
-
-
-def _differing(old: Any, new: Any, key: str) -> list[str]:
-    if isinstance(old, dict) and isinstance(new, dict):
-        names = sorted(set(old) | set(new))
-        return [found for name in names for found in _differing(old.get(name), new.get(name), f"{key}.{name}".lstrip("."))]
-    return [] if old == new else [key]
-
-
-def free_space(path: Path) -> int:
-    """Return how many bytes are free where a folder is or will be."""
-    while not path.exists() and path != path.parent:
-        path = path.parent
-    return shutil.disk_usage(os.fspath(path)).free
+        yield
+    except OSError as error:
+        raise RecordingError(
+            f"{path} cannot be written: {error.strerror or error}; what has landed is kept, run the same again to go on"
+        ) from error

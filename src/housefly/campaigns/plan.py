@@ -24,8 +24,10 @@ from housefly.navigator import RoomNavigator
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
-CHUNK = 2000
+CHUNK_LEAST, CHUNK_MOST = 250, 4000
 """Drones flown between two writes; a stop loses no more than these."""
+CHUNKS_WANTED = 200
+"""A campaign of middling size is cut into about so many chunks, enough for every worker to have some."""
 MODES: dict[int, Mode] = {DEFAULT: "default", PAPER: "paper"}
 
 
@@ -54,6 +56,11 @@ class Chunk:
     leg: int
     start: int
     stop: int
+
+    @property
+    def drones(self) -> int:
+        """How many drones it has."""
+        return self.stop - self.start
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,8 +97,13 @@ class Plan:
         return cases(leg.site, chunk.stop - chunk.start, **columns), np.asarray(leg.cells, dtype=np.int64)[point]
 
 
-def plan_campaign(spec: Spec, site: Site) -> Plan:
-    """Return the campaign ready to fly.
+def chunk_size(drones: int) -> int:
+    """Return how many drones a chunk of a campaign of this size has; neither cores nor workers matter."""
+    return min(max(-(-drones // CHUNKS_WANTED), CHUNK_LEAST), CHUNK_MOST)
+
+
+def plan_campaign(spec: Spec, site: Site, chunk: int | None = None) -> Plan:
+    """Return the campaign ready to fly, in chunks of ``chunk`` drones (by its size when None).
 
     Raises:
         ConfigError: the site's room has no such place, or no way leads there.
@@ -105,15 +117,15 @@ def plan_campaign(spec: Spec, site: Site) -> Plan:
             in_mode = changed(site, mode=mode)
             values = tuple(tuple(float(value) for value in points[cell]) for cell in cells)
             legs.append(Leg(in_mode, mission_of(spec, in_mode), cells, values))
-    return Plan(spec, tuple(legs), tuple(_chunks(legs, spec.seeds)))
+    return Plan(spec, tuple(legs), tuple(_chunks(legs, spec.seeds, chunk or chunk_size(spec.drones))))
 
 
-def _chunks(legs: list[Leg], seeds: int) -> Iterator[Chunk]:
+def _chunks(legs: list[Leg], seeds: int, size: int) -> Iterator[Chunk]:
     number = 0
     for index, leg in enumerate(legs):
         drones = len(leg.points) * seeds
-        for start in range(0, drones, CHUNK):
-            yield Chunk(number, index, start, min(start + CHUNK, drones))
+        for start in range(0, drones, size):
+            yield Chunk(number, index, start, min(start + size, drones))
             number += 1
 
 

@@ -1,7 +1,8 @@
-"""Pictures of a campaign: a line for one axis of the grid, heat maps for two, small multiples for more."""
+"""Pictures of a campaign: a line for one axis of the grid, lines or a heat map for two, small multiples for more."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -9,9 +10,11 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
-from housefly.campaigns.spec import Spec
+from housefly.campaigns.spec import WORDS, Spec
 from housefly.campaigns.summary import SHARES, Cell, shown
+from housefly.errors import RecordingError
 from housefly.experiments.cases import BY_NAME
 from housefly.experiments.outcomes import MEASURES
 
@@ -23,98 +26,181 @@ STYLE: Any = {
     "svg.fonttype": "none",
     "svg.hashsalt": "housefly",
 }
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 """Okabe and Ito: told apart by everybody."""
-MARKERS = "osD^vPX"
-LINES_MOST = 6
+MARKERS = "osD^vP"
+LINES_MOST = len(COLOURS)
 """An axis with more values than this is not drawn as lines but as a heat map."""
 PANELS_MOST = 24
+DECADE = 10.0
+"""An axis whose ends differ by more than this factor is drawn logarithmic."""
+NOTHING = "0.85"
+"""Grey of a point of the grid that has nothing to show."""
 _MEASURES = {measure.name: measure for measure in MEASURES}
 
 
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """What is drawn along what.
+
+    Attributes:
+        measure: what is drawn.
+        across: column of the grid along x.
+        lines: column told apart by colour, or None.
+        rows: column along y of a heat map, or None.
+        split: columns told apart by panels.
+        field: value, low and high of the measure; one axis a column: ``split``, then ``lines`` or ``rows``, then ``across``.
+        values: of each column.
+    """
+
+    measure: str
+    across: str
+    lines: str | None
+    rows: str | None
+    split: tuple[str, ...]
+    field: Any
+    values: dict[str, tuple[float, ...]]
+
+
 def draw_campaign(spec: Spec, cells: tuple[Cell, ...], measure: str, stem: Path) -> tuple[Path, ...]:
-    """Draw one measure over the grid as ``stem.png`` and ``stem.svg``; returns the files, none for a grid of one point."""
-    axes = sorted((name for name, values in spec.grid.items() if len(values) > 1), key=lambda name: -len(spec.grid[name]))
-    if not axes:
+    """Draw one measure over the grid as ``stem.png`` and ``stem.svg``; returns the files, none for a grid of one point.
+
+    Raises:
+        RecordingError: the disk does not take them.
+    """
+    picture = _arranged(spec, cells, measure)
+    if picture is None:
         return ()
+    files = (stem.with_suffix(".png"), stem.with_suffix(".svg"))
     with matplotlib.rc_context(STYLE):
-        figure = _drawn(spec, cells, measure, axes)
-        files = (stem.with_suffix(".png"), stem.with_suffix(".svg"))
-        figure.savefig(files[0], dpi=150)
-        figure.savefig(files[1], metadata={"Date": None})
+        figure = _drawn(picture, spec.name)
+        try:
+            figure.savefig(files[0], dpi=150)
+            figure.savefig(files[1], metadata={"Date": None})
+        except OSError as error:
+            raise RecordingError(f"{stem} cannot be written: {error.strerror}") from error
     return files
 
 
-def _drawn(spec: Spec, cells: tuple[Cell, ...], measure: str, axes: list[str]) -> Figure:
-    """Draw the longest axis along x, the next as lines or as rows of a map, the rest as panels."""
+def _arranged(spec: Spec, cells: tuple[Cell, ...], measure: str) -> Picture | None:
+    """Put the longest column of numbers along x, the next along y of a map when it is long, else words or it as lines."""
+    values = {name: tuple(sorted(float(value) for value in given)) for name, given in spec.grid.items()}
+    axes = sorted((name for name in values if len(values[name]) > 1), key=lambda name: (name in WORDS, -len(values[name])))
+    if not axes:
+        return None
     across, *others = axes
-    lines = others[0] if others and len(spec.grid[others[0]]) <= LINES_MOST else None
-    rows = others[0] if others and lines is None else None
-    split = others[1:]
-    panels = list(product(*(spec.grid[name] for name in split)))[:PANELS_MOST]
-    columns = min(3, len(panels))
-    height = -(-len(panels) // columns)
-    figure = Figure(figsize=(max(5.6, 3.4 * columns), 3.6 if height == 1 else 2.7 * height), layout="constrained")
-    grid = figure.subplots(height, columns, squeeze=False, sharex=True, sharey=True).ravel()
-    for panel, values in zip(grid, panels, strict=False):
-        chosen = [cell for cell in cells if _is_at(spec, cell, dict(zip(split, values, strict=True)))]
-        if rows is None:
-            _lines(panel, spec, chosen, measure, across, lines)
-        else:
-            _heat_map(figure, panel, spec, chosen, measure, across, rows)
-        panel.set_title(", ".join(f"{name} {shown(name, _number(value))}" for name, value in zip(split, values, strict=True)))
-    for panel in grid[len(panels) :]:
+    few = all(len(values[name]) <= LINES_MOST for name in others)
+    others.sort(key=lambda name: (few and name not in WORDS, -len(values[name])))
+    order = [*others[1:], *others[:1], across]
+    field = np.full((*(len(values[name]) for name in order), 3), np.nan)
+    names = list(spec.grid)
+    for cell in cells:
+        field[tuple(values[name].index(cell.values[names.index(name)]) for name in order)] = cell.estimates[measure]
+    second = others[0] if others else None
+    return Picture(measure, across, second if few else None, None if few else second, tuple(others[1:]), field, values)
+
+
+def _drawn(picture: Picture, title: str) -> Figure:
+    places = list(product(*(range(len(picture.values[name])) for name in picture.split)))
+    drawn = places[:PANELS_MOST]
+    columns = 2 if len(drawn) == 4 else min(3, len(drawn))
+    height = -(-len(drawn) // columns)
+    figure = Figure(figsize=(max(6.4, 3.2 * columns + 1.0), 3.8 if height == 1 else 2.6 * height + 0.6), layout="constrained")
+    panels = figure.subplots(height, columns, squeeze=False, sharex=True, sharey=True)
+    for panel, place in zip(panels.ravel(), drawn, strict=False):
+        draw = _lines if picture.rows is None else _heat_map
+        draw(panel, picture, picture.field[place])
+        panel.set_title(
+            ", ".join(_setting(name, picture.values[name][index]) for name, index in zip(picture.split, place, strict=True))
+        )
+    for panel in panels.ravel()[len(drawn) :]:
         panel.set_visible(False)
-    meaning = _MEASURES[measure].meaning
-    figure.suptitle(
-        f"{spec.name}: {measure}\n{meaning}" if len(meaning) < 60 * columns else f"{spec.name}: {measure}", fontsize=9
-    )
+    for number, panel in enumerate(panels.ravel()[: len(drawn)]):
+        lowest = number + columns >= len(drawn)
+        panel.set_xlabel(_axis_label(picture.across) if lowest else "")
+        panel.tick_params(labelbottom=lowest)
+        panel.set_ylabel(panel.get_ylabel() if number % columns == 0 else "")
+    _key(figure, panels, picture)
+    left_out = "" if len(drawn) == len(places) else f" (the first {len(drawn)} of {len(places)} panels)"
+    figure.suptitle(f"{title}: {_measure_label(picture.measure)}{left_out}", fontsize=10)
     return figure
 
 
-def _lines(panel: Any, spec: Spec, cells: list[Cell], measure: str, across: str, lines: str | None) -> None:
-    for index, value in enumerate(spec.grid[lines] if lines else (None,)):
-        own = [cell for cell in cells if lines is None or _is_at(spec, cell, {lines: value})]
-        own.sort(key=lambda cell: _value(spec, cell, across))
-        x = [_value(spec, cell, across) for cell in own]
-        middle, low, high = (np.array([cell.estimates[measure][part] for cell in own]) for part in range(3))
-        colour = COLOURS[index % len(COLOURS)]
-        label = None if lines is None else shown(lines, _number(value))
-        panel.plot(x, middle, color=colour, marker=MARKERS[index % len(MARKERS)], markersize=4, linewidth=1.4, label=label)
+def _lines(panel: Any, picture: Picture, field: Any) -> None:
+    x = np.asarray(picture.values[picture.across])
+    curves = field[np.newaxis] if picture.lines is None else field
+    for index, (middle, low, high) in enumerate(np.moveaxis(curves, -1, 1)):
+        colour = COLOURS[index]
+        label = None if picture.lines is None else shown(picture.lines, picture.values[picture.lines][index])
+        size = 1.0 + 0.25 * (len(curves) - 1 - index)  # so that curves that coincide are seen one on the other
+        panel.plot(x, middle, color=colour, marker=MARKERS[index], markersize=4 * size, linewidth=1.4 * size, label=label)
         panel.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
-    panel.set_xlabel(_axis_label(across))
-    panel.set_ylabel(_measure_label(measure))
-    if measure in SHARES:
+    _scale(panel, picture.across, x)
+    for first, last in _gaps(x, np.isnan(curves[..., 0]).all(axis=0), panel.get_xlim()):
+        panel.axvspan(first, last, color=NOTHING, linewidth=0)
+    panel.set_ylabel(_measure_label(picture.measure))
+    if picture.measure in SHARES:
         panel.set_ylim(-0.03, 1.03)
-    if lines is not None:
-        panel.legend(title=_axis_label(lines), fontsize=8, title_fontsize=8, frameon=False)
     panel.grid(alpha=0.25)
 
 
-def _heat_map(figure: Figure, panel: Any, spec: Spec, cells: list[Cell], measure: str, across: str, rows: str) -> None:
-    xs, ys = (sorted(_number(value) for value in spec.grid[name]) for name in (across, rows))
-    field = np.full((len(ys), len(xs)), np.nan)
-    for cell in cells:
-        field[ys.index(_value(spec, cell, rows)), xs.index(_value(spec, cell, across))] = cell.estimates[measure].value
-    picture = panel.imshow(
-        field, origin="lower", aspect="auto", cmap="cividis", vmin=0.0, vmax=1.0 if measure in SHARES else None
-    )
-    for axis, name, values in ((panel.xaxis, across, xs), (panel.yaxis, rows, ys)):
-        axis.set_ticks(range(len(values)), [shown(name, value) for value in values])
-        axis.set_label_text(_axis_label(name))
-    figure.colorbar(picture, ax=panel, label=_measure_label(measure))
+def _scale(panel: Any, name: str, x: Any) -> None:
+    if x[0] > 0.0 and x[-1] > DECADE * x[0]:
+        panel.set_xscale("log")
+        reach = (x[-1] / x[0]) ** 0.04
+        panel.set_xlim(x[0] / reach, x[-1] * reach)
+        panel.minorticks_off()
+    else:
+        reach = 0.04 * (x[-1] - x[0])
+        panel.set_xlim(x[0] - reach, x[-1] + reach)
+    if name in WORDS or panel.get_xscale() == "log":
+        panel.set_xticks(x, [shown(name, value) for value in x])
 
 
-def _is_at(spec: Spec, cell: Cell, wanted: dict[str, Any]) -> bool:
-    return all(_value(spec, cell, name) == _number(value) for name, value in wanted.items())
+def _gaps(x: Any, empty: Any, ends: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return the stretches of x at whose values no curve has anything to show."""
+    middles = np.concatenate(([ends[0]], 0.5 * (x[1:] + x[:-1]), [ends[1]]))
+    return [(float(middles[index]), float(middles[index + 1])) for index in np.flatnonzero(empty)]
 
 
-def _value(spec: Spec, cell: Cell, name: str) -> float:
-    return cell.values[list(spec.grid).index(name)]
+def _heat_map(panel: Any, picture: Picture, field: Any) -> None:
+    assert picture.rows is not None
+    panel.set_facecolor(NOTHING)
+    panel.imshow(field[..., 0], origin="lower", aspect="auto", cmap="viridis", **_limits(picture))
+    for axis, name in ((panel.xaxis, picture.across), (panel.yaxis, picture.rows)):
+        values = picture.values[name]
+        step = -(-len(values) // 10)
+        axis.set_ticks(range(0, len(values), step), [shown(name, value) for value in values[::step]])
+    panel.set_ylabel(_axis_label(picture.rows))
 
 
-def _number(value: Any) -> float:
-    return float(value)
+def _limits(picture: Picture) -> dict[str, float]:
+    """Return one scale for all panels."""
+    if picture.measure in SHARES:
+        return {"vmin": 0.0, "vmax": 1.0}
+    values = picture.field[..., 0]
+    return {"vmin": 0.0, "vmax": float(np.nanmax(values))} if np.isfinite(values).any() else {}
+
+
+def _key(figure: Figure, panels: Any, picture: Picture) -> None:
+    """Say what colours mean, beside the panels."""
+    empty = np.isnan(picture.field[..., 0])
+    nothing = [Patch(facecolor=NOTHING, label="no stable flight")]
+    if picture.rows is not None:
+        figure.colorbar(panels[0, 0].images[0], ax=panels, label=_measure_label(picture.measure))
+        if empty.any():
+            figure.legend(handles=nothing, loc="outside lower right", fontsize=8, frameon=False)
+        return
+    handles = panels[0, 0].get_legend_handles_labels()[0]
+    handles += nothing if any(patch.get_visible() for panel in panels.ravel() for patch in panel.patches) else []
+    if handles:
+        title = None if picture.lines is None else _axis_label(picture.lines)
+        figure.legend(handles=handles, title=title, loc="outside right upper", fontsize=8, title_fontsize=8, frameon=False)
+
+
+def _setting(name: str, value: float) -> str:
+    unit = BY_NAME[name].unit
+    return f"{name} {shown(name, value)}" + ("" if unit == "1" else f" {unit}")
 
 
 def _axis_label(name: str) -> str:

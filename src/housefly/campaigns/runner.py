@@ -35,9 +35,9 @@ class LocalFleet:
             yield chunk, fly_many(cases, plan.legs[chunk.leg].mission, threads=self._threads, on_progress=on_landed)
 
 
-def run_campaign(plan: Plan, folder: CampaignFolder, fleet: Fleet, on_landed: Landed) -> None:
-    """Fly what is missing; what has landed is kept, whatever happens to the rest."""
-    missing = folder.missing()
-    on_landed(plan.drones - sum(chunk.stop - chunk.start for chunk in missing))
+def run_campaign(
+    plan: Plan, missing: tuple[Chunk, ...], folder: CampaignFolder, fleet: Fleet, on_landed: Landed = lambda drones: None
+) -> None:
+    """Fly the missing chunks; what has landed is kept, whatever happens to the rest."""
     for chunk, outcomes in fleet.fly(plan, missing, on_landed):
         folder.write(chunk, outcomes)

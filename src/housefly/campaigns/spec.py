@@ -9,27 +9,31 @@ import tomllib
 from collections.abc import Mapping
 from math import prod
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Field, ValidationError
 
-from housefly.campaigns.draws import Draw
-from housefly.config import Section
+from housefly.campaigns.draws import Draw, Value
+from housefly.config import Section, explain, quantity
 from housefly.errors import ConfigError
-from housefly.experiments.cases import BY_NAME, PARAMETERS, checked
+from housefly.experiments.cases import BY_NAME, PARAMETERS, WHOLE, checked
 from housefly.experiments.outcomes import MEASURES
 
 MOST_DRONES = 50_000_000
 """More drones than this are refused: their results would fill a disk before anyone reads them."""
+MOST_POINTS = 100_000
+"""A grid with more points than this is refused: nobody reads that many rows."""
 WORDS: dict[str, dict[str, int]] = {
     "mode": {"default": 0, "paper": 1},
     "estimator": {"delay_compensated": 0, "on_arrival": 1, "held_sample": 2, "finite_difference": 3},
 }
 """Words for the values of the columns that hold whole numbers."""
+UNION = ("constrained-float", "float", "str")
+"""What pydantic adds to the place of a problem in a value that is a number or a word."""
 
-Value = float | str
-Point = tuple[float, float]
+Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+Point = tuple[Coordinate, Coordinate]
 
 
 class MissionSpec(Section):
@@ -39,7 +43,7 @@ class MissionSpec(Section):
     goal: str = Field(default="", description="a place of the site's room; the way is planned in each mode")
     start: str = Field(default="home", description="a place of the site's room")
     waypoints: tuple[Point, ...] = Field(default=(), max_length=1000, description="world x, y [m], in place of goal")
-    duration_s: float = Field(default=30.0, ge=3.0, le=3600.0, allow_inf_nan=False, description="of each flight [s]")
+    duration_s: float = quantity(30.0, 3.0, 3600.0, "s", "of each flight")
 
 
 class Spec(Section):
@@ -87,8 +91,8 @@ def spec_from_tree(tree: Mapping[str, Any], source: str = "") -> Spec:
         spec = Spec.model_validate(tree)
     except ValidationError as error:
         first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"] if part not in ("float", "str"))
-        raise ConfigError(key, _explain(first), source) from error
+        key = ".".join(str(part) for part in first["loc"] if part not in UNION)
+        raise ConfigError(key or "campaign file", explain(first, Spec), source) from error
     try:
         return _with_numbers(spec)
     except ConfigError as error:
@@ -105,9 +109,10 @@ def _with_numbers(spec: Spec) -> Spec:
             raise ConfigError(f"grid.{name}", "is empty; give at least one value")
         if len(set(values)) != len(values):
             raise ConfigError(f"grid.{name}", "names a value twice")
-    for name, draw in spec.draw.items():
-        draw.check(f"draw.{name}", BY_NAME[name])
-    whole = spec.model_copy(update={"fixed": fixed, "grid": grid})
+    draw = {name: _drawable(f"draw.{name}", name, draw) for name, draw in spec.draw.items()}
+    whole = spec.model_copy(update={"fixed": fixed, "grid": grid, "draw": draw})
+    if whole.points > MOST_POINTS:
+        raise ConfigError("grid", f"has {whole.points} points; allowed: at most {MOST_POINTS}")
     if whole.drones > MOST_DRONES:
         raise ConfigError(
             "seeds",
@@ -139,6 +144,15 @@ def _check_names(spec: Spec) -> None:
         raise ConfigError("mission.waypoints", f"task {mission.task!r} needs at least two points")
 
 
+def _drawable(key: str, name: str, draw: Draw) -> Draw:
+    if draw.kind == "choice":
+        return Draw(choice=tuple(_number(f"{key}.choice", name, value) for value in draw.choice or ()))
+    if name in WHOLE:
+        raise ConfigError(key, f"is {draw.kind}; allowed: choice, because the column holds whole numbers")
+    draw.check(key, BY_NAME[name])
+    return draw
+
+
 def _number(key: str, name: str, value: Value) -> float:
     words = WORDS.get(name, {})
     if isinstance(value, str):
@@ -153,14 +167,3 @@ def _number(key: str, name: str, value: Value) -> float:
     if words and value != int(value):
         raise ConfigError(key, f"is {value:g}; allowed: {', '.join(f'{word} ({number})' for word, number in words.items())}")
     return float(value)
-
-
-def _explain(problem: Any) -> str:
-    if problem["type"] == "extra_forbidden":
-        return "is not a known key"
-    if problem["type"] == "missing":
-        return "is missing"
-    if problem["type"] == "value_error":
-        return str(problem["ctx"]["error"])
-    message = problem["msg"]
-    return f"is {problem['input']!r}; {message[0].lower()}{message[1:]}"
