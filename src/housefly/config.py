@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 from pydantic.fields import FieldInfo
 
 from housefly.errors import ConfigError
+from housefly.profile import load_profile
 
 
 def quantity(default: float, low: float, high: float, unit: str, meaning: str) -> Any:
@@ -90,6 +91,9 @@ class DroneConfig(Section):
     attitude_gain: float = quantity(1.0, 0.2, 2.0, "1", "c / lambda of paper eq. (22): achieved over commanded angle")
     drag: float = quantity(0.58, 0.0, 5.0, "1/s", "linear drag over mass")
     command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction")
+    climb_lag: float = quantity(1.4, 0.2, 50.0, "1/s", "pole of the climb rate response")
+    yaw_lag: float = quantity(25.0, 0.2, 50.0, "1/s", "pole of the yaw rate response")
+    profile: str = Field(default="", description="drone profile of housefly identify, relative to this file; gives the constants")
     has_video: bool = Field(default=True, description="whether to open the camera stream")
 
 
@@ -207,6 +211,8 @@ class Site(Section):
 def load_site(path: Path) -> Site:
     """Read and check a site file (TOML; JSON when it ends in ``.json``).
 
+    Constants of the drone come from its profile, where the site names one and does not give them itself.
+
     Raises:
         ConfigError: naming the key, the value and the allowed range.
     """
@@ -217,6 +223,9 @@ def load_site(path: Path) -> Site:
         raise ConfigError("site file", f"cannot be read ({error.strerror})", str(path)) from error
     except ValueError as error:
         raise ConfigError("site file", f"cannot be parsed: {error}", str(path)) from error
+    profile = tree.get("drone", {}).get("profile") if isinstance(tree.get("drone"), dict) else None
+    if isinstance(profile, str) and profile:
+        tree["drone"] = load_profile(path.parent / profile) | tree["drone"]
     return site_from_tree(tree, str(path))
 
 

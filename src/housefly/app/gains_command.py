@@ -115,11 +115,12 @@ def _finish(judgement: Judgement, question: Question, out: str | None) -> int:
 def _question(options: argparse.Namespace) -> tuple[Question, float]:
     """Return what is asked and the static gain c / lambda."""
     from housefly.app.premises import read_site
+    from housefly.profile import load_profile
     from housefly.tuning.advice import Question
     from housefly.tuning.loop import Loop
 
-    changes: dict[str, Any] = {"drone__profile": str(Path(options.profile).resolve())} if options.profile else {}
-    site = read_site(options.site, **changes)
+    constants = load_profile(Path(options.profile)) if options.profile else {}
+    site = read_site(options.site, **{f"drone__{key}": value for key, value in constants.items()})
     given = {option.flag: _checked(option, getattr(options, option.flag[2:].replace("-", "_"))) for option in OPTIONS}
 
     def chosen(flag: str, otherwise: float) -> float:
@@ -145,14 +146,10 @@ def _question(options: argparse.Namespace) -> tuple[Question, float]:
         noise=chosen("--noise", site.twin.mocap_noise),
         step=chosen("--step", 0.5),
         tilt_max=chosen("--tilt-max", site.limits.tilt_max),
-        **_rate_lags(site),
+        climb_lag=site.drone.climb_lag,
+        yaw_lag=site.drone.yaw_lag,
     )
     return question, chosen("--c", site.drone.attitude_gain * lag) / lag
-
-
-def _rate_lags(site: Any) -> dict[str, float]:
-    """Return the poles of climb and yaw rate, where the site's drone gives them."""
-    return {name: float(getattr(site.drone, name)) for name in ("climb_lag", "yaw_lag") if hasattr(site.drone, name)}
 
 
 def _checked(option: Option, value: float | None) -> float | None:

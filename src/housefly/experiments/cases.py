@@ -15,14 +15,12 @@ from numpy.typing import NDArray
 
 from housefly.behavior.acceptor import PAPER_EPSILONS
 from housefly.config import Site
-from housefly.control.model import Constants
 from housefly.errors import ConfigError
 
 DEFAULT, PAPER = 0, 1
 """Values of the column ``mode``."""
 DELAY_COMPENSATED, ON_ARRIVAL, HELD_SAMPLE, FINITE_DIFFERENCE = range(4)
 """Values of the column ``estimator``: ours; the paper's Kalman filter; the same fed the held sample each tick; none at all."""
-PLAIN = Constants()
 
 
 class Parameter(NamedTuple):
@@ -106,8 +104,8 @@ PARAMETERS: tuple[Parameter, ...] = (
     Parameter("gain", "1", 0.05, 20.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
     Parameter("drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "linear drag over mass of the drone"),
     Parameter("delay", "s", 0.0, 0.5, lambda s: s.twin.command_delay, "from command to first reaction of the drone"),
-    Parameter("climb_lag", "1/s", 0.2, 50.0, lambda s: PLAIN.climb_lag, "pole of the drone's climb rate"),
-    Parameter("yaw_lag", "1/s", 0.2, 50.0, lambda s: PLAIN.yaw_lag, "pole of the drone's yaw rate"),
+    Parameter("climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag, "pole of the drone's climb rate"),
+    Parameter("yaw_lag", "1/s", 0.2, 50.0, lambda s: s.drone.yaw_lag, "pole of the drone's yaw rate"),
     Parameter("wind_x", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along x"),
     Parameter("wind_y", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along y"),
     Parameter("gust", "m/s^2", 0.0, 2.0, lambda s: 0.0, "one sigma of a push that changes within a second"),

@@ -1,6 +1,7 @@
 """The AR.Drone's inner loops: references in, thrust and torque out.
 
-c5 and c7: tum-vision/tum_ardrone, DroneKalmanFilter. The loops act on what the sensors measured, never on the truth.
+The poles are the site's (``drone.attitude_lag``, ``climb_lag``, ``yaw_lag``); their defaults are c3, c7 and c5 of
+tum-vision/tum_ardrone, DroneKalmanFilter. The loops act on what the sensors measured, never on the truth.
 """
 
 from __future__ import annotations
@@ -14,14 +15,10 @@ from housefly.twin.body import INERTIA, MASS
 from housefly.twin.contracts import OnboardLimits, Stick
 from housefly.twin.sensors import PERIOD, Measured
 
-CLIMB_POLE = 1.4
-"""c7: pole of the vertical speed loop [1/s]; identifications lie between 0.8 and 5.8."""
-YAW_RATE_POLE = 25.0
-"""c5: pole of the yaw rate loop [1/s]."""
 SINK_FACTOR = 2.0
 """The same stick sinks twice as fast as it climbs."""
 HEIGHT_POLE = 0.5
-"""Gain of the height hold [1/s]; with ``CLIMB_POLE`` its damping ratio is 0.84."""
+"""Gain of the height hold [1/s]; with a climb pole of 1.4 1/s its damping ratio is 0.84."""
 BRAKE_POLE = 2.0
 """Deceleration per measured speed while hovering [1/s]; well damped with the attitude lag and the flow's delay."""
 TRIM_POLE = 0.4
@@ -63,6 +60,7 @@ class OnboardLoops:
 
     def __init__(self, drone: DroneConfig) -> None:
         self._gain = drone.attitude_gain
+        self._climb_pole, self._yaw_pole = drone.climb_lag, drone.yaw_lag
         # The rate loop adds its own small lag; this gain puts the slow pole of both together on the identified one.
         self._attitude_gain = drone.attitude_lag * (RATE_POLE - drone.attitude_lag) / RATE_POLE
         self._held_height: float | None = None
@@ -102,12 +100,12 @@ class OnboardLoops:
         cr, sr, cp, sp = cos(phi), sin(phi), cos(theta), sin(theta)
         p, q, r = measured.rate
         upright = max(cr * cp, 0.5)
-        lift = MASS * (GRAVITY + CLIMB_POLE * (references.climb - measured.climb)) / upright
+        lift = MASS * (GRAVITY + self._climb_pole * (references.climb - measured.climb)) / upright
         return Wrench(
             thrust=min(max(lift, 0.0), THRUST_MAX),
             roll=_torque(0, RATE_POLE, phi_rate - sp * psi_rate - p),
             pitch=_torque(1, RATE_POLE, cr * theta_rate + cp * sr * psi_rate - q),
-            yaw=_torque(2, YAW_RATE_POLE, cp * cr * psi_rate - sr * theta_rate - r),
+            yaw=_torque(2, self._yaw_pole, cp * cr * psi_rate - sr * theta_rate - r),
         )
 
     def _climb(self, up: float, limits: OnboardLimits, measured: Measured) -> float:
@@ -117,7 +115,7 @@ class OnboardLoops:
             wanted = up * limits.climb * (SINK_FACTOR if up < 0 else 1.0)
         else:
             if self._held_height is None:
-                self._held_height = measured.height + measured.climb / CLIMB_POLE
+                self._held_height = measured.height + measured.climb / self._climb_pole
             wanted = HEIGHT_POLE * (self._held_height - measured.height)
         return min(_clip(wanted, limits.climb), ceiling)
 
