@@ -32,7 +32,8 @@ def twin(aim: Aim, where: Where, g: Gains) -> Asked:
     angles = angles * min(1.0, g.tilt_max / max(wish, 1e-12))
     turn = np.angle(np.exp(1j * (aim.yaw - where.yaw)))
     climb = np.clip(g.height * (aim.height - where.height), -g.climb_max, g.climb_max)
-    return Asked(*angles.tolist(), float(climb), float(np.clip(g.yaw * turn, -g.turn_max, g.turn_max)), wish)
+    spin = float(np.clip(g.yaw * turn, -g.turn_max, g.turn_max))
+    return Asked(float(angles[0]), float(angles[1]), float(climb), spin, wish)
 
 
 @given(aims, wheres, st.floats(0.5, 1.5))

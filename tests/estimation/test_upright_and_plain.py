@@ -88,9 +88,9 @@ def test_the_papers_filter_matches_one_with_matrices(x: Drift, y: Drift, u: floa
 
 
 def test_the_papers_filter_hears_no_command_while_the_drone_flies_itself() -> None:
-    p = plain_commanded(
-        plain_begun(Plain(*[Drift(0.0, 0.0, 0.0, 0.0, 0.0)] * 2, 1.0, 1.0, 0.0, 0.0), 1.0, 2.0, 3.0, 1e-5), 1.0, 1.0, False
-    )
+    nowhere = Drift(0.0, 0.0, 0.0, 0.0, 0.0)
+    seen = plain_begun(Plain(nowhere, nowhere, 1.0, 1.0, 0.0, 0.0), 1.0, 2.0, 3.0, 1e-5)
+    p = plain_commanded(seen, 1.0, 1.0, False)
     assert (p.ux, p.uy, p.at, p.x.x, p.y.x) == (0.0, 0.0, 3.0, 1.0, 2.0)
 
 

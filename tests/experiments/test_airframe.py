@@ -22,7 +22,7 @@ def flown(case: np.ndarray, theta: list[float]) -> list[Body]:
     bodies = [body]
     for tick, angle in enumerate(theta):
         orders[tick & (ORDERS - 1)] = (1, angle, 0.0, 0.0, 0.0)
-        now = tick / case["rate_hz"]
+        now = tick / float(case["rate_hz"])
         body, stream = carried_on(body, stream, tick, now, air, (0.0, 0.0), orders, BLIND, frames, random)
         bodies.append(body)
     return bodies

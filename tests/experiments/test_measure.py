@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -18,7 +20,7 @@ def by_hand(trace: np.ndarray, mission: Mission, eps3: float, tilt_max: float) -
     task = trace[trace["t"] >= mission.settle - 1e-9]
     looks = task[::2]
     points = np.array(mission.waypoints)
-    off = np.min([from_leg(looks, a, b) for a, b in zip(points[:-1], points[1:], strict=True)], axis=0)
+    off = np.min([from_leg(looks, a, b) for a, b in pairwise(points)], axis=0)
     goal = np.hypot(looks["x"] - points[-1, 0], looks["y"] - points[-1, 1])
     inside = goal < eps3
     outside = np.flatnonzero(~inside)
@@ -47,7 +49,8 @@ def by_hand(trace: np.ndarray, mission: Mission, eps3: float, tilt_max: float) -
 
 def from_leg(rows: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     share = np.clip(((rows["x"] - a[0]) * (b - a)[0] + (rows["y"] - a[1]) * (b - a)[1]) / np.sum((b - a) ** 2), 0.0, 1.0)
-    return np.hypot(rows["x"] - a[0] - share * (b - a)[0], rows["y"] - a[1] - share * (b - a)[1])
+    off: np.ndarray = np.hypot(rows["x"] - a[0] - share * (b - a)[0], rows["y"] - a[1] - share * (b - a)[1])
+    return off
 
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
@@ -66,7 +69,7 @@ def test_distance_from_a_line_is_the_smallest_over_its_legs() -> None:
     assert route.line.tolist() == [[1.0, 1.0], [3.0, 1.0], [3.0, 2.5]]
     points = np.random.default_rng(1).uniform(-1.0, 5.0, (200, 2))
     rows = np.array([tuple(point) for point in points], dtype=[("x", "f8"), ("y", "f8")])
-    legs = [from_leg(rows, a, b) for a, b in zip(route.line[:-1], route.line[1:], strict=True)]
+    legs = [from_leg(rows, a, b) for a, b in pairwise(route.line)]
     assert [off_line(route.line, x, y) for x, y in points] == pytest.approx(np.min(legs, axis=0).tolist(), abs=1e-12)
 
 
