@@ -26,9 +26,8 @@ with tempfile.TemporaryDirectory() as out, CampaignFolder(Path(out), plan) as fo
     run_campaign(plan, folder.missing(), folder, LocalFleet())
     results = folder.finish()
     table = pq.read_table(results)
-    print(
-        f"{table.num_rows} rows of {table.num_columns} columns; the slowest arrival: {pc.max(table['arrival_time']).as_py():.1f} s"
-    )
+    slowest = pc.max(table["arrival_time"]).as_py()
+    print(f"{table.num_rows} rows of {table.num_columns} columns; the slowest arrival took {slowest:.1f} s")
     cells = summarize(spec, results)
 
 for cell in cells:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
+from contextlib import contextmanager
 from typing import Any
 
 from housefly.campaigns.plan import Chunk, Plan
@@ -21,7 +23,7 @@ try:
 except ImportError as error:
     raise MissingPartError("distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'") from error
 
-PATIENCE = 10.0
+PATIENCE = 5.0
 """How long the scheduler may take to answer, and the first worker to come [s]."""
 DEAF = 60.0
 """How long a cluster without any worker is waited for [s]."""
@@ -42,6 +44,8 @@ class ClusterFleet:
             LinkError: nobody answers there, no worker comes, or a worker has other versions than this machine.
         """
         self._address = address
+        for logger in ("distributed", "distributed.client"):
+            logging.getLogger(logger).setLevel(logging.CRITICAL)  # what goes wrong is told by errors, in one line
         try:
             self._client = Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
         except (OSError, TimeoutError, ValueError) as error:
@@ -75,48 +79,40 @@ class ClusterFleet:
         waiting = list(reversed(chunks))
         flying: dict[Any, Chunk] = {}
         while waiting or flying:
-            while waiting and len(flying) < AHEAD * max(self._threads(), 1):
-                chunk = waiting.pop()
-                flying[self._hand_out(plan, chunk)] = chunk
-            for future in self._landed(list(flying)):
-                chunk = flying.pop(future)
-                outcomes = self._result(future)
+            with self._watching():
+                self._hand_out(plan, waiting, flying)
+                landed = [(flying.pop(future), future.result()) for future in self._landed(list(flying))]
+            for chunk, outcomes in landed:
                 on_landed(chunk.drones)
                 yield chunk, outcomes
 
-    def _hand_out(self, plan: Plan, chunk: Chunk) -> Any:
-        cases, _ = plan.cases_of(chunk)
-        return self._client.submit(fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False)
+    def _hand_out(self, plan: Plan, waiting: list[Chunk], flying: dict[Any, Chunk]) -> None:
+        while waiting and len(flying) < AHEAD * max(self._threads(), 1):
+            chunk = waiting.pop()
+            cases, _ = plan.cases_of(chunk)
+            flying[self._client.submit(fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False)] = chunk
 
     def _landed(self, flying: list[Any]) -> list[Any]:
         """Return those that have landed, at least one."""
         alone = 0.0
-        while True:
+        while alone <= DEAF:
             try:
-                done = wait(flying, timeout=LOOK, return_when="FIRST_COMPLETED").done  # type: ignore[no-untyped-call]
-                return list(done)
+                with self._client.as_current():
+                    return list(wait(flying, timeout=LOOK, return_when="FIRST_COMPLETED").done)  # type: ignore[no-untyped-call]
             except TimeoutError:
                 alone = 0.0 if self._threads() else alone + LOOK
-            except (CancelledError, CommClosedError) as error:
-                raise self._lost() from error
-            if alone > DEAF:
-                raise LinkError(f"no worker at {self._address} for {DEAF:.0f} s; {KEPT}")
+        raise LinkError(f"no worker at {self._address} for {DEAF:.0f} s; {KEPT}")
 
-    def _result(self, future: Any) -> Outcomes:
+    @contextmanager
+    def _watching(self) -> Iterator[None]:
         try:
-            outcomes: Outcomes = future.result()
+            yield
         except KilledWorker as error:
             raise LinkError(f"the workers at {self._address} die of their work ({error}); {KEPT}") from error
         except (CancelledError, CommClosedError) as error:
-            raise self._lost() from error
-        return outcomes
-
-    def _lost(self) -> LinkError:
-        return LinkError(f"the scheduler at {self._address} is gone; {KEPT}")
+            raise LinkError(f"the scheduler at {self._address} is gone; {KEPT}") from error
 
     def _threads(self) -> int:
-        if self._client.status != "running":
-            raise self._lost()
         return sum(self._client.nthreads().values())  # type: ignore[no-untyped-call]
 
     def _check_workers(self) -> None:

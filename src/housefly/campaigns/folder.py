@@ -119,7 +119,7 @@ class CampaignFolder:
         """Return a part, or None where it is absent, torn, of another campaign or of another chunk."""
         try:
             table = pq.ParquetFile(self._part(chunk), page_checksum_verification=True).read()
-        except (OSError, pa.ArrowException):
+        except (OSError, ValueError, pa.ArrowException):
             return None
         marks = table.schema.metadata or {}
         ours = (marks.get(b"campaign"), marks.get(b"chunk")) == (self._mark, str(chunk.number).encode())
