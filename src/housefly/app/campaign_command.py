@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console
 
-from housefly.app.campaign_progress import CampaignProgress
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
@@ -114,6 +113,7 @@ def _fleet(options: argparse.Namespace) -> Iterator[Fleet]:
 
 
 def _run(plan: Plan, folder: CampaignFolder, fleet: Fleet) -> None:
+    from housefly.app.campaign_progress import CampaignProgress
     from housefly.campaigns.runner import run_campaign
 
     missing = folder.missing()
