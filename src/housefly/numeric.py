@@ -32,7 +32,7 @@ def _version() -> str:
 
 # The compiler's own cache looks at a function's own file only, so a caller would keep the old code of what it calls.
 CACHE = HERE / "__pycache__" / f"compiled-{_version()}"
-if "NUMBA_CACHE_DIR" not in os.environ and os.access(CACHE.parent, os.W_OK):
+if "NUMBA_CACHE_DIR" not in os.environ and os.access(HERE, os.W_OK):
     vars(config)["CACHE_DIR"] = str(CACHE)
 
 

@@ -104,7 +104,7 @@ def test_covariance_through_cached_spans_is_that_of_the_same_steps() -> None:
 
 def test_before_the_first_command_the_drone_counts_as_not_flown() -> None:
     plan = Plan(0.0)
-    plan.h = plan.h._replace(x=Axis(0.0, 0.1, 0.0, 0.0))
+    plan.spans["x_v"][0] = 0.1
     plan.give(2.0, 1.0)
     assert 0.0 < plan.look(1.0).v < 0.05
 
@@ -146,7 +146,8 @@ def test_compiled_way_equals_the_plain_one() -> None:
 
 def _plain_looked(h: Horizon, spans: Spans, delay: float, at: float) -> Axis:
     """Walk from the measurement through every span with plain Python."""
-    axis, start = h.x, h.at
+    begin = spans[h.span]
+    axis, start = Axis(*(float(begin[f"x_{name}"]) for name in Axis._fields)), h.at
     for number in range(h.span, h.newest + 1):
         row = spans[number]
         end = at if number == h.newest else min(at, spans[number + 1]["sent"] + delay)

@@ -30,6 +30,8 @@ LONGEST_STEP = 0.02
 """Longest step of the prediction [s]; the midpoint rule is good to 1e-4 m there."""
 NO_TIME = 1e-9
 """Times nearer to each other than this are the same [s]: sums of ticks and delays differ in their last bits."""
+ALIKE = 1e-12
+"""Spans whose lengths differ by no more than this share one step [s]."""
 
 SPAN = np.dtype(
     [("sent", "f8"), ("seconds", "f8"), ("pieces", "i8"), ("flown", "i8"), ("ux", "f8"), ("uy", "f8")]
@@ -45,18 +47,15 @@ class Horizon(NamedTuple):
     """Where the filter stands.
 
     Attributes:
-        at: time of the last measurement taken in [s].
-        span: number of the span in which it lies.
+        at: time of the last measurement taken in [s]; the span in which it lies is cut so that it begins there.
+        span: number of that span.
         newest: number of the span that has not ended.
-        x, y: state at ``at``.
-        spread: its covariance.
+        spread: covariance at ``at``; the state is kept with the span.
     """
 
     at: float
     span: int
     newest: int
-    x: Axis
-    y: Axis
     spread: Spread
 
 
@@ -73,18 +72,18 @@ class Reached(NamedTuple):
 def opened(spans: Spans, now: float, first: Spread) -> Horizon:
     """Return the beginning: nothing was seen, and nothing is commanded from now [s] on."""
     nowhere = Axis(0.0, 0.0, 0.0, 0.0)
-    spans[0].sent = now
-    spans[0].flown = 0
-    _place(spans[0], nowhere, nowhere)
-    return Horizon(now, 0, 0, nowhere, nowhere, first)
+    row = spans[0]
+    row.sent, row.flown, row.ux, row.uy = now, 0, 0.0, 0.0
+    _place(row, nowhere, nowhere)
+    return Horizon(now, 0, 0, first)
 
 
 @compiled
 def begun(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float, x: float, y: float, first: Spread) -> Horizon:
     """Return the horizon of a drone first seen at rest at (x, y) [m] at a time [s]."""
-    span = _span_at(h, spans, delay, at)
-    made = Horizon(at, span, h.newest, Axis(x, 0.0, 0.0, 0.0), Axis(y, 0.0, 0.0, 0.0), first)
-    _lay(made, spans, model, delay)
+    there = Reached(_span_at(h, spans, delay, at), Axis(x, 0.0, 0.0, 0.0), Axis(y, 0.0, 0.0, 0.0), first)
+    made = _cut(h, spans, model, delay, at, there)
+    _lay(made, spans)
     return made
 
 
@@ -106,47 +105,43 @@ def advanced(h: Horizon, spans: Spans, model: AxisModel, delay: float, now: floa
         return h
     if h.newest - h.span >= ring - 1:
         h = settled(h, spans, model, delay, spans[(h.span + 1) & ring].sent + delay)
-    _measure(row, spans[(h.newest - 1) & ring], model, now)
+    _end(row, spans[(h.newest - 1) & ring], model, now)
     following.sent, following.flown, following.ux, following.uy = now, row.flown, row.ux, row.uy
-    x, y = _leaving(h, spans, model, delay, h.newest)
-    _place(following, x, y)
-    newest = h.newest + 1
-    span = newest if h.span == h.newest and h.at >= now + delay - NO_TIME else h.span
-    return Horizon(h.at, span, newest, h.x, h.y, h.spread)
+    _pass_on(row, following)
+    return Horizon(h.at, h.span, h.newest + 1, h.spread)
 
 
 @compiled
 def looked(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float) -> tuple[Axis, Axis]:
     """Return both axes at a time [s] not before the last measurement."""
-    span = _span_at(h, spans, delay, at)
-    row = spans[span & (spans.size - 1)]
-    x, y, start = h.x, h.y, h.at
-    if span > h.span:
-        x, y, start = _axis_x(row), _axis_y(row), row.sent + delay
-    return _carried(x, y, row, model, at - start)
+    row = spans[_span_at(h, spans, delay, at) & (spans.size - 1)]
+    x, y, seconds = _axis_x(row), _axis_y(row), at - row.sent - delay
+    if seconds <= NO_TIME:
+        return x, y
+    pieces = _pieces(seconds)
+    step = transition(model, row.flown > 0, seconds / pieces)
+    for _ in range(pieces):
+        x, y = predicted(x, row.ux, step), predicted(y, row.uy, step)
+    return x, y
 
 
 @compiled
 def reached(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float) -> Reached:
-    """Return both axes and their covariance at a time [s], carried from the last measurement."""
+    """Return both axes and their covariance at a time [s] not before the last measurement."""
     ring = spans.size - 1
-    p, start, span = h.spread, h.at, h.span
+    p, span = h.spread, h.span
     while span < h.newest and spans[(span + 1) & ring].sent + delay <= at + NO_TIME:
-        row, end = spans[span & ring], spans[(span + 1) & ring].sent + delay
-        if span > h.span:
-            step = _step(row)
-            for _ in range(row.pieces):
-                p = spread_out(p, step)
-        else:
-            p = _spread_carried(p, row, model, end - start)
-        start = end
+        row = spans[span & ring]
+        step = _step(row)
+        for _ in range(row.pieces):
+            p = spread_out(p, step)
         span += 1
     row = spans[span & ring]
-    x, y = (h.x, h.y) if span == h.span else (_axis_x(row), _axis_y(row))
-    if at - start <= NO_TIME:
+    x, y, seconds = _axis_x(row), _axis_y(row), at - row.sent - delay
+    if seconds <= NO_TIME:
         return Reached(span, x, y, p)
-    pieces = ceil((at - start) / LONGEST_STEP - NO_TIME)
-    step = transition(model, row.flown > 0, (at - start) / pieces)
+    pieces = _pieces(seconds)
+    step = transition(model, row.flown > 0, seconds / pieces)
     for _ in range(pieces):
         x, y, p = predicted(x, row.ux, step), predicted(y, row.uy, step), spread_out(p, step)
     return Reached(span, x, y, p)
@@ -158,15 +153,9 @@ def measured(
 ) -> Horizon:
     """Return the horizon after a measurement (x, y) [m] of a variance [m^2] at the time ``at`` [s] that was reached."""
     p = there.spread
-    made = Horizon(
-        at,
-        there.span,
-        h.newest,
-        corrected(there.x, p, x, variance),
-        corrected(there.y, p, y, variance),
-        narrowed(p, variance),
-    )
-    _lay(made, spans, model, delay)
+    known = Reached(there.span, corrected(there.x, p, x, variance), corrected(there.y, p, y, variance), narrowed(p, variance))
+    made = _cut(h, spans, model, delay, at, known)
+    _lay(made, spans)
     return made
 
 
@@ -175,81 +164,65 @@ def settled(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float)
     """Return the horizon standing at a later time [s], before which nothing can be measured any more."""
     if at <= h.at:
         return h
-    there = reached(h, spans, model, delay, at)
-    return Horizon(at, there.span, h.newest, there.x, there.y, there.spread)
+    return _cut(h, spans, model, delay, at, reached(h, spans, model, delay, at))
 
 
 @compiled
-def _lay(h: Horizon, spans: Spans, model: AxisModel, delay: float) -> None:
-    """Write the state at the beginning of every span after the measurement."""
-    if h.span == h.newest:
-        return
+def _cut(h: Horizon, spans: Spans, model: AxisModel, delay: float, at: float, there: Reached) -> Horizon:
+    """Cut the span that was reached so that it begins at a time [s] with a known state."""
     ring = spans.size - 1
-    x, y = _leaving(h, spans, model, delay, h.span)
-    _place(spans[(h.span + 1) & ring], x, y)
-    for span in range(h.span + 1, h.newest):
-        row = spans[span & ring]
-        step = _step(row)
-        for _ in range(row.pieces):
-            x, y = predicted(x, row.ux, step), predicted(y, row.uy, step)
-        _place(spans[(span + 1) & ring], x, y)
+    row = spans[there.span & ring]
+    row.sent = at - delay
+    _place(row, there.x, there.y)
+    if there.span < h.newest:
+        _end(row, row, model, spans[(there.span + 1) & ring].sent)
+    return Horizon(at, there.span, h.newest, there.spread)
 
 
 @compiled
-def _leaving(h: Horizon, spans: Spans, model: AxisModel, delay: float, span: int) -> tuple[Axis, Axis]:
-    """Return both axes at the end of a span that has ended."""
-    row = spans[span & (spans.size - 1)]
-    if span == h.span:
-        return _carried(h.x, h.y, row, model, row.sent + row.seconds + delay - h.at)
+def _lay(h: Horizon, spans: Spans) -> None:
+    """Carry the state from the measurement on to the beginning of every later span."""
+    ring = spans.size - 1
+    for span in range(h.span, h.newest):
+        _pass_on(spans[span & ring], spans[(span + 1) & ring])
+
+
+@compiled
+def _pass_on(row: Any, following: Any) -> None:
+    """Carry the state through a span that has ended to the beginning of the next."""
     x, y, step = _axis_x(row), _axis_y(row), _step(row)
     for _ in range(row.pieces):
         x, y = predicted(x, row.ux, step), predicted(y, row.uy, step)
-    return x, y
+    _place(following, x, y)
 
 
 @compiled
-def _span_at(h: Horizon, spans: Spans, delay: float, at: float) -> int:
-    """Return the number of the span whose command acts at a time [s]; the oldest kept when it is before all."""
-    ring = spans.size - 1
-    span = h.newest
-    while span > h.span and spans[span & ring].sent + delay > at + NO_TIME:
-        span -= 1
-    return span
-
-
-@compiled
-def _measure(row: Any, before: Any, model: AxisModel, now: float) -> None:
-    """Give a span that ends now [s] its length and its step; spans of one length share the work."""
+def _end(row: Any, like: Any, model: AxisModel, now: float) -> None:
+    """End a span now [s] and give it its step; one that is as long as another takes that one's."""
     seconds = now - row.sent
-    if abs(seconds - before.seconds) <= 1e-12 and before.flown == row.flown and before.pieces > 0:
-        row.pieces = before.pieces
-        _keep(row, _step(before))
+    if abs(seconds - like.seconds) <= ALIKE and like.flown == row.flown and like.pieces > 0:
+        row.pieces = like.pieces
+        _keep(row, _step(like))
     else:
-        row.pieces = ceil(seconds / LONGEST_STEP - NO_TIME)
+        row.pieces = max(_pieces(seconds), 1)
         _keep(row, transition(model, row.flown > 0, seconds / row.pieces))
     row.seconds = seconds
 
 
 @compiled
-def _carried(x: Axis, y: Axis, row: Any, model: AxisModel, seconds: float) -> tuple[Axis, Axis]:
-    if seconds <= NO_TIME:
-        return x, y
-    pieces = ceil(seconds / LONGEST_STEP - NO_TIME)
-    step = transition(model, row.flown > 0, seconds / pieces)
-    for _ in range(pieces):
-        x, y = predicted(x, row.ux, step), predicted(y, row.uy, step)
-    return x, y
+def _pieces(seconds: float) -> int:
+    """Return in how many equal steps a time [s] is gone through."""
+    return ceil(seconds / LONGEST_STEP - NO_TIME)
 
 
 @compiled
-def _spread_carried(p: Spread, row: Any, model: AxisModel, seconds: float) -> Spread:
-    if seconds <= NO_TIME:
-        return p
-    pieces = ceil(seconds / LONGEST_STEP - NO_TIME)
-    step = transition(model, row.flown > 0, seconds / pieces)
-    for _ in range(pieces):
-        p = spread_out(p, step)
-    return p
+def _span_at(h: Horizon, spans: Spans, delay: float, at: float) -> int:
+    """Return the number of the span whose command acts at a time [s]; the one of the measurement when that lies after it."""
+    ring = spans.size - 1
+    span = h.newest
+    while span > h.span and spans[span & ring].sent + delay > at + NO_TIME:
+        span -= 1
+    return span
 
 
 @compiled
