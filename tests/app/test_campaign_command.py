@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import os
 import signal
 import subprocess
 import sys
@@ -75,7 +74,7 @@ def test_a_dry_run_says_how_long_and_writes_nothing(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert "8,000 drones, 120,000 drone-seconds" in done.stdout
     assert " s here, in 32 chunks" in done.stdout
-    assert os.listdir(tmp_path) == ["a.toml"]
+    assert [file.name for file in tmp_path.iterdir()] == ["a.toml"]
 
 
 def test_ctrl_c_keeps_what_has_landed_and_the_next_run_ends_with_the_same_bytes(tmp_path: Path) -> None:

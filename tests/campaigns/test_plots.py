@@ -79,7 +79,7 @@ def test_a_point_without_stable_flights_is_shown_as_such(grid: dict[str, Any], t
 
 def test_panels_that_are_left_out_are_counted(tmp_path: Path) -> None:
     grid = {"lag": [*range(1, 8)], "alpha": [*range(1, 8)], "beta": [1, 2, 3, 4, 5, 6], "drag": [1, 2, 3, 4, 5]}
-    assert "the first 24 of 30 panels" in drawn(grid, tmp_path)
+    assert "the first 12 of 30 panels" in drawn(grid, tmp_path)
 
 
 def test_a_single_point_has_no_picture(tmp_path: Path) -> None:
@@ -96,6 +96,12 @@ def test_a_picture_that_cannot_be_written_is_told(tmp_path: Path) -> None:
     spec = spec_of({"mocap_rate_hz": RATES})
     with pytest.raises(RecordingError, match="cannot be written"):
         draw_campaign(spec, cells_of(spec), "stable", tmp_path / "none" / "stable")
+
+
+def test_words_along_an_axis_are_points_and_no_line(tmp_path: Path) -> None:
+    spec = spec_of({"mode": ["default", "paper"], "estimator": ["on_arrival", "held_sample", "finite_difference"]})
+    svg = draw_campaign(spec, cells_of(spec), "rms_error", tmp_path / "a")[1].read_text()
+    assert all(word in svg for word in ("default", "paper", "on_arrival", "held_sample", "finite_difference"))
 
 
 def test_nan_bounds_do_not_break_a_line(tmp_path: Path) -> None:

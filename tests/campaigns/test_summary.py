@@ -55,7 +55,7 @@ def test_each_point_is_told_in_the_order_of_the_grid_whatever_order_flew(flown: 
 
 
 def test_results_of_both_modes_stand_in_one_file(flown: tuple[Plan, Path]) -> None:
-    plan, results = flown
+    _, results = flown
     table = pq.read_table(results)
     assert table["cell"].to_pylist() == [cell for cell in range(4) for _ in range(30)]
     assert table["seed"].to_pylist() == [*range(30)] * 4

@@ -31,9 +31,11 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 MARKERS = "osD^vP"
 LINES_MOST = len(COLOURS)
 """An axis with more values than this is not drawn as lines but as a heat map."""
-PANELS_MOST = 24
+PANELS_MOST = 12
 DECADE = 10.0
 """An axis whose ends differ by more than this factor is drawn logarithmic."""
+BESIDE = 0.1
+"""Distance of points of one word."""
 NOTHING = "0.85"
 """Grey of a point of the grid that has nothing to show."""
 _MEASURES = {measure.name: measure for measure in MEASURES}
@@ -133,8 +135,13 @@ def _lines(panel: Any, picture: Picture, field: Any) -> None:
         colour = COLOURS[index]
         label = None if picture.lines is None else shown(picture.lines, picture.values[picture.lines][index])
         size = 1.0 + 0.25 * (len(curves) - 1 - index)  # so that curves that coincide are seen one on the other
-        panel.plot(x, middle, color=colour, marker=MARKERS[index], markersize=4 * size, linewidth=1.4 * size, label=label)
-        panel.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
+        style: Any = {"color": colour, "marker": MARKERS[index], "markersize": 4 * size, "linewidth": 1.4 * size, "label": label}
+        if picture.across in WORDS:
+            shift = BESIDE * (index - 0.5 * (len(curves) - 1))
+            panel.errorbar(x + shift, middle, (middle - low, high - middle), **style | {"linestyle": "none"}, elinewidth=1.4)
+        else:
+            panel.plot(x, middle, **style)
+            panel.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
     _scale(panel, picture.across, x)
     for first, last in _gaps(x, np.isnan(curves[..., 0]).all(axis=0), panel.get_xlim()):
         panel.axvspan(first, last, color=NOTHING, linewidth=0)
@@ -151,7 +158,7 @@ def _scale(panel: Any, name: str, x: Any) -> None:
         panel.set_xlim(x[0] / reach, x[-1] * reach)
         panel.minorticks_off()
     else:
-        reach = 0.04 * (x[-1] - x[0])
+        reach = 0.5 if name in WORDS else 0.04 * (x[-1] - x[0])
         panel.set_xlim(x[0] - reach, x[-1] + reach)
     if name in WORDS or panel.get_xscale() == "log":
         panel.set_xticks(x, [shown(name, value) for value in x])
@@ -187,7 +194,7 @@ def _key(figure: Figure, panels: Any, picture: Picture) -> None:
     empty = np.isnan(picture.field[..., 0])
     nothing = [Patch(facecolor=NOTHING, label="no stable flight")]
     if picture.rows is not None:
-        figure.colorbar(panels[0, 0].images[0], ax=panels, label=_measure_label(picture.measure))
+        figure.colorbar(panels[0, 0].images[0], ax=panels, aspect=20 * len(panels), label=_measure_label(picture.measure))
         if empty.any():
             figure.legend(handles=nothing, loc="outside lower right", fontsize=8, frameon=False)
         return
