@@ -72,6 +72,12 @@ def test_a_room_of_ones_own_is_flown_in() -> None:
     assert_in_order(output, "H home", "and back: completed")
 
 
+@pytest.mark.slow
+def test_a_thousand_drones_are_flown_and_read() -> None:
+    output = run("08_fly_a_thousand.py")
+    assert_in_order(output, "20 points x 50 seeds = 1000 drones", "1000 rows", "mode default", "mode paper", "cm off the path")
+
+
 def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
     contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
     assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.campaigns.draws import Draw, shares_of
+from housefly.campaigns.notes import notes
 from housefly.campaigns.plan import CHUNK_LEAST, CHUNK_MOST, Plan, chunk_size, plan_campaign
 from housefly.campaigns.spec import spec_from_tree
 from housefly.config import Site
@@ -109,6 +110,16 @@ def test_each_mode_flies_its_own_way_with_its_own_tolerances() -> None:
     table, cells = plan.cases_of(plan.chunks[1])
     assert (table == cases(plan.legs[1].site, 2, mode=PAPER, seed=[0, 1])).all()
     assert (cells == 0).all()
+
+
+def test_a_flight_that_cannot_end_in_time_is_noted() -> None:
+    far = {"mission": {"waypoints": [[0.0, 0.0], [10.0, 0.0]], "duration_s": 21.9}}
+    assert notes(planned(**far)) == [
+        "mission.duration_s is 21.9 s, but the 10.0 m in mode default take at least 22 s: no drone will arrive"
+    ]
+    assert notes(planned(**far | {"fixed": {"speed": 1.0}})) == []
+    for change in ({"duration_s": 22.1}, {"task": "step"}):
+        assert notes(planned(mission=far["mission"] | change)) == []
 
 
 def test_a_place_that_is_not_there_is_refused_by_name() -> None:
