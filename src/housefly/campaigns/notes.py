@@ -21,7 +21,5 @@ def _too_short(leg: Leg) -> list[str]:
     needed = SETTLE + length / leg.site.limits.speed
     if mission.task is not Task.PATH or needed <= mission.duration:
         return []
-    return [
-        f"mission.duration_s is {mission.duration:g} s, but the {length:.1f} m in mode {leg.site.mode} take at least {needed:.0f} s: "
-        "no drone will arrive"
-    ]
+    way = f"the {length:.1f} m in mode {leg.site.mode} take at least {needed:.0f} s"
+    return [f"mission.duration_s is {mission.duration:g} s, but {way}: no drone will arrive"]
