@@ -7,6 +7,8 @@ same code. They are cached on disk and release the interpreter lock. No ``fastma
 from __future__ import annotations
 
 import os
+import shutil
+import time
 from collections.abc import Callable
 from hashlib import sha256
 from math import pi
@@ -30,12 +32,26 @@ def _version() -> str:
     return sha256(repr(tuple(stamps)).encode()).hexdigest()[:16]
 
 
-# The compiler's own cache looks at a function's own file only, so a caller would keep the old code of what it calls.
 CACHE = HERE / "__pycache__" / f"compiled-{_version()}"
-if "NUMBA_CACHE_DIR" not in os.environ and os.access(HERE, os.W_OK):
+"""Where compiled code is kept, unless NUMBA_CACHE_DIR names another place or this one cannot be written to."""
+FORGOTTEN_AFTER = 86400.0
+"""Compiled code of sources that have changed since is kept this long, for programs that still run [s]."""
+
+
+def _keep_by_version() -> None:
+    """Keep compiled code apart by the state of all sources, and throw old code away.
+
+    The compiler's own check looks at a function's own file only, so a caller would keep the old code of what it calls.
+    """
+    if "NUMBA_CACHE_DIR" in os.environ or not os.access(HERE, os.W_OK):
+        return
     vars(config)["CACHE_DIR"] = str(CACHE)
+    for old in set(CACHE.parent.glob("compiled-*")) - {CACHE}:
+        if time.time() - old.stat().st_mtime > FORGOTTEN_AFTER:
+            shutil.rmtree(old, ignore_errors=True)
 
 
+_keep_by_version()
 OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "forceinline": True, "error_model": "numpy", "_nrt": False}
 
 
