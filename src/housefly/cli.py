@@ -6,7 +6,7 @@ import argparse
 import signal
 import sys
 
-from housefly.app import campaign_command, commands, gains_command
+from housefly.app import campaign_command, commands, gains_command, identify_command
 from housefly.errors import HouseflyError
 
 EPILOG = """examples:
@@ -34,6 +34,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_plan(actions)
     _add_room(actions)
     _add_replay(actions)
+    identify_command.add(actions)
     gains_command.add(actions)
     campaign_command.add(actions)
     _add_doctor(actions)

@@ -12,6 +12,7 @@ from math import inf, nan
 
 from housefly.behavior.acceptor import PAPER_EPSILONS, Acceptor, Condition, conditions_of
 from housefly.behavior.captain import Captain
+from housefly.behavior.maneuver import Maneuver
 from housefly.behavior.nose import YAW_SLEW, Nose, nose_after
 from housefly.behavior.scene import Scene
 from housefly.behavior.tracking import Track
@@ -62,8 +63,9 @@ MOVING_BEHAVIORS = frozenset({Behavior.PATH_TRACKING, Behavior.HOVER})
 class Pilot:
     """One drone's pilot; all its state is in the parts named in the constructor."""
 
-    def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
+    def __init__(self, site: Site, room: Room, grid: OccupancyGrid, maneuver: Maneuver | None = None) -> None:
         self._site = site
+        self._maneuver = maneuver
         self._paper = site.mode == "paper"
         self._navigator = RoomNavigator(site, room, grid)
         self._filter = _estimator(site)
@@ -191,7 +193,10 @@ class Pilot:
         track = self._track
         aim = Aim(track.position, track.velocity, track.acceleration, self._site.map.flight_height, self._nose.reference)
         where = Where(forecast.position, forecast.velocity, forecast.disturbance, estimate.position[2], estimate.yaw)
-        return self._autopilot.paper(self._acceptor.state, aim, where) if self._paper else self._autopilot.default(aim, where)
+        command = self._autopilot.paper(self._acceptor.state, aim, where) if self._paper else self._autopilot.default(aim, where)
+        if self._maneuver is None or errand.phase is not Phase.HOLDING or errand.stopped:
+            return command
+        return self._maneuver.propose(now, estimate, command)
 
     # --- safety ---
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from housefly.app.loop_health import Frequency, Lateness
 from housefly.app.premises import Premises
 from housefly.app.questions import Questions
+from housefly.behavior.maneuver import Maneuver
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
 from housefly.clock import Rate, RealClock
@@ -48,9 +49,9 @@ LANDING_PATIENCE = 25.0
 class PilotShell:
     """Runs one pilot on real wires; everything happens on one asyncio loop."""
 
-    def __init__(self, premises: Premises, bus: Bus, tracker: Tracker, drone: Drone) -> None:
+    def __init__(self, premises: Premises, bus: Bus, tracker: Tracker, drone: Drone, maneuver: Maneuver | None = None) -> None:
         self._questions = Questions(premises, bus)
-        self.pilot = Pilot(premises.site, premises.room, premises.grid)
+        self.pilot = Pilot(premises.site, premises.room, premises.grid, maneuver)
         self._body = premises.site.tracking.body
         self._rate_hz = premises.site.control.rate_hz
         self._bus, self._tracker, self._drone = bus, tracker, drone

@@ -1,0 +1,153 @@
+"""An identification flight, on a stepped clock or over real wires: take off, go to the box, fly the blocks, come home, land."""
+
+from __future__ import annotations
+
+import asyncio
+import signal
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from housefly.app.launcher import Launcher, Part
+from housefly.app.pilot_shell import PilotShell
+from housefly.app.premises import Premises
+from housefly.app.runtime import new_runtime
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import ORDER, STEP
+from housefly.clock import RealClock
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.identification.box import Box
+from housefly.identification.maneuver import Maneuver
+from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
+from housefly.pilot import Pilot, warm_up
+from housefly.tracking.vicon import ViconTracker
+from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.world import SimulatedWorld
+
+START_PATIENCE = 30.0
+"""How long drone and tracking may take to answer [s]."""
+BLOCK_PATIENCE = 30.0
+"""Longest time for one block with the rest before it [s]."""
+INTERRUPTED = "interrupted"
+SENDER = "identification"
+
+
+@dataclass(slots=True)
+class Errand:
+    """Leads one flight by orders, step by step, as a person would.
+
+    Attributes:
+        box: where the blocks are flown.
+        maneuver: the blocks.
+        patience: longest time in the air [s].
+        outcome: "" while it flies, then "completed" or the reason.
+    """
+
+    box: Box
+    maneuver: Maneuver
+    patience: float
+    outcome: str = ""
+    _asked: OrderKind | None = None
+    _began: float | None = None
+    _flown: bool = False
+    _problem: str = ""
+
+    def after(self, step: PilotStep) -> Order | None:
+        """Return the next order, if one is due."""
+        now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
+        self._began = now if self._began is None else self._began
+        if telemetry is None or outputs.estimate is None:
+            waited = now - self._began > START_PATIENCE
+            self.outcome = "no word from the drone or from tracking" if waited else ""
+            return None
+        self._flown = self._flown or outputs.phase is Phase.HOLDING
+        if outputs.safety in (SafetyMode.LAND, SafetyMode.CUT) and not self._problem:
+            self._problem = outputs.reason
+        if telemetry.status is DroneStatus.LANDED and outputs.phase is Phase.IDLE and self._asked is not None and self._flown:
+            self.outcome = self._problem or self.maneuver.problem or "completed"
+            return None
+        if now - self._began > self.patience:
+            self._problem = self._problem or f"not done within {self.patience:.0f} s"
+            return self._once(OrderKind.LAND, now)
+        return self._next(outputs.phase, now)
+
+    def _next(self, phase: Phase, now: float) -> Order | None:
+        if self._asked is None:
+            return self._once(OrderKind.TAKE_OFF, now)
+        if phase is Phase.HOLDING and self._asked is OrderKind.TAKE_OFF:
+            return self._once(OrderKind.GO, now, self.box.centre)
+        if phase is Phase.HOLDING and self._asked is OrderKind.GO and self.maneuver.finished:
+            return self._once(OrderKind.HOME, now)
+        return None
+
+    def _once(self, kind: OrderKind, now: float, goal: tuple[float, float] | None = None) -> Order | None:
+        if self._asked is kind:
+            return None
+        self._asked = kind
+        return Order(kind, goal=goal, issued_at=now, sender=SENDER)
+
+
+def fly_in_lock_step(premises: Premises, world_site: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
+    """Fly on a stepped clock and return the outcome; ``world_site`` may hold another drone than the pilot believes."""
+    room = LockstepRoom(SimulatedWorld(world_site.site, world_site.room), world_site.site)
+    pilot = Pilot(premises.site, premises.room, premises.grid, errand.maneuver)
+    period = 1.0 / premises.site.control.rate_hz
+    sequence, order = 0, None
+    while not errand.outcome:
+        room.advance(period)
+        issued = (Order(order.kind, goal=order.goal, issued_at=room.now, sender=SENDER),) if order else ()
+        inputs = Inputs(room.sightings(), room.telemetry(), issued)
+        outputs = pilot.step(room.now, inputs)
+        room.send(outputs.command)
+        step = PilotStep(sequence, room.now, inputs, outputs)
+        on_step(step)
+        order = errand.after(step)
+        sequence += 1
+    return errand.outcome
+
+
+def fly_over_wires(premises: Premises, errand: Errand, folder: Path, on_step: Callable[[PilotStep], None]) -> str:
+    """Fly whatever drone the site names and return the outcome; Ctrl-C lands it first.
+
+    The pilot runs in this process, at the head of its own loop; the twin, where the site has one, in a process of its own.
+    """
+    runtime = new_runtime(premises.site, folder)
+    site = runtime.site()
+    parts = (Part("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),) if site.twin.enabled else ()
+    warm_up(premises.site, premises.room, premises.grid)
+    with Launcher(runtime, folder, parts):
+        return asyncio.run(_fly(premises, errand, on_step))
+
+
+async def _fly(premises: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
+    site, clock, bus = premises.site, RealClock(), LocalBus()
+    shell = PilotShell(
+        premises, bus, ViconTracker(site.tracking, clock), ArDrone(site.drone, site.limits, clock), errand.maneuver
+    )
+    interrupted = threading.Event()
+
+    def heard(step: PilotStep) -> None:
+        on_step(step)
+        if errand.outcome or interrupted.is_set():
+            return
+        order = errand.after(step)
+        if errand.outcome:
+            shell.leave()
+        elif order is not None:
+            bus.publish(ORDER, order)
+
+    def interrupt() -> None:
+        interrupted.set()
+        shell.leave()
+
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, interrupt)
+    subscription = bus.subscribe(STEP, heard)
+    try:
+        await shell.run()
+    finally:
+        subscription.close()
+        bus.close()
+    return INTERRUPTED if interrupted.is_set() else errand.outcome
