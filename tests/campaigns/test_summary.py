@@ -35,7 +35,7 @@ class KnownFleet:
 
 @pytest.fixture
 def flown(small: Any, tmp_path: Path) -> tuple[Plan, Path]:
-    plan: Plan = small(7)
+    plan: Plan = small(7, grid={"mocap_rate_hz": [10, 100], "mode": ["paper", "default"]})
     with CampaignFolder(tmp_path, plan) as folder:
         run_campaign(plan, folder.missing(), folder, KnownFleet())
         return plan, folder.finish()
@@ -44,20 +44,20 @@ def flown(small: Any, tmp_path: Path) -> tuple[Plan, Path]:
 def test_each_point_is_told_in_the_order_of_the_grid_whatever_order_flew(flown: tuple[Plan, Path]) -> None:
     plan, results = flown
     cells = summarize(plan.spec, results)
-    assert [cell.values for cell in cells] == [(0.0, 10.0), (0.0, 100.0), (1.0, 10.0), (1.0, 100.0)]
+    assert [cell.values for cell in cells] == [(10.0, 1.0), (10.0, 0.0), (100.0, 1.0), (100.0, 0.0)]
     stable = np.array([seed for seed in range(30) if seed % 3])
     for cell in cells:
-        mode, rate = cell.values
+        rate, mode = cell.values
         assert cell.drones == 30
         assert cell.estimates["stable"] == share(np.arange(30) % 3 != 0)
         assert cell.estimates["rms_error"] == pytest.approx(mean(rate + mode + stable))
         assert cell.estimates["arrival_time"] == pytest.approx(NOTHING, nan_ok=True)
 
 
-def test_results_of_both_modes_stand_in_one_file(flown: tuple[Plan, Path]) -> None:
+def test_results_of_both_modes_stand_in_one_file_mode_by_mode(flown: tuple[Plan, Path]) -> None:
     _, results = flown
     table = pq.read_table(results)
-    assert table["cell"].to_pylist() == [cell for cell in range(4) for _ in range(30)]
+    assert table["cell"].to_pylist() == [cell for cell in (1, 3, 0, 2) for _ in range(30)]
     assert table["seed"].to_pylist() == [*range(30)] * 4
 
 
@@ -66,7 +66,7 @@ def test_the_file_of_the_summary_has_words_and_bounds(flown: tuple[Plan, Path], 
     write_summary(tmp_path / "summary.csv", plan.spec, summarize(plan.spec, results))
     with (tmp_path / "summary.csv").open() as file:
         rows = list(csv.DictReader(file))
-    assert [row["mode"] for row in rows] == ["default", "default", "paper", "paper"]
+    assert [row["mode"] for row in rows] == ["paper", "default", "paper", "default"]
     assert float(rows[0]["stable_low"]) < float(rows[0]["stable"]) < float(rows[0]["stable_high"])
     assert rows[0]["arrival_time"] == "nan"
     with pytest.raises(RecordingError, match="cannot be written"):
