@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import groupby
 from typing import Protocol
+
+import numpy as np
 
 from housefly.campaigns.folder import CampaignFolder
 from housefly.campaigns.plan import Chunk, Plan
 from housefly.experiments.engine import fly_many
 from housefly.experiments.outcomes import Outcomes
 
+TOGETHER = 2000
+"""Drones that are flown between two writes on this machine, unless chunks are larger."""
 Landed = Callable[[int], None]
 """Called with the number of drones that have just landed."""
 
@@ -29,10 +34,21 @@ class LocalFleet:
         self._threads = threads
 
     def fly(self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed) -> Iterator[tuple[Chunk, Outcomes]]:
-        """Fly one chunk after the other, each on all threads."""
-        for chunk in chunks:
-            cases, _ = plan.cases_of(chunk)
-            yield chunk, fly_many(cases, plan.legs[chunk.leg].mission, threads=self._threads, on_progress=on_landed)
+        """Fly some chunks at a time on all threads: every thread waits for the last drone only once for all of them."""
+        for together in _batches(chunks):
+            cases = np.concatenate([plan.cases_of(chunk)[0] for chunk in together])
+            outcomes = fly_many(cases, plan.legs[together[0].leg].mission, threads=self._threads, on_progress=on_landed)
+            ends = np.cumsum([chunk.drones for chunk in together])
+            yield from zip(together, np.split(outcomes, ends[:-1]), strict=True)
+
+
+def _batches(chunks: tuple[Chunk, ...]) -> Iterator[tuple[Chunk, ...]]:
+    """Yield chunks of one leg together, as many as ``TOGETHER`` allows, at least one."""
+    for _, own in groupby(chunks, key=lambda chunk: chunk.leg):
+        of_leg = list(own)
+        size = max(TOGETHER // of_leg[0].drones, 1)
+        for first in range(0, len(of_leg), size):
+            yield tuple(of_leg[first : first + size])
 
 
 def run_campaign(
