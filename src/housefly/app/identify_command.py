@@ -48,7 +48,7 @@ def add(actions: Any) -> None:
     parser.add_argument("--out", metavar="DIR", help="where to write (default: identification/<time>)")
     parser.add_argument("--from", dest="recorded", metavar="DIR", help="fit what was recorded there, fly nothing")
     parser.add_argument("--lockstep", action="store_true", help="simulated drone on a stepped clock, no wires")
-    parser.add_argument("--repeats", type=int, default=6, metavar="N", help="blocks of each kind, 3 to 40 (default: 6)")
+    parser.add_argument("--repeats", type=int, default=6, metavar="N", help="blocks of each kind, 4 to 40 (default: 6)")
     parser.add_argument("--box", type=float, metavar="M", help="side of the box (default: what the blocks need)")
     parser.add_argument("--at", metavar="PLACE", help="fly near this place (default: the nearest room to the pad)")
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
@@ -64,8 +64,8 @@ def run(options: argparse.Namespace) -> int:
         folder = Path(options.recorded)
         premises = open_premises(read_site(str(folder / "site.json")))
         return _conclude(premises, *_read(folder), folder)
-    if not 3 <= options.repeats <= 40:
-        raise ConfigError("--repeats", f"is {options.repeats}; allowed: a number from 3 to 40")
+    if not 4 <= options.repeats <= 40:
+        raise ConfigError("--repeats", f"is {options.repeats}; allowed: a number from 4 to 40")
     changes = {"twin__seed": options.seed, "twin__mocap_rate_hz": options.mocap_rate, "mode": "default"}
     premises = open_premises(read_site(options.site, **{key: value for key, value in changes.items() if value is not None}))
     out = Path(options.out or time.strftime("identification/%Y-%m-%d_%H-%M-%S"))

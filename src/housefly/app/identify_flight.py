@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import asyncio
+import gc
+import os
 import signal
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 
 from housefly.app.launcher import Launcher, Part
@@ -17,6 +21,7 @@ from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER, STEP
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
+from housefly.geometry import Vec2, Vec3, distance
 from housefly.identification.box import Box
 from housefly.identification.maneuver import Maneuver
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
@@ -31,6 +36,10 @@ BLOCK_PATIENCE = 30.0
 """Longest time for one block with the rest before it [s]."""
 INTERRUPTED = "interrupted"
 SENDER = "identification"
+AGAIN_AFTER = 1.0
+"""An order that was not followed is given again after this [s]."""
+URGENCY = -10
+"""Nice value that the flight takes where the system lets it."""
 
 
 @dataclass(slots=True)
@@ -48,7 +57,7 @@ class Errand:
     maneuver: Maneuver
     patience: float
     outcome: str = ""
-    _asked: OrderKind | None = None
+    _asked_at: float = -inf
     _began: float | None = None
     _flown: bool = False
     _problem: str = ""
@@ -64,27 +73,29 @@ class Errand:
         self._flown = self._flown or outputs.phase is Phase.HOLDING
         if outputs.safety in (SafetyMode.LAND, SafetyMode.CUT) and not self._problem:
             self._problem = outputs.reason
-        if telemetry.status is DroneStatus.LANDED and outputs.phase is Phase.IDLE and self._asked is not None and self._flown:
+        if telemetry.status is DroneStatus.LANDED and outputs.phase is Phase.IDLE and self._flown:
             self.outcome = self._problem or self.maneuver.problem or "completed"
             return None
         if now - self._began > self.patience:
             self._problem = self._problem or f"not done within {self.patience:.0f} s"
-            return self._once(OrderKind.LAND, now)
-        return self._next(outputs.phase, now)
+            return self._asking(OrderKind.LAND, now)
+        return self._next(outputs.phase, outputs.estimate.position, now)
 
-    def _next(self, phase: Phase, now: float) -> Order | None:
-        if self._asked is None:
-            return self._once(OrderKind.TAKE_OFF, now)
-        if phase is Phase.HOLDING and self._asked is OrderKind.TAKE_OFF:
-            return self._once(OrderKind.GO, now, self.box.centre)
-        if phase is Phase.HOLDING and self._asked is OrderKind.GO and self.maneuver.finished:
-            return self._once(OrderKind.HOME, now)
-        return None
-
-    def _once(self, kind: OrderKind, now: float, goal: tuple[float, float] | None = None) -> Order | None:
-        if self._asked is kind:
+    def _next(self, phase: Phase, position: Vec3, now: float) -> Order | None:
+        if phase is Phase.IDLE:
+            return self._asking(OrderKind.TAKE_OFF, now)
+        if phase is not Phase.HOLDING:
             return None
-        self._asked = kind
+        if self.maneuver.finished:
+            return self._asking(OrderKind.HOME, now)
+        is_there = distance(position[:2], self.box.centre) < self.box.reach
+        return None if is_there else self._asking(OrderKind.GO, now, self.box.centre)
+
+    def _asking(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
+        """Return the order, again after a while: the pilot refuses orders while it does not see the drone."""
+        if now - self._asked_at < AGAIN_AFTER:
+            return None
+        self._asked_at = now
         return Order(kind, goal=goal, issued_at=now, sender=SENDER)
 
 
@@ -116,8 +127,21 @@ def fly_over_wires(premises: Premises, errand: Errand, folder: Path, on_step: Ca
     site = runtime.site()
     parts = (Part("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),) if site.twin.enabled else ()
     warm_up(premises.site, premises.room, premises.grid)
-    with Launcher(runtime, folder, parts):
+    with Launcher(runtime, folder, parts), _undisturbed():
         return asyncio.run(_fly(premises, errand, on_step))
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Keep the loop on time: every step is kept, and a garbage collector that walks them all would stop it for half a second."""
+    with suppress(PermissionError):
+        os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
 
 
 async def _fly(premises: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:

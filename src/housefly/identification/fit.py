@@ -85,7 +85,7 @@ def fitted(model: Model, start: Numbers, bounds: tuple[Numbers, Numbers], seed: 
     def residuals(constants: Numbers) -> Numbers:
         return np.concatenate([block.residual for block in model(constants)])
 
-    found = least_squares(residuals, start, bounds=bounds, x_scale=scale, diff_step=steps, xtol=1e-8, ftol=1e-10)
+    found = least_squares(residuals, start, bounds=bounds, x_scale=scale, diff_step=steps, xtol=1e-8, ftol=1e-10, max_nfev=100)
     blocks = model(found.x)
     ends = np.cumsum([block.measured.size for block in blocks])
     rows = np.split(np.asarray(found.jac), ends[:-1])
@@ -98,15 +98,15 @@ def fitted(model: Model, start: Numbers, bounds: tuple[Numbers, Numbers], seed: 
 def _half_widths(rows: list[Numbers], rests: list[Numbers], seed: int) -> Numbers:
     """Return half of the intervals: blocks are drawn with replacement, and each draw is refitted in one Gauss-Newton step.
 
-    Residuals within a block hang together (a gust, a late datagram), whole blocks do not. Few blocks make the spread look too
-    small; Student's quantile and n / (n - 1) correct for that.
+    Residuals within a block hang together (a gust, a late datagram), whole blocks do not. A fit of p constants to n blocks leaves
+    residuals that look too small; Student's quantile for n - p and the factor n / (n - p) correct for that.
     """
-    count = len(rows)
+    count, free = len(rows), len(rows) - rows[0].shape[1]
     curvature = np.array([row.T @ row for row in rows])
     slope = np.array([row.T @ rest for row, rest in zip(rows, rests, strict=True)])
     weights = np.random.default_rng(seed).multinomial(count, np.full(count, 1.0 / count), RESAMPLES)
-    whole = np.einsum("sb,bij->sij", weights, curvature) + 1e-9 * curvature.sum(axis=0) * np.eye(curvature.shape[1])
-    shifts = np.linalg.solve(whole, -np.einsum("sb,bi->si", weights, slope)[..., None])[..., 0]
-    spread = np.quantile(np.abs(shifts - np.median(shifts, axis=0)), 0.6827, axis=0)
-    quantile = float(student.ppf(0.5 + 0.5 * LEVEL, count - 1))
-    return np.asarray(spread * quantile * sqrt(count / (count - 1)))
+    whole = np.einsum("sb,bij->sij", weights, curvature)
+    shifts = -np.einsum("sij,sb,bj->si", np.linalg.pinv(whole, hermitian=True), weights, slope, optimize=True)
+    spread = shifts.std(axis=0)
+    quantile = float(student.ppf(0.5 + 0.5 * LEVEL, free))
+    return np.asarray(spread * quantile * sqrt(count / free))

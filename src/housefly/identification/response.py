@@ -71,9 +71,9 @@ def integrated(rate: Numbers) -> Numbers:
     return np.concatenate(([0.0], np.cumsum(0.5 * (rate[1:] + rate[:-1])) * STEP))
 
 
-def travelled(angle: Numbers, drag: float) -> Numbers:
-    """Return how far an angle takes a drone at rest [m], for small angles: v' = g angle - drag v."""
-    push = np.concatenate((0.5 * (angle[1:] + angle[:-1]), angle[-1:])) * GRAVITY
+def travelled(slope: Numbers, drag: float) -> Numbers:
+    """Return how far a tilt takes a drone at rest [m], by its tangent: v' = g slope - drag v (paper eq. 8)."""
+    push = np.concatenate((0.5 * (slope[1:] + slope[:-1]), slope[-1:])) * GRAVITY
     drag = max(drag, NO_DRAG)
     return integrated(first_order(push / drag, drag))
 

@@ -14,7 +14,7 @@ from housefly.identification.samples import Samples
 from housefly.identification.tilt import DELAY, DRAG, GAIN, LAG, TiltFit, fit_tilt
 from housefly.profile import CONSTANTS, Interval
 
-FEWEST = 3
+FEWEST = 4
 """Blocks of each kind without which no interval can be given."""
 FEWEST_FRAMES = 12
 """Frames in a block without which it counts as not seen."""

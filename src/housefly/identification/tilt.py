@@ -72,7 +72,10 @@ def tilt_block(samples: Samples, constants: Numbers, noises: tuple[float, float]
     place_columns = (travelled(decay, drag), one, slowing, pushed, zero, *(travelled(angle, drag) for angle in late))
     angle_rows = np.column_stack([at_frames(samples, times, column) for column in angle_columns]) / noises[0]
     place_rows = np.column_stack([at_frames(samples, times, column) for column in place_columns]) / noises[1]
-    modelled = [at_frames(samples, times, angle) / noises[0], at_frames(samples, times, travelled(angle, drag)) / noises[1]]
+    modelled = [
+        at_frames(samples, times, angle) / noises[0],
+        at_frames(samples, times, travelled(np.tan(angle), drag)) / noises[1],
+    ]
     known = np.hstack((np.zeros((len(late), 5)), np.eye(len(late)) / SWITCH_SPREAD))
     nothing = np.zeros(len(late))
     measured = np.concatenate((samples.angle / noises[0], samples.place / noises[1], nothing))
