@@ -1,4 +1,4 @@
-"""How often the intervals of housefly identify hold the truth, on simulated drones with hidden constants (MuJoCo, stepped clock)."""
+"""How often the intervals of housefly identify hold the truth: MuJoCo drones with hidden constants, stepped clock."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from housefly.identification.result import Limits, identify
 from housefly.identification.samples import samples_of
 from housefly.twin.lockstep import CADENCE
 from housefly.twin.onboard_loops import RATE_POLE
+from housefly.twin.sensors import PERIOD
 
 RUNS = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 REPEATS = 6
@@ -47,8 +48,9 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     if outcome != "completed":
         return {}, outcome
     found = identify(samples_of(steps, tuple(maneuver.flown), "ardrone"), Limits(0.21, 0.7, 1.75), seed)
-    # A changed setpoint waits for the next tick after CADENCE, evenly spread; the motors' own loop adds its time constant.
-    wait = 0.5 * (np.ceil(CADENCE / TICK) - 1) * TICK
+    # A changed setpoint waits for the next tick after CADENCE and for the firmware's next period, both evenly spread; the motors'
+    # own loop adds its time constant.
+    wait = 0.5 * (np.ceil(CADENCE / TICK) - 1) * TICK + 0.5 * PERIOD
     lags = {
         "attitude_lag": truth["drone__attitude_lag"],
         "attitude_gain": truth["drone__attitude_gain"],
@@ -76,8 +78,8 @@ def main() -> None:
         cells.append((key, f"{100 * held:.0f} %", f"{held / 0.9:.2f}", f"{error:.3g}", f"{np.mean(0.5 * (high - low)):.3g}"))
     print(table(("constant", "held the truth", "over the goal (90 %)", "rms error", "mean half interval"), cells))
     print(
-        f"\n{len(flown)} flights of the simulated room (MuJoCo) with {REPEATS} blocks of each kind, tracking at 30 Hz with 1 mm noise "
-        f"and 5 % loss; {refused} refused or given up. {time.monotonic() - start:.0f} s on two processes."
+        f"\n{len(flown)} flights of the simulated room (MuJoCo), {REPEATS} blocks of each kind, tracking at 30 Hz with 1 mm "
+        f"noise and 5 % loss; {refused} refused or given up. {time.monotonic() - start:.0f} s on two processes."
     )
 
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from math import sqrt
 
 import numpy as np
-from _run import table
 
+from _run import table
 from housefly.config import Site
 from housefly.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, cases
 from housefly.experiments.engine import fly_many
@@ -64,8 +64,8 @@ def main() -> None:
     headings = ("filter of mode", "lambda [1/s]", "tracking", "gain margin", "ratio", "delay margin [ms]", "ratio")
     print(table(headings, rows))
     print(
-        f"\nalpha = beta = 4, command delay 60 ms; predicted by the matrix of the sampled loop / found by bisection over flights of the "
-        f"nonlinear batch engine. Largest difference {100 * worst:.1f} % (limit: 5 %)."
+        f"\nalpha = beta = 4, command delay 60 ms; predicted by the matrix of the sampled loop / found by bisection over "
+        f"flights of the nonlinear batch engine. Largest difference {100 * worst:.1f} % (limit: 5 %)."
     )
     start = time.process_time()
     advice = advise(Question(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))

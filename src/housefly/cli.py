@@ -6,7 +6,7 @@ import argparse
 import signal
 import sys
 
-from housefly.app import campaign_command, commands, gains_command, identify_command
+from housefly.app import campaign_command, commands, gains_command, identify_command, reproduce_command
 from housefly.errors import HouseflyError
 
 EPILOG = """examples:
@@ -37,6 +37,7 @@ def build_parser() -> argparse.ArgumentParser:
     identify_command.add(actions)
     gains_command.add(actions)
     campaign_command.add(actions)
+    reproduce_command.add(actions)
     _add_doctor(actions)
     return parser
 

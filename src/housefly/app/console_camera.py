@@ -1,0 +1,93 @@
+"""Photographs of the console while something flies, where the machine has a browser."""
+
+from __future__ import annotations
+
+import io
+import shutil
+import threading
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from housefly.reproduction.fig17_service import Picture
+
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
+SIZE = {"width": 1280, "height": 720}
+
+
+class ConsoleCamera:
+    """Photographs the console in Debian's Chromium, where it and playwright are installed; else does nothing.
+
+    Attributes:
+        available: whether there is a browser.
+    """
+
+    def __init__(self, address: str) -> None:
+        self._address = address
+        self._wanted: list[str] = []
+        self._taken: dict[str, Picture] = {}
+        self._wake, self._ending = threading.Condition(), False
+        self._thread = threading.Thread(target=self._work, name="console camera", daemon=True)
+        self.available = shutil.which("chromium") is not None and _playwright() is not None
+
+    def __enter__(self) -> ConsoleCamera:
+        if self.available:
+            self._thread.start()
+        return self
+
+    def __exit__(self, *reason: object) -> None:
+        with self._wake:
+            self._ending = True
+            self._wake.notify()
+        if self.available:
+            self._thread.join(30.0)
+
+    def shoot(self, title: str) -> None:
+        """Ask for a photograph now."""
+        with self._wake:
+            self._wanted.append(title)
+            self._wake.notify()
+
+    def pictures(self) -> dict[str, Picture]:
+        """Return what was photographed, by title."""
+        with self._wake:
+            return dict(self._taken)
+
+    def _work(self) -> None:
+        playwright = _playwright()
+        assert playwright is not None
+        with playwright.sync_playwright() as play:
+            browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            page: Any = browser.new_page(viewport=SIZE, color_scheme="light")
+            opened = False
+            while True:
+                with self._wake:
+                    self._wake.wait_for(lambda: self._wanted or self._ending, timeout=0.5)
+                    title = self._wanted.pop(0) if self._wanted else None
+                    if title is None and self._ending:
+                        return
+                opened = opened or self._open(page, playwright.Error)
+                if title is not None and opened:
+                    picture = _decoded(page.screenshot())
+                    with self._wake:
+                        self._taken[title] = picture
+
+    def _open(self, page: Any, not_up_yet: type[Exception]) -> bool:
+        try:
+            page.goto(self._address, timeout=2000)
+        except not_up_yet:
+            return False
+        return True
+
+
+def _playwright() -> Any | None:
+    try:
+        from playwright import sync_api
+    except ImportError:
+        return None
+    return sync_api
+
+
+def _decoded(png: bytes) -> Picture:
+    return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
