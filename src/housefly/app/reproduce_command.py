@@ -25,9 +25,10 @@ if TYPE_CHECKING:
 
 console = Console(highlight=False)
 
-DESCRIPTION = """Make every figure of the paper again (7, 10-13, 15-17), the tables that it lacks, and a verdict on each of its claims
-with the number behind it. One service is flown over real wires, some on a stepped clock, and thousands by the batch engine.
-The result is one page, reproduction.html, with the figures as PNG and SVG beside it. Takes a few minutes; Ctrl-C lands the drone."""
+DESCRIPTION = """Make every figure of the paper again (7, 10-13, 15-17), the tables that it lacks, and a verdict on each of its
+claims with the number behind it. One service is flown over real wires, some on a stepped clock, and thousands by the batch
+engine. The result is one page, reproduction.html, with the figures as PNG and SVG beside it. Takes a few minutes; Ctrl-C
+lands the drone."""
 SEEDS, QUICK_SEEDS = 100, 6
 REPEATS, QUICK_REPEATS = 6, 4
 

@@ -93,7 +93,7 @@ def fly_steps(site: Site, repeats: int) -> Steps:
     plan = blocks(repeats, limits.tilt_max)
     reach = MARGIN + largest_excursion(plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay)
     box = find_box(premises.grid, premises.room.home, reach, premises.site.map.flight_height)
-    maneuver, steps = Maneuver(plan, box), []
+    maneuver, steps = Maneuver(plan, box), list[PilotStep]()
     outcome = fly_in_lock_step(premises, premises, Errand(box, maneuver, inf), steps.append)
     if outcome != "completed":
         raise LinkError(f"the steps of Fig. 11 were given up: {outcome}")
@@ -214,5 +214,5 @@ def camera_pictures(folder: Path, ages: tuple[float, ...]) -> tuple[Picture | No
         for frame in movie.decode(video=0):
             for index, at in enumerate(wanted):
                 if frame.time is not None and frame.time <= at + 0.02 and frame.time > at - 0.5:
-                    found[index] = frame.to_ndarray(format="rgb24")
+                    found[index] = np.asarray(frame.to_ndarray(format="rgb24"), dtype=np.uint8)
     return tuple(found)

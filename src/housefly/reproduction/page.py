@@ -10,7 +10,7 @@ from pathlib import Path
 from housefly.record.report_style import STYLE
 from housefly.reproduction.exhibit import Exhibit, Finding, Table, Verdict
 
-MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "–"}
+MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "?"}
 CLASSES = {Verdict.HOLDS: "holds", Verdict.CONDITION: "condition", Verdict.FAILS: "fails", Verdict.NOT_TESTABLE: "none"}
 OWN_STYLE = """
 .verdict{display:inline-block;white-space:nowrap;font-weight:600}
@@ -22,6 +22,10 @@ figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6p
 @media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
 .said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
 .finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
+.claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 12rem minmax(0,1.8fr);gap:.2rem 1rem;
+padding:.55rem 0;border-bottom:1px solid var(--line)}
+@media (max-width:820px){.claim{grid-template-columns:minmax(0,1fr)}}
+.says{color:var(--ink)} dl dd{font-size:15px} dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}
 .small{color:var(--muted);font-size:.9em}
 .count{display:flex;flex-wrap:wrap;gap:.4rem 1.4rem;margin:.6rem 0}
 .wide{overflow-x:auto} .wide table{font-variant-numeric:tabular-nums} .wide td,.wide th{white-space:nowrap}
@@ -98,19 +102,19 @@ def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[Finding, ...]) -> s
 def _finding(finding: Finding) -> str:
     return (
         f'<div class="finding">{_verdict(finding.verdict)} <span class="small">{_text(finding.section)}</span>'
-        f'<p>“{_text(finding.claim)}”</p><p class="small">{_text(finding.evidence)}</p></div>'
+        f'<p class="says">{_text(finding.claim)}</p><p class="small">{_text(finding.evidence)}</p></div>'
     )
 
 
 def _claims(findings: tuple[Finding, ...]) -> str:
     rows = "".join(
-        f"<tr><td>{_text(f.section)}</td><td>{_text(f.claim)}</td><td>{_verdict(f.verdict)}</td><td>{_text(f.evidence)}</td></tr>"
+        f'<div class="claim"><span class="small">{_text(f.section)}</span><span>{_text(f.claim)}</span>{_verdict(f.verdict)}'
+        f'<span class="small">{_text(f.evidence)}</span></div>'
         for f in findings
     )
     return (
-        "<section><h2>Every claim</h2><p>Claims are in our words, in the order of the paper; each number was computed in this "
-        'run.</p><div class="plot"><table><thead><tr><th>section</th><th>the paper says</th><th>verdict</th><th>because</th></tr>'
-        f"</thead><tbody>{rows}</tbody></table></div></section>"
+        "<section><h2>Every claim</h2><p>The claims are in our words, in the order of the paper; each number was computed in "
+        f"this run.</p>{rows}</section>"
     )
 
 

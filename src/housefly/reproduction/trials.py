@@ -92,6 +92,7 @@ def fly_trials(
     seeds: int,
     on_landed: Landed | None = None,
     changes: Mapping[str, Mapping[str, Any]] | None = None,
+    only: tuple[str, ...] = (),
 ) -> dict[str, Outcomes]:
     """Fly every trial with the same drones and return the outcomes by key.
 
@@ -100,10 +101,11 @@ def fly_trials(
         seeds: drones a trial.
         on_landed: told of flights that have ended.
         changes: columns replaced in single trials, by key: what the tests turn to see a verdict flip.
+        only: keys of the trials to fly; all when empty.
     """
     drones = fleet(site, seeds)
     results = {}
-    for trial in TRIALS:
+    for trial in (trial for trial in TRIALS if not only or trial.key in only):
         here = premises(site, trial.mode)
         columns = {
             "mocap_rate_hz": TYPICAL_RATE,
