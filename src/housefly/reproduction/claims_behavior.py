@@ -6,9 +6,9 @@ from math import degrees
 
 import numpy as np
 
+from housefly.experiments.intervals import Estimate, mean, share
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Verdict
-from housefly.reproduction.intervals import Estimate, mean, share
 from housefly.reproduction.routes import CELL
 from housefly.reproduction.ruling import Claim, Ruling, centimetres, percents, untestable
 from housefly.reproduction.trials import LITERAL_EPS2

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from housefly.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL
+from housefly.experiments.intervals import Estimate, mean, share
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Verdict
-from housefly.reproduction.intervals import Estimate, mean, share
 from housefly.reproduction.ruling import Claim, Ruling, centimetres, percent, percents, untestable
 from housefly.reproduction.streams import LATENCIES, RATES
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.experiments.cases import DELAY_COMPENSATED, FINITE_DIFFERENCE, HELD_SAMPLE, ON_ARRIVAL
+from housefly.experiments.intervals import mean, share
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Verdict
-from housefly.reproduction.intervals import mean, share
 from housefly.reproduction.ruling import Claim, Ruling, percent, percents, untestable
 from housefly.reproduction.streams import LATENCIES, RATES, TYPICAL_LATENCY, TYPICAL_LOSS
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from housefly.experiments.intervals import mean, share
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Verdict
-from housefly.reproduction.intervals import mean, share
 from housefly.reproduction.ruling import Claim, Ruling, centimetres, percent, percents, untestable
 from housefly.reproduction.streams import TYPICAL_LATENCY, TYPICAL_LOSS, TYPICAL_RATE
 

@@ -17,7 +17,7 @@ from housefly.reproduction.maps import MapFacts, survey
 from housefly.reproduction.streams import Streams, fly_streams
 from housefly.reproduction.trials import fly_trials
 
-EDGE_SEEDS = 12
+EDGE_SEEDS = 40
 """Drones for each search of an edge: each gives one edge, so the interval of their mean narrows quickly."""
 
 Progress = Callable[[float], None]

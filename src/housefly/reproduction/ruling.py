@@ -6,9 +6,9 @@ from collections.abc import Callable
 from math import isfinite
 from typing import NamedTuple
 
+from housefly.experiments.intervals import Estimate
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Finding, Verdict
-from housefly.reproduction.intervals import Estimate
 
 
 class Ruling(NamedTuple):

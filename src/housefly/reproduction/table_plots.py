@@ -12,10 +12,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator, ScalarFormatter
 
+from housefly.experiments.intervals import Estimate, mean
 from housefly.reproduction.edges import ESTIMATORS
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Exhibit
-from housefly.reproduction.intervals import Estimate, mean
 from housefly.reproduction.streams import LATENCIES, LOSSES, OWN_FREQUENCY, RATES
 from housefly.reproduction.tables import ORDER
 
@@ -70,7 +70,7 @@ def draw(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
 
 def _drawn(evidence: Evidence, folder: Path, draw_on: Callable[[Figure, Evidence], None], exhibit: Exhibit) -> Exhibit:
     with rc_context(STYLE):
-        figure = Figure(figsize=(9.0, 3.7), layout="constrained")
+        figure = Figure(figsize=(9.0, 4.0), layout="constrained")
         draw_on(figure, evidence)
         for kind in ("png", "svg"):
             figure.savefig(folder / f"{exhibit.stem}.{kind}", metadata={"Date": None} if kind == "svg" else None)
@@ -90,7 +90,7 @@ def _stability(figure: Figure, evidence: Evidence) -> None:
     panels[0].set_ylabel("largest stable frequency [rad/s]")
     panels[0].annotate("our gains", (RATES[-1], OWN_FREQUENCY), (0, 3), textcoords="offset points", ha="right", color="#555555")
     handles, names = panels[0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside upper center", ncols=len(ESTIMATORS))
+    figure.legend(handles, names, loc="outside upper center", ncols=2)
 
 
 def _distance(figure: Figure, evidence: Evidence) -> None:

@@ -8,11 +8,11 @@ from itertools import product
 import numpy as np
 
 from housefly.config import Mode
+from housefly.experiments.intervals import Estimate, mean, share
 from housefly.experiments.outcomes import Outcomes
 from housefly.reproduction.edges import ESTIMATORS
 from housefly.reproduction.evidence import Evidence
 from housefly.reproduction.exhibit import Table
-from housefly.reproduction.intervals import Estimate, mean, share
 from housefly.reproduction.streams import (
     FREQUENCIES,
     LATENCIES,
