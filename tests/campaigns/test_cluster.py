@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -76,6 +77,14 @@ def test_a_scheduler_that_goes_away_is_told_and_the_rest_is_flown_here(plan: Pla
 def test_an_address_where_nobody_answers_is_told(loopback: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(clusters, "PATIENCE", 0.5)
     for address in (f"tcp://{loopback}:9", "nowhere", "tcp://"):
+        with pytest.raises(LinkError, match=f"no scheduler answers at {address}"):
+            ClusterFleet(address)
+
+
+def test_somebody_else_who_listens_there_is_no_scheduler(loopback: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(clusters, "PATIENCE", 0.5)
+    with socket.create_server((loopback, 0)) as stranger:
+        address = f"tcp://{loopback}:{stranger.getsockname()[1]}"
         with pytest.raises(LinkError, match=f"no scheduler answers at {address}"):
             ClusterFleet(address)
 

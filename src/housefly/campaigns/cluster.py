@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from collections.abc import Iterator
 from concurrent.futures import CancelledError
@@ -19,7 +20,7 @@ from housefly.experiments.outcomes import Outcomes
 
 try:
     from distributed import Client, KilledWorker, wait
-    from distributed.comm.core import CommClosedError
+    from distributed.core import rpc
 except ImportError as error:
     raise MissingPartError("distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'") from error
 
@@ -46,10 +47,7 @@ class ClusterFleet:
         self._address = address
         for logger in ("distributed", "distributed.client"):
             logging.getLogger(logger).setLevel(logging.CRITICAL)  # what goes wrong is told by errors, in one line
-        try:
-            self._client = Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
-        except (OSError, TimeoutError, ValueError) as error:
-            raise LinkError(f"no scheduler answers at {address}; start one with: dask scheduler") from error
+        self._client = _connected(address)
         try:
             self._check_workers()
         except BaseException:
@@ -87,7 +85,8 @@ class ClusterFleet:
                 yield chunk, outcomes
 
     def _hand_out(self, plan: Plan, waiting: list[Chunk], flying: dict[Any, Chunk]) -> None:
-        while waiting and len(flying) < AHEAD * max(self._threads(), 1):
+        most = AHEAD * max(self._threads(), 1)
+        while waiting and len(flying) < most:
             chunk = waiting.pop()
             cases, _ = plan.cases_of(chunk)
             flying[self._client.submit(fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False)] = chunk
@@ -109,10 +108,12 @@ class ClusterFleet:
             yield
         except KilledWorker as error:
             raise LinkError(f"the workers at {self._address} die of their work ({error}); {KEPT}") from error
-        except (CancelledError, CommClosedError) as error:
+        except (CancelledError, OSError) as error:  # which of them depends on what the client was about to ask
             raise LinkError(f"the scheduler at {self._address} is gone; {KEPT}") from error
 
     def _threads(self) -> int:
+        if self._client.status != "running":
+            raise ConnectionResetError(f"the client is {self._client.status}")
         return sum(self._client.nthreads().values())  # type: ignore[no-untyped-call]
 
     def _check_workers(self) -> None:
@@ -126,6 +127,20 @@ class ClusterFleet:
             if isinstance(theirs, Exception):
                 raise LinkError(f"the worker {worker} has no housefly {versions()['housefly']} ({theirs})")
             _refuse_others(theirs, versions(), worker)
+
+
+def _connected(address: str) -> Client:
+    """Return a client; asks first who answers, because a client that cannot connect may wait for ever and cannot be closed."""
+    try:
+        asyncio.run(_identity(address))
+        return Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
+    except (OSError, ValueError) as error:
+        raise LinkError(f"no scheduler answers at {address}; start one with: dask scheduler") from error
+
+
+async def _identity(address: str) -> None:
+    async with asyncio.timeout(PATIENCE), rpc(address, timeout=PATIENCE) as scheduler:  # type: ignore[no-untyped-call]
+        await scheduler.identity()
 
 
 def fly_chunk(cases: Cases, mission: Mission, wanted: dict[str, str]) -> Outcomes:
