@@ -78,6 +78,18 @@ def test_a_thousand_drones_are_flown_and_read() -> None:
     assert_in_order(output, "20 points x 50 seeds = 1000 drones", "1000 rows", "mode default", "mode paper", "cm off the path")
 
 
+@pytest.mark.slow
+def test_hidden_constants_are_identified() -> None:
+    output = run("09_identify_your_drone.py")
+    assert_in_order(output, "24 blocks in a box", "completed", "attitude_lag", "true 5.5", "the profile may be written")
+
+
+@pytest.mark.slow
+def test_gains_are_chosen_for_a_slow_tracking_system() -> None:
+    output = run("10_choose_gains.py")
+    assert_in_order(output, "100 Hz", "30 Hz", "10 Hz", "in mode paper: gain margin", "below 2")
+
+
 def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
     contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
     assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]

@@ -63,7 +63,7 @@ def _signals(flight: Flight, start: float) -> dict[str, Signal]:
     frames = (flight.seen_at >= start) & (flight.seen_at < start + WINDOW)
     seen_t = flight.seen_at[frames] - start
     reference, estimate = flight.reference[shown, 0], flight.estimate[shown]
-    push = np.array([acceleration(*angles, 0.0)[0] for angles in flight.asked[shown]])
+    push = np.array([acceleration(theta, phi, 0.0)[0] for theta, phi in flight.asked[shown]])
     along = np.cos(_yaws(flight)[shown])
     tilt, reached = flight.asked[shown, 0], flight.reached[shown, 0]
     x, tracked = flight.seen[frames, 0], flight.seen_tilt[frames, 0]

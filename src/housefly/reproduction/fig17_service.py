@@ -94,5 +94,5 @@ def drawn_console(grid: OccupancyGrid, flight: Flight, until: float) -> Picture:
         axes.plot(flight.seen[past, 0], flight.seen[past, 1], color=BLUE, linewidth=1.5)
         if past.any():
             axes.plot(*flight.seen[past][-1, :2], marker="o", markersize=11, color=BLUE, markeredgecolor="white")
-        canvas.draw()
-        return np.asarray(canvas.buffer_rgba())[..., :3].copy()
+        canvas.draw()  # type: ignore[no-untyped-call]
+        return np.asarray(canvas.buffer_rgba())[..., :3].copy()  # type: ignore[no-untyped-call]
