@@ -1,7 +1,7 @@
 """The vocabulary: every value that crosses a border between two folders.
 
 All values are frozen. SI units. World frame: x along the long wall, y left, z up. Body frame: forward, left, up.
-Times are seconds of the monotonic clock. Pitch is theta, roll is phi, yaw is psi; signs follow REP-103:
+Times are seconds of the monotonic clock; only what the room remembers (``world``) is stamped in Unix time. Pitch is theta, roll is phi, yaw is psi; signs follow REP-103:
 positive theta is nose down (accelerates forward), positive phi is right side down (accelerates right),
 positive psi is counter-clockwise seen from above.
 """
@@ -36,17 +36,23 @@ from housefly.messages.steering import (
     SafetyMode,
     Setpoint,
 )
+from housefly.messages.world import Covariance, Fact, Facts, Happening, Observation
 
 __all__ = [
     "LEVEL",
     "Action",
     "Behavior",
     "Command",
+    "Covariance",
     "DroneStatus",
     "Estimate",
     "Event",
+    "Fact",
+    "Facts",
+    "Happening",
     "Inputs",
     "LinkStatus",
+    "Observation",
     "Order",
     "OrderKind",
     "Outputs",
