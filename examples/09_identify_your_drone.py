@@ -12,6 +12,7 @@ from housefly.identification.pattern import blocks
 from housefly.identification.result import Limits, identify
 from housefly.identification.samples import samples_of
 from housefly.messages import PilotStep
+from housefly.twin.world import SimulatedWorld
 
 tracking = {"twin__mocap_rate_hz": 30.0, "twin__seed": 3}
 hidden = {"drone__attitude_lag": 5.5, "drone__attitude_gain": 0.92, "drone__drag": 0.4, "drone__climb_lag": 2.0}
@@ -24,7 +25,7 @@ print(f"{len(plan)} blocks in a box of {2 * box.reach:.1f} m around ({box.centre
 
 maneuver = Maneuver(plan, box)
 steps: list[PilotStep] = []
-print(fly_in_lock_step(believed, real, Errand(box, maneuver, 400.0), steps.append))
+print(fly_in_lock_step(believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append))
 
 limits = believed.site.limits
 bounds = Limits(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)

@@ -23,6 +23,7 @@ from housefly.identification.samples import samples_of
 from housefly.messages import Action, DroneStatus, PilotStep, SafetyMode
 from housefly.profile import load_profile
 from housefly.safety.gate import Gate, Verdict
+from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
 
@@ -31,7 +32,7 @@ def flight(believed: Premises, real: Premises, repeats: int = 6) -> tuple[str, l
     plan = blocks(repeats, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.62, believed.site.map.flight_height)
     maneuver, steps = Maneuver(plan, box), []
-    outcome = fly_in_lock_step(believed, real, Errand(box, maneuver, 400.0), steps.append)
+    outcome = fly_in_lock_step(believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append)
     return outcome, steps, maneuver, box
 
 
@@ -120,7 +121,7 @@ def broken_flight(premises: Premises, fault: str, monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(LockstepRoom, "sightings", unseen)
     monkeypatch.setattr(Errand, "after", stopped)
-    outcome = fly_in_lock_step(premises, premises, errand, steps.append)
+    outcome = fly_in_lock_step(premises, SimulatedWorld(premises.site, premises.room), errand, steps.append)
     return outcome, steps, maneuver
 
 

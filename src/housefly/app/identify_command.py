@@ -111,7 +111,9 @@ def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[li
                 advance(errand.maneuver.done, step.outputs.phase.value)
 
             if options.lockstep:
-                outcome = fly_in_lock_step(premises, premises, errand, on_step)
+                from housefly.twin.world import SimulatedWorld
+
+                outcome = fly_in_lock_step(premises, SimulatedWorld(premises.site, premises.room), errand, on_step)
             else:
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)

@@ -27,8 +27,8 @@ from housefly.identification.maneuver import Maneuver
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot import Pilot, warm_up
 from housefly.tracking.vicon import ViconTracker
+from housefly.twin.contracts import World
 from housefly.twin.lockstep import LockstepRoom
-from housefly.twin.world import SimulatedWorld
 
 START_PATIENCE = 30.0
 """How long drone and tracking may take to answer [s]."""
@@ -99,9 +99,9 @@ class Errand:
         return Order(kind, goal=goal, issued_at=now, sender=SENDER)
 
 
-def fly_in_lock_step(premises: Premises, world_site: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
-    """Fly on a stepped clock and return the outcome; ``world_site`` may hold another drone than the pilot believes."""
-    room = LockstepRoom(SimulatedWorld(world_site.site, world_site.room), world_site.site)
+def fly_in_lock_step(premises: Premises, world: World, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
+    """Fly on a stepped clock and return the outcome; the world may hold another drone than the pilot believes."""
+    room = LockstepRoom(world, premises.site)
     pilot = Pilot(premises.site, premises.room, premises.grid, errand.maneuver)
     period = 1.0 / premises.site.control.rate_hz
     sequence, order = 0, None

@@ -30,6 +30,7 @@ from housefly.reproduction.angular_step import AngularStep, fit_step
 from housefly.reproduction.fig11_angles import ALPHA
 from housefly.reproduction.fig17_service import Picture
 from housefly.reproduction.flight import Flight, flight_of
+from housefly.twin.world import SimulatedWorld
 
 GOAL = "entrance"
 LOOK = 4.0
@@ -94,7 +95,8 @@ def fly_steps(site: Site, repeats: int) -> Steps:
     reach = MARGIN + largest_excursion(plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay)
     box = find_box(premises.grid, premises.room.home, reach, premises.site.map.flight_height)
     maneuver, steps = Maneuver(plan, box), list[PilotStep]()
-    outcome = fly_in_lock_step(premises, premises, Errand(box, maneuver, inf), steps.append)
+    world = SimulatedWorld(premises.site, premises.room)
+    outcome = fly_in_lock_step(premises, world, Errand(box, maneuver, inf), steps.append)
     if outcome != "completed":
         raise LinkError(f"the steps of Fig. 11 were given up: {outcome}")
     found = identify(
