@@ -36,6 +36,7 @@ def hidden(seed: int) -> dict[str, float]:
         "drone__drag": float(random.uniform(0.3, 0.8)),
         "drone__climb_lag": float(random.uniform(1.0, 3.0)),
         "twin__command_delay": float(random.uniform(0.04, 0.1)),
+        "drone__yaw_lag": float(random.uniform(8.0, 25.0)),
     }
 
 
@@ -61,14 +62,15 @@ def mean_wait(steps: list[PilotStep], heard_at: list[float]) -> float:
     return float(np.mean(heard[np.searchsorted(heard, changed - 1e-6)] - changed))
 
 
-def delay_of(command_delay: float) -> float:
-    """Return the time from a datagram to the tilt [s].
+def residence(pole: float) -> float:
+    """Return how far a loop sampled once a period lags behind on average [s]; its error keeps a share after each period."""
+    kept = 1.0 - pole * PERIOD
+    return 0.5 * PERIOD * (1.0 + kept) / (1.0 - kept)
 
-    After the delay it waits for the firmware's next period; then the rate loop, sampled once a period, follows with a share
-    ``kept`` of its error left after each.
-    """
-    kept = 1.0 - RATE_POLE * PERIOD
-    return float(PERIOD * np.ceil(command_delay / PERIOD - 1e-9) + 0.5 * PERIOD * (1.0 + kept) / (1.0 - kept))
+
+def delay_of(command_delay: float) -> float:
+    """Return the time from a datagram to the tilt [s]: the delay, the firmware's next period, and its inner rate loop."""
+    return float(PERIOD * np.ceil(command_delay / PERIOD - 1e-9) + residence(RATE_POLE))
 
 
 def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
@@ -88,6 +90,8 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
         "attitude_gain": truth["drone__attitude_gain"],
         "drag": truth["drone__drag"],
         "climb_lag": truth["drone__climb_lag"],
+        # Turning has no inner loop; the model gives it the delay of the tilt all the same, and what that is too long goes here.
+        "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(RATE_POLE)),
         "command_delay": delay_of(truth["twin__command_delay"]) + mean_wait(steps, world.heard_at),
     }
     found_by_key = ((key, value, found.constants[key]) for key, value in lags.items())

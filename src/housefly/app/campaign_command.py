@@ -65,6 +65,7 @@ def add(actions: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Fly a campaign, or what is missing of it."""
+    from housefly.app.compiling import Part, compile_once
     from housefly.campaigns.notes import notes
     from housefly.campaigns.plan import plan_campaign
     from housefly.campaigns.spec import load_spec
@@ -78,6 +79,7 @@ def run(options: argparse.Namespace) -> int:
     console.print(
         f"{spec.name}: {spec.points} points x {spec.seeds} seeds = {plan.drones:,} drones, {seconds:,.0f} drone-seconds"
     )
+    compile_once(Part.ENGINE, console.print)
     for note in notes(plan):
         console.print(f"note: {note}", soft_wrap=True)
     return _estimate(plan, options.threads) if options.dry_run else _fly(plan, options)

@@ -28,7 +28,9 @@ def demo(options: argparse.Namespace) -> int:
 def run(options: argparse.Namespace) -> int:
     """Start what the site needs and stay until Ctrl-C; the drone lands first."""
     from housefly.app.attended import stay
+    from housefly.app.compiling import Part, compile_once
 
+    compile_once(Part.CHAIN, console.print)
     premises = _premises(options)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
@@ -37,6 +39,7 @@ def run(options: argparse.Namespace) -> int:
 
 def fly(options: argparse.Namespace) -> int:
     """Fly one service and write its record; 0 only when it completed."""
+    from housefly.app.compiling import Part, compile_once
     from housefly.app.flight import fly_service
 
     premises = _premises(options)
@@ -47,6 +50,7 @@ def fly(options: argparse.Namespace) -> int:
         raise ConfigError("place", str(error.args[0])) from error
     if not 0.0 <= options.look <= 120.0:
         raise ConfigError("--look", f"is {options.look}; allowed: a number from 0 to 120 s")
+    compile_once(Part.CHAIN, console.print)
     outcome = fly_service(
         premises, options.place, options.look, out, console, lockstep=options.lockstep, web=not options.headless
     )
@@ -55,10 +59,12 @@ def fly(options: argparse.Namespace) -> int:
 
 def plan(options: argparse.Namespace) -> int:
     """Plan a path, print it, draw it."""
+    from housefly.app.compiling import Part, compile_once
     from housefly.pilot import Pilot
     from housefly.room.draw import draw_room, text_map
 
     premises = _premises(options)
+    compile_once(Part.CHAIN, console.print)
     pilot = Pilot(premises.site, premises.room, premises.grid)
     answer = pilot.plan(_point(options.goal, premises, "--to"), _point(options.start, premises, "--from"))
     if answer.path is None:
@@ -107,12 +113,14 @@ def room_import(options: argparse.Namespace) -> int:
 
 def replay(options: argparse.Namespace) -> int:
     """Compare a recording's commands with those of a fresh pilot."""
+    from housefly.app.compiling import Part, compile_once
     from housefly.app.premises import open_premises, read_site
     from housefly.app.replaying import recorded_site, verify_recording
 
     recording = Path(options.recording)
     recording = recording / "flight.mcap" if recording.is_dir() else recording
     site = read_site(options.site) if options.site else recorded_site(recording)
+    compile_once(Part.CHAIN, console.print)
     verdict = verify_recording(recording, open_premises(site))
     if verdict.missing:
         console.print(f"{verdict.missing} steps are missing in the recording: it cannot replay bit for bit from there on")

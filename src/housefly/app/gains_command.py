@@ -102,8 +102,10 @@ def run(options: argparse.Namespace) -> int:
 
 def _finish(judgement: Judgement, question: Question, out: str | None) -> int:
     if out:
+        from housefly.app.compiling import Part, compile_once
         from housefly.tuning.picture import draw_judgement
 
+        compile_once(Part.ENGINE, console.print)
         folder = Path(out)
         folder.mkdir(parents=True, exist_ok=True)
         with console.status("drawing the step response and the margins"):

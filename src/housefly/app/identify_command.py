@@ -77,6 +77,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[list[PilotStep], tuple[Flown, ...], str]:
+    from housefly.app.compiling import Part, compile_once
     from housefly.app.identify_flight import BLOCK_PATIENCE, Errand, fly_in_lock_step, fly_over_wires
     from housefly.app.ports import refuse_taken_ports
     from housefly.identification.box import find_box
@@ -98,6 +99,7 @@ def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[li
     console.print(f"{len(plan)} blocks in {where}; about {length:.0f} s")
     if not options.lockstep:
         refuse_taken_ports(site, web=False)
+    compile_once(Part.CHAIN, console.print)
     recorder = FlightRecorder(out, site, premises.room, premises.grid)
     errand = Errand(box, Maneuver(plan, box), 120.0 + BLOCK_PATIENCE * len(plan))
     steps: list[PilotStep] = []

@@ -53,6 +53,7 @@ def add(actions: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Reproduce; 0 when every figure was made."""
+    from housefly.app.compiling import Part, compile_once
     from housefly.app.ports import refuse_taken_ports
     from housefly.app.premises import read_site
     from housefly.reproduction.claims import findings
@@ -67,6 +68,8 @@ def run(options: argparse.Namespace) -> int:
     out = Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     began = time.monotonic()
+    for part in Part:
+        compile_once(part, console.print)
     with _progress() as progress, ThreadPoolExecutor(1) as pool:
         wires = None if options.no_wires else pool.submit(_wires, site, out / "flights" / "wires", progress)
         evidence, paper, default, steps = _measure(site, options.quick, out, progress)

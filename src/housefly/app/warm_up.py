@@ -1,20 +1,16 @@
-"""Compiles everything that is compiled, once, so that no flight waits for it."""
+"""Compiles everything that is compiled, once, so that no flight and no campaign waits for it."""
 
 from __future__ import annotations
 
-import time
+from functools import partial
 
-from housefly.app.premises import open_premises, read_site
-from housefly.pilot import warm_up
+from housefly.app.compiling import Part, compile_once
 
 
 def main() -> None:
-    """Compile, and say so when it takes long enough to notice."""
-    print("compiling the control loop (kept for the next start) ...", flush=True)
-    start = time.monotonic()
-    premises = open_premises(read_site("bsen"))
-    warm_up(premises.site, premises.room, premises.grid)
-    print(f"compiled in {time.monotonic() - start:.1f} s")
+    """Compile, and say so when there is something to compile."""
+    for part in Part:
+        compile_once(part, partial(print, flush=True))
 
 
 if __name__ == "__main__":

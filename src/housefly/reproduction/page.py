@@ -22,7 +22,7 @@ figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6p
 @media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
 .said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
 .finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
-.claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 12rem minmax(0,1.8fr);gap:.2rem 1rem;
+.claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 14rem minmax(0,1.8fr);gap:.2rem 1rem;
 padding:.55rem 0;border-bottom:1px solid var(--line)}
 @media (max-width:820px){.claim{grid-template-columns:minmax(0,1fr)}}
 .says{color:var(--ink)} dl dd{font-size:15px} dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}

@@ -1,0 +1,56 @@
+"""Numeric code is compiled once: this does it before anything waits for it, and says so."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from enum import Enum
+from pathlib import Path
+
+from housefly.app.premises import open_premises, read_site
+from housefly.config import Site
+from housefly.numeric import CACHE
+
+Say = Callable[[str], object]
+
+
+class Part(Enum):
+    """What is compiled together."""
+
+    CHAIN = "the control loop"
+    ENGINE = "the campaign engine"
+
+
+def compile_once(part: Part, say: Say) -> None:
+    """Compile a part and say so, unless that was done since the sources changed."""
+    mark = Path(os.environ.get("NUMBA_CACHE_DIR") or CACHE) / f"{CACHE.name}-{part.name.lower()}.done"
+    if mark.exists():
+        return
+    say(f"compiling {part.value} (once, kept for the next start) ...")
+    start = time.monotonic()
+    _COMPILE[part]()
+    say(f"compiled in {time.monotonic() - start:.1f} s")
+    with suppress(OSError):
+        mark.parent.mkdir(parents=True, exist_ok=True)
+        mark.touch()
+
+
+def _chain() -> None:
+    from housefly.pilot import warm_up
+
+    for mode in ("default", "paper"):
+        premises = open_premises(read_site("bsen", mode=mode))
+        warm_up(premises.site, premises.room, premises.grid)
+
+
+def _engine() -> None:
+    from housefly.experiments.cases import cases
+    from housefly.experiments.engine import fly_many
+    from housefly.experiments.mission import Mission, Task
+
+    fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 1.0), threads=1)
+
+
+_COMPILE: dict[Part, Callable[[], None]] = {Part.CHAIN: _chain, Part.ENGINE: _engine}
