@@ -6,6 +6,8 @@ HouseflyError
 ├── WireError          bytes from outside are not what the protocol says
 ├── LinkError          a drone, tracking system or bus peer does not answer
 ├── RecordingError     a recording cannot be read or written
+├── ThingError         a thing is not known, its name is not unique, or it cannot be where somebody says it is
+├── StoreError         the room's memory cannot be opened, read or written; says why in a few words
 └── MissingPartError   an optional part (extra, system library, renderer) is not installed
 """
 
@@ -46,6 +48,22 @@ class LinkError(HouseflyError):
 
 class RecordingError(HouseflyError):
     """A recording cannot be read or written."""
+
+
+class ThingError(HouseflyError):
+    """A thing is not known, is meant by several names, or would contain itself."""
+
+
+class StoreError(HouseflyError):
+    """The database of the room's memory refuses.
+
+    Attributes:
+        reason: why, in a few words that fit behind a colon: "disk is full".
+    """
+
+    def __init__(self, reason: str, remedy: str = "") -> None:
+        self.reason = reason
+        super().__init__(f"{reason}; {remedy}" if remedy else reason)
 
 
 class MissingPartError(HouseflyError):

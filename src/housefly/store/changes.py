@@ -1,0 +1,76 @@
+"""A thing that stands still is written once: its row says from when until when it was so."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from housefly.geometry import distance
+from housefly.messages import Observation
+
+STILL = 0.002
+"""A thing that is this close to where its row says has not moved [m]."""
+UNTURNED = 5e-5
+"""Two orientations whose quaternions have 1 - |a . b| below this are the same: less than 20 mrad apart."""
+
+Pair = tuple[str, str]
+
+
+@dataclass(slots=True)
+class Span:
+    """A sample and until when its source went on saying just that [s, Unix time]."""
+
+    sample: Observation
+    until: float
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What a batch of samples changes: rows that begin, and rows that go on for longer."""
+
+    begun: tuple[Span, ...]
+    stretched: tuple[Span, ...]
+
+
+@dataclass(slots=True)
+class Changes:
+    """Remembers the row in which each source's last word on each thing stands."""
+
+    _spans: dict[Pair, Span] = field(default_factory=dict)
+
+    def of(self, samples: Iterable[Observation]) -> Change:
+        """Return what these samples change."""
+        begun: list[Span] = []
+        stretched: dict[int, Span] = {}
+        for sample in samples:
+            pair = sample.thing, sample.source
+            span = self._spans.get(pair)
+            if span is not None and sample.captured_at >= span.until and is_same(span.sample, sample):
+                span.until = sample.captured_at
+                stretched[id(span)] = span
+                continue
+            begun.append(Span(sample, sample.captured_at))
+            if span is None or sample.captured_at >= span.until:
+                self._spans[pair] = begun[-1]
+        for span in begun:
+            stretched.pop(id(span), None)
+        return Change(tuple(begun), tuple(stretched.values()))
+
+    def forget(self) -> None:
+        """Begin new rows for everything: it is not known which rows the database has."""
+        self._spans.clear()
+
+
+def is_same(one: Observation, other: Observation) -> bool:
+    """Tell whether two samples of one source say the same of a thing."""
+    if (one.inside, one.valid, one.facts) != (other.inside, other.valid, other.facts):
+        return False
+    if one.position is None or other.position is None:
+        return one.position is other.position and one.orientation == other.orientation
+    return distance(one.position, other.position) <= STILL and _is_unturned(one, other)
+
+
+def _is_unturned(one: Observation, other: Observation) -> bool:
+    if one.orientation is None or other.orientation is None:
+        return one.orientation is other.orientation
+    return 1.0 - abs(sum(a * b for a, b in zip(one.orientation, other.orientation, strict=True))) < UNTURNED
