@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import asyncio
+import getpass
 import shutil
 import socket
+import sys
 import time
 from asyncio.subprocess import DEVNULL, Process
 from collections.abc import AsyncIterator, Callable
@@ -23,6 +25,19 @@ from housefly.sensors.mqtt import MqttSensors
 MOSQUITTO = shutil.which("mosquitto") or shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin")
 
 
+_DOOMED = """
+import sys, time
+import paho.mqtt.client as mqtt
+client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2)
+client.will_set(sys.argv[3], b"offline", retain=True)
+client.connect("127.0.0.1", int(sys.argv[1]))
+client.loop_start()
+client.publish(sys.argv[3], b"online", retain=True)
+client.publish(sys.argv[2] + "/state", b'{"open": false}')
+time.sleep(60)
+"""
+
+
 class Broker:
     """A mosquitto on a free port of loopback that can be killed and started again."""
 
@@ -31,7 +46,7 @@ class Broker:
             probe.bind(("127.0.0.1", 0))
             self.port: int = probe.getsockname()[1]
         self._file = folder / "mosquitto.conf"
-        self._file.write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\n")
+        self._file.write_text(f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser {getpass.getuser()}\n")
         self._process: Process | None = None
 
     async def start(self) -> None:
@@ -43,6 +58,18 @@ class Broker:
         if self._process is not None and self._process.returncode is None:
             self._process.kill()
             await self._process.wait()
+
+    async def protect(self, name: str, password: str) -> None:
+        """Ask everybody for this name and password from the next start on."""
+        users = self._file.with_name("users")
+        made = await asyncio.create_subprocess_exec("mosquitto_passwd", "-b", "-c", str(users), name, password)
+        assert await made.wait() == 0
+        text = self._file.read_text().replace("allow_anonymous true", f"allow_anonymous false\npassword_file {users}")
+        self._file.write_text(text)
+
+    def doomed(self, topic: str, will: aiomqtt.Will) -> list[str]:
+        """Return the command of a device that speaks once, and then only through its last will."""
+        return [sys.executable, "-c", _DOOMED, str(self.port), topic, will.topic]
 
     async def _answers(self) -> bool:
         try:

@@ -14,9 +14,9 @@ from housefly.clock import Clock, RealClock
 from housefly.config_devices import MqttConfig
 from housefly.errors import ConfigError, WireError
 from housefly.messages import Happening, Observation
+from housefly.mqtt_link import TROUBLES, client, words
 from housefly.sensors.contracts import SensorHealth, Sink
 from housefly.sensors.device_watch import DeviceWatch
-from housefly.sensors.mqtt_link import TROUBLES, client, words
 from housefly.sensors.pulse import Pulse
 from housefly.wires.devices import (
     LARGEST,
