@@ -156,6 +156,10 @@ class TwinConfig(Section):
     command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction of the drone")
     battery: float = quantity(1.0, 0.0, 1.0, "1", "charge at the start")
     visitor_present: bool = Field(default=True, description="whether someone stands at the door")
+    scene: str = Field(
+        default="",
+        description='people and things that move: "bsen", or a file relative to this one; "" for none',
+    )
     video: bool = Field(default=True, description="whether the drone's camera is simulated")
     video_rate_hz: float = quantity(30.0, 1.0, 60.0, "Hz", "pictures per second")
 
