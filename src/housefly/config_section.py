@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
 from pydantic.fields import FieldInfo
@@ -38,17 +38,26 @@ def explain(problem: Any, root: type[Section]) -> str:
 
 
 def _field_at(location: tuple[int | str, ...], root: type[Section]) -> FieldInfo | None:
-    section: Any = root
-    found: FieldInfo | None = None
+    """Return the declaration of the key at a location, through lists and alternatives."""
+    sections, found = [root], None
     for part in location:
         if isinstance(part, int):
             continue
-        fields = getattr(section, "model_fields", {})
-        if part not in fields:
-            return None
-        found = fields[part]
-        section = found.annotation
+        found = next((section.model_fields[part] for section in sections if part in section.model_fields), None)
+        sections = _sections(found.annotation) if found else [section for section in sections if _is_chosen_by(section, part)]
     return found
+
+
+def _sections(annotation: Any) -> list[type[Section]]:
+    """Return the tables that a key may hold."""
+    if isinstance(annotation, type) and issubclass(annotation, Section):
+        return [annotation]
+    return [section for part in get_args(annotation) for section in _sections(part)]
+
+
+def _is_chosen_by(section: type[Section], word: str) -> bool:
+    """Tell whether a word in a location names this alternative."""
+    return any(word in get_args(found.annotation) for found in section.model_fields.values())
 
 
 def _bounds(found: FieldInfo | None) -> tuple[float, float] | None:
