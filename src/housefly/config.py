@@ -11,22 +11,14 @@ import tomllib
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
-from pydantic.fields import FieldInfo
+from pydantic import Field, ValidationError, model_validator
 
+from housefly.config_devices import MqttConfig
+from housefly.config_section import Section as Section
+from housefly.config_section import explain as explain
+from housefly.config_section import quantity as quantity
 from housefly.errors import ConfigError
 from housefly.profile import load_profile
-
-
-def quantity(default: float, low: float, high: float, unit: str, meaning: str) -> Any:
-    """Declare a number with its default, inclusive range, unit and one-line meaning."""
-    return Field(default, ge=low, le=high, allow_inf_nan=False, description=meaning, json_schema_extra={"unit": unit})
-
-
-class Section(BaseModel):
-    """A frozen table of the site file that knows all its keys."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
 
 
 class RoomConfig(Section):
@@ -164,6 +156,10 @@ class TwinConfig(Section):
     command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction of the drone")
     battery: float = quantity(1.0, 0.0, 1.0, "1", "charge at the start")
     visitor_present: bool = Field(default=True, description="whether someone stands at the door")
+    scene: str = Field(
+        default="",
+        description='people and things that move: "bsen", or a file relative to this one; "" for none',
+    )
     video: bool = Field(default=True, description="whether the drone's camera is simulated")
     video_rate_hz: float = quantity(30.0, 1.0, 60.0, "Hz", "pictures per second")
 
@@ -191,6 +187,7 @@ class Site(Section):
     control: ControlConfig = ControlConfig()
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
+    mqtt: MqttConfig = MqttConfig()
 
     @model_validator(mode="after")
     def _combinations(self) -> Self:
@@ -253,43 +250,3 @@ def changed(site: Site, **values: Any) -> Site:
             branch = branch[parent]
         branch[leaf] = value
     return site_from_tree(tree)
-
-
-def explain(problem: Any, root: type[Section]) -> str:
-    """Return one of pydantic's problems in words: the value, what is allowed, the unit; ``root`` declares the keys."""
-    kind, value = problem["type"], problem["input"]
-    if kind == "extra_forbidden":
-        return "is not a known key"
-    if kind == "missing":
-        return "is missing"
-    if kind == "value_error":
-        return str(problem["ctx"]["error"])
-    found = _field_at(problem["loc"], root)
-    bounds = _bounds(found)
-    unit = ((found.json_schema_extra or {}) if found and isinstance(found.json_schema_extra, dict) else {}).get("unit")
-    unit_text = f" {unit}" if unit not in (None, "1") else ""
-    if bounds:
-        return f"is {value!r}; allowed: a number from {bounds[0]:.9g} to {bounds[1]:.9g}{unit_text}"
-    return f"is {value!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
-
-
-def _field_at(location: tuple[int | str, ...], root: type[Section]) -> FieldInfo | None:
-    section: Any = root
-    found: FieldInfo | None = None
-    for part in location:
-        if isinstance(part, int):
-            continue
-        fields = getattr(section, "model_fields", {})
-        if part not in fields:
-            return None
-        found = fields[part]
-        section = found.annotation
-    return found
-
-
-def _bounds(found: FieldInfo | None) -> tuple[float, float] | None:
-    if found is None:
-        return None
-    low = next((item.ge for item in found.metadata if hasattr(item, "ge")), None)
-    high = next((item.le for item in found.metadata if hasattr(item, "le")), None)
-    return (float(low), float(high)) if low is not None and high is not None else None

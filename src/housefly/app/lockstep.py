@@ -9,6 +9,7 @@ from housefly.app.service_watch import ServiceWatch
 from housefly.messages import Inputs, Order, PilotStep
 from housefly.pilot import Pilot
 from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.people import load_scene
 from housefly.twin.world import SimulatedWorld
 
 SETTLE = 0.5
@@ -24,7 +25,8 @@ def fly_lockstep(premises: Premises, order: Order, on_step: Callable[[PilotStep]
         on_step: called with every step of the pilot.
         give_up_after: longest world time [s].
     """
-    room = LockstepRoom(SimulatedWorld(premises.site, premises.room), premises.site)
+    scene = load_scene(premises.site.twin.scene) if premises.site.twin.scene else None
+    room = LockstepRoom(SimulatedWorld(premises.site, premises.room, scene), premises.site)
     pilot = Pilot(premises.site, premises.room, premises.grid)
     period = 1.0 / premises.site.control.rate_hz
     order_at = room.now + SETTLE

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 from housefly.clock import RealClock
 from housefly.config import Site
 from housefly.messages import Pose
-from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
-from housefly.twin.body import drone_body
 from housefly.twin.camera_link import HEADER, Backend, Encoded, Kind, Request, Settings, message
 from housefly.twin.contracts import Camera
+from housefly.twin.people.script import PersonScript
+from housefly.twin.scene import scene_mjcf
 
 CHOICE = "HOUSEFLY_RENDERER"
 _CHOICES = {"egl": (Backend.EGL, Backend.CARD), "osmesa": (Backend.OSMESA, Backend.CARD), "none": (Backend.CARD,)}
@@ -64,9 +64,9 @@ class CameraProcess:
         restarts: how often a child was replaced.
     """
 
-    def __init__(self, site: Site, room: Room) -> None:
+    def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = ()) -> None:
         self.restarts = 0
-        self._scene = room_to_mjcf(room, bodies=drone_body(site.drone, room.home, room.home_yaw))
+        self._scene = scene_mjcf(site, room, people)
         self._rate_hz = site.twin.video_rate_hz
         self._clock = RealClock()
         self._handlers: list[Callable[[CameraPicture], None]] = []
@@ -97,11 +97,11 @@ class CameraProcess:
         """Start the child in the background; needs a running loop."""
         self._task = asyncio.get_running_loop().create_task(self._supervise())
 
-    def show(self, pose: Pose, visitor_present: bool, camera: Camera, at: float) -> None:
+    def show(self, pose: Pose, visitor_present: bool, camera: Camera, at: float, people: tuple[Pose, ...] = ()) -> None:
         """Ask for a picture; returns at once. While the child is busy only the newest request counts."""
         if self._writer is None or not self._ready or self._writer.transport.get_write_buffer_size():
             return
-        self._writer.write(message(Kind.REQUEST, Request(pose, visitor_present, camera, at).pack()))
+        self._writer.write(message(Kind.REQUEST, Request(pose, visitor_present, camera, at, people).pack()))
         if self._owed_since is None:
             self._owed_since = self._clock.now()
 

@@ -13,6 +13,7 @@ from housefly.twin.contracts import Camera
 
 HEADER = struct.Struct("<BI")
 _REQUEST = struct.Struct("<??d3d4d")
+_PERSON = struct.Struct("<3d4d")
 _PICTURE = struct.Struct("<?HHd")
 
 
@@ -63,23 +64,26 @@ class Settings:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """Which picture is wanted: the drone's true pose, who is at the door, which camera, world time [s]."""
+    """Which picture is wanted: the drone's true pose, who is at the door, which camera, world time [s], where the people are."""
 
     pose: Pose
     visitor_present: bool
     camera: Camera
     at: float
+    people: tuple[Pose, ...] = ()
 
     def pack(self) -> bytes:
         """Return the message body."""
         bottom = self.camera is Camera.BOTTOM
-        return _REQUEST.pack(bottom, self.visitor_present, self.at, *self.pose.position, *self.pose.orientation)
+        head = _REQUEST.pack(bottom, self.visitor_present, self.at, *self.pose.position, *self.pose.orientation)
+        return head + b"".join(_PERSON.pack(*pose.position, *pose.orientation) for pose in self.people)
 
     @classmethod
     def unpack(cls, body: bytes) -> Request:
         """Read a message body."""
-        bottom, visitor, at, x, y, z, qw, qx, qy, qz = _REQUEST.unpack(body)
-        return cls(Pose((x, y, z), (qw, qx, qy, qz)), visitor, Camera.BOTTOM if bottom else Camera.FRONT, at)
+        bottom, visitor, at, x, y, z, qw, qx, qy, qz = _REQUEST.unpack_from(body)
+        people = tuple(Pose(row[:3], row[3:]) for row in _PERSON.iter_unpack(body[_REQUEST.size :]))
+        return cls(Pose((x, y, z), (qw, qx, qy, qz)), visitor, Camera.BOTTOM if bottom else Camera.FRONT, at, people)
 
 
 @dataclass(frozen=True, slots=True)

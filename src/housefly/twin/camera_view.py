@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from housefly.twin.body import BODY, HULL_GROUP, VISUAL_GROUP
 from housefly.twin.camera_link import Request
 from housefly.twin.contracts import Camera
+from housefly.twin.people.bodies import PREFIX
 
 SUPERSAMPLING = 1.25
 """Pictures are rendered larger by this and averaged down: smooth edges for less than half the price of MSAA."""
@@ -44,6 +45,7 @@ class View:
         self._place = int(model.body(BODY).jntadr[0])
         self._visitor = _mocap_of(model, "visitor")
         self._visitor_at = self._data.mocap_pos[self._visitor].copy() if self._visitor >= 0 else None
+        self._people = tuple(int(model.body_mocapid[n]) for n in range(model.nbody) if model.body(n).name.startswith(PREFIX))
         self._frusta = {camera: _Frustum(model, camera.value, width / height) for camera in Camera}
         self._renderer = mujoco.Renderer(model, round(height * supersampling), round(width * supersampling))
         self._renderer.scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
@@ -67,6 +69,8 @@ class View:
         if self._visitor_at is not None:
             data.mocap_pos[self._visitor] = self._visitor_at
             data.mocap_pos[self._visitor, 2] += 0.0 if request.visitor_present else _AWAY
+        for number, person in zip(self._people, request.people, strict=False):
+            data.mocap_pos[number], data.mocap_quat[number] = person.position, person.orientation
         mujoco.mj_kinematics(model, data)
         mujoco.mj_camlight(model, data)
         model.geom_group[:] = self._frusta[request.camera].groups(data)
@@ -96,7 +100,8 @@ class _Frustum:
 
 def _visible(request: Request) -> tuple[object, ...]:
     """Return what changes a picture, to a tenth of a millimetre and of a milliradian."""
-    pose = (round(value, 4) for value in (*request.pose.position, *request.pose.orientation))
+    poses = (request.pose, *request.people)
+    pose = (round(value, 4) for shown in poses for value in (*shown.position, *shown.orientation))
     return (request.camera, request.visitor_present, *pose)
 
 

@@ -19,6 +19,8 @@ from housefly.room.model import Room
 from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
 from housefly.twin.engine import mujoco
 from housefly.twin.onboard_loops import Wrench
+from housefly.twin.people.bodies import PREFIX
+from housefly.twin.people.script import PersonScript
 from housefly.twin.scene import scene_mjcf
 from housefly.twin.sensors import PERIOD, BodyState
 
@@ -36,8 +38,8 @@ VISITOR = "visitor"
 class Physics:
     """One drone among the furniture; moves by whole control periods."""
 
-    def __init__(self, site: Site, room: Room) -> None:
-        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room))
+    def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = ()) -> None:
+        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people))
         self.model.opt.timestep = PERIOD / SUBSTEPS
         self.data: Any = mujoco.MjData(self.model)
         self.drone_id: int = self.model.body(BODY).id
@@ -53,6 +55,7 @@ class Physics:
         self._visitor = int(self.model.body_mocapid[self.visitor_id]) if self.visitor_id >= 0 else -1
         self._visitor_at = self.data.mocap_pos[self._visitor].copy() if self._visitor >= 0 else None
         self._visitor_sites = [n for n in range(self.model.nsite) if self.model.site(n).name.startswith("visitor_marker_")]
+        self._people = mocap_ids(self.model)
         mujoco.mj_forward(self.model, self.data)
 
     def state(self) -> BodyState:
@@ -92,6 +95,11 @@ class Physics:
         self.data.mocap_pos[self._visitor] = self._visitor_at + (0.0 if present else np.array((0.0, 0.0, AWAY)))
         mujoco.mj_kinematics(self.model, self.data)
 
+    def set_people(self, poses: tuple[Pose, ...]) -> None:
+        """Put the people there, in the order in which they were given; sight and touch follow with the next step."""
+        for number, pose in zip(self._people, poses, strict=True):
+            self.data.mocap_pos[number], self.data.mocap_quat[number] = pose.position, pose.orientation
+
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""
         if self._visitor_at is None:
@@ -104,6 +112,12 @@ class Physics:
         """Return the world positions of the visitor's markers [m], shape (n, 3)."""
         positions: NDArray[np.float64] = self.data.site_xpos[self._visitor_sites].copy()
         return positions
+
+
+def mocap_ids(model: Any) -> tuple[int, ...]:
+    """Return the mocap ids of the people of a model, in the order in which they were given."""
+    people = (n for n in range(model.nbody) if model.body(n).name.startswith(PREFIX))
+    return tuple(int(model.body_mocapid[n]) for n in people)
 
 
 def _near_floor(height: float) -> float:

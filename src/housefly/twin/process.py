@@ -21,6 +21,9 @@ from housefly.room.model import Room
 from housefly.twin.address import check_address
 from housefly.twin.ardrone_server import ArDroneServer
 from housefly.twin.camera import CameraProcess
+from housefly.twin.device_link import DeviceLink
+from housefly.twin.devices import Devices
+from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTime
 from housefly.twin.vicon_server import ViconServer
 from housefly.twin.world import SimulatedWorld
@@ -33,21 +36,24 @@ class Twin:
         site: addresses, rates, noise, seed.
         room: what the drone flies in.
         beyond_loopback: allow addresses that other machines can reach.
+        scene: the people and things that move; its devices speak when the site names a broker.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
     """
 
-    def __init__(self, site: Site, room: Room, beyond_loopback: bool = False) -> None:
+    def __init__(self, site: Site, room: Room, beyond_loopback: bool = False, scene: Scene | None = None) -> None:
         check_address("tracking.address", site.tracking.address, beyond_loopback)
+        if scene is not None and site.mqtt.broker:
+            check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
         self._site = site
-        self._world = SimulatedWorld(site, room)
+        self._world = SimulatedWorld(site, room, scene)
         self._time = RealTime(self._world, RealClock())
         self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
         self._tracking = ViconServer(site.tracking.address, site.tracking.port, site.twin.mocap_rate_hz)
-        self._camera = CameraProcess(site, room) if site.twin.video else None
+        self._camera = CameraProcess(site, room, scene.script.people if scene else ()) if site.twin.video else None
         self._camera_state = (0, "")
-        self._visitor_present = site.twin.visitor_present
+        self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
 
     async def run(self) -> None:
         """Serve until cancelled; raises LinkError when a port cannot be had."""
@@ -62,14 +68,16 @@ class Twin:
                 self._camera.on_picture(self._drone.publish)
                 self._camera.start()
                 work.append(self._film(self._camera))
+            if self._devices is not None:
+                work.append(self._devices.run())
             print(self._greeting(), flush=True)
             await asyncio.gather(*work)
 
     def toggle_visitor(self) -> None:
         """Let the visitor come to the door, or leave."""
-        self._visitor_present = not self._visitor_present
-        self._world.set_visitor(self._visitor_present)
-        print(f"twin: the visitor {'is at the door' if self._visitor_present else 'has left'}", flush=True)
+        present = not self._world.visitor_present
+        self._world.set_visitor(present)
+        print(f"twin: the visitor {'is at the door' if present else 'has left'}", flush=True)
 
     def summary(self) -> str:
         """Return one line about the whole run."""
@@ -85,6 +93,9 @@ class Twin:
         video = "on" if self._camera is not None else "off"
         return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}"
 
+    def _device_link(self, scene: Scene) -> DeviceLink:
+        return DeviceLink(self._site.mqtt, Devices(scene, self._site.mqtt.site), lambda: self._world.now)
+
     def _publish_frames(self) -> None:
         for frame in self._world.mocap_frames():
             self._tracking.publish(frame)
@@ -94,7 +105,7 @@ class Twin:
         while True:
             await rate.sleep()
             truth = self._world.truth()
-            camera.show(truth.pose, self._visitor_present, self._drone.camera, truth.at)
+            camera.show(truth.pose, self._world.visitor_present, self._drone.camera, truth.at, self._world.people())
             self._tell_of(camera)
 
     def _tell_of(self, camera: CameraProcess) -> None:
@@ -109,14 +120,14 @@ class Twin:
         self._camera_state = state
 
 
-async def run_twin(site: Site, room: Room, *, beyond_loopback: bool = False) -> None:
+async def run_twin(site: Site, room: Room, *, beyond_loopback: bool = False, scene: Scene | None = None) -> None:
     """Serve the simulated room until SIGTERM, SIGINT or cancellation.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
         LinkError: a port that cannot be had.
     """
-    twin = Twin(site, room, beyond_loopback)
+    twin = Twin(site, room, beyond_loopback, scene)
     serving = asyncio.create_task(twin.run())
     loop = asyncio.get_running_loop()
     loop.add_signal_handler(signal.SIGUSR1, twin.toggle_visitor)
@@ -137,7 +148,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     options = parser.parse_args(argv)
     try:
         site = load_site(options.site)
-        asyncio.run(run_twin(site, load_room(site.room.model, options.site.parent), beyond_loopback=options.beyond_loopback))
+        room = load_room(site.room.model, options.site.parent)
+        scene = load_scene(site.twin.scene, options.site.parent) if site.twin.scene else None
+        asyncio.run(run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene))
     except HouseflyError as error:
         print(f"twin: {error}", file=sys.stderr)
         return 1

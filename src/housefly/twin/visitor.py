@@ -12,11 +12,17 @@ from housefly.twin.physics import Physics
 
 
 class Visitor:
-    """Presence and pose of the visitor; what the cameras see of them is worked out only when they come or go."""
+    """Presence and pose of the visitor; what the cameras see of them is worked out when they come or go, or when asked."""
 
     def __init__(self, physics: Physics, cameras: Cameras) -> None:
         self._physics, self._cameras = physics, cameras
         self._seen: Pose | None = None
+        self._present = False
+
+    @property
+    def present(self) -> bool:
+        """Whether the visitor is there."""
+        return self._present
 
     @property
     def seen(self) -> Pose | None:
@@ -26,7 +32,12 @@ class Visitor:
     def set_present(self, present: bool) -> None:
         """Come to the door, or leave."""
         self._physics.set_visitor(present)
-        pose = self._physics.visitor_pose() if present else None
+        self._present = present
+        self.look()
+
+    def look(self) -> None:
+        """Work out anew whether the cameras see the visitor: somebody may stand between."""
+        pose = self._physics.visitor_pose() if self._present else None
         visible = pose is not None and self._cameras.see(
             self._physics.visitor_markers(), self._physics.visitor_id, _ALL_BUT_THE_DRONE
         )

@@ -21,21 +21,29 @@ from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, 
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
 from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
+from housefly.twin.people import Scene
 from housefly.twin.physics import Physics
 from housefly.twin.sensors import PERIOD, Sensors
+from housefly.twin.stage import Stage
 from housefly.twin.visitor import Visitor
 
 WEIGHT = MASS * GRAVITY
 
 
 class SimulatedWorld:
-    """Implements ``twin.contracts.World``."""
+    """Implements ``twin.contracts.World``.
 
-    def __init__(self, site: Site, room: Room) -> None:
+    Args:
+        site: rates, noise, seed, the drone.
+        room: what stands in it.
+        scene: the people in it; its time is the world's.
+    """
+
+    def __init__(self, site: Site, room: Room, scene: Scene | None = None) -> None:
         sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
-        self._physics = Physics(site, room)
+        self._physics = Physics(site, room, scene.script.people if scene else ())
         self._sensors = Sensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
@@ -50,6 +58,7 @@ class SimulatedWorld:
         self._body = self._physics.state()
         self._measured = self._sensors.read(self._body)
         self.set_visitor(site.twin.visitor_present)
+        self._stage = Stage(scene, self._physics, self._visitor) if scene else None
 
     @property
     def now(self) -> float:
@@ -93,6 +102,15 @@ class SimulatedWorld:
     def set_visitor(self, present: bool) -> None:
         """A visitor comes to the door or leaves."""
         self._visitor.set_present(present)
+
+    @property
+    def visitor_present(self) -> bool:
+        """Whether the visitor is at the door."""
+        return self._visitor.present
+
+    def people(self) -> tuple[Pose, ...]:
+        """Return the poses of the bodies of the scene's people, in its order."""
+        return self._stage.poses if self._stage else ()
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return the frames whose ``due_at`` has come since the last call, oldest first."""
@@ -147,6 +165,8 @@ class SimulatedWorld:
             self._orders.popleft()[1]()
         self._measured = self._sensors.read(self._body)
         self._wrench = self._firmware.step(self._measured, self._battery.voltage, began - self._heard_at)
+        if self._stage is not None:
+            self._stage.play(self._ticks, began)
         self._physics.advance(self._wrench, self._body)
         self._battery.drain(PERIOD, self._wrench.thrust / WEIGHT)
         self._body = self._physics.state()

@@ -1,0 +1,80 @@
+"""People as MuJoCo bodies, a capsule and a head each, so that cameras, rays and the drone's hull meet them.
+
+Own frame: origin between the feet, x to where the person faces, z up. Who sits sinks into the floor up to their hips, who is not
+there waits far below it. Metres.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, pi, sin
+
+from housefly.geometry import quaternion_from_euler
+from housefly.messages import Pose
+from housefly.twin.people.script import PersonScript
+from housefly.twin.people.state import PersonState, Posture
+
+PREFIX = "person "
+"""How the names of their bodies begin."""
+RADIUS, HEAD = 0.17, 0.11
+"""Radius of trunk and head [m]."""
+AWAY = -30.0
+"""Where along z who is not there waits [m]."""
+_HIPS = 0.52
+"""Height of the hips over body height."""
+_FOOT = 0.03
+_COATS = ("0.24 0.42 0.62 1", "0.62 0.36 0.28 1", "0.32 0.52 0.34 1", "0.52 0.40 0.60 1")
+_SKIN = "0.93 0.74 0.62 1"
+
+
+def people_bodies(people: tuple[PersonScript, ...]) -> str:
+    """Return the MJCF of the people as mocap bodies, in the order of the script; the room's own visitor is not among them."""
+    return "".join(_body(person, number) for number, person in enumerate(bodied(people)))
+
+
+def bodied(people: tuple[PersonScript, ...]) -> tuple[PersonScript, ...]:
+    """Return the people who get a body of ours: all but the visitor, whose body the room has."""
+    return tuple(person for person in people if not person.visitor)
+
+
+def body_pose(person: PersonState, height: float) -> Pose:
+    """Return where the body of a person is who is this tall [m]."""
+    return _POSES.get(person.posture, _upright)(person, height)
+
+
+def _upright(person: PersonState, height: float) -> Pose:
+    return Pose((*person.position, person.support), quaternion_from_euler(0.0, 0.0, person.yaw))
+
+
+def _seated(person: PersonState, height: float) -> Pose:
+    return Pose((*person.position, person.support - _HIPS * height + RADIUS), quaternion_from_euler(0.0, 0.0, person.yaw))
+
+
+def _lying(person: PersonState, height: float) -> Pose:
+    x, y = person.position
+    feet = (x - height / 2 * cos(person.yaw), y - height / 2 * sin(person.yaw), person.support + RADIUS)
+    return Pose(feet, quaternion_from_euler(0.0, pi / 2, person.yaw))
+
+
+def _away(person: PersonState, height: float) -> Pose:
+    return Pose((*person.position, AWAY), quaternion_from_euler(0.0, 0.0, 0.0))
+
+
+_POSES: dict[Posture, Callable[[PersonState, float], Pose]] = {
+    Posture.SITTING: _seated,
+    Posture.LYING: _lying,
+    Posture.AWAY: _away,
+}
+
+
+def _body(person: PersonScript, number: int) -> str:
+    top = person.height
+    trunk = f"0 0 {_FOOT + RADIUS:.9g} 0 0 {max(_FOOT + RADIUS + 0.01, top - 2 * HEAD - RADIUS):.9g}"
+    name = f"{PREFIX}{person.name}"
+    return (
+        f'<body name="{name}" mocap="true" pos="0 0 {AWAY}">'
+        f'<geom name="{name} trunk" type="capsule" fromto="{trunk}" size="{RADIUS}" rgba="{_COATS[number % len(_COATS)]}" '
+        'material="cloth"/>'
+        f'<geom name="{name} head" type="sphere" pos="0 0 {top - HEAD:.9g}" size="{HEAD}" rgba="{_SKIN}" material="cloth"/>'
+        "</body>"
+    )

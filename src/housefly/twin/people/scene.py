@@ -1,0 +1,123 @@
+"""A scene: what holds at any time of it, and what happened between two times. The same file gives the same scene, always."""
+
+from __future__ import annotations
+
+import tomllib
+from bisect import bisect_right
+from collections.abc import Mapping
+from dataclasses import replace
+from math import cos, floor, sin
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from housefly import sites
+from housefly.config_section import explain
+from housefly.errors import ConfigError
+from housefly.twin.people.chronicle import Chronicle
+from housefly.twin.people.script import SceneScript
+from housefly.twin.people.state import Occurrence, PersonState, SceneState, ThingState
+from housefly.twin.people.timeline import Timeline
+
+SHIPPED = "_scene.toml"
+_ARM, _HAND = 0.35, 1.0
+"""Where a carried thing is: this far in front [m], at this height [m]."""
+
+
+class Scene:
+    """A script worked out.
+
+    Args:
+        script: people, things, devices.
+
+    Raises:
+        ConfigError: somebody does the impossible.
+
+    Attributes:
+        script: the same.
+        length: how long one round takes [s]; afterwards everything stays as it is, or begins anew.
+    """
+
+    def __init__(self, script: SceneScript) -> None:
+        self.script = script
+        seeds = np.random.SeedSequence(script.seed).spawn(len(script.people))
+        self._lines = [
+            Timeline(person, np.random.default_rng(seed), script.variation)
+            for person, seed in zip(script.people, seeds, strict=True)
+        ]
+        self._begins = [[leg.begin for leg in line.legs] for line in self._lines]
+        acts = sorted((told for line in self._lines for told in line.occurrences), key=lambda told: told.at)
+        self._chronicle = Chronicle(script, acts)
+        self.length = max((line.end for line in self._lines), default=0.0) + script.pause
+
+    def at(self, time: float) -> SceneState:
+        """Return what holds at a time [s since the scene began]."""
+        local = self._local(time)
+        snapshot = self._chronicle.at(local)
+        people = tuple(self._person(number, local) for number in range(len(self._lines)))
+        return SceneState(time, people, _carried(snapshot.things, people), snapshot.open)
+
+    def between(self, since: float, until: float) -> tuple[Occurrence, ...]:
+        """Return what happened after ``since`` up to and with ``until`` [s], oldest first."""
+        rounds = range(self._round(since), self._round(until) + 1) if self.script.loop else range(1)
+        told = (replace(act, at=act.at + number * self.length) for number in rounds for act in self._chronicle.occurrences)
+        return tuple(act for act in told if since < act.at <= until)
+
+    def _person(self, number: int, time: float) -> PersonState:
+        leg = self._lines[number].legs[max(0, bisect_right(self._begins[number], time) - 1)]
+        return leg.at(self.script.people[number].name, time)
+
+    def _round(self, time: float) -> int:
+        return floor(time / self.length) if self.length > 0.0 else 0
+
+    def _local(self, time: float) -> float:
+        return time - self._round(time) * self.length if self.script.loop else time
+
+
+def load_scene(name: str, folder: Path = Path()) -> Scene:
+    """Read a scene.
+
+    Args:
+        name: of a shipped one, or a path.
+        folder: what a relative path is relative to.
+
+    Raises:
+        ConfigError: naming the key, the value and what is allowed.
+    """
+    shipped = Path(sites.__file__).parent / f"{name}{SHIPPED}"
+    path = shipped if shipped.is_file() else folder / name
+    try:
+        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ConfigError("scene file", f"cannot be read ({error.strerror})", str(path)) from error
+    except ValueError as error:
+        raise ConfigError("scene file", f"cannot be parsed: {error}", str(path)) from error
+    return scene_from_tree(tree, str(path))
+
+
+def scene_from_tree(tree: Mapping[str, Any], source: str = "") -> Scene:
+    """Check a tree of plain values and return the scene; raises ConfigError for the first bad key."""
+    try:
+        script = SceneScript.model_validate(tree)
+    except ValidationError as error:
+        first = error.errors()[0]
+        key = ".".join(str(part) for part in first["loc"]) or "scene"
+        raise ConfigError(key, explain(first, SceneScript), source) from error
+    for key in ("people", "things", "devices"):
+        names = [getattr(row, "id", getattr(row, "name", "")) for row in getattr(script, key)]
+        if len(set(names)) < len(names):
+            raise ConfigError(key, f"two of the same name among {', '.join(names)}", source)
+    return Scene(script)
+
+
+def _carried(things: Mapping[str, ThingState], people: tuple[PersonState, ...]) -> Mapping[str, ThingState]:
+    """Return the things, those in somebody's hands where the hands are."""
+    hands = {person.name: _hand(person) for person in people}
+    return {name: replace(thing, position=hands[thing.held_by]) if thing.held_by else thing for name, thing in things.items()}
+
+
+def _hand(person: PersonState) -> tuple[float, float, float]:
+    x, y = person.position
+    return x + _ARM * cos(person.yaw), y + _ARM * sin(person.yaw), _HAND

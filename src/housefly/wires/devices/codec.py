@@ -1,0 +1,154 @@
+"""Bytes of a device to observations and happenings, and back."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Never
+
+from housefly.errors import WireError
+from housefly.messages import Fact, Happening, Observation
+from housefly.wires.devices.bed import BED
+from housefly.wires.devices.cabinet import CABINET
+from housefly.wires.devices.fields import Record, Spec, read
+from housefly.wires.devices.floor import FLOOR
+from housefly.wires.devices.kind import DeviceKind, Placement, Says
+from housefly.wires.devices.refrigerator import REFRIGERATOR
+from housefly.wires.devices.switches import DOOR, DOORBELL, MOTION
+from housefly.wires.devices.topics import Address, Channel, shown
+
+KINDS: dict[str, DeviceKind] = {kind.name: kind for kind in (FLOOR, CABINET, REFRIGERATOR, BED, DOOR, DOORBELL, MOTION)}
+"""Every kind of device that we understand, by its name in topics."""
+LARGEST = 16_384
+"""Longest payload [bytes]."""
+PRESENCE = {b"online": True, b"offline": False}
+
+
+@dataclass(frozen=True, slots=True)
+class ClockBounds:
+    """How far a device's clock may be off before its word on time is refused: ahead of and behind ours [s]."""
+
+    ahead: float = 2.0
+    behind: float = 60.0
+
+
+BOUNDS, NOWHERE = ClockBounds(), Placement()
+_EARLIEST = 1.6e9
+"""Before this Unix time [s], in 2020, a clock was never set."""
+
+
+@dataclass(frozen=True, slots=True)
+class Delivered:
+    """One message as the broker handed it over.
+
+    Attributes:
+        address: who speaks.
+        channel: of what.
+        payload: the bytes.
+        received_at: when it came [s, Unix time].
+        retained: whether the broker had kept it, so that it is older than its arrival.
+    """
+
+    address: Address
+    channel: Channel
+    payload: bytes
+    received_at: float
+    retained: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What one message says.
+
+    Attributes:
+        observations: of the device and of what it sees.
+        happenings: what it reports.
+        online: what it says of its presence, None in other messages.
+        unknown: keys that we do not know.
+        clock_error: how far its time was off [s] when it was refused, positive ahead; None when it was not.
+    """
+
+    observations: tuple[Observation, ...] = ()
+    happenings: tuple[Happening, ...] = ()
+    online: bool | None = None
+    unknown: tuple[str, ...] = ()
+    clock_error: float | None = None
+
+
+def kind_of(address: Address) -> DeviceKind:
+    """Return the kind of a device; raises WireError that lists the known kinds."""
+    if address.kind not in KINDS:
+        raise WireError(f"{shown(address.topic(Channel.STATE))}: unknown kind of device; known: {', '.join(KINDS)}")
+    return KINDS[address.kind]
+
+
+def decode(message: Delivered, placement: Placement = NOWHERE, bounds: ClockBounds = BOUNDS) -> Reading:
+    """Return what a message says.
+
+    A time outside the bounds is refused: the time of arrival takes its place and the fact ``clock_error`` [s] stays with it. The
+    broker's kept state may be as old as it likes; it carries the fact ``retained``. A kept event says nothing: it is over.
+
+    Raises:
+        WireError: naming the topic, the key, the value and what is allowed.
+    """
+    kind, topic = kind_of(message.address), message.address.topic(message.channel)
+    if message.channel is Channel.AVAILABILITY:
+        return Reading(online=_presence(message.payload, topic))
+    is_event = message.channel is Channel.EVENT
+    record = parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
+    says, clock_error = _says(record, message, placement, bounds)
+    if not is_event:
+        return Reading(tuple(kind.observe(record, says)), unknown=record.unknown, clock_error=clock_error)
+    happenings = () if message.retained else (_happening(kind, record, says),)
+    return Reading(happenings=happenings, unknown=record.unknown, clock_error=clock_error)
+
+
+def parse(spec: Spec, payload: bytes, topic: str) -> Record:
+    """Return a payload as a checked record; raises WireError."""
+    if len(payload) > LARGEST:
+        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {LARGEST} bytes")
+    try:
+        tree = json.loads(payload.decode(), parse_constant=_no_number)
+    except (ValueError, RecursionError) as error:
+        raise WireError(f"{topic}: not JSON ({str(error)[:80]})") from error
+    return read(spec, tree, topic)
+
+
+def encode(values: Mapping[str, object]) -> bytes:
+    """Return a payload."""
+    return json.dumps(values, separators=(",", ":"), allow_nan=False).encode()
+
+
+def _presence(payload: bytes, topic: str) -> bool:
+    if payload not in PRESENCE:
+        raise WireError(f"{topic} is {ascii(payload[:40])[1:]}; allowed: online or offline, without quotes")
+    return PRESENCE[payload]
+
+
+def _says(record: Record, message: Delivered, placement: Placement, bounds: ClockBounds) -> tuple[Says, float | None]:
+    """Return who says it and when, and how far the time was off when it is refused."""
+    now, told = message.received_at, record.number_or_none("time")
+    error = None if told is None or _is_plausible(told, message, bounds) else told - now
+    captured_at = now if told is None or error is not None else min(told, now)
+    notes: list[tuple[str, Fact]] = [("battery", record.number("battery"))] if "battery" in record.values else []
+    notes += [("retained", True)] if message.retained else []
+    notes += [("clock_error", error)] if error is not None else []
+    return Says(message.address.id, captured_at, now, placement, tuple(notes)), error
+
+
+def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
+    ahead = told - message.received_at
+    return ahead <= bounds.ahead and told >= _EARLIEST and (message.retained or -ahead <= bounds.behind)
+
+
+def _happening(kind: DeviceKind, record: Record, says: Says) -> Happening:
+    tag = record.word("tag")
+    weight = record.number_or_none("weight")
+    facts: tuple[tuple[str, Fact], ...] = (("weight", weight), *says.notes) if weight is not None else says.notes
+    thing = says.placement.thing(tag) if tag else says.source
+    return Happening(kind.events[record.word("event")], thing, says.captured_at, says.source, facts=facts)
+
+
+def _no_number(word: str) -> Never:
+    raise ValueError(f"{word} is not a number")

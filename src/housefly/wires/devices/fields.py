@@ -1,0 +1,164 @@
+"""Keys of a device's JSON as table rows: each checks its value for type, range and unit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from housefly.errors import WireError
+
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}")
+"""What ids of devices, things and tags look like."""
+_SHOWN = 60
+
+Value = float | bool | str | tuple["Record", ...]
+
+
+class Field(Protocol):
+    """One key of a table of keys."""
+
+    @property
+    def required(self) -> bool:
+        """Whether the key must be there."""
+        ...
+
+    def check(self, value: object, where: str) -> Value:
+        """Return the value as we keep it; raises WireError that names ``where``, the value and what is allowed."""
+        ...
+
+
+Spec = Mapping[str, Field]
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A checked JSON object.
+
+    Attributes:
+        values: of the known keys that were there.
+        unknown: the other keys, those of objects inside it too.
+    """
+
+    values: Mapping[str, Value] = field(default_factory=dict)
+    unknown: tuple[str, ...] = ()
+
+    def number(self, key: str) -> float:
+        """Return a required number."""
+        return float(self.values[key])  # type: ignore[arg-type]  # the table has checked it
+
+    def number_or_none(self, key: str) -> float | None:
+        """Return an optional number."""
+        return self.number(key) if key in self.values else None
+
+    def flag(self, key: str) -> bool:
+        """Return a truth value; False when the key is absent."""
+        return bool(self.values.get(key, False))
+
+    def word(self, key: str) -> str:
+        """Return a text; empty when the key is absent."""
+        return str(self.values.get(key, ""))
+
+    def rows(self, key: str) -> tuple[Record, ...]:
+        """Return a list of objects; empty when the key is absent."""
+        value = self.values.get(key, ())
+        return value if isinstance(value, tuple) else ()
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A finite number in an inclusive range."""
+
+    low: float
+    high: float
+    unit: str = ""
+    required: bool = True
+
+    def check(self, value: object, where: str) -> float:
+        """Return the number."""
+        if isinstance(value, bool) or not isinstance(value, int | float) or not self.low <= value <= self.high:
+            raise refusal(where, value, f"a number from {self.low:g} to {self.high:g} {self.unit}".rstrip())
+        return float(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Flag:
+    """A truth value."""
+
+    required: bool = True
+
+    def check(self, value: object, where: str) -> bool:
+        """Return the truth value."""
+        if not isinstance(value, bool):
+            raise refusal(where, value, "true or false")
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """An id of a thing, tag or person."""
+
+    required: bool = True
+
+    def check(self, value: object, where: str) -> str:
+        """Return the id."""
+        if not isinstance(value, str) or not NAME.fullmatch(value):
+            raise refusal(where, value, "an id of 1 to 64 letters, digits and _ . : -")
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """One of a few words."""
+
+    words: tuple[str, ...]
+    required: bool = True
+
+    def check(self, value: object, where: str) -> str:
+        """Return the word."""
+        if not isinstance(value, str) or value not in self.words:
+            raise refusal(where, value, "one of " + ", ".join(f'"{word}"' for word in self.words))
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """A list of objects of one kind."""
+
+    spec: Spec
+    most: int = 64
+    required: bool = True
+
+    def check(self, value: object, where: str) -> tuple[Record, ...]:
+        """Return the objects."""
+        if not isinstance(value, list) or len(value) > self.most:
+            raise refusal(where, value, f"a list of up to {self.most} objects")
+        return tuple(read(self.spec, entry, f"{where}[{number}]") for number, entry in enumerate(value))
+
+
+def read(spec: Spec, tree: object, where: str) -> Record:
+    """Check a JSON object against a table of keys.
+
+    Args:
+        spec: the known keys.
+        tree: what the JSON says.
+        where: what to name in a complaint: topic and key so far.
+
+    Raises:
+        WireError: naming the place, the value and what is allowed.
+    """
+    if not isinstance(tree, dict):
+        raise refusal(where, tree, "a JSON object")
+    values = {key: row.check(tree[key], f"{where}.{key}") for key, row in spec.items() if tree.get(key) is not None}
+    missing = [key for key, row in spec.items() if row.required and key not in values]
+    if missing:
+        raise WireError(f"{where}.{missing[0]} is missing")
+    nested = [name for value in values.values() if isinstance(value, tuple) for record in value for name in record.unknown]
+    return Record(values, (*(key for key in tree if key not in spec), *nested))
+
+
+def refusal(where: str, value: object, allowed: str) -> WireError:
+    """Return the complaint about one value."""
+    shown = ascii(value)
+    return WireError(f"{where} is {shown if len(shown) <= _SHOWN else shown[:_SHOWN] + '...'}; allowed: {allowed}")

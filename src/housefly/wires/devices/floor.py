@@ -1,0 +1,42 @@
+"""Floor sensing: where people and things stand on the floor."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from housefly.messages import Observation
+from housefly.wires.devices.fields import Name, Number, Record, Rows, Spec
+from housefly.wires.devices.kind import DeviceKind, Says
+
+SIGMA = 0.05
+"""One-sigma error of a position where the sensor does not say it [m]."""
+
+SPOT: Spec = {
+    "id": Name(required=False),
+    "x": Number(-1000.0, 1000.0, "m"),
+    "y": Number(-1000.0, 1000.0, "m"),
+    "sigma": Number(0.001, 10.0, "m", required=False),
+    "weight": Number(0.0, 500.0, "kg", required=False),
+}
+
+
+def observe(state: Record, says: Says) -> Iterator[Observation]:
+    """Yield one observation for each person and thing, and one of the sensor itself: it sees that there is nobody, too."""
+    yield says.itself(("people", float(len(state.rows("people")))), ("objects", float(len(state.rows("objects")))))
+    for what, key in (("person", "people"), ("object", "objects")):
+        for number, spot in enumerate(state.rows(key), start=1):
+            yield _seen(spot, says, what, f"{says.source}-{what}-{number}")
+
+
+def _seen(spot: Record, says: Says, what: str, nameless: str) -> Observation:
+    thing = says.placement.thing(spot.word("id")) or nameless
+    position = says.placement.world(spot.number("x"), spot.number("y"), 0.0)
+    seen = says.of(thing, position, ("kind", what), ("weight", spot.number_or_none("weight")))
+    variance = (spot.number_or_none("sigma") or SIGMA) ** 2
+    return replace(seen, covariance=(variance, 0.0, 0.0, variance, 0.0, variance))
+
+
+FLOOR = DeviceKind(
+    "floor", "Floor sensing", {"people": Rows(SPOT), "objects": Rows(SPOT, required=False)}, heartbeat=1.0, observe=observe
+)
