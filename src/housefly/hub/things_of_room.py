@@ -1,0 +1,57 @@
+"""The things that the room model already knows: its furniture, its places, its tracking cameras, its drone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from math import atan2
+
+from housefly.config import Site
+from housefly.geometry import Vec3, quaternion_from_euler
+from housefly.room.model import Room, Solid
+from housefly.things.thing import Kind, Thing, Viewpoint
+
+BUILDING = ("wall", "floor", "ceiling", "partition", "window", "outside", "pad", "carpet", "door")
+"""Solids of things with these words in their names are parts of the building."""
+
+
+def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
+    """Return the catalogue that a room brings along; ids are the names that the room model uses."""
+    found = {thing.id: thing for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))}
+    body = site.tracking.body
+    found.setdefault(body, Thing(body, "the drone", Kind.ROBOT, ("drone",), (*room.home, 0.0)))
+    if room.visitor is not None:
+        found.setdefault(site.tracking.visitor, Thing(site.tracking.visitor, "the visitor", Kind.PERSON, ("visitor",)))
+    return tuple(found.values())
+
+
+def _furniture(room: Room) -> Iterator[Thing]:
+    parts: dict[str, list[Solid]] = {}
+    for solid in room.solids:
+        parts.setdefault(solid.thing, []).append(solid)
+    for name, solids in parts.items():
+        is_building = any(word in name for word in BUILDING)
+        middle = _middle(solids)
+        yaw = solids[0].yaw
+        kind = Kind.STRUCTURE if is_building else Kind.FURNITURE
+        yield Thing(name, name.replace("_", " "), kind, (), middle, quaternion_from_euler(0.0, 0.0, yaw))
+
+
+def _places(room: Room, height: float) -> Iterator[Thing]:
+    for place in room.places:
+        x, y = place.viewpoint
+        look_x, look_y, _ = place.look_at
+        view = Viewpoint("hover", (x, y, height), atan2(look_y - y, look_x - x))
+        title = place.title or place.name
+        yield Thing(f"place-{place.name}", title, Kind.PLACE, (place.name,), place.look_at, viewpoints=(view,))
+
+
+def _sensors(room: Room) -> Iterator[Thing]:
+    for camera in room.cameras:
+        yield Thing(f"camera-{camera.name}", f"tracking camera {camera.name}", Kind.SENSOR, (), camera.position)
+
+
+def _middle(solids: Iterable[Solid]) -> Vec3:
+    """Return the middle of what the solids reach over, each taken unturned [m]."""
+    places = [solid.position for solid in solids]
+    x, y, z = (0.5 * (min(axis) + max(axis)) for axis in zip(*places, strict=True))
+    return x, y, z
