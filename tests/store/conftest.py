@@ -7,7 +7,8 @@ import os
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -16,7 +17,6 @@ from housefly.store.opening import open_store
 from housefly.store.sql_store import SqlStore
 
 SUPERUSER = "postgres"
-OpenStore = Callable[[], SqlStore]
 _numbers = itertools.count(1)
 
 
@@ -63,17 +63,30 @@ class Server:
         return self.url(name)
 
 
+@contextmanager
+def running_server() -> Iterator[Server]:
+    pytest.importorskip("psycopg", reason="psycopg is not installed: pip install 'housefly[postgres]'")
+    postgres_programs()
+    with tempfile.TemporaryDirectory(prefix="housefly-postgres-", dir="/tmp") as folder:  # a socket's path must be short
+        started = Server(Path(folder))
+        started.start()
+        try:
+            yield started
+        finally:
+            started.stop()
+
+
 @pytest.fixture(scope="session")
 def server() -> Iterator[Server]:
-    pytest.importorskip("psycopg", reason="psycopg is not installed: pip install 'housefly[postgres]'")
-    folder = Path(tempfile.mkdtemp(prefix="housefly-postgres-", dir="/tmp"))
-    started = Server(folder)
-    started.start()
-    try:
+    with running_server() as started:
         yield started
-    finally:
-        started.stop()
-        shutil.rmtree(folder)
+
+
+@pytest.fixture
+def own_server() -> Iterator[Server]:
+    """Return a server that the test may stop and start."""
+    with running_server() as started:
+        yield started
 
 
 @pytest.fixture(params=["sqlite", pytest.param("postgres", marks=pytest.mark.wire)])

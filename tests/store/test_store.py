@@ -49,9 +49,10 @@ observations = st.builds(
     st.none() | st.tuples(*(numbers,) * 6), names, st.booleans(), facts,
 )  # fmt: skip
 happenings = st.builds(Happening, names, names, numbers, names, names, numbers, facts)
+views = st.lists(st.builds(Viewpoint, names, points, numbers, numbers, names), max_size=2).map(tuple)
 things = st.builds(
     Thing, names, names, st.sampled_from(Kind), st.lists(names, max_size=2).map(tuple), st.none() | points,
-    st.none() | quaternions, names, st.lists(st.builds(Viewpoint, names, points, numbers, numbers, names), max_size=2).map(tuple), facts,
+    st.none() | quaternions, names, views, facts,
 )  # fmt: skip
 
 

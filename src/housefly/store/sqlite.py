@@ -30,7 +30,7 @@ REASONS: dict[int, str] = {
     sqlite3.SQLITE_CANTOPEN: "the database file cannot be opened",
 }
 DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
-UNFIT = (sqlite3.IntegrityError, sqlite3.InterfaceError, sqlite3.DataError, sqlite3.ProgrammingError, UnicodeError, OverflowError)
+UNFIT = (sqlite3.IntegrityError, sqlite3.InterfaceError, sqlite3.DataError, UnicodeError, OverflowError)
 COMPANIONS = ("", "-wal", "-shm")
 
 
@@ -95,6 +95,8 @@ class SqliteDatabase:
     def _telling(self) -> Iterator[None]:
         try:
             yield
+        except sqlite3.ProgrammingError as error:  # used after it was closed
+            raise StoreError(str(error)) from error
         except UNFIT as error:
             raise UnfitRowError(f"the database cannot hold it ({error})") from error
         except sqlite3.Error as error:
