@@ -90,6 +90,12 @@ def test_gains_are_chosen_for_a_slow_tracking_system() -> None:
     assert_in_order(output, "100 Hz", "30 Hz", "10 Hz", "in mode paper: gain margin", "below 2")
 
 
+@pytest.mark.wire
+def test_a_sensor_of_ones_own_is_heard() -> None:
+    output = run("11_add_a_sensor.py")
+    assert_in_order(output, "('illuminance_lx', 320.5)", "'malformed': 1", "desk-lamp is -7", "Light window", "nothing lost")
+
+
 def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
     contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
     assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]

@@ -12,8 +12,8 @@ from paho.mqtt.properties import Properties
 from housefly.config_devices import MqttConfig
 from housefly.errors import ConfigError
 
-TROUBLES = (aiomqtt.MqttError, OSError, ValueError)
-"""Whatever a connection may raise; a ValueError is a broker name that cannot be one."""
+TROUBLES = (aiomqtt.MqttError, OSError, UnicodeError)
+"""Whatever a connection may raise; a UnicodeError is a broker name that cannot be one."""
 _TIMEOUT = 5.0
 _KEEPALIVE = 10
 """A broker that says nothing for one and a half times this [s] is gone: a pulled cable says nothing."""

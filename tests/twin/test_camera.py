@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from itertools import pairwise
 from math import atan2
 
@@ -24,6 +25,8 @@ from housefly.messages import Pose
 from housefly.room.files import load_room
 from housefly.twin.camera import CameraPicture, CameraProcess
 from housefly.twin.contracts import Camera
+from housefly.twin.people import Posture, scene_from_tree
+from housefly.twin.people.bodies import body_pose
 
 ROOM = load_room("bsen")
 ENTRANCE = ROOM.place("entrance")
@@ -233,3 +236,24 @@ async def test_asking_never_waits_even_without_a_child() -> None:
     camera = CameraProcess(Site(), ROOM)
     camera.show(DOOR, True, Camera.FRONT, 0.0)
     camera.close()
+
+
+async def test_somebody_of_a_scene_who_stands_before_the_camera_is_in_the_picture() -> None:
+    scene = scene_from_tree({"name": "t", "people": [{"name": "ann", "start": [3.0, 4.2], "steps": []}]})
+    camera = CameraProcess(Site(), ROOM, scene.script.people)
+    pictures: list[CameraPicture] = []
+    camera.on_picture(pictures.append)
+    camera.start()
+    try:
+        for n, away in enumerate((True, False)):
+            person = replace(scene.at(0.0).people[0], posture=Posture.AWAY if away else Posture.STANDING)
+            async with asyncio.timeout(60.0):
+                while len(pictures) < 3 * (n + 1):
+                    camera.show(looking((5.0, 4.2), (0.0, 4.2)), False, Camera.FRONT, n, (body_pose(person, 1.65),))
+                    await asyncio.sleep(0.03)
+    finally:
+        camera.close()
+    views = decoded(pictures)
+    before, after = views[2].astype(float), views[5].astype(float)
+    assert np.abs(before - after)[100:, 280:360].mean() > 30.0
+    assert np.abs(before - after)[:, :100].mean() < 10.0

@@ -8,9 +8,9 @@ from collections.abc import Callable
 
 import aiomqtt
 
-from housefly.clock import Clock, Rate, RealClock
+from housefly.clock import Rate
 from housefly.config_devices import MqttConfig
-from housefly.mqtt_link import TROUBLES, client, words
+from housefly.mqtt_link import TROUBLES, client, password, words
 from housefly.twin.devices import Devices, Message
 from housefly.wires.devices import Address, Channel
 
@@ -28,18 +28,28 @@ class DeviceLink:
         config: broker and site.
         devices: what they say.
         scene_time: reads the time of the scene [s].
-        clock: keeps the rate.
+        tell: takes a line whenever the broker goes or comes back.
+
+    Raises:
+        ConfigError: the password file cannot be read.
 
     Attributes:
         sent: messages handed to the broker.
         problem: why the broker is not there, in words, or "".
     """
 
-    def __init__(self, config: MqttConfig, devices: Devices, scene_time: Callable[[], float], clock: Clock | None = None) -> None:
+    def __init__(
+        self,
+        config: MqttConfig,
+        devices: Devices,
+        scene_time: Callable[[], float],
+        tell: Callable[[str], None] = lambda line: None,
+    ) -> None:
         self.sent = 0
         self.problem = ""
         self._config, self._devices, self._time = config, devices, scene_time
-        self._clock = clock or RealClock()
+        self._tell = tell
+        password(config)
         self._queues: dict[Address, asyncio.Queue[Message]] = {
             address: asyncio.Queue(_WAITING) for address in devices.addresses()
         }
@@ -52,7 +62,7 @@ class DeviceLink:
             group.create_task(self._ask())
 
     async def _ask(self) -> None:
-        rate = Rate(RATE_HZ, self._clock)
+        rate = Rate(RATE_HZ)
         while True:
             for message in self._devices.messages(self._time(), time.time()):
                 queue = self._queues[message.address]
@@ -67,8 +77,8 @@ class DeviceLink:
             before = self.sent
             try:
                 await self._speak(address)
-            except TROUBLES as error:
-                self.problem = words(error, self._config, self.sent > before)
+            except* TROUBLES as group:
+                self._note(words(group.exceptions[0], self._config, self.sent > before))
             pause = _FIRST_PAUSE if self.sent > before else min(2 * pause, _LONGEST_PAUSE)
             await asyncio.sleep(pause)
 
@@ -77,8 +87,25 @@ class DeviceLink:
         presence, queue = address.topic(Channel.AVAILABILITY), self._queues[address]
         async with client(self._config, aiomqtt.Will(presence, b"offline", qos=1, retain=True)) as link:
             await link.publish(presence, b"online", qos=1, retain=True)
-            self.problem = ""
-            while True:
-                message = await queue.get()
-                await link.publish(message.address.topic(message.channel), message.payload, qos=1, retain=message.retain)
-                self.sent += 1
+            self._note("")
+            async with asyncio.TaskGroup() as group:
+                group.create_task(_notice_loss(link))
+                group.create_task(self._deliver(link, queue))
+
+    async def _deliver(self, link: aiomqtt.Client, queue: asyncio.Queue[Message]) -> None:
+        while True:
+            message = await queue.get()
+            await link.publish(message.address.topic(message.channel), message.payload, qos=1, retain=message.retain)
+            self.sent += 1
+
+    def _note(self, problem: str) -> None:
+        """Tell of a broker that went or came back, once for all devices."""
+        if bool(problem) is not bool(self.problem):
+            self._tell(problem or f"the MQTT broker at {self._config.broker}:{self._config.port} is there again")
+        self.problem = problem
+
+
+async def _notice_loss(link: aiomqtt.Client) -> None:
+    """Wait until the connection is lost, which raises; nothing is ever received."""
+    async for _ in link.messages:
+        pass

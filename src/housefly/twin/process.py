@@ -94,7 +94,12 @@ class Twin:
         return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}"
 
     def _device_link(self, scene: Scene) -> DeviceLink:
-        return DeviceLink(self._site.mqtt, Devices(scene, self._site.mqtt.site), lambda: self._world.now)
+        return DeviceLink(
+            self._site.mqtt,
+            Devices(scene, self._site.mqtt.site),
+            lambda: self._world.now,
+            lambda line: print(f"twin: {line}", flush=True),
+        )
 
     def _publish_frames(self) -> None:
         for frame in self._world.mocap_frames():

@@ -1,0 +1,33 @@
+"""docs/devices.md tells what the tables know."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from housefly.wires.devices import KINDS, Delivered, decode, parse_topic
+from housefly.wires.devices.fields import Rows
+
+PAGE = (Path(__file__).resolve().parents[3] / "docs" / "devices.md").read_text(encoding="utf-8")
+EXAMPLES = re.findall(r"^(housefly/\S+)\n(\{.*\})$", PAGE, flags=re.MULTILINE)
+
+
+@pytest.mark.parametrize(("topic", "payload"), EXAMPLES)
+def test_every_example_reads_and_has_no_unknown_key(topic: str, payload: str) -> None:
+    address, channel = parse_topic(topic)
+    reading = decode(Delivered(address, channel, payload.encode(), 1_800_000_000.0))
+    assert reading.unknown == ()
+    assert reading.observations or reading.happenings
+
+
+def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat() -> None:
+    assert {parse_topic(topic)[0].kind for topic, _ in EXAMPLES} == set(KINDS)
+    for kind in KINDS.values():
+        row = next(line for line in PAGE.splitlines() if line.startswith(f"| `{kind.name}` |"))
+        assert f"| {kind.heartbeat:g} s |" in row
+        for word in (*kind.state, *kind.events):
+            assert f"`{word}`" in row, f"{kind.name}: {word}"
+        inner = {key for field in kind.state.values() if isinstance(field, Rows) for key in field.spec}
+        assert all(f"`{key}`" in PAGE for key in inner)
