@@ -6,7 +6,7 @@ import argparse
 import signal
 import sys
 
-from housefly.app import campaign_command, commands, gains_command, identify_command, reproduce_command
+from housefly.app import campaign_command, commands, gains_command, identify_command, reproduce_command, room_commands
 from housefly.errors import HouseflyError
 
 EPILOG = """examples:
@@ -36,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_replay(actions)
     identify_command.add(actions)
     gains_command.add(actions)
+    room_commands.add(actions)
     campaign_command.add(actions)
     reproduce_command.add(actions)
     _add_doctor(actions)

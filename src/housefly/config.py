@@ -14,6 +14,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from housefly.config_devices import MqttConfig
+from housefly.config_hub import HubConfig
 from housefly.config_section import Section as Section
 from housefly.config_section import explain as explain
 from housefly.config_section import quantity as quantity
@@ -188,6 +189,7 @@ class Site(Section):
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
+    hub: HubConfig = HubConfig()
 
     @model_validator(mode="after")
     def _combinations(self) -> Self:

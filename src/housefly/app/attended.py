@@ -13,7 +13,8 @@ from housefly.app.launcher import Launcher, parts_of
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.premises import Premises
 from housefly.app.readiness import Readiness
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import Runtime, meeting_place, new_runtime
+from housefly.asking.meeting_place import announced
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP, VIDEO
 from housefly.bus.zenoh_bus import ZenohBus
@@ -29,6 +30,7 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
     refuse_taken_ports(premises.site, web=True)
     runtime = new_runtime(premises.site, folder)
     with ExitStack() as stack:
+        stack.enter_context(announced(meeting_place(runtime)))
         launcher = stack.enter_context(Launcher(runtime, folder, parts_of(runtime)))
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         try:

@@ -2,6 +2,7 @@
 
 pilot   the only one that must be on time; the others run at lower priority
 twin    the simulated drone and cameras; absent with real hardware
+hub     the room's memory
 web     the console
 """
 
@@ -43,6 +44,8 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     parts = [Part("pilot", "housefly.app.pilot_main")]
     if site.twin.enabled:
         parts.append(Part("twin", "housefly.twin.process", site_argument))
+    if site.hub.enabled:
+        parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
     if web:
         parts.append(Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5))
     return tuple(parts)

@@ -8,8 +8,10 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
+from housefly.asking.meeting_place import MeetingPlace
 from housefly.config import Site, changed, load_site
 from housefly.errors import ConfigError
+from housefly.web.security import api_key
 
 SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
 
@@ -50,6 +52,13 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
     bus_port, stop_port = free_port(socket.SOCK_STREAM), free_port(socket.SOCK_DGRAM)
     return Runtime(site_file, f"tcp/127.0.0.1:{bus_port}", stop_port, secrets.token_hex(16), secrets.token_urlsafe(16))
+
+
+def meeting_place(runtime: Runtime) -> MeetingPlace:
+    """Return what other programs of this user need to ask the room of a run."""
+    site = runtime.site()
+    host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
+    return MeetingPlace(site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid())
 
 
 def runtime_from_environment() -> Runtime:

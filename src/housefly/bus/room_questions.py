@@ -288,9 +288,18 @@ class PictureAnswer:
     obstacles: tuple[Hindrance, ...] = ()
 
 
-Answer = (
-    WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer
-)
+@dataclass(frozen=True, slots=True)
+class News:
+    """What changed since the last news: things with their places, what happened, what holds, what is in the way."""
+
+    at: float
+    things: tuple[Placed, ...]
+    events: tuple[Occurrence, ...]
+    situations: tuple[Holding, ...]
+    obstacles: tuple[Hindrance, ...]
+
+
+Answer = WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer
 ANSWERS: dict[type[Question], type[Answer]] = {
     Where: WhereAnswer,
     Catalogue: ThingsAnswer,

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import LinkStatus, Order, PilotStep, VideoFrame
+from housefly.messages import LinkStatus, Order, PilotStep, RoomNews, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -42,10 +42,13 @@ STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
+ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
 
-TOPICS = (STEP, LINK, VIDEO, ORDER)
+TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""
 ROOM_QUERY = "pilot/room"
 """Query: "" -> JSON view of the room and its map (see ``bus.queries``)."""
+HUB_QUERY = "hub/ask"
+"""Query: JSON question to the room -> JSON answer or refusal (see ``bus.room_questions``, ``bus.room_json``)."""

@@ -84,27 +84,25 @@ class Answers:
     def _near(self, question: Near) -> PlacedAnswer:
         with self._memory.lock:
             world = self._memory.world
-            centre = world.find(question.thing).id if question.thing else (question.x, question.y, question.z)
+            centre = world.thing(question.thing).id if question.thing else (question.x, question.y, question.z)
             found = world.near(centre, question.radius, _kind(question.kind))
             now = self._clock()
-            return PlacedAnswer(tuple(_placed(world, world.thing(near.thing), now, near.distance) for near in found))
+            return PlacedAnswer(tuple(placed(world, world.thing(near.thing), now, near.distance) for near in found))
 
     def _contents(self, question: Contents) -> PlacedAnswer:
         if question.at is not None:
             world, now = self._world_at(question.at), question.at
-            return PlacedAnswer(_all(world, world.contents(world.find(question.thing).id), now))
+            return PlacedAnswer(_all(world, world.contents(world.thing(question.thing).id), now))
         with self._memory.lock:
             world = self._memory.world
-            return PlacedAnswer(_all(world, world.contents(world.find(question.thing).id), self._clock()))
+            return PlacedAnswer(_all(world, world.contents(world.thing(question.thing).id), self._clock()))
 
     def _trajectory(self, question: Trajectory) -> TrajectoryAnswer:
         thing = self._named(question.thing)
         until = self._clock() if question.until is None else question.until
         self._memory.flush()
         with self._memory.history_lock:
-            rows = self._memory.store.trajectory(
-                thing, question.since, until, source=question.source, every=question.every
-            )
+            rows = self._memory.store.trajectory(thing, question.since, until, source=question.source, every=question.every)
         return TrajectoryAnswer(thing, tuple((t, x, y, z) for t, x, y, z in rows[-LONGEST:].tolist()))
 
     def _events(self, question: Events) -> EventsAnswer:
@@ -127,7 +125,7 @@ class Answers:
 
     def _named(self, words: str) -> str:
         with self._memory.lock:
-            return self._memory.world.find(words).id
+            return self._memory.world.thing(words).id
 
     def _world_at(self, at: float) -> World:
         self._memory.flush()
@@ -150,7 +148,7 @@ def tell(world: World, samples: Iterable[Observation]) -> None:
 
 def where_answer(world: World, words: str, now: float) -> WhereAnswer:
     """Return where a thing is; raises ThingError when there is no such thing."""
-    thing = world.find(words)
+    thing = world.thing(words)
     found = world.where(thing.id)
     return WhereAnswer(
         thing.id,
@@ -175,15 +173,14 @@ def occurrence(happening: Happening) -> Occurrence:
     return Occurrence(h.kind, h.thing, h.at, h.source, h.cause, h.confidence, dict(h.facts))
 
 
-def _all(world: World, things: Iterable[str], now: float) -> tuple[Placed, ...]:
-    return tuple(_placed(world, world.thing(thing), now) for thing in things)
-
-
-def _placed(world: World, thing: Thing, now: float, distance: float | None = None) -> Placed:
+def placed(world: World, thing: Thing, now: float, distance: float | None = None) -> Placed:
+    """Return a thing with its place, and how far it is from where was asked [m]."""
     found = world.where(thing.id)
-    return Placed(
-        thing.id, thing.name, thing.kind.value, found.position, _yaw(found), found.inside, found.age(now), distance
-    )
+    return Placed(thing.id, thing.name, thing.kind.value, found.position, _yaw(found), found.inside, found.age(now), distance)
+
+
+def _all(world: World, things: Iterable[str], now: float) -> tuple[Placed, ...]:
+    return tuple(placed(world, world.thing(thing), now) for thing in things)
 
 
 def _thing(thing: Thing) -> ThingAnswer:
@@ -192,9 +189,7 @@ def _thing(thing: Thing) -> ThingAnswer:
 
 
 def _said(sample: Observation, now: float) -> Said:
-    return Said(
-        sample.source, now - sample.captured_at, sample.position, sample.inside, sample.valid, dict(sample.facts)
-    )
+    return Said(sample.source, now - sample.captured_at, sample.position, sample.inside, sample.valid, dict(sample.facts))
 
 
 def _yaw(found: Whereabouts) -> float | None:

@@ -55,7 +55,4 @@ class Present:
 def _sensor(health: SensorHealth) -> SensorAnswer:
     age = health.age if isfinite(health.age) else None
     counts = dict(health.counts)
-    return SensorAnswer(
-        health.id, health.kind, health.title, health.connected, health.rate_hz, age, health.problem, counts
-    )
-
+    return SensorAnswer(health.id, health.kind, health.title, health.connected, health.rate_hz, age, health.problem, counts)

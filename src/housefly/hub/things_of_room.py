@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from math import atan2
 
@@ -10,12 +11,12 @@ from housefly.geometry import Vec3, quaternion_from_euler
 from housefly.room.model import Room, Solid
 from housefly.things.thing import Kind, Thing, Viewpoint
 
-BUILDING = ("wall", "floor", "ceiling", "partition", "window", "outside", "pad", "carpet", "door")
+BUILDING = ("wall", "floor", "ceiling", "partition", "window", "outside", "home pad", "carpet", "door")
 """Solids of things with these words in their names are parts of the building."""
 
 
 def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
-    """Return the catalogue that a room brings along; ids are the names that the room model uses."""
+    """Return the catalogue that a room brings along; ids are their names in lower case with dashes."""
     found = {thing.id: thing for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))}
     body = site.tracking.body
     found.setdefault(body, Thing(body, "the drone", Kind.ROBOT, ("drone",), (*room.home, 0.0)))
@@ -29,11 +30,12 @@ def _furniture(room: Room) -> Iterator[Thing]:
     for solid in room.solids:
         parts.setdefault(solid.thing, []).append(solid)
     for name, solids in parts.items():
+        slug = _id(name)
         is_building = any(word in name for word in BUILDING)
         middle = _middle(solids)
         yaw = solids[0].yaw
         kind = Kind.STRUCTURE if is_building else Kind.FURNITURE
-        yield Thing(name, name.replace("_", " "), kind, (), middle, quaternion_from_euler(0.0, 0.0, yaw))
+        yield Thing(slug, name, kind, (), middle, quaternion_from_euler(0.0, 0.0, yaw))
 
 
 def _places(room: Room, height: float) -> Iterator[Thing]:
@@ -42,12 +44,16 @@ def _places(room: Room, height: float) -> Iterator[Thing]:
         look_x, look_y, _ = place.look_at
         view = Viewpoint("hover", (x, y, height), atan2(look_y - y, look_x - x))
         title = place.title or place.name
-        yield Thing(f"place-{place.name}", title, Kind.PLACE, (place.name,), place.look_at, viewpoints=(view,))
+        yield Thing(_id(f"place {place.name}"), title, Kind.PLACE, (place.name,), place.look_at, viewpoints=(view,))
 
 
 def _sensors(room: Room) -> Iterator[Thing]:
     for camera in room.cameras:
-        yield Thing(f"camera-{camera.name}", f"tracking camera {camera.name}", Kind.SENSOR, (), camera.position)
+        yield Thing(_id(f"camera {camera.name}"), f"tracking camera {camera.name}", Kind.SENSOR, (), camera.position)
+
+
+def _id(name: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
 def _middle(solids: Iterable[Solid]) -> Vec3:

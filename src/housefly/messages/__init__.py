@@ -36,7 +36,7 @@ from housefly.messages.steering import (
     SafetyMode,
     Setpoint,
 )
-from housefly.messages.world import Covariance, Fact, Facts, Happening, Observation
+from housefly.messages.world import Covariance, Fact, Facts, Happening, Observation, RoomNews
 
 __all__ = [
     "LEVEL",
@@ -62,6 +62,7 @@ __all__ = [
     "PlanAnswer",
     "Pose",
     "Reference",
+    "RoomNews",
     "SafetyMode",
     "Setpoint",
     "Severity",

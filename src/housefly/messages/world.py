@@ -63,3 +63,10 @@ class Happening:
     cause: str = ""
     confidence: float = 1.0
     facts: Facts = ()
+
+
+@dataclass(frozen=True, slots=True)
+class RoomNews:
+    """What changed in the room since the last news, as JSON text (see ``bus.room_questions.News``)."""
+
+    text: str

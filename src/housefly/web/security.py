@@ -90,6 +90,11 @@ class Doorkeeper:
         return hmac.new(self._key, name.encode(), sha256).hexdigest()
 
 
+def api_key(secret: str) -> str:
+    """Return the key that programs ask the room's API with, in a run with this secret."""
+    return hmac.new(secret.encode(), b"housefly room api", sha256).hexdigest()
+
+
 def cookie_name(connection: HTTPConnection) -> str:
     """Return the name of our cookie; browsers do not keep the cookies of two ports of one machine apart, so it holds the port."""
     return f"{COOKIE}_{connection.url.port or 'default'}"

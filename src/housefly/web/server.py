@@ -5,6 +5,7 @@
 /video           WebSocket: the drone's H.264
 /stop            POST: STOP, for a browser whose socket is down
 /static/...      the built client
+/api/v1/...      the room: where things are, what happened (``web.room_api``)
 """
 
 from __future__ import annotations
@@ -33,7 +34,8 @@ from housefly.web.console import Console
 from housefly.web.news import PilotNews
 from housefly.web.pages import link_used, no_session
 from housefly.web.pilot_link import PilotLink
-from housefly.web.security import LOOPBACK_NAMES, Doorkeeper, Guard, cookie_name, same_origin
+from housefly.web.room_api import RoomApi
+from housefly.web.security import LOOPBACK_NAMES, Doorkeeper, Guard, api_key, cookie_name, same_origin
 from housefly.web.video import VideoRoom
 
 log = logging.getLogger(__name__)
@@ -67,6 +69,7 @@ def create_app(
     link = PilotLink(bus, stop, clock)
     console = Console(PilotNews(clock, drone_body), link, doorkeeper, clock)
     video = VideoRoom(bus)
+    room = RoomApi(bus, doorkeeper, api_key(secret) if secret else "")
 
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -79,6 +82,7 @@ def create_app(
         with suppress(asyncio.CancelledError):
             await task
         link.close()
+        room.close()
 
     async def index(request: Request) -> Response:
         if (offered := request.query_params.get("token")) is not None:
@@ -111,6 +115,7 @@ def create_app(
             Route("/stop", stop_now, methods=["POST"]),
             WebSocketRoute("/socket", console_socket),
             WebSocketRoute("/video", video_socket),
+            *room.routes(),
             Mount("/static", StaticFiles(directory=STATIC)),
         ],
         middleware=[Middleware(Guard, hosts=hosts)],
