@@ -61,6 +61,10 @@ class Broker:
             self._process.kill()
             await self._process.wait()
 
+    def signal(self, number: int) -> None:
+        assert self._process is not None
+        self._process.send_signal(number)
+
     async def protect(self, name: str, password: str) -> None:
         """Ask everybody for this name and password from the next start on."""
         users = self._file.with_name("users")

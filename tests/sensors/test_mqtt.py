@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import json
+import signal
 import time
 
 import aiomqtt
@@ -74,6 +75,18 @@ async def test_a_broker_that_is_killed_and_comes_back_is_found_again(broker, lis
             await until(lambda: len(heard.told) == 2)
         assert heard.sensors.problem == ""
         assert heard.counts("mqtt")["connections"] == 2
+
+
+@pytest.mark.slow
+async def test_a_broker_that_hangs_without_a_word_is_noticed(broker, listen, until):
+    async with listen(broker.port) as heard:
+        broker.signal(signal.SIGSTOP)
+        try:
+            await until(lambda: not heard.sensors.connected, 40.0)
+            assert heard.sensors.problem
+        finally:
+            broker.signal(signal.SIGCONT)
+        await until(lambda: heard.sensors.connected, 20.0)
 
 
 async def test_a_broker_that_is_not_there_yet_is_waited_for(broker, listen, until):
