@@ -17,6 +17,7 @@ from housefly.messages.flight import (
     PilotStep,
     Severity,
 )
+from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import (
     DroneStatus,
     Estimate,
@@ -53,6 +54,7 @@ __all__ = [
     "Inputs",
     "LinkStatus",
     "Observation",
+    "Obstacle",
     "Order",
     "OrderKind",
     "Outputs",
