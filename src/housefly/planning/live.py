@@ -61,7 +61,7 @@ def gap(row: Any, x: float, y: float) -> float:
         dx, dy = dx - share * row[7], dy - share * row[8]
     u = max(abs(dx * row[4] + dy * row[5]) - row[2], 0.0)
     v = max(abs(dy * row[4] - dx * row[5]) - row[3], 0.0)
-    return max(sqrt(u * u + v * v) - row[6], 0.0)
+    return max(sqrt(u * u + v * v) - float(row[6]), 0.0)
 
 
 @compiled

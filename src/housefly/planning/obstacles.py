@@ -42,9 +42,8 @@ def fault_of(obstacle: Obstacle, now: float, extent: Extent) -> str:
         now: time [s].
         extent: x_min, y_min, x_max, y_max of the map [m].
     """
-    numbers = (*obstacle.position, obstacle.radius, *obstacle.size, obstacle.yaw, obstacle.bottom, obstacle.top)
-    numbers += (*obstacle.velocity, obstacle.confidence, obstacle.seen_at)
-    if not all(isfinite(number) for number in numbers):
+    shape = (*obstacle.position, obstacle.radius, *obstacle.size, obstacle.yaw, obstacle.bottom, obstacle.top)
+    if not all(isfinite(number) for number in (*shape, *obstacle.velocity, obstacle.confidence, obstacle.seen_at)):
         return "not all its numbers are finite"
     if not 0.0 <= obstacle.confidence <= 1.0:
         return "its confidence does not lie between 0 and 1"
