@@ -11,22 +11,14 @@ import tomllib
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 from pydantic.fields import FieldInfo
 
+from housefly.config_base import Section as Section
+from housefly.config_base import quantity as quantity
+from housefly.config_laser import LaserConfig, check_lasers
 from housefly.errors import ConfigError
 from housefly.profile import load_profile
-
-
-def quantity(default: float, low: float, high: float, unit: str, meaning: str) -> Any:
-    """Declare a number with its default, inclusive range, unit and one-line meaning."""
-    return Field(default, ge=low, le=high, allow_inf_nan=False, description=meaning, json_schema_extra={"unit": unit})
-
-
-class Section(BaseModel):
-    """A frozen table of the site file that knows all its keys."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
 
 
 class RoomConfig(Section):
@@ -166,6 +158,8 @@ class TwinConfig(Section):
     visitor_present: bool = Field(default=True, description="whether someone stands at the door")
     video: bool = Field(default=True, description="whether the drone's camera is simulated")
     video_rate_hz: float = quantity(30.0, 1.0, 60.0, "Hz", "pictures per second")
+    laser_noise: float = quantity(0.01, 0.0, 0.2, "m", "one-sigma noise of a scanner's distances")
+    laser_dropout: float = quantity(0.002, 0.0, 1.0, "1", "share of a scanner's beams that come back empty")
 
 
 class WebConfig(Section):
@@ -189,6 +183,7 @@ class Site(Section):
     tracking: TrackingConfig = TrackingConfig()
     limits: LimitsConfig = LimitsConfig()
     control: ControlConfig = ControlConfig()
+    lasers: tuple[LaserConfig, ...] = Field(default=(), description="scanning range finders on the wall")
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
 
@@ -199,6 +194,7 @@ class Site(Section):
             raise ValueError(
                 f"map.flight_height ({self.map.flight_height} m) must lie in limits.height_min..height_max ({low} .. {high} m)"
             )
+        check_lasers(self.lasers)
         lag = self.drone.attitude_lag
         if self.control.beta >= lag * self.control.alpha:
             raise ValueError(
