@@ -13,19 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config import Site
-from housefly.geometry import Quaternion, Vec3, rotate
+from housefly.geometry import Quaternion, Vec2, Vec3, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
 from housefly.twin.engine import mujoco
+from housefly.twin.movable import AWAY, MOVABLE, Movable
 from housefly.twin.onboard_loops import Wrench
 from housefly.twin.scene import scene_mjcf
 from housefly.twin.sensors import PERIOD, BodyState
 
 SUBSTEPS = 2
 """Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full speed."""
-AWAY = -30.0
-"""How far a visitor who is not there is moved along z [m]."""
 CUSHION = 0.02
 CUSHION_HEIGHT = 0.15
 """Extra share of thrust on the floor, and the height [m] over which it fades."""
@@ -36,8 +35,8 @@ VISITOR = "visitor"
 class Physics:
     """One drone among the furniture; moves by whole control periods."""
 
-    def __init__(self, site: Site, room: Room) -> None:
-        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room))
+    def __init__(self, site: Site, room: Room, movables: tuple[Movable, ...] = ()) -> None:
+        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, movables))
         self.model.opt.timestep = PERIOD / SUBSTEPS
         self.data: Any = mujoco.MjData(self.model)
         self.drone_id: int = self.model.body(BODY).id
@@ -90,6 +89,12 @@ class Physics:
         if self._visitor_at is None:
             return
         self.data.mocap_pos[self._visitor] = self._visitor_at + (0.0 if present else np.array((0.0, 0.0, AWAY)))
+        mujoco.mj_kinematics(self.model, self.data)
+
+    def put(self, name: str, place: Vec2 | None) -> None:
+        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
+        body = self.model.body(f"{MOVABLE}{name}").id
+        self.data.mocap_pos[self.model.body_mocapid[body]] = (0.0, 0.0, AWAY) if place is None else (*place, 0.0)
         mujoco.mj_kinematics(self.model, self.data)
 
     def visitor_pose(self) -> Pose | None:

@@ -6,8 +6,10 @@ from housefly.config import Site
 from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
 from housefly.twin.body import drone_body
+from housefly.twin.movable import Movable, movable_body
 
 
-def scene_mjcf(site: Site, room: Room) -> str:
-    """Return the MuJoCo model text of the room with the drone on its pad; needs no MuJoCo."""
-    return room_to_mjcf(room, bodies=drone_body(site.drone, room.home, room.home_yaw))
+def scene_mjcf(site: Site, room: Room, movables: tuple[Movable, ...] = ()) -> str:
+    """Return the MuJoCo model text of the room with the drone on its pad and things that can be moved; needs no MuJoCo."""
+    drone = drone_body(site.drone, room.home, room.home_yaw)
+    return room_to_mjcf(room, bodies=drone + "".join(movable_body(movable) for movable in movables))

@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from housefly.config import Site
-from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, rotate
+from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.battery import Battery
@@ -20,8 +20,10 @@ from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
+from housefly.twin.movable import Movable
 from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
 from housefly.twin.physics import Physics
+from housefly.twin.scanner import Scanner
 from housefly.twin.sensors import PERIOD, Sensors
 from housefly.twin.visitor import Visitor
 
@@ -29,19 +31,26 @@ WEIGHT = MASS * GRAVITY
 
 
 class SimulatedWorld:
-    """Implements ``twin.contracts.World``."""
+    """Implements ``twin.contracts.World``.
 
-    def __init__(self, site: Site, room: Room) -> None:
+    Args:
+        site: drone, tracking, scanners, noise, seed.
+        room: what stands where.
+        movables: things that no map shows; out of the building until they are put somewhere.
+    """
+
+    def __init__(self, site: Site, room: Room, movables: tuple[Movable, ...] = ()) -> None:
         sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
-        self._physics = Physics(site, room)
+        self._physics = Physics(site, room, movables)
         self._sensors = Sensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
         self._cameras = Cameras(room.cameras, self._physics.model, self._physics.data)
         self._frames = FrameMaker(site, tracking)
         self._visitor = Visitor(self._physics, self._cameras)
+        self._scanners = {laser.name: Scanner(laser, site.twin, n, self._physics) for n, laser in enumerate(site.lasers)}
         self._orders: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
@@ -93,6 +102,14 @@ class SimulatedWorld:
     def set_visitor(self, present: bool) -> None:
         """A visitor comes to the door or leaves."""
         self._visitor.set_present(present)
+
+    def put(self, name: str, place: Vec2 | None) -> None:
+        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
+        self._physics.put(name, place)
+
+    def scan(self, laser: str) -> tuple[int, ...]:
+        """Return what a scanner of the site measures now, one distance a beam [mm]."""
+        return self._scanners[laser].scan()
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return the frames whose ``due_at`` has come since the last call, oldest first."""
