@@ -18,6 +18,7 @@ from housefly.messages.flight import (
     Severity,
 )
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.scan import Scan
 from housefly.messages.sensing import (
     DroneStatus,
     Estimate,
@@ -65,6 +66,7 @@ __all__ = [
     "Pose",
     "Reference",
     "SafetyMode",
+    "Scan",
     "Setpoint",
     "Severity",
     "Sighting",

@@ -1,6 +1,6 @@
 """The simulated scanning range finder: its beams are rays in the same model that the drone flies in.
 
-It sees furniture, people, chairs and the drone, whatever its plane cuts. All beams of a scan are cast at one moment; a real mirror
+It sees furniture, people, chairs and the drone, whatever its plane cuts. All beams of a scan are cast at one moment; a mirror
 needs three quarters of its turn for them.
 """
 
@@ -45,9 +45,7 @@ class Scanner:
         parameters, beams = self._parameters, self._parameters.beams
         model, data = self._physics.model, self._physics.data
         far = parameters.longest / 1000.0
-        mujoco.mj_multiRay(
-            model, data, self._origin, self._rays, _VISIBLE, 1, -1, self._geoms, self._reached, None, beams, far
-        )
+        mujoco.mj_multiRay(model, data, self._origin, self._rays, _VISIBLE, 1, -1, self._geoms, self._reached, None, beams, far)
         measured = 1000.0 * (self._reached + self._noise * self._random.standard_normal(beams))
         lost = self._random.random(beams) < self._dropout
         nothing = lost | (self._reached < 0.0) | (measured < parameters.shortest) | (measured > parameters.longest)

@@ -1,0 +1,1 @@
+"""The other things that the room feels (paper: TMS_SS)."""
