@@ -58,6 +58,8 @@ from housefly.safety.rules import CEILING_SLACK
 
 LONGEST_TICK = 0.1
 """After a stall the references move on by no more than this [s]."""
+MOST_REFUSALS = 100
+"""No more refusals of obstacles are told and remembered than this."""
 FLYING_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
 PHASE_ACTIONS = {Phase.IDLE: Action.IDLE, Phase.TAKING_OFF: Action.TAKE_OFF, Phase.LANDING: Action.LAND}
 MOVING_BEHAVIORS = frozenset({Behavior.PATH_TRACKING, Behavior.HOVER})
@@ -141,6 +143,7 @@ class Pilot:
     def _look_around(self, obstacles: tuple[Obstacle, ...], now: float) -> list[Event]:
         """Bring the map up to now; what is not believed is told once for each source and reason."""
         refused = [words for words in self._navigator.hear(obstacles, now) if words not in self._refused]
+        refused = refused[: MOST_REFUSALS - len(self._refused)]
         self._refused.update(refused)
         return [Event(now, Severity.WARNING, "obstacle_refused", f"obstacle refused: {words}") for words in refused]
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import LinkStatus, Order, PilotStep, VideoFrame
+from housefly.messages import LinkStatus, Obstacle, Order, PilotStep, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -42,8 +42,9 @@ STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
+OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 
-TOPICS = (STEP, LINK, VIDEO, ORDER)
+TOPICS = (STEP, LINK, VIDEO, ORDER, OBSTACLE)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""
