@@ -36,7 +36,8 @@ class RoomNavigator:
         self._paper = site.mode == "paper"
         self._speed = site.limits.speed
         self._room = room
-        self._static = self._grid = grid
+        self._static = grid
+        self._live: OccupancyGrid | None = grid
         self._extent = extent_of(grid)
         self._distances = distances_for(inflation(site), site.map.tracking_bound, grid.resolution)
         self._band = (site.map.flight_height - site.map.half_band, site.map.flight_height + site.map.half_band)
@@ -54,9 +55,16 @@ class RoomNavigator:
 
     def _refresh(self, heard: list[Obstacle], now: float) -> None:
         self._memory, self._refreshed = self._memory.after(heard, now), now
-        later, _ = rows_of(self._memory.obstacles, now, PLAN_HORIZON, self._band)
         self._soon, self._names = rows_of(self._memory.obstacles, now, WATCH_HORIZON, self._band)
-        self._grid = live_grid(self._static, later, self._distances.reach)
+        self._live = None
+
+    @property
+    def _grid(self) -> OccupancyGrid:
+        """The map of now; made when somebody plans, because most steps of the pilot do not."""
+        if self._live is None:
+            later, _ = rows_of(self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band)
+            self._live = live_grid(self._static, later, self._distances.reach)
+        return self._live
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> Block | None:
         """Return what blocks the rest of a path, from a place [m] by the next waypoint to its end; None when it is free."""

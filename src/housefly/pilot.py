@@ -275,6 +275,7 @@ def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
         sighting = Sighting(site.tracking.body, pose, at, at)
         chair = Obstacle("chair", (room.home[0] + 1e-3 * tick, room.home[1]), 0.1, seen_at=at)
         pilot.step(at, Inputs((sighting,), Telemetry(at, DroneStatus.FLYING, 1.0), orders, (chair,) if tick > 20 else ()))
+    pilot.plan(room.home)
 
 
 def _estimator(site: Site) -> Estimator:

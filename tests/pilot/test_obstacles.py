@@ -6,15 +6,18 @@ from collections.abc import Callable
 from math import hypot
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from housefly import navigator
 from housefly.behavior.lookout import BRAKING
 from housefly.behavior.progress import WAIT_PATIENCE
 from housefly.geometry import stopping_distance
 from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
-from housefly.pilot import Pilot
+from housefly.pilot import Pilot, warm_up
+from housefly.planning import live
 from housefly.planning.obstacles import FREED_AFTER
 from housefly.room.distance import half_diagonal
 
@@ -202,6 +205,20 @@ def test_what_is_not_believable_is_refused_once_and_changes_nothing(fly: Fly) ->
     for _ in range(300):
         assert noisy.step().command == quiet.step().command
     assert sum(event.code == "obstacle_refused" for event in noisy.events) == len(bad)
+
+
+def test_warming_up_makes_a_map_with_obstacles_and_looks_along_a_path(fly: Fly, monkeypatch: pytest.MonkeyPatch) -> None:
+    compiled = set()
+    for function in (live.live_grid, live.first_block):
+
+        def noted(*arguments: Any, function: Any = function) -> Any:
+            compiled.update({function.__name__} if any(isinstance(a, np.ndarray) and len(a) for a in arguments) else ())
+            return function(*arguments)
+
+        monkeypatch.setattr(navigator, function.__name__, noted)
+    flight = fly()
+    warm_up(flight.site, flight.room, flight.grid)
+    assert compiled == {"live_grid", "first_block"}
 
 
 numbers = st.floats() | st.floats(-2.0, 14.0)

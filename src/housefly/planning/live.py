@@ -65,15 +65,16 @@ def gap(row: Any, x: float, y: float) -> float:
 
 
 @compiled
-def _grow(rows: Any, x0: float, y0: float, edge: float, reach: float, cells: Any, clearance: Any) -> None:
+def _grow(rows: Any, x0: float, y0: float, edge: float, reach: float, most: float, cells: Any, clearance: Any) -> None:
     nx, ny = cells.shape
     touch = 0.7072 * edge
     for k in range(rows.shape[0]):
         far = sqrt(rows[k, 2] * rows[k, 2] + rows[k, 3] * rows[k, 3]) + rows[k, 6]
         far += sqrt(rows[k, 7] * rows[k, 7] + rows[k, 8] * rows[k, 8])
-        for i in range(nx):
+        window = far + most
+        for i in range(max(0, int((rows[k, 0] - window - x0) / edge)), min(nx, int((rows[k, 0] + window - x0) / edge) + 1)):
             x = x0 + (i + 0.5) * edge
-            for j in range(ny):
+            for j in range(max(0, int((rows[k, 1] - window - y0) / edge)), min(ny, int((rows[k, 1] + window - y0) / edge) + 1)):
                 y = y0 + (j + 0.5) * edge
                 limit = far + max(reach, clearance[i, j])
                 if abs(x - rows[k, 0]) > limit or abs(y - rows[k, 1]) > limit:
@@ -118,7 +119,7 @@ def live_grid(static: OccupancyGrid, rows: Floats, reach: float) -> OccupancyGri
     if not len(rows):
         return static
     cells, clearance = static.cells.copy(), static.clearance.copy()
-    _grow(rows, *static.origin, static.resolution, reach, cells, clearance)
+    _grow(rows, *static.origin, static.resolution, reach, max(reach, float(clearance.max())), cells, clearance)
     return OccupancyGrid(static.origin, static.resolution, cells, clearance)
 
 
@@ -130,8 +131,3 @@ def first_block(rows: Floats, points: tuple[Vec2, ...], tight: float) -> tuple[f
     if not len(rows) or len(points) < 2:
         return inf, -1
     return _first_block(rows, np.array(points, dtype=np.float64), tight, SAMPLE, RECEDING)
-
-
-def nearest(rows: Floats, point: Vec2) -> float:
-    """Return the distance [m] from a point to the nearest obstacle; infinite when there is none."""
-    return min((float(gap(row, *point)) for row in rows), default=inf)
