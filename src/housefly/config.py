@@ -15,6 +15,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from housefly.config_devices import MqttConfig
 from housefly.config_hub import HubConfig
+from housefly.config_laser import LaserConfig, check_lasers
 from housefly.config_section import Section as Section
 from housefly.config_section import explain as explain
 from housefly.config_section import quantity as quantity
@@ -163,6 +164,8 @@ class TwinConfig(Section):
     )
     video: bool = Field(default=True, description="whether the drone's camera is simulated")
     video_rate_hz: float = quantity(30.0, 1.0, 60.0, "Hz", "pictures per second")
+    laser_noise: float = quantity(0.01, 0.0, 0.2, "m", "one-sigma noise of a scanner's distances")
+    laser_dropout: float = quantity(0.002, 0.0, 1.0, "1", "share of a scanner's beams that come back empty")
 
 
 class WebConfig(Section):
@@ -186,6 +189,7 @@ class Site(Section):
     tracking: TrackingConfig = TrackingConfig()
     limits: LimitsConfig = LimitsConfig()
     control: ControlConfig = ControlConfig()
+    lasers: tuple[LaserConfig, ...] = Field(default=(), description="scanning range finders on the wall")
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
@@ -198,6 +202,7 @@ class Site(Section):
             raise ValueError(
                 f"map.flight_height ({self.map.flight_height} m) must lie in limits.height_min..height_max ({low} .. {high} m)"
             )
+        check_lasers(self.lasers)
         lag = self.drone.attitude_lag
         if self.control.beta >= lag * self.control.alpha:
             raise ValueError(

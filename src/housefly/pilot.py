@@ -1,6 +1,6 @@
 """The whole chain as one pure step: sightings, telemetry and orders in, one command out.
 
-    see -> obey -> watch -> track -> accept -> steer -> judge
+    see -> look around -> obey -> watch -> look ahead -> track -> accept -> steer -> judge
 
 No clock, no wire, no thread: the same pilot flies hardware, the twin, a recording, and any number of simulated flights, and the
 same inputs give the same outputs bit for bit.
@@ -12,6 +12,7 @@ from math import inf, nan
 
 from housefly.behavior.acceptor import PAPER_EPSILONS, Acceptor, Condition, conditions_of
 from housefly.behavior.captain import Captain
+from housefly.behavior.lookout import Lookout
 from housefly.behavior.maneuver import Maneuver
 from housefly.behavior.nose import YAW_SLEW, Nose, nose_after
 from housefly.behavior.scene import Scene
@@ -33,6 +34,7 @@ from housefly.messages import (
     Estimate,
     Event,
     Inputs,
+    Obstacle,
     Order,
     OrderKind,
     Outputs,
@@ -41,12 +43,13 @@ from housefly.messages import (
     Pose,
     Reference,
     SafetyMode,
+    Severity,
     Sighting,
     Telemetry,
 )
 from housefly.navigator import RoomNavigator
 from housefly.numeric import wrapped
-from housefly.room.grid import OccupancyGrid
+from housefly.room.grid import OccupancyGrid, extent_of
 from housefly.room.model import Room
 from housefly.safety.facts import Facts, Fence
 from housefly.safety.gate import Gate, Verdict
@@ -55,6 +58,8 @@ from housefly.safety.rules import CEILING_SLACK
 
 LONGEST_TICK = 0.1
 """After a stall the references move on by no more than this [s]."""
+MOST_REFUSALS = 100
+"""No more refusals of obstacles are told and remembered than this."""
 FLYING_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
 PHASE_ACTIONS = {Phase.IDLE: Action.IDLE, Phase.TAKING_OFF: Action.TAKE_OFF, Phase.LANDING: Action.LAND}
 MOVING_BEHAVIORS = frozenset({Behavior.PATH_TRACKING, Behavior.HOVER})
@@ -71,9 +76,10 @@ class Pilot:
         self._filter = _estimator(site)
         self._captain = Captain(site.limits, self._navigator)
         tolerance = PAPER_EPSILONS[2] if self._paper else site.control.epsilon_position
-        self._watch = Watch(self._captain, site.limits, tolerance, self._paper)
+        self._lookout = Lookout(self._captain, self._navigator)
+        self._watch = Watch(self._captain, site.limits, tolerance, self._paper, self._lookout)
         self._autopilot = Autopilot(site)
-        self._gate = Gate(site.limits, Fence(_extent(grid), site.limits.height_max + CEILING_SLACK))
+        self._gate = Gate(site.limits, Fence(extent_of(grid), site.limits.height_max + CEILING_SLACK))
         self._acceptor = Acceptor()
         self._home = room.home
         self._telemetry: Telemetry | None = None
@@ -83,6 +89,7 @@ class Pilot:
         self._track: Track | None = None
         self._held_back = False
         self._notices = Notices()
+        self._refused: set[str] = set()
 
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
@@ -102,10 +109,12 @@ class Pilot:
         self._now = now
         self._hear(inputs.telemetry)
         events = self._see(inputs, now)
+        events.extend(self._look_around(inputs.obstacles, now))
         estimate = self._filter.estimate(now)
         scene = self._scene(now, estimate)
         events.extend(self._captain.obey(order, scene) for order in inputs.orders)
         events.extend(self._watch.step(scene, self._track, self._facing(estimate)))
+        events.extend(self._lookout.step(scene, self._track))
         self._follow(estimate, dt)
         verdict = self._gate.judge(self._proposal(now, estimate), self._facts(scene))
         events.extend(self._notices.after(verdict, now))
@@ -130,6 +139,13 @@ class Pilot:
             self._filter = _estimator(self._site)
             events.extend(self._filter.see((believed,), now, grounded))
         return events
+
+    def _look_around(self, obstacles: tuple[Obstacle, ...], now: float) -> list[Event]:
+        """Bring the map up to now; what is not believed is told once for each source and reason."""
+        refused = [words for words in self._navigator.hear(obstacles, now) if words not in self._refused]
+        refused = refused[: MOST_REFUSALS - len(self._refused)]
+        self._refused.update(refused)
+        return [Event(now, Severity.WARNING, "obstacle_refused", f"obstacle refused: {words}") for words in refused]
 
     def _scene(self, now: float, estimate: Estimate | None) -> Scene:
         heard = self._telemetry
@@ -237,7 +253,7 @@ class Pilot:
             goal_name=errand.mission.name,
             path=self._captain.course.path,
             waypoint=track.waypoint if track else 0,
-            reason=verdict.reason,
+            reason=verdict.reason or self._captain.course.waiting,
             events=events,
         )
 
@@ -257,15 +273,12 @@ def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
         at = 0.02 * tick
         orders = (Order(OrderKind.GO, goal, issued_at=at),) if tick == 10 else ()
         sighting = Sighting(site.tracking.body, pose, at, at)
-        pilot.step(at, Inputs((sighting,), Telemetry(at, DroneStatus.FLYING, 1.0), orders))
+        chair = Obstacle("chair", (room.home[0] + 1e-3 * tick, room.home[1]), 0.1, seen_at=at)
+        pilot.step(at, Inputs((sighting,), Telemetry(at, DroneStatus.FLYING, 1.0), orders, (chair,) if tick > 20 else ()))
+    pilot.plan(room.home)
 
 
 def _estimator(site: Site) -> Estimator:
     if site.mode == "paper":
         return PaperFilter(site.control, site.tracking.body)
     return PoseFilter(site.drone, site.control, site.tracking.body)
-
-
-def _extent(grid: OccupancyGrid) -> tuple[float, float, float, float]:
-    (x, y), (nx, ny) = grid.origin, grid.cells.shape
-    return x, y, x + nx * grid.resolution, y + ny * grid.resolution

@@ -21,6 +21,7 @@ from housefly.messages import (
     DroneStatus,
     Event,
     Inputs,
+    Obstacle,
     Order,
     OrderKind,
     Outputs,
@@ -117,6 +118,7 @@ class Flight:
         self.phases: list[Phase] = []
         self.score = Score()
         self.heard = Telemetry(0.0, DroneStatus.LANDED, self.battery)
+        self.around: Callable[[Flight], tuple[Obstacle, ...]] = lambda flight: ()
 
     # --- the drone ---
 
@@ -191,7 +193,7 @@ class Flight:
         if self.talks and round(self.now / TICK) % 5 == 0:
             self.heard = Telemetry(self.now, self.status, self.battery)
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
-        self.outputs = self.pilot.step(self.now, Inputs(self._look(), self.heard, orders))
+        self.outputs = self.pilot.step(self.now, Inputs(self._look(), self.heard, orders, self.around(self)))
         self.pending.append((self.now + self.delay, self.outputs.command))
         self.events.extend(self.outputs.events)
         if not self.phases or self.phases[-1] is not self.outputs.phase:

@@ -3,6 +3,7 @@
 pilot   the only one that must be on time; the others run at lower priority
 twin    the simulated drone and cameras; absent with real hardware
 hub     the room's memory
+looker  reads the scanners and tells the pilot what is in the way; absent without scanners
 web     the console
 """
 
@@ -46,6 +47,8 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
         parts.append(Part("twin", "housefly.twin.process", site_argument))
     if site.hub.enabled:
         parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
+    if site.lasers:
+        parts.append(Part("looker", "housefly.app.looker_main", niceness=2))
     if web:
         parts.append(Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5))
     return tuple(parts)

@@ -3,6 +3,7 @@
     tracker ──sightings──►            ──command──► drone
                           pilot.step
     orders, STOP ────────►            ──step─────► bus (whoever listens)
+    obstacles ───────────►
 
 The only process that must be on time. Nothing here waits for a listener.
 """
@@ -14,11 +15,12 @@ import contextlib
 from typing import TYPE_CHECKING
 
 from housefly.app.loop_health import Frequency, Lateness
+from housefly.app.obstacle_intake import ObstacleIntake
 from housefly.app.premises import Premises
 from housefly.app.questions import Questions
 from housefly.behavior.maneuver import Maneuver
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
+from housefly.bus.topics import LINK, OBSTACLE, ORDER, STEP, VIDEO
 from housefly.clock import Rate, RealClock
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError
@@ -35,6 +37,7 @@ from housefly.messages import (
     VideoFrame,
 )
 from housefly.pilot import Pilot
+from housefly.room.grid import extent_of
 from housefly.tracking.contracts import Tracker
 
 if TYPE_CHECKING:
@@ -58,6 +61,7 @@ class PilotShell:
         self._clock = RealClock()
         self._sightings: list[Sighting] = []
         self._orders: list[Order] = []
+        self._obstacles = ObstacleIntake(extent_of(premises.grid), self._clock)
         self._sequence = 0
         self._tracking, self._video = Frequency(), Frequency()
         self._lateness = Lateness(int(10 * self._rate_hz))
@@ -69,6 +73,7 @@ class PilotShell:
         """Fly until ``leave`` is called and the drone is down."""
         loop = asyncio.get_running_loop()
         orders = self._bus.subscribe(ORDER, lambda order: _soon(loop, lambda: self._orders.append(order)))
+        obstacles = self._bus.subscribe(OBSTACLE, lambda seen: _soon(loop, lambda: self._obstacles.hear(seen)))
         self._drone.on_video(self._on_video)
         tasks = [asyncio.create_task(self._tracker.run(self._on_sightings)), asyncio.create_task(self._connect_drone())]
         tasks.append(asyncio.create_task(self._report_links()))
@@ -76,6 +81,7 @@ class PilotShell:
             await self._fly()
         finally:
             orders.close()
+            obstacles.close()
             self._questions.close()
             for task in tasks:
                 task.cancel()
@@ -109,7 +115,7 @@ class PilotShell:
 
     def _step(self) -> None:
         now = self._clock.now()
-        inputs = Inputs(tuple(self._sightings), self._drone.telemetry, tuple(self._orders))
+        inputs = Inputs(tuple(self._sightings), self._drone.telemetry, tuple(self._orders), self._obstacles.take())
         self._sightings.clear()
         self._orders.clear()
         outputs = self.pilot.step(now, inputs)
@@ -164,7 +170,7 @@ class PilotShell:
             loop_p99_s=p99,
             loop_max_s=worst,
             missed_ticks=self._rate.missed,
-            notes=tuple(note for note in (self._tracker.problem, self._drone_problem) if note),
+            notes=tuple(note for note in (self._tracker.problem, self._drone_problem, self._obstacles.problem) if note),
         )
 
 

@@ -41,6 +41,7 @@ def needs_of(site: Site, *, web: bool) -> tuple[Need, ...]:
         taken = tuple(f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind))
         needs.append(Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2"))
         needs.append(_tcp("simulated tracking system", site.tracking.address, site.tracking.port, "tracking.port"))
+        needs += [_tcp(f"simulated scanner {laser.name}", laser.address, laser.port, "its port") for laser in site.lasers]
     if web and site.web.port:
         needs.append(_tcp("console", site.web.host, site.web.port, "web.port, or use --port"))
     return tuple(needs)

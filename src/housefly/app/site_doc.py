@@ -47,11 +47,19 @@ def site_page() -> str:
         if _is_section(found):
             section: type[Section] = found.annotation  # type: ignore[assignment]
             parts.append(_table(f"[{key}]", section.model_fields, (section.__doc__ or "").strip()))
+        elif many := _sections_in(found):
+            parts.append(_table(f"[[{key}]]", many.model_fields, (many.__doc__ or "").strip()))
     return "\n".join(parts)
 
 
 def _is_section(found: FieldInfo) -> bool:
     return isinstance(found.annotation, type) and issubclass(found.annotation, Section)
+
+
+def _sections_in(found: FieldInfo) -> type[Section] | None:
+    """Return the section that a list at the top level holds, or None."""
+    kinds = [kind for kind in get_args(found.annotation) if isinstance(kind, type) and issubclass(kind, Section)]
+    return kinds[0] if kinds else None
 
 
 def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
@@ -61,6 +69,8 @@ def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
 
 
 def _default(found: FieldInfo) -> str:
+    if found.is_required():
+        return "-"
     value = found.get_default(call_default_factory=False)
     if isinstance(value, bool):
         return "`true`" if value else "`false`"

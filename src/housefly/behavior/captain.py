@@ -27,6 +27,8 @@ class Course:
         duration: expected flight time on it [s].
         hold: place to stay at [m], None to stay where the drone is.
         hold_yaw: heading to keep there [rad].
+        waiting: why it waits for the way to become free, in words; "" when it does not.
+        since: since when it waits [s].
     """
 
     follower: Follower | None = None
@@ -34,6 +36,8 @@ class Course:
     duration: float = 0.0
     hold: Vec2 | None = None
     hold_yaw: float = 0.0
+    waiting: str = ""
+    since: float = 0.0
 
 
 class Captain:
@@ -98,6 +102,30 @@ class Captain:
         """Hold the place where the drone comes to rest."""
         self.course = self._here(scene)
         self.errand = self.errand.entering(Phase.HOLDING, scene.now, STAY)
+
+    def wait(self, why: str, scene: Scene, mission: Mission | None = None) -> None:
+        """Hold the place where the drone comes to rest until the way is free; the errand stays what it is, or turns to a mission.
+
+        Args:
+            why: in words, for people.
+            scene: where the drone is.
+            mission: what to wait for, when it is another than that under way.
+        """
+        self.course = replace(self._here(scene), waiting=why, since=scene.now, duration=self.course.duration)
+        if mission is not None:
+            phase = Phase.RETURNING if mission.kind is OrderKind.HOME else Phase.OUTBOUND
+            self.errand = self.errand.entering(phase, scene.now, mission)
+
+    def go_around(self, scene: Scene) -> str:
+        """Plan again from where the drone is, in the phase that it is in; return "" or why there is no way."""
+        answer = self._route(self.errand.mission, scene)
+        if isinstance(answer, str):
+            return answer
+        if answer is None or answer.path is None or scene.estimate is None:
+            return "there is nowhere to go"
+        follower = self._navigator.follower(answer.path, scene.estimate.yaw)
+        self.course = Course(follower, answer.path, max(answer.duration, self.course.duration))
+        return ""
 
     def _here(self, scene: Scene) -> Course:
         if scene.estimate is None:

@@ -73,6 +73,7 @@ class Signal(Enum):
     ARRIVED_HOME = "above the pad"
     LOOKED = "looked long enough"
     OVERDUE = "the phase takes too long"
+    BLOCKED = "the way stays blocked"
     FORCED_DOWN = "the safety gate lands the drone"
 
 
@@ -90,6 +91,7 @@ SIGNALS: dict[Signal, dict[Phase, Phase]] = {
         Signal.ARRIVED_HOME: (_IDLE, _UP, _OUT, _LOOK, _HOLD, _DOWN, _DOWN),
         Signal.LOOKED: (_IDLE, _UP, _OUT, _BACK, _HOLD, _BACK, _DOWN),
         Signal.OVERDUE: (_IDLE, _DOWN, _HOLD, _BACK, _HOLD, _DOWN, _DOWN),
+        Signal.BLOCKED: (_IDLE, _UP, _BACK, _LOOK, _HOLD, _DOWN, _DOWN),
         Signal.FORCED_DOWN: (_IDLE, _DOWN, _DOWN, _DOWN, _DOWN, _DOWN, _DOWN),
     }.items()
 }

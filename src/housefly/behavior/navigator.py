@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 from housefly.behavior.errand import Mission
@@ -23,6 +24,19 @@ class Follower(Protocol):
         ...
 
 
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Where a path is blocked.
+
+    Attributes:
+        along: how far ahead [m].
+        name: of the obstacle.
+    """
+
+    along: float
+    name: str
+
+
 class Navigator(Protocol):
     """Knows the room and plans in it."""
 
@@ -36,6 +50,14 @@ class Navigator(Protocol):
 
     def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
         """Return the way; a start in a blocked cell is left by the shortest straight line first."""
+        ...
+
+    def block(self, here: Vec2, path: Path, waypoint: int) -> Block | None:
+        """Return what blocks the rest of a path, from a place [m] by the next waypoint to its end; None when it is free."""
+        ...
+
+    def is_passing(self, start: Vec2, goal: Vec2) -> bool:
+        """Tell whether there is a way when the obstacles of now are gone."""
         ...
 
     def follower(self, path: Path, yaw: float) -> Follower:

@@ -25,6 +25,8 @@ FACE_PATIENCE = 5.0
 """Looking counts from here when the drone never quite faces the subject [s]."""
 OVERDUE_FACTOR, OVERDUE_EXTRA = 3.0, 30.0
 """A flight is overdue after this multiple of its expected time, plus so many seconds."""
+WAIT_PATIENCE = 20.0
+"""A drone that waits for its way to become free turns home after this, and lands after another such time [s]."""
 
 BY_STATUS = {
     DroneStatus.FLYING: Signal.AIRBORNE,
@@ -87,8 +89,10 @@ def signals(errand: Errand, course: Course, clocks: Clocks, scene: Scene, limits
     found = [BY_STATUS[scene.status]] if scene.status in BY_STATUS else []
     if scene.landing_forced:
         found.append(Signal.FORCED_DOWN)
-    if errand.phase in (Phase.OUTBOUND, Phase.RETURNING) and scene.now - clocks.near >= SETTLE:
+    if errand.phase in (Phase.OUTBOUND, Phase.RETURNING) and scene.now - clocks.near >= SETTLE and not course.waiting:
         found.extend(_arrivals(errand, facing))
+    if course.waiting and scene.now - course.since > WAIT_PATIENCE:
+        found.append(Signal.BLOCKED)
     if errand.phase is Phase.LOOKING and scene.now - _looking_since(errand, clocks) >= errand.mission.look_s:
         found.append(Signal.LOOKED)
     if scene.now - errand.since > allowed_time(errand, course, limits):

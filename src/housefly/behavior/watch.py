@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from housefly.behavior.captain import Captain, Course
 from housefly.behavior.errand import STAY, Errand, Signal
+from housefly.behavior.lookout import Lookout
 from housefly.behavior.progress import Clocks, is_near, signals
 from housefly.behavior.scene import Scene
 from housefly.behavior.tracking import Track
@@ -27,6 +28,7 @@ WORDS: dict[Signal, tuple[Severity, str]] = {
     Signal.ARRIVED_HOME: (Severity.INFO, "above the pad, landing"),
     Signal.LOOKED: (Severity.INFO, "looked long enough, coming home"),
     Signal.OVERDUE: (Severity.WARNING, "took too long"),
+    Signal.BLOCKED: (Severity.WARNING, "the way stays blocked"),
     Signal.FORCED_DOWN: (Severity.WARNING, "landing for safety"),
 }
 """How a change of phase is told."""
@@ -35,7 +37,7 @@ WORDS: dict[Signal, tuple[Severity, str]] = {
 class Watch:
     """Follows one captain's errand."""
 
-    def __init__(self, captain: Captain, limits: LimitsConfig, tolerance: float, paper: bool) -> None:
+    def __init__(self, captain: Captain, limits: LimitsConfig, tolerance: float, paper: bool, lookout: Lookout) -> None:
         self._captain = captain
         self._limits = limits
         self._tolerance = tolerance
@@ -43,6 +45,7 @@ class Watch:
         self._course = captain.course
         self._clocks = Clocks()
         self._late_since = -1.0
+        self._lookout = lookout
 
     def step(self, scene: Scene, track: Track | None, facing: bool) -> list[Event]:
         """Lead the errand on.
@@ -71,6 +74,8 @@ class Watch:
         severity, words = WORDS[signal]
         if before.phase is Phase.LANDING and signal is Signal.GROUNDED:
             words = "landed"
+        elif signal is Signal.BLOCKED:
+            words += ": landing here" if self._captain.errand.phase is Phase.LANDING else ": coming home"
         elif signal is Signal.OVERDUE:
             words = f"{before.phase.value} took too long"
         elif before.phase is Phase.IDLE and signal is Signal.AIRBORNE:
@@ -79,6 +84,8 @@ class Watch:
         problem = self._follow_up(signal, before, scene)
         if not problem:
             return [event]
+        if self._lookout.waits_instead(problem, scene):
+            return [event, Event(scene.now, Severity.WARNING, "way_blocked", f"waiting here: {problem}")]
         self._captain.stay(scene)
         return [event, Event(scene.now, Severity.WARNING, "no_way", f"holding here: {problem}")]
 

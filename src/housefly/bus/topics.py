@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import LinkStatus, Order, PilotStep, RoomNews, VideoFrame
+from housefly.messages import LinkStatus, Obstacle, Order, PilotStep, RoomNews, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -43,8 +43,9 @@ LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
 ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
+OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 
-TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS)
+TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""

@@ -17,6 +17,8 @@ from housefly.messages.flight import (
     PilotStep,
     Severity,
 )
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.scan import Scan
 from housefly.messages.sensing import (
     DroneStatus,
     Estimate,
@@ -53,6 +55,7 @@ __all__ = [
     "Inputs",
     "LinkStatus",
     "Observation",
+    "Obstacle",
     "Order",
     "OrderKind",
     "Outputs",
@@ -64,6 +67,7 @@ __all__ = [
     "Reference",
     "RoomNews",
     "SafetyMode",
+    "Scan",
     "Setpoint",
     "Severity",
     "Sighting",

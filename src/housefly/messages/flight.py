@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from housefly.geometry import Vec2, Vec3
+from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Estimate, Sighting, Telemetry
 from housefly.messages.steering import Behavior, Command, Path, Reference, SafetyMode
 
@@ -83,11 +84,19 @@ class Phase(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """All that a pilot step may know, besides the time."""
+    """All that a pilot step may know, besides the time.
+
+    Attributes:
+        sightings: since the last step.
+        telemetry: the newest.
+        orders: since the last step.
+        obstacles: what was heard of obstacles since the last step; the pilot remembers the others for a while.
+    """
 
     sightings: tuple[Sighting, ...] = ()
     telemetry: Telemetry | None = None
     orders: tuple[Order, ...] = ()
+    obstacles: tuple[Obstacle, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

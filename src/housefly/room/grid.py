@@ -105,6 +105,12 @@ class OccupancyGrid:
         return float(self.clearance[cell]) if self.contains(cell) else 0.0
 
 
+def extent_of(grid: OccupancyGrid) -> tuple[float, float, float, float]:
+    """Return x_min, y_min, x_max, y_max of a grid [m]."""
+    (x, y), (nx, ny) = grid.origin, grid.cells.shape
+    return x, y, x + nx * grid.resolution, y + ny * grid.resolution
+
+
 def inflation(site: Site) -> float:
     """Return how far [m] the middle of the drone keeps from obstacles: half hull diagonal + tracking bound + margin."""
     return half_diagonal(site.drone.hull_length, site.drone.hull_width) + site.map.tracking_bound + site.map.margin

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config import Site
-from housefly.geometry import Quaternion, Vec3, rotate
+from housefly.geometry import Quaternion, Vec2, Vec3, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
 from housefly.twin.engine import mujoco
+from housefly.twin.movable import AWAY, MOVABLE, Movable
 from housefly.twin.onboard_loops import Wrench
 from housefly.twin.people.bodies import PREFIX
 from housefly.twin.people.script import PersonScript
@@ -26,8 +27,6 @@ from housefly.twin.sensors import PERIOD, BodyState
 
 SUBSTEPS = 2
 """Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full speed."""
-AWAY = -30.0
-"""How far a visitor who is not there is moved along z [m]."""
 CUSHION = 0.02
 CUSHION_HEIGHT = 0.15
 """Extra share of thrust on the floor, and the height [m] over which it fades."""
@@ -38,8 +37,8 @@ VISITOR = "visitor"
 class Physics:
     """One drone among the furniture; moves by whole control periods."""
 
-    def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = ()) -> None:
-        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people))
+    def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = (), movables: tuple[Movable, ...] = ()) -> None:
+        self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people, movables))
         self.model.opt.timestep = PERIOD / SUBSTEPS
         self.data: Any = mujoco.MjData(self.model)
         self.drone_id: int = self.model.body(BODY).id
@@ -99,6 +98,12 @@ class Physics:
         """Put the people there, in the order in which they were given; sight and touch follow with the next step."""
         for number, pose in zip(self._people, poses, strict=True):
             self.data.mocap_pos[number], self.data.mocap_quat[number] = pose.position, pose.orientation
+
+    def put(self, name: str, place: Vec2 | None) -> None:
+        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
+        body = self.model.body(f"{MOVABLE}{name}").id
+        self.data.mocap_pos[self.model.body_mocapid[body]] = (0.0, 0.0, AWAY) if place is None else (*place, 0.0)
+        mujoco.mj_kinematics(self.model, self.data)
 
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""

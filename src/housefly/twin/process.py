@@ -23,6 +23,7 @@ from housefly.twin.ardrone_server import ArDroneServer
 from housefly.twin.camera import CameraProcess
 from housefly.twin.device_link import DeviceLink
 from housefly.twin.devices import Devices
+from housefly.twin.laser_feed import LaserFeed
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTime
 from housefly.twin.vicon_server import ViconServer
@@ -51,6 +52,7 @@ class Twin:
         self._time = RealTime(self._world, RealClock())
         self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
         self._tracking = ViconServer(site.tracking.address, site.tracking.port, site.twin.mocap_rate_hz)
+        self._lasers = LaserFeed(site, self._world, beyond_loopback)
         self._camera = CameraProcess(site, room, scene.script.people if scene else ()) if site.twin.video else None
         self._camera_state = (0, "")
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
@@ -62,6 +64,8 @@ class Twin:
             await self._drone.start()
             open_parts.push_async_callback(self._tracking.stop)
             await self._tracking.start()
+            open_parts.push_async_callback(self._lasers.stop)
+            await self._lasers.start()
             work = [self._time.run(self._publish_frames)]
             if self._camera is not None:
                 open_parts.callback(self._camera.close)
@@ -91,7 +95,8 @@ class Twin:
     def _greeting(self) -> str:
         drone, tracking = self._site.drone, self._site.tracking
         video = "on" if self._camera is not None else "off"
-        return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}"
+        scanners = "".join(f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers)
+        return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}{scanners}"
 
     def _device_link(self, scene: Scene) -> DeviceLink:
         return DeviceLink(
@@ -104,6 +109,7 @@ class Twin:
     def _publish_frames(self) -> None:
         for frame in self._world.mocap_frames():
             self._tracking.publish(frame)
+        self._lasers.publish()
 
     async def _film(self, camera: CameraProcess) -> None:
         rate = Rate(self._site.twin.video_rate_hz)

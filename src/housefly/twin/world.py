@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 from housefly.config import Site
-from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, rotate
+from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.battery import Battery
@@ -20,9 +20,11 @@ from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
+from housefly.twin.movable import Movable
 from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
 from housefly.twin.people import Scene
 from housefly.twin.physics import Physics
+from housefly.twin.scanner import Scanner
 from housefly.twin.sensors import PERIOD, Sensors
 from housefly.twin.stage import Stage
 from housefly.twin.visitor import Visitor
@@ -34,22 +36,24 @@ class SimulatedWorld:
     """Implements ``twin.contracts.World``.
 
     Args:
-        site: rates, noise, seed, the drone.
-        room: what stands in it.
+        site: drone, tracking, scanners, noise, seed.
+        room: what stands where.
         scene: the people in it; its time is the world's.
+        movables: things that no map shows; out of the building until they are put somewhere.
     """
 
-    def __init__(self, site: Site, room: Room, scene: Scene | None = None) -> None:
+    def __init__(self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()) -> None:
         sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
-        self._physics = Physics(site, room, scene.script.people if scene else ())
+        self._physics = Physics(site, room, scene.script.people if scene else (), movables)
         self._sensors = Sensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
         self._cameras = Cameras(room.cameras, self._physics.model, self._physics.data)
         self._frames = FrameMaker(site, tracking)
         self._visitor = Visitor(self._physics, self._cameras)
+        self._scanners = {laser.name: Scanner(laser, site.twin, n, self._physics) for n, laser in enumerate(site.lasers)}
         self._orders: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
@@ -111,6 +115,14 @@ class SimulatedWorld:
     def people(self) -> tuple[Pose, ...]:
         """Return the poses of the bodies of the scene's people, in its order."""
         return self._stage.poses if self._stage else ()
+
+    def put(self, name: str, place: Vec2 | None) -> None:
+        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
+        self._physics.put(name, place)
+
+    def scan(self, laser: str) -> tuple[int, ...]:
+        """Return what a scanner of the site measures now, one distance a beam [mm]."""
+        return self._scanners[laser].scan()
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return the frames whose ``due_at`` has come since the last call, oldest first."""

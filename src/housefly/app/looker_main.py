@@ -1,0 +1,85 @@
+"""The process that looks: reads the scanners, follows what no map shows, and tells the pilot over the bus.
+
+``python -m housefly.app.looker_main``, started by the launcher where the site has scanners. When it dies, the pilot forgets what
+it was told within two seconds and flies by the map alone, as without scanners; the launcher starts it again.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import signal
+
+from housefly.app.lookers import own_of
+from housefly.app.premises import Premises, open_premises
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.bus.bus import Bus
+from housefly.bus.topics import OBSTACLE, STEP
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import Clock, RealClock
+from housefly.messages import DroneStatus, Estimate, PilotStep, Scan
+from housefly.perception.watcher import Watcher
+from housefly.sensors.laser import LaserClient
+
+TELL_PERIOD = 1.0
+"""How often changed problems are printed [s]."""
+
+
+class Looker:
+    """All scanners of a site, on one asyncio loop."""
+
+    def __init__(self, premises: Premises, bus: Bus, clock: Clock) -> None:
+        self._site, self._bus, self._clock = premises.site, bus, clock
+        self._watcher = Watcher(premises.room, premises.site.lasers)
+        self._clients = tuple(LaserClient(laser, clock) for laser in premises.site.lasers)
+        self._estimate: Estimate | None = None
+        self._doubts: dict[str, str] = {}
+
+    async def run(self) -> None:
+        """Look until cancelled."""
+        steps = self._bus.subscribe(STEP, self._on_step)
+        try:
+            await asyncio.gather(*(client.run(self._on_scan) for client in self._clients), self._tell())
+        finally:
+            steps.close()
+
+    def _on_step(self, step: PilotStep) -> None:
+        telemetry = step.inputs.telemetry
+        on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
+        self._estimate = None if on_the_ground else step.outputs.estimate
+
+    def _on_scan(self, scan: Scan) -> None:
+        seen = self._watcher.step(scan, self._clock.now(), own_of(self._site, self._estimate))
+        self._doubts[scan.source] = seen.problem
+        for obstacle in seen.obstacles:
+            self._bus.publish(OBSTACLE, obstacle)
+
+    async def _tell(self) -> None:
+        told: tuple[str, ...] = ()
+        while True:
+            await asyncio.sleep(TELL_PERIOD)
+            problems = tuple(p for p in (*(client.problem for client in self._clients), *self._doubts.values()) if p)
+            if problems != told:
+                print(f"looker: {'; '.join(problems) or 'all scanners are seen'}", flush=True)
+                told = problems
+
+
+async def _run(runtime: Runtime, premises: Premises) -> None:
+    with ZenohBus(connect=runtime.bus) as bus:
+        looking = asyncio.create_task(Looker(premises, bus, RealClock()).run())
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, looking.cancel)
+        print("looker ready", flush=True)
+        with contextlib.suppress(asyncio.CancelledError):
+            await looking
+
+
+def main() -> None:
+    """Look until told to leave."""
+    runtime = runtime_from_environment()
+    asyncio.run(_run(runtime, open_premises(runtime.site())))
+
+
+if __name__ == "__main__":
+    main()

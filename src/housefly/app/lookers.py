@@ -1,0 +1,47 @@
+"""The scanners of a site and what is made of their scans, on a stepped clock: the same perception, the wires cut out."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from housefly.app.premises import Premises
+from housefly.config import Site
+from housefly.messages import Estimate, Obstacle, Scan
+from housefly.perception.watcher import Own, Watcher
+from housefly.room.distance import half_diagonal
+from housefly.sensors.laser import scan_of
+from housefly.twin.world import SimulatedWorld
+from housefly.wires.scip.parameters import MODELS
+
+OWN_SPARE = 0.25
+"""What is nearer to the drone's hull than this is taken for the drone [m]."""
+
+
+class LockstepLookers:
+    """Takes a scan of each scanner whenever one is due, and hands it to perception after its latency."""
+
+    def __init__(self, premises: Premises, world: SimulatedWorld) -> None:
+        self._site, self._world = premises.site, world
+        self._watcher = Watcher(premises.room, premises.site.lasers)
+        self._due = {laser.name: 0.0 for laser in premises.site.lasers}
+        self._under_way: deque[Scan] = deque()
+
+    def look(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
+        """Return what is new of obstacles at a time [s], given where the pilot believes the drone to be."""
+        for laser in self._site.lasers:
+            if now >= self._due[laser.name]:
+                parameters = MODELS[laser.model]
+                self._due[laser.name] = now + parameters.period - 1e-6
+                self._under_way.append(scan_of(self._world.scan(laser.name), parameters, laser, now + laser.latency))
+        obstacles: list[Obstacle] = []
+        while self._under_way and self._under_way[0].received_at <= now:
+            seen = self._watcher.step(self._under_way.popleft(), now, own_of(self._site, estimate))
+            obstacles.extend(seen.obstacles)
+        return tuple(obstacles)
+
+
+def own_of(site: Site, estimate: Estimate | None) -> Own | None:
+    """Return the ground that is taken for the drone itself; None while nobody knows where it is."""
+    if estimate is None:
+        return None
+    return Own(estimate.position[:2], half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_SPARE)

@@ -1,0 +1,39 @@
+"""What is in the way although no map shows it: people, moved chairs, opened doors."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.geometry import Vec2
+
+
+@dataclass(frozen=True, slots=True)
+class Obstacle:
+    """One thing in the way, as one source last saw it: a rectangle of ``size`` turned by ``yaw`` and grown by ``radius``.
+
+    A disc is a rectangle without extent. A confidence of 0 says that the thing is gone.
+
+    Attributes:
+        id: the source's own name for it, the same as long as it is the same thing.
+        position: middle, world xy [m].
+        radius: of the disc, or how far the rectangle's corners are rounded outwards [m].
+        size: full length and width of the rectangle before it is turned [m].
+        yaw: of the rectangle [rad].
+        bottom, top: heights between which it stands [m].
+        velocity: world xy [m/s].
+        confidence: 0 to 1.
+        seen_at: when it was seen [s, our monotonic clock].
+        source: which sensor or process says so.
+    """
+
+    id: str
+    position: Vec2
+    radius: float = 0.0
+    size: Vec2 = (0.0, 0.0)
+    yaw: float = 0.0
+    bottom: float = 0.0
+    top: float = 3.0
+    velocity: Vec2 = (0.0, 0.0)
+    confidence: float = 1.0
+    seen_at: float = 0.0
+    source: str = ""

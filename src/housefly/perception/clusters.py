@@ -1,0 +1,91 @@
+"""What is nearer than the room: neighbouring beams that hit the same thing, and its place and size."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.geometry import Vec2
+from housefly.room.distance import Floats
+
+NEARER = 0.15
+"""A beam that ends this much before the room does hits something new [m]: five times the noise, and the room's own roughness."""
+GAP = 0.25
+"""Points farther apart than this belong to two things [m]."""
+MISSING = 3
+"""So many beams in a row may be lost within one thing."""
+FEWEST = 3
+"""Fewer points are noise."""
+SMALLEST = 0.05
+"""No thing is taken for smaller than this [m, radius]."""
+LARGEST_DISC = 0.5
+"""Wider things are taken for rectangles [m, radius]."""
+DEPTH = pi / 4
+"""The visible side of a disc lies on average this share of its radius before its middle."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cluster:
+    """One thing in one scan.
+
+    Attributes:
+        position: its middle, world xy [m].
+        radius: of the disc; 0 for a rectangle.
+        size: length and width of the rectangle [m]; (0, 0) for a disc.
+        yaw: of the rectangle [rad].
+        points: how many beams hit it.
+    """
+
+    position: Vec2
+    radius: float
+    size: Vec2
+    yaw: float
+    points: int
+
+
+def foreground(ranges: Floats, background: Floats) -> NDArray[np.bool_]:
+    """Return which beams end clearly before the room does; at an edge the nearer side of the room counts."""
+    nearest = background.copy()
+    nearest[1:] = np.minimum(nearest[1:], background[:-1])
+    nearest[:-1] = np.minimum(nearest[:-1], background[1:])
+    return np.asarray(np.isfinite(ranges) & (ranges < nearest - NEARER), dtype=np.bool_)
+
+
+def clusters_of(points: Floats, beams: NDArray[np.int64], origin: Vec2) -> tuple[Cluster, ...]:
+    """Return the things that foreground points belong to.
+
+    Args:
+        points: world xy [m] in the order of the beams, shape (n, 2).
+        beams: number of each point's beam, shape (n,).
+        origin: where the scanner is [m].
+    """
+    if not len(points):
+        return ()
+    jumps = (np.hypot(*np.diff(points, axis=0).T) > GAP) | (np.diff(beams) > MISSING + 1)
+    groups = np.split(points, np.flatnonzero(jumps) + 1)
+    return tuple(_cluster(group, origin) for group in groups if len(group) >= FEWEST)
+
+
+def _cluster(points: Floats, origin: Vec2) -> Cluster:
+    (ax, ay), (bx, by) = points[0].tolist(), points[-1].tolist()
+    width = hypot(bx - ax, by - ay)
+    if width > 2.0 * LARGEST_DISC:
+        return _rectangle(points, atan2(by - ay, bx - ax))
+    mx, my = points.mean(axis=0).tolist()
+    radius = max(width / 2.0, SMALLEST)
+    away = max(hypot(mx - origin[0], my - origin[1]), 1e-9)
+    behind = DEPTH * radius / away
+    middle = (mx + (mx - origin[0]) * behind, my + (my - origin[1]) * behind)
+    return Cluster(middle, radius, (0.0, 0.0), 0.0, len(points))
+
+
+def _rectangle(points: Floats, yaw: float) -> Cluster:
+    """Return the rectangle along the line from the first point to the last that holds all points."""
+    along = points @ np.array([cos(yaw), sin(yaw)])
+    across = points @ np.array([-sin(yaw), cos(yaw)])
+    u, v = (along.max() + along.min()) / 2, (across.max() + across.min()) / 2
+    position = (float(u * cos(yaw) - v * sin(yaw)), float(u * sin(yaw) + v * cos(yaw)))
+    return Cluster(position, 0.0, (float(np.ptp(along)), float(np.ptp(across))), yaw, len(points))

@@ -1,0 +1,62 @@
+"""From a depth image to the cells of the floor plan that something stands on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.geometry import Vec2, rotate
+from housefly.messages import Pose
+from housefly.room.distance import Floats
+from housefly.room.grid import OccupancyGrid
+
+FEWEST = 4
+"""Fewer points in a cell are noise."""
+NEAREST, FARTHEST = 0.2, 8.0
+"""Depths outside this are not believed [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Intrinsics:
+    """A pinhole camera: focal lengths and the image's middle [px]."""
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+
+def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
+    """Return the world points [m] that a depth image shows, shape (n, 3); pixels without a believable depth are left out.
+
+    Args:
+        depth: distance along the camera's axis [m], shape (height, width).
+        camera: its intrinsics.
+        pose: of the camera in the world; it looks along its own +z, x right in the image, y down.
+    """
+    believable = np.isfinite(depth) & (depth >= NEAREST) & (depth <= FARTHEST)
+    v, u = np.nonzero(believable)
+    z = depth[v, u]
+    local = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z], axis=1)
+    axes = np.array([rotate(pose.orientation, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))])
+    points: Floats = local @ axes + np.array(pose.position)
+    return points
+
+
+def occupied_cells(points: Floats, grid: OccupancyGrid, band: Vec2, fewest: int = FEWEST) -> NDArray[np.bool_]:
+    """Return which cells of a grid hold enough points between two heights; shape of the grid.
+
+    Args:
+        points: world points [m], shape (n, 3).
+        grid: gives origin, resolution and shape.
+        band: lowest and highest height that counts [m].
+        fewest: points that a cell must hold.
+    """
+    at_height = points[(points[:, 2] >= band[0]) & (points[:, 2] <= band[1])]
+    cells = np.floor((at_height[:, :2] - np.array(grid.origin)) / grid.resolution).astype(np.int64)
+    inside = ((cells >= 0) & (cells < np.array(grid.shape))).all(axis=1)
+    counts = np.zeros(grid.shape, dtype=np.int64)
+    np.add.at(counts, (cells[inside, 0], cells[inside, 1]), 1)
+    return np.asarray(counts >= fewest, dtype=np.bool_)

@@ -1,0 +1,57 @@
+"""Where a thing is and how it moves: a Kalman filter with constant velocity, the same for x and y."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import sqrt
+
+from housefly.geometry import Vec2
+
+PUSH = 1.5
+"""One-sigma acceleration of people [m/s^2]."""
+BLUR = 0.05
+"""One-sigma error of a cluster's middle [m]: which side of a thing is seen changes as it turns."""
+START_SPEED = 1.0
+"""One-sigma speed of something new [m/s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """The filter's state; both axes share the covariance (pp, pv, vv).
+
+    Attributes:
+        at: time [s].
+        position: [m].
+        velocity: [m/s].
+        pp, pv, vv: covariance of position and velocity of one axis.
+    """
+
+    at: float
+    position: Vec2
+    velocity: Vec2 = (0.0, 0.0)
+    pp: float = BLUR * BLUR
+    pv: float = 0.0
+    vv: float = START_SPEED * START_SPEED
+
+    @property
+    def std(self) -> float:
+        """One-sigma error of the position [m]."""
+        return sqrt(self.pp)
+
+    def predicted(self, at: float) -> Motion:
+        """Return the state at a later time [s]."""
+        dt = max(0.0, at - self.at)
+        (x, y), (vx, vy) = self.position, self.velocity
+        q = PUSH * PUSH
+        pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * dt**4 / 4.0
+        pv = self.pv + dt * self.vv + q * dt**3 / 2.0
+        return Motion(max(at, self.at), (x + vx * dt, y + vy * dt), self.velocity, pp, pv, self.vv + q * dt * dt)
+
+    def seen(self, place: Vec2) -> Motion:
+        """Return the state after a thing was seen at a place [m] at the state's own time."""
+        gain = self.pp / (self.pp + BLUR * BLUR)
+        gain_v = self.pv / (self.pp + BLUR * BLUR)
+        off_x, off_y = place[0] - self.position[0], place[1] - self.position[1]
+        position = (self.position[0] + gain * off_x, self.position[1] + gain * off_y)
+        velocity = (self.velocity[0] + gain_v * off_x, self.velocity[1] + gain_v * off_y)
+        return Motion(self.at, position, velocity, (1.0 - gain) * self.pp, (1.0 - gain) * self.pv, self.vv - gain_v * self.pv)

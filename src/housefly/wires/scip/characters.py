@@ -1,0 +1,58 @@
+"""Numbers as printable characters, and checksums: six bits each, from "0" (0x30) on.
+
+The manual's examples: 1234 is "CB", 5432 is "1Dh", 16000000 is "m2@0".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from housefly.errors import WireError
+
+BASE = 0x30
+BLOCK = 64
+"""Data characters a line carries."""
+
+
+def encoded(value: int, width: int) -> str:
+    """Return a number in ``width`` characters, most significant first; raises WireError when it does not fit."""
+    if not 0 <= value < 1 << (6 * width):
+        raise WireError(f"{value} does not fit into {width} characters")
+    return "".join(chr(BASE + ((value >> shift) & 0x3F)) for shift in range(6 * (width - 1), -1, -6))
+
+
+def decoded(text: str) -> int:
+    """Return the number that characters stand for; raises WireError for a character outside "0" to "o"."""
+    value = 0
+    for character in text:
+        six = ord(character) - BASE
+        if not 0 <= six < 64:
+            raise WireError(f"{character!r} is no SCIP digit")
+        value = value << 6 | six
+    return value
+
+
+def checksum(text: str) -> str:
+    """Return the character that checks a text: the lower six bits of the sum of its bytes."""
+    return chr(BASE + (sum(text.encode("ascii")) & 0x3F))
+
+
+def checked(line: str) -> str:
+    """Return a line without its last character, the checksum; raises WireError when it does not match."""
+    if len(line) < 2 or checksum(line[:-1]) != line[-1]:
+        raise WireError(f"the checksum of {line[:80]!r} is wrong")
+    return line[:-1]
+
+
+def data_lines(values: Iterable[int], width: int) -> list[str]:
+    """Return numbers as lines of at most 64 characters with a checksum each."""
+    text = "".join(encoded(value, width) for value in values)
+    return [text[at : at + BLOCK] + checksum(text[at : at + BLOCK]) for at in range(0, len(text), BLOCK)]
+
+
+def values_of(lines: Sequence[str], width: int) -> tuple[int, ...]:
+    """Return the numbers in checked lines of data; raises WireError."""
+    text = "".join(checked(line) for line in lines)
+    if len(text) % width:
+        raise WireError(f"{len(text)} characters of data are no multiple of {width}")
+    return tuple(decoded(text[at : at + width]) for at in range(0, len(text), width))

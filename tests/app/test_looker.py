@@ -1,0 +1,113 @@
+"""From the simulated scanner's socket to the pilot's inputs: feed, client, perception, bus, intake."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from math import hypot
+from pathlib import Path
+
+import pytest
+
+from housefly.app.launcher import parts_of
+from housefly.app.lockstep import fly_lockstep
+from housefly.app.looker_main import Looker
+from housefly.app.premises import Premises, open_premises, read_site
+from housefly.app.replaying import verify_recording
+from housefly.app.runtime import new_runtime
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import OBSTACLE
+from housefly.clock import RealClock
+from housefly.config import changed
+from housefly.errors import ConfigError
+from housefly.messages import Obstacle, Order, OrderKind
+from housefly.record.recorder import FlightRecorder
+from housefly.record.replay import replay
+from housefly.twin.laser_feed import LaserFeed
+from housefly.twin.movable import Movable
+from housefly.twin.world import SimulatedWorld
+
+
+def premises(address: str = "127.0.0.1", **changes: object) -> Premises:
+    lasers = [{"name": "laser-1", "address": address, "x": 5.5, "y": 0.85, "z": 1.1, "yaw": 1.2}]
+    return open_premises(changed(read_site("bsen"), lasers=lasers, **changes))
+
+
+async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
+    async with asyncio.timeout(limit):
+        while not done():
+            await asyncio.sleep(0.01)
+
+
+@pytest.mark.wire
+async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_is_taken_away(loopback: str) -> None:
+    here = premises(loopback, twin__visitor_present=False)
+    world = SimulatedWorld(here.site, here.room, (Movable("chair"),))
+    feed, bus = LaserFeed(here.site, world), LocalBus()
+    heard: list[Obstacle] = []
+    bus.subscribe(OBSTACLE, heard.append)
+    await feed.start()
+
+    async def turn() -> None:
+        while True:
+            await asyncio.sleep(0.025)
+            world.advance(0.025)
+            feed.publish()
+
+    tasks = [asyncio.create_task(turn()), asyncio.create_task(Looker(here, bus, RealClock()).run())]
+    try:
+        await asyncio.sleep(0.5)
+        assert not heard
+        world.put("chair", (6.5, 3.0))
+        await until(lambda: len(heard) > 5)
+        assert hypot(heard[-1].position[0] - 6.5, heard[-1].position[1] - 3.0) < 0.1
+        assert abs(RealClock().now() - heard[-1].seen_at) < 0.5
+        world.put("chair", None)
+        await until(lambda: heard[-1].confidence == 0.0)
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        await feed.stop()
+
+
+def test_the_looker_runs_where_there_are_scanners_and_only_there(tmp_path: Path) -> None:
+    with_scanner = new_runtime(premises().site, tmp_path)
+    assert "looker" in [part.name for part in parts_of(with_scanner)]
+    without = new_runtime(read_site("bsen"), tmp_path)
+    assert "looker" not in [part.name for part in parts_of(without)]
+
+
+def test_scanners_are_served_on_loopback_only() -> None:
+    here = premises("10.0.0.7")
+    with pytest.raises(ConfigError, match=r"lasers\.0\.address"):
+        LaserFeed(here.site, SimulatedWorld(here.site, here.room))
+
+
+def test_two_scanners_with_one_name_or_one_address_are_refused() -> None:
+    one = {"name": "a", "x": 1.0}
+    with pytest.raises(ConfigError, match="same name"):
+        changed(read_site("bsen"), lasers=[one, {**one, "port": 1}])
+    with pytest.raises(ConfigError, match="same address"):
+        changed(read_site("bsen"), lasers=[one, {**one, "name": "b"}])
+    with pytest.raises(ConfigError, match="z"):
+        changed(read_site("bsen"), lasers=[{**one, "z": 99.0}])
+
+
+@pytest.mark.slow
+def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: Path) -> None:
+    here = premises(twin__visitor_present=False)
+    recorder = FlightRecorder(tmp_path, here.site, here.room, here.grid)
+
+    def put(world: SimulatedWorld) -> None:
+        if abs(world.now - 8.0) < 0.006:
+            world.put("chair", (6.8, 2.8))
+
+    fly_lockstep(here, Order(OrderKind.GO, "entrance"), recorder.step, 30.0, (Movable("chair"),), put)
+    recorder.finish("completed")
+    assert not recorder.problems
+    steps = list(replay(tmp_path))
+    assert sum(len(step.inputs.obstacles) for step in steps) > 100
+    assert any(event.code == "detour" for step in steps for event in step.outputs.events)
+    verdict = verify_recording(tmp_path, here)
+    assert verdict.difference is None and verdict.steps == len(steps)
