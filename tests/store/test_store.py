@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -91,6 +93,18 @@ def test_a_thing_is_found_where_it_was_nearest_at_or_before(store: SqlStore) -> 
     assert [sample.source for sample in store.seen(1000.5)] == ["laser", "vicon"]
     assert store.seen(999.0) == ()
     assert store.seen(1000.5, "nobody") == ()
+
+
+def test_asking_for_the_past_reads_only_what_it_needs(tmp_path: Path) -> None:
+    store = open_store(tmp_path / "house.db")
+    store.write(walk(1000.0, 20_000))
+    steps = itertools.count()
+    store._database._connection.set_progress_handler(lambda: next(steps) * 0, 100)  # type: ignore[attr-defined]
+    store.seen(1100.0)
+    store.seen(1100.0, "cup")
+    where_was(store, "cup", 1100.0)
+    assert next(steps) < 100, "at most 10 000 steps of SQLite's machine, half a step a row"
+    store.close()
 
 
 def test_the_past_is_fused_as_the_present_was(store: SqlStore) -> None:

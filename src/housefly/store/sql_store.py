@@ -106,7 +106,7 @@ class SqlStore:
     def seen(self, at: float, thing: str = "") -> tuple[Observation, ...]:
         """Return the last valid sample of each source at or before a time, of one thing or of all."""
         sql, values = (f"{SEEN} AND l.thing = ?", (at, at, at, thing)) if thing else (SEEN, (at, at, at))
-        return tuple(sample_of(row) for row in self._database.query(f"{sql} ORDER BY s.thing, s.source", values))
+        return tuple(sample_of(row) for row in self._database.query(f"{sql} ORDER BY l.thing, l.source", values))
 
     def trajectory(self, thing: str, since: float, until: float, *, source: str = "", every: float = 0.0) -> Trajectory:
         """Return where a thing was between two times, by one source or by all."""
