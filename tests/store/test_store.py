@@ -150,6 +150,12 @@ def test_any_change_of_a_standing_thing_is_written(store: SqlStore, change: dict
         assert len(store.trajectory("cup", 0.0, 9.0)) == 3
 
 
+def test_after_a_long_silence_a_standing_thing_is_not_said_to_have_been_seen_meanwhile(store: SqlStore) -> None:
+    store.write([seen(1.0, 5.0), seen(2.0, 5.0)])
+    store.write([seen(1000.0, 5.0)])
+    assert [store.seen(at)[0].captured_at for at in (1.5, 500.0, 1001.0)] == [1.5, 2.0, 1000.0]
+
+
 def test_a_slow_drift_is_not_taken_for_standing_still(store: SqlStore) -> None:
     store.write([seen(float(k), 0.001 * k) for k in range(100)])
     path = store.trajectory("cup", 0.0, 100.0)
