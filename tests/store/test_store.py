@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -93,6 +95,18 @@ def test_a_thing_is_found_where_it_was_nearest_at_or_before(store: SqlStore) -> 
     assert store.seen(1000.5, "nobody") == ()
 
 
+def test_asking_for_the_past_reads_only_what_it_needs(tmp_path: Path) -> None:
+    store = open_store(tmp_path / "house.db")
+    store.write(walk(1000.0, 20_000))
+    steps = itertools.count()
+    store._database._connection.set_progress_handler(lambda: next(steps) * 0, 100)  # type: ignore[attr-defined]
+    store.seen(1100.0)
+    store.seen(1100.0, "cup")
+    where_was(store, "cup", 1100.0)
+    assert next(steps) < 100, "at most 10 000 steps of SQLite's machine, half a step a row"
+    store.close()
+
+
 def test_the_past_is_fused_as_the_present_was(store: SqlStore) -> None:
     store.know([CABINET, KITCHEN, CUP])
     store.write([seen(1000.0, 8.0), Observation("cup", "tags", 1100.0, 1100.0, inside="cabinet"), seen(1200.0, 9.0)])
@@ -134,6 +148,12 @@ def test_any_change_of_a_standing_thing_is_written(store: SqlStore, change: dict
     assert [store.seen(at)[0].captured_at for at in (1.5, 3.0)] == [1.0, 3.0]
     if change != {"valid": False}:
         assert len(store.trajectory("cup", 0.0, 9.0)) == 3
+
+
+def test_after_a_long_silence_a_standing_thing_is_not_said_to_have_been_seen_meanwhile(store: SqlStore) -> None:
+    store.write([seen(1.0, 5.0), seen(2.0, 5.0)])
+    store.write([seen(1000.0, 5.0)])
+    assert [store.seen(at)[0].captured_at for at in (1.5, 500.0, 1001.0)] == [1.5, 2.0, 1000.0]
 
 
 def test_a_slow_drift_is_not_taken_for_standing_still(store: SqlStore) -> None:

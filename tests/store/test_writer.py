@@ -128,6 +128,37 @@ def test_a_full_disk_drops_poses_keeps_events_and_recovers(tmp_path: Path) -> No
     assert kept(address) == (12_000 - lost.poses, 200)
 
 
+LIMITED = """
+import resource, sys, time
+from housefly.messages import Observation
+from housefly.store.opening import open_store
+from housefly.store.writer import Writer
+writer = Writer(lambda: open_store(sys.argv[1]))
+hard = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
+resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, hard))
+begin = time.time() - 60
+for number in range(8000):
+    at = begin + number / 1000
+    writer.write(Observation("cup", "vicon", at, at, (float(number), 0.0, 0.0)))
+while "rows wait" not in writer.report():
+    time.sleep(0.02)
+print(writer.report())
+resource.setrlimit(resource.RLIMIT_FSIZE, (hard, hard))
+print(writer.flush(), writer.dropped().poses)
+writer.close()
+"""
+
+
+@pytest.mark.slow
+def test_a_file_that_may_not_grow_recovers_when_it_may(tmp_path: Path) -> None:
+    address = str(tmp_path / "house.db")
+    done = subprocess.run([sys.executable, "-c", LIMITED, address], capture_output=True, text=True, timeout=60, check=True)
+    refused, recovered = done.stdout.splitlines()
+    assert refused == "8 000 rows wait: disk refuses (input/output error)" or "disk is full" in refused
+    assert recovered == "True 0"
+    assert kept(address) == (8000, 0)
+
+
 HOLDER = """
 import sqlite3, sys, time
 connection = sqlite3.connect(sys.argv[1])

@@ -12,6 +12,8 @@ STILL = 0.002
 """A thing that is this close to where its row says has not moved [m]."""
 UNTURNED = 5e-5
 """Two orientations whose quaternions have 1 - |a . b| below this are the same: less than 20 mrad apart."""
+LONGEST_SILENCE = 60.0
+"""A source that says the same after a longer silence begins a new row: nobody knows what was in between [s]."""
 
 Pair = tuple[str, str]
 
@@ -45,7 +47,7 @@ class Changes:
         for sample in samples:
             pair = sample.thing, sample.source
             span = self._spans.get(pair)
-            if span is not None and sample.captured_at >= span.until and is_same(span.sample, sample):
+            if span is not None and 0.0 <= sample.captured_at - span.until <= LONGEST_SILENCE and is_same(span.sample, sample):
                 span.until = sample.captured_at
                 stretched[id(span)] = span
                 continue

@@ -1,7 +1,7 @@
 """Writes things and samples as rows of ROS-TMS's database, to be read by mongoimport or by ``import_tms``.
 
-Each thing is a row of the catalogue, each sample a row of its sensor. A thing that did not come from there gets a free number of its
-kind; a source that is none of ROS-TMS's gets one from 3900 on.
+Each thing is a row of the catalogue, each sample a row of its sensor. A thing that did not come from there gets a free number of
+its kind; a source that is none of ROS-TMS's gets one from 3900 on.
 """
 
 from __future__ import annotations

@@ -31,6 +31,7 @@ REASONS: dict[str, str] = {
     "53300": "the database server has too many connections",
 }
 LOST = "the database server does not answer"
+REFUSED = "the database server refuses"
 FIRST_CONTACT = 7_220_110
 """Number of the server's lock under which the table of versions is made."""
 
@@ -86,8 +87,9 @@ def _telling() -> Iterator[None]:
             raise StoreError(reason) from error
         raise UnfitRowError(f"the database cannot hold it ({_first_line(error)})") from error
     except psycopg.Error as error:
-        reason = REASONS.get(error.sqlstate or "", _first_line(error) if error.sqlstate else LOST)
-        raise StoreError(reason, "" if error.sqlstate else _first_line(error)) from error
+        if error.sqlstate:
+            raise StoreError(REASONS.get(error.sqlstate, _first_line(error))) from error
+        raise StoreError(REFUSED if "FATAL" in str(error) else LOST, _first_line(error)) from error
 
 
 def _first_line(error: Exception) -> str:

@@ -106,15 +106,14 @@ class SqlStore:
     def seen(self, at: float, thing: str = "") -> tuple[Observation, ...]:
         """Return the last valid sample of each source at or before a time, of one thing or of all."""
         sql, values = (f"{SEEN} AND l.thing = ?", (at, at, at, thing)) if thing else (SEEN, (at, at, at))
-        return tuple(sample_of(row) for row in self._database.query(f"{sql} ORDER BY s.thing, s.source", values))
+        return tuple(sample_of(row) for row in self._database.query(f"{sql} ORDER BY l.thing, l.source", values))
 
     def trajectory(self, thing: str, since: float, until: float, *, source: str = "", every: float = 0.0) -> Trajectory:
         """Return where a thing was between two times, by one source or by all."""
         sources = [sample.source for sample in self.seen(until, thing) if source in ("", sample.source)]
         before = {sample.source: sample for sample in self.seen(since, thing)}
         parts = [_from_begin(before.get(name), since, self._path(thing, name, since, until, every)) for name in sources]
-        path = np.concatenate(parts) if parts else np.empty((0, 4))
-        return path[np.argsort(path[:, 0], kind="stable")]
+        return parts[0] if len(parts) == 1 else _by_time(np.concatenate([np.empty((0, 4)), *parts]))
 
     def events(self, since: float, until: float, *, thing: str = "", kind: str = "", cause: str = "") -> tuple[Happening, ...]:
         """Return what happened between two times, by time."""
@@ -140,10 +139,11 @@ class SqlStore:
             sql, values = PATH + THINNED.format(bucket), asked * 2
         rows = self._database.query(f"{sql} ORDER BY captured_at", values)
         spans = np.fromiter(chain.from_iterable(rows), dtype=np.float64).reshape(-1, 5)
-        stood = spans[:, 1] > spans[:, 0]
-        ends = np.minimum(spans[stood, 1], until)
-        path = np.concatenate([spans[:, (0, 2, 3, 4)], np.column_stack([ends, spans[stood, 2:]])])
-        return path[np.argsort(path[:, 0], kind="stable")]
+        path, stood = spans[:, (0, 2, 3, 4)], spans[:, 1] > spans[:, 0]
+        if not stood.any():
+            return path
+        ends = np.column_stack([np.minimum(spans[stood, 1], until), spans[stood, 2:]])
+        return _by_time(np.concatenate([path, ends]))
 
 
 def _begin(sample: Observation, until: float) -> Row:
@@ -156,6 +156,10 @@ def _stretch(sample: Observation, until: float) -> Row:
 
 def _latest(sample: Observation) -> Row:
     return sample.thing, sample.source, int(is_valid(sample)), sample.captured_at, *row_of_sample(sample)
+
+
+def _by_time(path: Trajectory) -> Trajectory:
+    return path[np.argsort(path[:, 0], kind="stable")]
 
 
 def _from_begin(before: Observation | None, since: float, path: Trajectory) -> Trajectory:

@@ -26,10 +26,11 @@ HAPPENED = insert("event", EVENT, "ON CONFLICT DO NOTHING")
 KNOWN = insert("thing", THING, f"ON CONFLICT (id) DO UPDATE SET {_overwrite(THING)}")
 SEEN = f"""SELECT s.thing, s.source, CASE WHEN s.until < ? THEN s.until ELSE ? END, s.valid,
         {", ".join(f"s.{column}" for column in SAMPLE.split(", "))}
-    FROM latest l JOIN sighting s ON s.thing = l.thing AND s.source = l.source AND s.captured_at = (
+    FROM latest l CROSS JOIN sighting s
+    WHERE l.valid = 1 AND s.thing = l.thing AND s.source = l.source AND s.captured_at = (
         SELECT captured_at FROM sighting WHERE thing = l.thing AND source = l.source AND valid = 1 AND captured_at <= ?
-        ORDER BY captured_at DESC LIMIT 1)
-    WHERE l.valid = 1"""
+        ORDER BY captured_at DESC LIMIT 1)"""
+"""CROSS JOIN, because SQLite then asks ``latest`` first; the other way round it would read all samples there are."""
 PATH = """SELECT captured_at, until, x, y, z FROM sighting
     WHERE thing = ? AND source = ? AND captured_at > ? AND captured_at <= ? AND valid = 1 AND x IS NOT NULL"""
 THINNED = """ AND captured_at IN (SELECT max(captured_at) FROM sighting

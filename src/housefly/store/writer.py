@@ -55,7 +55,7 @@ class Writer:
     def write_all(self, said: Iterable[Observation | Happening | Thing]) -> None:
         """Keep many at once."""
         if self._stopping_at is None:
-            self._count(self._backlog.put(said), self._reason or BEHIND)
+            self._count(self._backlog.put(tuple(said)), self._reason or BEHIND)
         else:
             self._count(_rows_in(said), STOPPED)
 
