@@ -10,7 +10,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.errors import WireError
-from housefly.geometry import Quaternion, Vec3, normalized, rotate
 from housefly.wires.natnet import (
     Connect,
     Disconnect,
@@ -28,10 +27,6 @@ from housefly.wires.natnet import (
     Version,
     decode_message,
     encode_message,
-    y_up_orientation,
-    y_up_position,
-    z_up_orientation,
-    z_up_position,
 )
 
 i32 = st.integers(-(2**31), 2**31 - 1)
@@ -63,8 +58,6 @@ item = st.one_of(
     st.sampled_from([RequestModelDef(), Disconnect(), KeepAlive(), Unrecognized()]),
 )
 versions = st.sampled_from([(3, 0), (3, 1), (4, 0), (4, 1), (4, 2)])
-quaternion = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda q: sum(v * v for v in q) > 1e-3).map(normalized)
-point = st.tuples(*[st.floats(-100, 100)] * 3)
 
 SEEN = RigidBody(7, (1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.0), 0.25)
 
@@ -101,23 +94,6 @@ def test_a_frame_cut_short_is_a_wire_error(bodies: tuple[RigidBody, ...], versio
     cut = whole[: data.draw(st.integers(0, len(whole) - 1))]
     with pytest.raises(WireError, match="NatNet"):
         decode_message(struct.pack("<HH", Frame.KIND, len(cut)) + cut, version)
-
-
-@given(point, quaternion)
-def test_turning_the_axes_up_and_back_changes_nothing(position: Vec3, orientation: Quaternion) -> None:
-    assert z_up_position(y_up_position(position)) == position
-    assert z_up_orientation(y_up_orientation(orientation)) == orientation
-
-
-@given(point, quaternion)
-def test_a_turned_body_points_where_it_pointed(arm: Vec3, orientation: Quaternion) -> None:
-    there = y_up_position(rotate(orientation, arm))
-    assert rotate(y_up_orientation(orientation), y_up_position(arm)) == pytest.approx(there, abs=1e-9)
-
-
-def test_up_is_up() -> None:
-    assert z_up_position((0.0, 1.0, 0.0)) == (0.0, 0.0, 1.0)
-    assert y_up_position((0.0, 0.0, 1.0)) == (0.0, 1.0, 0.0)
 
 
 def crowded_frame(version: Version) -> bytes:

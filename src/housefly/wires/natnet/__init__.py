@@ -1,6 +1,5 @@
 """NatNet, the protocol of OptiTrack's Motive: pure codec of versions 3 and 4, both sides of the wire."""
 
-from housefly.wires.natnet.axes import y_up_orientation, y_up_position, z_up_orientation, z_up_position
 from housefly.wires.natnet.buffer import MAX_NAME, Version
 from housefly.wires.natnet.frame import Frame, RigidBody
 from housefly.wires.natnet.handshake import (
@@ -36,8 +35,4 @@ __all__ = [
     "Version",
     "decode_message",
     "encode_message",
-    "y_up_orientation",
-    "y_up_position",
-    "z_up_orientation",
-    "z_up_position",
 ]
