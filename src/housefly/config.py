@@ -105,6 +105,8 @@ class DroneConfig(Section):
 
 TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge"]
 MocapWire = Literal["vicon", "natnet", "vrpn"]
+BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
+"""Types of PyPI motioncapture whose protocol the twin serves."""
 
 
 class TrackingConfig(Section):
@@ -129,9 +131,18 @@ class TrackingConfig(Section):
     latency: float = quantity(0.02, 0.0, 0.5, "s", "from exposure to arrival, where the system does not say it")
 
     @property
+    def wire(self) -> MocapWire | None:
+        """The protocol that arrives here, or None for one that only a bridge speaks."""
+        return BRIDGED.get(self.bridge_system) if self.kind == "bridge" else self.kind
+
+    @property
     def y_up(self) -> bool:
         """Whether poses come with y up."""
-        return self.up_axis == "y" or (self.up_axis == "auto" and self.kind == "natnet")
+        return self.up_axis == "y" or (self.up_axis == "auto" and self.wire == "natnet")
+
+    def port_of(self, wire: MocapWire) -> int:
+        """Return the port of a protocol."""
+        return {"vicon": self.port, "natnet": self.natnet_port, "vrpn": self.vrpn_port}[wire]
 
 
 class LimitsConfig(Section):
@@ -237,12 +248,22 @@ class Site(Section):
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
 
+    @property
+    def served_wires(self) -> tuple[MocapWire, ...]:
+        """What the twin's tracking system speaks: the protocol of ``tracking.kind`` and those asked for beside it."""
+        return tuple(dict.fromkeys(wire for wire in (self.tracking.wire, *self.twin.mocap_wires) if wire is not None))
+
     @model_validator(mode="after")
     def _combinations(self) -> Self:
         low, high = self.limits.height_min, self.limits.height_max
         if not low <= self.map.flight_height <= high:
             raise ValueError(
                 f"map.flight_height ({self.map.flight_height} m) must lie in limits.height_min..height_max ({low} .. {high} m)"
+            )
+        if self.twin.enabled and not self.served_wires:
+            raise ValueError(
+                f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin poses as ({', '.join(BRIDGED)}); "
+                "choose one of these, or set twin.enabled = false"
             )
         lag = self.drone.attitude_lag
         if self.control.beta >= lag * self.control.alpha:

@@ -22,7 +22,7 @@ from housefly.twin.address import check_address
 from housefly.twin.ardrone_server import ArDroneServer
 from housefly.twin.camera import CameraProcess
 from housefly.twin.real_time import RealTime
-from housefly.twin.vicon_server import ViconServer
+from housefly.twin.tracking_servers import tracking_servers
 from housefly.twin.world import SimulatedWorld
 
 
@@ -44,7 +44,7 @@ class Twin:
         self._world = SimulatedWorld(site, room)
         self._time = RealTime(self._world, RealClock())
         self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
-        self._tracking = ViconServer(site.tracking.address, site.tracking.port, site.twin.mocap_rate_hz)
+        self._tracking = tracking_servers(site)
         self._camera = CameraProcess(site, room) if site.twin.video else None
         self._camera_state = (0, "")
         self._visitor_present = site.twin.visitor_present
@@ -54,8 +54,9 @@ class Twin:
         async with contextlib.AsyncExitStack() as open_parts:
             open_parts.push_async_callback(self._drone.stop)
             await self._drone.start()
-            open_parts.push_async_callback(self._tracking.stop)
-            await self._tracking.start()
+            for server in self._tracking:
+                open_parts.push_async_callback(server.stop)
+                await server.start()
             work = [self._time.run(self._publish_frames)]
             if self._camera is not None:
                 open_parts.callback(self._camera.close)
@@ -83,11 +84,13 @@ class Twin:
     def _greeting(self) -> str:
         drone, tracking = self._site.drone, self._site.tracking
         video = "on" if self._camera is not None else "off"
-        return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}"
+        places = ", ".join(f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires)
+        return f"twin ready: drone at {drone.address}, tracking at {places}, video {video}"
 
     def _publish_frames(self) -> None:
         for frame in self._world.mocap_frames():
-            self._tracking.publish(frame)
+            for server in self._tracking:
+                server.publish(frame)
 
     async def _film(self, camera: CameraProcess) -> None:
         rate = Rate(self._site.twin.video_rate_hz)
