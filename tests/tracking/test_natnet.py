@@ -214,6 +214,36 @@ async def test_a_server_that_freezes_is_named_and_greeted_again(loopback: str, b
     motive.transport.close()
 
 
+@pytest.mark.parametrize("version", [(3, 1), (4, 1)])
+async def test_a_server_that_comes_back_with_other_numbers_is_asked_for_names_again(
+    loopback: str, bench: Any, version: Version
+) -> None:
+    motive = Motive()
+    await motive.start(loopback)
+    tracker = NatNetTracker(config(loopback))
+    names: list[str] = []
+
+    async def told_until_named(spoken: Version) -> None:
+        while not names:
+            now = round(asyncio.get_running_loop().time() * TICKS)
+            motive.tell(Frame(1, (HERE,), exposed=now, sent=now + 100), version=spoken)
+            await asyncio.sleep(0.02)
+
+    async with bench.running(tracker.run(lambda frame: names.extend(seen.body for seen in frame))):
+        await bench.until(lambda: KeepAlive() in motive.heard)
+        await told_until_named((3, 1))
+        assert set(names) == {"ardrone"}
+        motive.heard.clear()
+        motive.replies = Motive(version).replies
+        motive.replies[RequestModelDef] = encode_message(ModelDef((RigidBodyDescription(7, "guest"),)), version)
+        await bench.until(lambda: Connect((4, 1)) in motive.heard)
+        names.clear()
+        async with asyncio.timeout(20.0):
+            await told_until_named(version)
+        assert set(names) == {"guest"}
+    motive.transport.close()
+
+
 async def test_a_server_whose_time_stands_still_is_named(loopback: str, bench: Any) -> None:
     motive = Motive()
     await motive.start(loopback)

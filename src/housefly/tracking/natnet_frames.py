@@ -41,10 +41,16 @@ class NatNetFrames:
         self._names = {body.identity: body.name for body in model.bodies}
         self.wants_names = False
 
+    def forget_names(self) -> None:
+        """Name nobody until the server is asked again: it may be another one, with other numbers."""
+        self._names = {}
+        self.wants_names = True
+
     def read(self, frame: Frame, received_at: float) -> tuple[Sighting, ...] | None:
         """Return the bodies seen in a frame, or None when the frame is not new."""
-        self.wants_names = self.wants_names or frame.changed
+        leaps_before = self._counts.jumps
         captured_at = self._captured_at(frame, received_at)
+        self.wants_names = self.wants_names or frame.changed or self._counts.jumps > leaps_before
         if captured_at is None:
             return None
         self._counts.frames += 1

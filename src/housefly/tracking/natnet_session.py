@@ -63,6 +63,7 @@ class NatNetSession:
         self._info: ServerInfo | None = None
         self._frames: NatNetFrames | None = None
         self._response: int | None = None
+        self._another = False
         self._stranger = self._garbage = self._host = self._interface = ""
         self._news = asyncio.Event()
         self._transports: list[asyncio.DatagramTransport] = []
@@ -164,6 +165,8 @@ class NatNetSession:
             quiet = self._clock.now() - max(self.frame_at, self._greeted_at)
             if quiet > SILENCE:
                 raise LinkError(self.silence)
+            if self._another:
+                raise LinkError(f"another server answers at {self._where} now")
             if self._ear.refused and quiet > QUIET:
                 raise LinkError(f"the server at {self._where} is gone; is Motive running, with streaming switched on?")
             if quiet > QUIET:
@@ -222,3 +225,6 @@ class NatNetSession:
                 self._response = code
             case ServerInfo() if self._info is None:
                 self._info = item
+            case ServerInfo() if self._frames is not None:
+                self._another = item != self._info
+                self._frames.forget_names()
