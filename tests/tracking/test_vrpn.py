@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import shutil
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -87,6 +89,30 @@ async def test_poses_arrive_with_their_capture_times(loopback: str, bench: Any, 
         assert drone.captured_at <= drone.received_at - 0.02 + 1e-6
     steps = [(b[0].captured_at - a[0].captured_at) * rate_hz for a, b in pairwise(frames[5:])]
     assert sorted(steps)[len(steps) // 2] == pytest.approx(1.0, abs=0.05)
+
+
+@pytest.mark.parametrize("transport", ["tcp", "udp"])
+async def test_the_genuine_server_is_read(loopback: str, bench: Any, tmp_path: Path, transport: str) -> None:
+    program = shutil.which("vrpn_server")
+    if program is None:
+        pytest.skip("vrpn_server (github.com/vrpn/vrpn) is not installed")
+    settings_file = tmp_path / "vrpn.cfg"
+    settings_file.write_text("vrpn_Tracker_NULL Still 2 100.0\nvrpn_Tracker_Spin Spinning 1 100.0 0 0 1 0.5\n")
+    server = await asyncio.create_subprocess_exec(program, "-f", str(settings_file), "-NIC", loopback, "3883")
+    tracker = VrpnTracker(config(loopback, transport))
+    frames: list[tuple[Sighting, ...]] = []
+    try:
+        async with bench.running(tracker.run(frames.append)):
+            await bench.until(lambda: len(frames) >= 300)
+    finally:
+        server.kill()
+        await server.wait()
+    seen = [sighting for frame in frames for sighting in frame]
+    assert {sighting.body for sighting in seen} == {"Still", "Still/1", "Spinning"}
+    assert len({sighting.pose.yaw for sighting in seen if sighting.body == "Spinning"}) > 50
+    times = [sighting.captured_at for sighting in seen if sighting.body == "Still"]
+    assert (len(times) - 1) / (times[-1] - times[0]) == pytest.approx(100.0, rel=0.2)
+    assert (tracker.counts.malformed, tracker.counts.unnamed) == (0, 0)
 
 
 async def test_both_axes_can_point_up(loopback: str, bench: Any) -> None:

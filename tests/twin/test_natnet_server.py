@@ -62,7 +62,9 @@ from natnet import NatNetClient, Version
 address, group, port, wish = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4]
 client = NatNetClient(address, address, group or "239.255.42.99", data_port=port, use_multicast=bool(group))
 frames, models = [], []
-client.on_data_frame_received_event.handlers.append(frames.append)
+# Frames that were on their way while the version changed are read by the wrong one, as frames without bodies.
+keep = lambda frame: frames.append(frame) if frame.rigid_bodies or not wish else None
+client.on_data_frame_received_event.handlers.append(keep)
 client.on_data_description_received_event.handlers.append(models.append)
 with client:
     if wish:
@@ -70,13 +72,12 @@ with client:
     client.request_modeldef()
     client.run_async()
     deadline = time.monotonic() + 20.0
-    while len(frames) < 220 and time.monotonic() < deadline:
+    while len(frames) < 200 and time.monotonic() < deadline:
         time.sleep(0.01)
     client.stop_async()
 names = {body.id_num: body.name for body in models[-1].rigid_bodies}
 rows = []
-# Frames that were on their way while the version changed are read by the wrong one.
-for frame in frames[20:] if wish else frames:
+for frame in frames:
     body, lost = frame.rigid_bodies
     x, y, z, w = body.rot
     stamps = frame.suffix.stamp_camera_mid_exposure, frame.suffix.stamp_transmit
