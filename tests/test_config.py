@@ -51,12 +51,58 @@ def test_an_unknown_key_is_named() -> None:
         ({"limits": {"pose_age_level": 1.0, "pose_age_land": 0.9}}, "pose_age_level"),
         ({"map": {"flight_height": 2.3}}, "flight_height"),
         ({"control": {"alpha": 0.2, "beta": 2.0}}, "unstable"),
+        ({"twin": {"natnet_group": "10.0.0.1"}}, "multicast address, 224.0.0.0 to 239.255.255.255"),
+        ({"twin": {"natnet_group": "somewhere"}}, "multicast address"),
+        ({"tracking": {"kind": "bridge", "bridge_system": "qualisys"}}, "none that the twin poses as"),
         ({"map": {"virtual_obstacles": [{"rectangle": [2, 0, 1, 1]}]}}, "x_min < x_max"),
     ],
 )
 def test_a_combination_that_cannot_fly_is_refused_in_words(tree: dict[str, object], words: str) -> None:
     with pytest.raises(ConfigError, match=words):
         site_from_tree(tree)
+
+
+@pytest.mark.parametrize(
+    ("tree", "key"),
+    [
+        ({"tracking": {"kind": "magic"}}, "tracking.kind"),
+        ({"tracking": {"natnet_port": 0}}, "tracking.natnet_port"),
+        ({"tracking": {"vrpn_port": 65536}}, "tracking.vrpn_port"),
+        ({"tracking": {"vrpn_transport": "pigeon"}}, "tracking.vrpn_transport"),
+        ({"tracking": {"up_axis": "x"}}, "tracking.up_axis"),
+        ({"tracking": {"bridge_system": "Not A Name"}}, "tracking.bridge_system"),
+        ({"twin": {"mocap_wires": ["vicon", "smell"]}}, "twin.mocap_wires"),
+        ({"twin": {"natnet_version": "2.0"}}, "twin.natnet_version"),
+    ],
+)
+def test_a_choice_that_does_not_exist_is_refused_with_its_key(tree: dict[str, object], key: str) -> None:
+    with pytest.raises(ConfigError) as caught:
+        site_from_tree(tree)
+    assert caught.value.key.startswith(key)
+
+
+@pytest.mark.parametrize(
+    ("tracking", "beside", "served"),
+    [
+        ({}, [], ("vicon",)),
+        ({"kind": "natnet"}, [], ("natnet",)),
+        ({"kind": "vrpn"}, ["vicon", "natnet", "vrpn"], ("vrpn", "vicon", "natnet")),
+        ({"kind": "bridge", "bridge_system": "optitrack"}, [], ("natnet",)),
+        ({"kind": "bridge", "bridge_system": "qualisys"}, ["vicon"], ("vicon",)),
+    ],
+)
+def test_the_twin_serves_what_the_tracking_client_reads_and_what_is_asked_beside(
+    tracking: dict[str, object], beside: list[str], served: tuple[str, ...]
+) -> None:
+    assert site_from_tree({"tracking": tracking, "twin": {"mocap_wires": beside}}).served_wires == served
+
+
+@pytest.mark.parametrize(
+    ("kind", "axis", "y_up"),
+    [("vicon", "auto", False), ("natnet", "auto", True), ("vrpn", "auto", False), ("natnet", "z", False), ("vrpn", "y", True)],
+)
+def test_motive_has_y_up_unless_told_otherwise(kind: str, axis: str, y_up: bool) -> None:
+    assert site_from_tree({"tracking": {"kind": kind, "up_axis": axis}}).tracking.y_up is y_up
 
 
 @pytest.mark.parametrize("text", ["name = ", "\x00", "[limits", "name = 3"])

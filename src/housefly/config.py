@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import tomllib
+from ipaddress import IPv4Address
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -18,6 +19,7 @@ from housefly.config_hub import HubConfig
 from housefly.config_laser import LaserConfig, check_lasers
 from housefly.config_section import Section as Section
 from housefly.config_section import explain as explain
+from housefly.config_section import port_number as port_number
 from housefly.config_section import quantity as quantity
 from housefly.errors import ConfigError
 from housefly.profile import load_profile
@@ -91,17 +93,46 @@ class DroneConfig(Section):
     has_video: bool = Field(default=True, description="whether to open the camera stream")
 
 
+TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge"]
+MocapWire = Literal["vicon", "natnet", "vrpn"]
+BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
+"""Types of PyPI motioncapture whose protocol the twin serves."""
+
+
 class TrackingConfig(Section):
     """The motion capture system and where it answers."""
 
-    kind: Literal["vicon"] = Field(default="vicon", description="driver")
+    kind: TrackingKind = Field(default="vicon", description="driver; bridge is PyPI motioncapture (extra mocap), for all others")
     address: str = Field(default="127.0.0.1", description="IP address")
-    port: int = Field(
-        default=8010, ge=1, le=65535, description="TCP port; a real Vicon listens on 801", json_schema_extra={"unit": "1"}
+    port: int = port_number(8010, "TCP port of Vicon; a real one listens on 801")
+    natnet_port: int = port_number(1510, "UDP port of NatNet commands (Motive)")
+    vrpn_port: int = port_number(3883, "UDP and TCP port of VRPN")
+    vrpn_transport: Literal["tcp", "udp"] = Field(
+        default="tcp", description="how a VRPN connection begins: tcp, or udp (the server connects back to us)"
+    )
+    up_axis: Literal["auto", "y", "z"] = Field(
+        default="auto", description="the axis that points up where the system does not say it; auto: y for natnet, else z"
+    )
+    bridge_system: str = Field(
+        default="qualisys", pattern="^[a-z_]{1,40}$", description="type that motioncapture is asked for when kind is bridge"
     )
     body: str = Field(default="ardrone", description="name of the drone among the tracked bodies")
     visitor: str = Field(default="visitor", description="name of the person at the door among the tracked bodies")
     latency: float = quantity(0.02, 0.0, 0.5, "s", "from exposure to arrival, where the system does not say it")
+
+    @property
+    def wire(self) -> MocapWire | None:
+        """The protocol that arrives here, or None for one that only a bridge speaks."""
+        return BRIDGED.get(self.bridge_system) if self.kind == "bridge" else self.kind
+
+    @property
+    def y_up(self) -> bool:
+        """Whether poses come with y up."""
+        return self.up_axis == "y" or (self.up_axis == "auto" and self.wire == "natnet")
+
+    def port_of(self, wire: MocapWire) -> int:
+        """Return the port of a protocol."""
+        return {"vicon": self.port, "natnet": self.natnet_port, "vrpn": self.vrpn_port}[wire]
 
 
 class LimitsConfig(Section):
@@ -155,6 +186,12 @@ class TwinConfig(Section):
     mocap_latency: float = quantity(0.02, 0.0, 0.5, "s", "from exposure to sending")
     mocap_noise: float = quantity(0.001, 0.0, 0.1, "m", "one-sigma position noise")
     mocap_dropout: float = quantity(0.0, 0.0, 1.0, "1", "share of frames lost")
+    mocap_wires: tuple[MocapWire, ...] = Field(
+        default=(), description="systems that the twin poses as beside that of tracking.kind: vicon, natnet, vrpn"
+    )
+    natnet_version: Literal["3.1", "4.1"] = Field(default="3.1", description="protocol version of the twin's NatNet server")
+    natnet_data_port: int = port_number(1511, "UDP port of the twin's NatNet multicast")
+    natnet_group: str = Field(default="", description='multicast group of the twin, as 239.255.42.99; "" serves unicast')
     command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction of the drone")
     battery: float = quantity(1.0, 0.0, 1.0, "1", "charge at the start")
     visitor_present: bool = Field(default=True, description="whether someone stands at the door")
@@ -166,6 +203,21 @@ class TwinConfig(Section):
     video_rate_hz: float = quantity(30.0, 1.0, 60.0, "Hz", "pictures per second")
     laser_noise: float = quantity(0.01, 0.0, 0.2, "m", "one-sigma noise of a scanner's distances")
     laser_dropout: float = quantity(0.002, 0.0, 1.0, "1", "share of a scanner's beams that come back empty")
+
+    @model_validator(mode="after")
+    def _group(self) -> Self:
+        if self.natnet_group and not _is_group(self.natnet_group):
+            raise ValueError(
+                f"natnet_group ({self.natnet_group}) must be an IPv4 multicast address, 224.0.0.0 to 239.255.255.255"
+            )
+        return self
+
+
+def _is_group(address: str) -> bool:
+    try:
+        return IPv4Address(address).is_multicast
+    except ValueError:
+        return False
 
 
 class WebConfig(Section):
@@ -195,6 +247,11 @@ class Site(Section):
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
 
+    @property
+    def served_wires(self) -> tuple[MocapWire, ...]:
+        """What the twin's tracking system speaks: the protocol of ``tracking.kind`` and those asked for beside it."""
+        return tuple(dict.fromkeys(wire for wire in (self.tracking.wire, *self.twin.mocap_wires) if wire is not None))
+
     @model_validator(mode="after")
     def _combinations(self) -> Self:
         low, high = self.limits.height_min, self.limits.height_max
@@ -203,6 +260,11 @@ class Site(Section):
                 f"map.flight_height ({self.map.flight_height} m) must lie in limits.height_min..height_max ({low} .. {high} m)"
             )
         check_lasers(self.lasers)
+        if self.twin.enabled and not self.served_wires:
+            raise ValueError(
+                f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin poses as ({', '.join(BRIDGED)}); "
+                "choose one of these, or set twin.enabled = false"
+            )
         lag = self.drone.attitude_lag
         if self.control.beta >= lag * self.control.alpha:
             raise ValueError(

@@ -13,6 +13,11 @@ def quantity(default: float, low: float, high: float, unit: str, meaning: str) -
     return Field(default, ge=low, le=high, allow_inf_nan=False, description=meaning, json_schema_extra={"unit": unit})
 
 
+def port_number(default: int, meaning: str) -> Any:
+    """Declare a port with its default and one-line meaning."""
+    return Field(default, ge=1, le=65535, description=meaning, json_schema_extra={"unit": "1"})
+
+
 class Section(BaseModel):
     """A frozen table of the site file that knows all its keys."""
 

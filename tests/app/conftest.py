@@ -17,6 +17,7 @@ model = "{model}"
 address = "{address}"
 has_video = {video}
 [tracking]
+kind = "{tracking}"
 address = "{address}"
 [web]
 port = {port}
@@ -44,12 +45,23 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
 
     numbers = count(1)
 
-    def write(*, rate: float = 100.0, video: bool = False, mode: str = "default", model: str = "bsen", seed: int = 1) -> Path:
+    def write(
+        *,
+        rate: float = 100.0,
+        video: bool = False,
+        mode: str = "default",
+        model: str = "bsen",
+        seed: int = 1,
+        tracking: str = "vicon",
+    ) -> Path:
         number = next(numbers)
         address = f"127.{1 + getpid() % 250}.{getpid() // 250 % 250}.{200 + (abs(hash(request.node.nodeid)) + number) % 50}"
         file = tmp_path / f"site{number}.toml"
         flag = "true" if video else "false"
-        file.write_text(SITE.format(mode=mode, model=model, address=address, video=flag, rate=rate, seed=seed, port=free_port()))
+        text = SITE.format(
+            mode=mode, model=model, address=address, video=flag, rate=rate, seed=seed, port=free_port(), tracking=tracking
+        )
+        file.write_text(text)
         return file
 
     return write

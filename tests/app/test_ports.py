@@ -36,6 +36,27 @@ def test_a_taken_port_is_refused_before_anything_starts(loopback: str, port: int
             refuse_taken_ports(site_at(loopback), web=True)
 
 
+@pytest.mark.parametrize(
+    ("wire", "port", "kind", "words"),
+    [
+        ("natnet", 1510, socket.SOCK_DGRAM, "UDP 1510"),
+        ("vrpn", 3883, socket.SOCK_DGRAM, "UDP 3883"),
+        ("vrpn", 3883, socket.SOCK_STREAM, "TCP 3883"),
+    ],
+)
+def test_each_tracking_system_needs_its_own_ports(
+    loopback: str, wire: str, port: int, kind: socket.SocketKind, words: str
+) -> None:
+    site = changed(site_at(loopback), twin__mocap_wires=[wire])
+    with socket.socket(socket.AF_INET, kind) as other:
+        other.bind((loopback, port))
+        if kind is socket.SOCK_STREAM:
+            other.listen()
+        refuse_taken_ports(site_at(loopback), web=True)
+        with pytest.raises(LinkError, match=f"{words}.*tracking.{wire}_port"):
+            refuse_taken_ports(site, web=True)
+
+
 def test_real_hardware_needs_no_ports_but_the_consoles(loopback: str) -> None:
     names = {need.name for need in needs_of(changed(site_at(loopback), twin__enabled=False), web=True)}
     assert names == {"console"}

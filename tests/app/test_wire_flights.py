@@ -42,6 +42,19 @@ def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: 
     assert (frames[0].width, frames[0].height) == (640, 360)
 
 
+@pytest.mark.timeout(150)
+@pytest.mark.parametrize("tracking", ["natnet", "vrpn"])
+def test_the_drone_flies_by_other_tracking_systems(tmp_path: Path, write_site: Any, tracking: str) -> None:
+    out = tmp_path / "out"
+    flight = start(write_site(tracking=tracking), out, "sofa")
+    output = flight.communicate(timeout=140)[0]
+    assert flight.returncode == 0, output
+    summary = summary_of(out)
+    assert summary["outcome"] == "completed"
+    assert summary["arrival_error_m"] < 0.3
+    assert summary["min_clearance_m"] > 0.0
+
+
 @pytest.mark.timeout(300)
 def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     flight = start(write_site(), tmp_path / "out", "entrance")

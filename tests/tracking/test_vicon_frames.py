@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from housefly.geometry import IDENTITY, quaternion_from_euler
 from housefly.messages import Sighting
-from housefly.tracking.vicon_frames import FrameCounts, FrameReader
+from housefly.tracking.counts import FrameCounts
+from housefly.tracking.vicon_frames import FrameReader
 from housefly.wires.vicon import (
     TICKS_PER_SECOND,
     ApplicationInfo,

@@ -14,7 +14,10 @@ import pytest
 
 from housefly.clock import RealClock
 from housefly.config import Site, TrackingConfig
+from housefly.messages import Sighting
+from housefly.tracking.natnet import NatNetTracker
 from housefly.tracking.vicon import ViconTracker
+from housefly.tracking.vrpn import VrpnTracker
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, decode_navdata
 from housefly.wires.ardrone.pave import VIDEO_PORT, PaveFrame, VideoReassembler
 
@@ -77,6 +80,36 @@ class _Once(asyncio.DatagramProtocol):
     def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
         if not self._received.done():
             self._received.set_result(data)
+
+
+async def test_it_poses_as_every_tracking_system_at_once(start, loopback):
+    site = site_text(loopback) + 'mocap_wires = ["natnet", "vrpn"]\n'
+    process = await start(site)
+    assert f"tracking at {loopback}:8010, {loopback}:1510, {loopback}:3883" in await line(process)
+    places: dict[str, set[tuple[float, ...]]] = {}
+    trackers = [
+        kind(TrackingConfig(kind=name, address=loopback), RealClock())
+        for name, kind in (("vicon", ViconTracker), ("natnet", NatNetTracker), ("vrpn", VrpnTracker))
+    ]
+
+    def sink(name: str) -> Callable[[tuple[Sighting, ...]], None]:
+        def take(frame: tuple[Sighting, ...]) -> None:
+            seen = {sighting.body: sighting.pose for sighting in frame}
+            if "ardrone" in seen:
+                places.setdefault(name, set()).add(tuple(round(value, 4) for value in seen["ardrone"].position))
+
+        return take
+
+    tasks = [asyncio.create_task(tracker.run(sink(type(tracker).__name__))) for tracker in trackers]
+    for _ in range(200):
+        await asyncio.sleep(0.05)
+        if len(places) == 3 and len(set.intersection(*places.values())) >= 20:
+            break
+    else:
+        pytest.fail(f"the three do not agree: {[tracker.problem for tracker in trackers]}")
+    for task in tasks:
+        task.cancel()
+    await asyncio.gather(*tasks, return_exceptions=True)
 
 
 async def test_a_signal_makes_the_visitor_leave_and_the_tracking_sees_it(start, loopback):

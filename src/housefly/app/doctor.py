@@ -91,7 +91,8 @@ def _ports(site: Site) -> tuple[Finding, ...]:
 def _hardware(site: Site) -> Finding:
     if site.twin.enabled:
         return Finding("drone and tracking", True, "simulated")
-    tracking = f"{site.tracking.address}:{site.tracking.port}"
+    wire = site.tracking.wire
+    tracking = f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
     return Finding("drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}")
 
 

@@ -17,6 +17,7 @@ from housefly.app.launcher import Launcher, Part
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.premises import Premises
 from housefly.app.runtime import new_runtime
+from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER, STEP
 from housefly.clock import RealClock
@@ -26,7 +27,6 @@ from housefly.identification.box import Box
 from housefly.identification.maneuver import Maneuver
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot import Pilot, warm_up
-from housefly.tracking.vicon import ViconTracker
 from housefly.twin.contracts import World
 from housefly.twin.lockstep import LockstepRoom
 
@@ -146,9 +146,7 @@ def _undisturbed() -> Iterator[None]:
 
 async def _fly(premises: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
     site, clock, bus = premises.site, RealClock(), LocalBus()
-    shell = PilotShell(
-        premises, bus, ViconTracker(site.tracking, clock), ArDrone(site.drone, site.limits, clock), errand.maneuver
-    )
+    shell = PilotShell(premises, bus, tracker_of(site.tracking, clock), ArDrone(site.drone, site.limits, clock), errand.maneuver)
     interrupted = threading.Event()
 
     def heard(step: PilotStep) -> None:

@@ -11,12 +11,12 @@ from contextlib import suppress
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.premises import Premises, open_premises
 from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.pilot import warm_up
-from housefly.tracking.vicon import ViconTracker
 
 URGENCY = -10
 """Nice value that the pilot takes where the system lets it."""
@@ -39,7 +39,7 @@ async def _run(runtime: Runtime, premises: Premises) -> None:
     site, clock = premises.site, RealClock()
     with ZenohBus(listen=runtime.bus) as bus:
         drone = ArDrone(site.drone, site.limits, clock)
-        shell = PilotShell(premises, bus, ViconTracker(site.tracking, clock), drone)
+        shell = PilotShell(premises, bus, tracker_of(site.tracking, clock), drone)
         stop = StopListener("127.0.0.1", runtime.stop_port, runtime.secret, shell.stop)
         await stop.start()
         loop = asyncio.get_running_loop()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 from dataclasses import dataclass
 
-from housefly.config import Site
+from housefly.config import MocapWire, Site
 from housefly.errors import LinkError
 
 DRONE_PORTS = (
@@ -14,6 +14,13 @@ DRONE_PORTS = (
     (5555, socket.SOCK_STREAM, "TCP"),
     (5559, socket.SOCK_STREAM, "TCP"),
 )
+_TCP, _UDP = (socket.SOCK_STREAM, "TCP"), (socket.SOCK_DGRAM, "UDP")
+TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], ...]]] = {
+    "vicon": ("port", (_TCP,)),
+    "natnet": ("natnet_port", (_UDP,)),
+    "vrpn": ("vrpn_port", (_TCP, _UDP)),
+}
+"""The key of each protocol's port, and what listens there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +47,7 @@ def needs_of(site: Site, *, web: bool) -> tuple[Need, ...]:
         address = site.drone.address
         taken = tuple(f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind))
         needs.append(Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2"))
-        needs.append(_tcp("simulated tracking system", site.tracking.address, site.tracking.port, "tracking.port"))
+        needs += [_tracking_need(site, wire) for wire in site.served_wires]
         needs += [_tcp(f"simulated scanner {laser.name}", laser.address, laser.port, "its port") for laser in site.lasers]
     if web and site.web.port:
         needs.append(_tcp("console", site.web.host, site.web.port, "web.port, or use --port"))
@@ -55,6 +62,13 @@ def refuse_taken_ports(site: Site, *, web: bool) -> None:
                 f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another Housefly run?); "
                 f"end that program, or change {need.remedy}"
             )
+
+
+def _tracking_need(site: Site, wire: MocapWire) -> Need:
+    address, port = site.tracking.address, site.tracking.port_of(wire)
+    key, kinds = TRACKING_PORTS[wire]
+    taken = tuple(f"{word} {port}" for kind, word in kinds if not _free(address, port, kind))
+    return Need("simulated tracking system", address, taken, f"tracking.{key}")
 
 
 def _tcp(name: str, address: str, port: int, remedy: str) -> Need:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from collections.abc import Callable
 
 from housefly.clock import Clock, RealClock
 from housefly.config import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.messages import Sighting
-from housefly.tracking.vicon_frames import FrameCounts, FrameReader
+from housefly.tracking.contracts import Sink
+from housefly.tracking.counts import FrameCounts
+from housefly.tracking.vicon_frames import FrameReader
 from housefly.wires.vicon import (
     HEADER_SIZE,
     ApplicationInfo,
@@ -36,8 +36,6 @@ _CONNECT_TIMEOUT = 2.0
 _SILENCE = 5.0
 """A server silent for this long [s] is connected to anew: a pulled cable says nothing."""
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
-
-Sink = Callable[[tuple[Sighting, ...]], None]
 
 
 class ViconTracker:

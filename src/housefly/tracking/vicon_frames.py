@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import isfinite
 
 from housefly.errors import WireError
 from housefly.messages import Pose, Sighting
 from housefly.tracking.capture_clock import CaptureClock
+from housefly.tracking.counts import FrameCounts
 from housefly.wires.vicon import (
     ROOT,
     TICKS_PER_SECOND,
@@ -29,23 +29,6 @@ _LONGEST_LATENCY = 5.0
 _LONGEST_PERIOD = 10.0
 _RESTART = 1.0
 """A frame number this far back [s] is a server that counts anew; less is an old frame."""
-
-
-@dataclass(slots=True)
-class FrameCounts:
-    """What came over the wire so far.
-
-    Attributes:
-        frames: frames used.
-        repeated: frames dropped because their number was that of the last one.
-        backward: frames dropped because they were older than the last one.
-        refused: poses dropped because they were not finite, not a rotation, or a kilometre away.
-    """
-
-    frames: int = 0
-    repeated: int = 0
-    backward: int = 0
-    refused: int = 0
 
 
 class FrameReader:

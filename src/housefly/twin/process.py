@@ -26,7 +26,7 @@ from housefly.twin.devices import Devices
 from housefly.twin.laser_feed import LaserFeed
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTime
-from housefly.twin.vicon_server import ViconServer
+from housefly.twin.tracking_servers import tracking_servers
 from housefly.twin.world import SimulatedWorld
 
 
@@ -51,7 +51,7 @@ class Twin:
         self._world = SimulatedWorld(site, room, scene)
         self._time = RealTime(self._world, RealClock())
         self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
-        self._tracking = ViconServer(site.tracking.address, site.tracking.port, site.twin.mocap_rate_hz)
+        self._tracking = tracking_servers(site)
         self._lasers = LaserFeed(site, self._world, beyond_loopback)
         self._camera = CameraProcess(site, room, scene.script.people if scene else ()) if site.twin.video else None
         self._camera_state = (0, "")
@@ -62,8 +62,9 @@ class Twin:
         async with contextlib.AsyncExitStack() as open_parts:
             open_parts.push_async_callback(self._drone.stop)
             await self._drone.start()
-            open_parts.push_async_callback(self._tracking.stop)
-            await self._tracking.start()
+            for server in self._tracking:
+                open_parts.push_async_callback(server.stop)
+                await server.start()
             open_parts.push_async_callback(self._lasers.stop)
             await self._lasers.start()
             work = [self._time.run(self._publish_frames)]
@@ -96,7 +97,8 @@ class Twin:
         drone, tracking = self._site.drone, self._site.tracking
         video = "on" if self._camera is not None else "off"
         scanners = "".join(f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers)
-        return f"twin ready: drone at {drone.address}, tracking at {tracking.address}:{tracking.port}, video {video}{scanners}"
+        places = ", ".join(f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires)
+        return f"twin ready: drone at {drone.address}, tracking at {places}, video {video}{scanners}"
 
     def _device_link(self, scene: Scene) -> DeviceLink:
         return DeviceLink(
@@ -108,7 +110,8 @@ class Twin:
 
     def _publish_frames(self) -> None:
         for frame in self._world.mocap_frames():
-            self._tracking.publish(frame)
+            for server in self._tracking:
+                server.publish(frame)
         self._lasers.publish()
 
     async def _film(self, camera: CameraProcess) -> None:

@@ -8,12 +8,12 @@ that the cameras do not see is left out of its frame.
 from __future__ import annotations
 
 import asyncio
-import socket
 from collections import Counter
 
 from housefly.errors import LinkError, WireError
 from housefly.messages import Pose
 from housefly.twin.contracts import MocapFrame
+from housefly.twin.stream_client import StreamClient
 from housefly.wires.vicon import (
     HEADER_SIZE,
     TICKS_PER_SECOND,
@@ -42,8 +42,6 @@ OFFERED = frozenset(
 )
 _LARGEST_REQUEST = 64 * 1024
 _MOST_CLIENTS = 32
-_BACKLOG = 64 * 1024
-"""Bytes that may wait for a slow client before it loses frames; about a hundred frames of two bodies."""
 
 
 class ViconServer:
@@ -140,18 +138,14 @@ class ViconServer:
                     client.offer(self._encode(self._latest, client.kinds))
 
 
-class _Client:
-    """One connection: what it asked for, and how much waits for it."""
+class _Client(StreamClient):
+    """One connection and what it asked for."""
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
+        super().__init__(writer)
         self.kinds = OFFERED
         self.streaming = False
         self.expected = 0
-        self._writer = writer
-        connection = writer.get_extra_info("socket")
-        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        # The kernel would otherwise keep megabytes of frames too old to be of use.
-        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _BACKLOG)
 
     def wants_frame(self) -> bool:
         """Tell whether the next frame is for this client, and count it off."""
@@ -159,17 +153,6 @@ class _Client:
             return True
         self.expected, wanted = max(0, self.expected - 1), self.expected > 0
         return wanted
-
-    def offer(self, packet: bytes) -> bool:
-        """Send a packet unless too much waits already; returns whether it was taken."""
-        if self._writer.is_closing() or self._writer.transport.get_write_buffer_size() > _BACKLOG:
-            return False
-        self._writer.write(packet)
-        return True
-
-    def close(self) -> None:
-        """Drop the connection with whatever waits for it."""
-        self._writer.transport.abort()
 
 
 def frame_items(frame: MocapFrame, period_ticks: int, kinds: frozenset[int]) -> list[Item]:

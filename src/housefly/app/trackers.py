@@ -1,0 +1,26 @@
+"""Which client listens to which tracking system."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from housefly.clock import Clock
+from housefly.config import TrackingConfig, TrackingKind
+from housefly.tracking.bridge import BridgeTracker
+from housefly.tracking.contracts import Tracker
+from housefly.tracking.natnet import NatNetTracker
+from housefly.tracking.vicon import ViconTracker
+from housefly.tracking.vrpn import VrpnTracker
+
+TRACKERS: dict[TrackingKind, Callable[[TrackingConfig, Clock], Tracker]] = {
+    "vicon": ViconTracker,
+    "natnet": NatNetTracker,
+    "vrpn": VrpnTracker,
+    "bridge": BridgeTracker,
+}
+"""The client of each ``tracking.kind``."""
+
+
+def tracker_of(config: TrackingConfig, clock: Clock) -> Tracker:
+    """Return the client that a site asks for."""
+    return TRACKERS[config.kind](config, clock)

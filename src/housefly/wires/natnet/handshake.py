@@ -1,0 +1,176 @@
+"""What client and server agree on before frames flow, and the Item protocol that every message follows."""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import ClassVar, Protocol, Self
+
+from housefly.errors import WireError
+from housefly.wires.natnet.buffer import I32, MAX_NAME, Reader, Version, Writer
+
+_SENDER = struct.Struct(f"<{MAX_NAME}s4B4B")
+_STREAM = struct.Struct("<QH?4B")
+_OPTIONS = struct.Struct("<?4B")
+
+Four = tuple[int, int, int, int]
+
+
+class Item(Protocol):
+    """One message."""
+
+    KIND: ClassVar[int]
+
+    def write(self, out: Writer) -> None:
+        """Append the body, without its header."""
+        ...
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body; raises WireError. What follows the known fields is ignored."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Connect:
+    """A client asks who serves; it may wish for a version (servers from 4.0 on honour it in unicast)."""
+
+    KIND: ClassVar[int] = 0
+    wish: Version | None = None
+
+    def write(self, out: Writer) -> None:
+        """Append the greeting that Motive's own clients send, then the wish."""
+        out.put(_SENDER, b"Ping", *[0] * 8)
+        out.put(_OPTIONS, False, *(self.wish or (0, 0)), 0, 0)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body; short greetings of older clients wish for nothing."""
+        if source.left < _SENDER.size + _OPTIONS.size:
+            return cls()
+        source.take(_SENDER, "client")
+        _, major, minor, _, _ = source.take(_OPTIONS, "options")
+        return cls((major, minor) if major else None)
+
+
+@dataclass(frozen=True, slots=True)
+class ServerInfo:
+    """Who serves, how its clock ticks and where the frames go.
+
+    Attributes:
+        application: name of the program that serves.
+        application_version: its version.
+        version: of the protocol, major.minor.build.revision.
+        clock_hz: ticks per second of all time stamps [Hz].
+        data_port: port that multicast frames are sent to.
+        multicast: whether frames go to a group; else each client gets its own.
+        group: address of the group.
+    """
+
+    KIND: ClassVar[int] = 1
+    application: str
+    application_version: Four
+    version: Four
+    clock_hz: int
+    data_port: int
+    multicast: bool
+    group: str
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        name = self.application.encode("utf-8", errors="replace")[: MAX_NAME - 1]
+        out.put(_SENDER, name, *self.application_version, *self.version)
+        out.put(_STREAM, self.clock_hz, self.data_port, self.multicast, *_quad(self.group))
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        name, *versions = source.take(_SENDER, "server")
+        clock_hz, data_port, multicast, *quad = source.take(_STREAM, "clock and data port")
+        if clock_hz == 0:
+            raise WireError("NatNet clock frequency: is 0")
+        a, b, c, d, e, f, g, h = versions
+        application = name.split(b"\0", 1)[0].decode("utf-8", errors="replace")
+        return cls(application, (a, b, c, d), (e, f, g, h), clock_hz, data_port, multicast, ".".join(map(str, quad)))
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """A command in words, for example ``Bitstream,4.1``."""
+
+    KIND: ClassVar[int] = 2
+    command: str
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.text(self.command)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.text("command"))
+
+
+@dataclass(frozen=True, slots=True)
+class Response:
+    """The answer to a command: 0 is success."""
+
+    KIND: ClassVar[int] = 3
+    code: int
+
+    def write(self, out: Writer) -> None:
+        """Append the body."""
+        out.put(I32, self.code)
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read the body."""
+        return cls(source.number(I32, "response"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Bare:
+    """A message that is its kind alone."""
+
+    def write(self, out: Writer) -> None:
+        """Append nothing."""
+
+    @classmethod
+    def read(cls, source: Reader) -> Self:
+        """Read nothing."""
+        return cls()
+
+
+class RequestModelDef(_Bare):
+    """The client asks for names of the bodies."""
+
+    __slots__ = ()
+    KIND: ClassVar[int] = 4
+
+
+class Disconnect(_Bare):
+    """The client leaves."""
+
+    __slots__ = ()
+    KIND: ClassVar[int] = 9
+
+
+class KeepAlive(_Bare):
+    """A unicast client is still there."""
+
+    __slots__ = ()
+    KIND: ClassVar[int] = 10
+
+
+class Unrecognized(_Bare):
+    """The server does not know a request."""
+
+    __slots__ = ()
+    KIND: ClassVar[int] = 100
+
+
+def _quad(address: str) -> list[int]:
+    parts = address.split(".")
+    if len(parts) != 4 or not all(part.isdecimal() and int(part) < 256 for part in parts):
+        raise WireError(f"NatNet multicast group: {address!r} is no IPv4 address")
+    return [int(part) for part in parts]

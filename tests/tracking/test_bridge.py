@@ -1,0 +1,173 @@
+"""The bridge to motioncapture: what it reads of our own servers, and what happens when it fails."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib.util
+import json
+import math
+import sys
+from contextlib import suppress
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.config import TrackingConfig
+from housefly.errors import LinkError, WireError
+from housefly.messages import Pose, Sighting
+from housefly.tracking import bridge
+from housefly.tracking.bridge import BridgeTracker, settings_of
+from housefly.tracking.bridge_lines import BridgeLines
+from housefly.tracking.counts import FrameCounts
+from housefly.twin.contracts import MocapFrame
+from housefly.twin.natnet_server import NatNetServer
+from housefly.twin.vicon_server import ViconServer
+from housefly.twin.vrpn_server import VrpnServer
+
+TURNED = (math.cos(0.3), 0.0, 0.0, math.sin(0.3))
+
+
+def config(address: str, system: str) -> TrackingConfig:
+    return TrackingConfig(kind="bridge", bridge_system=system, address=address)
+
+
+def lines() -> tuple[BridgeLines, FrameCounts]:
+    counts = FrameCounts()
+    return BridgeLines(0.02, False, counts), counts
+
+
+def line(**bodies: object) -> bytes:
+    return json.dumps({"bodies": bodies}).encode()
+
+
+async def feed(server: Any) -> None:
+    """Publish 100 frames a second of a drone that moves: what stands still to the bit is taken for lost."""
+    number = 0
+    while True:
+        number += 1
+        drone = Pose((0.001 * number, 2.0, 1.0), TURNED)
+        server.publish(MocapFrame(number, 0.01 * number, 0.01 * number + 0.01, (("ardrone", drone), ("visitor", None))))
+        await asyncio.sleep(0.01)
+
+
+def server_of(system: str, address: str) -> Any:
+    if system == "vicon":
+        return ViconServer(address)
+    if system == "vrpn":
+        return VrpnServer(address)
+    port = 40000 + sum(map(int, address.split("."))) % 10000
+    return NatNetServer(address, group="239" + address[3:], data_port=port)
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize("system", ["vicon", "optitrack", "vrpn"])
+async def test_the_bridge_reads_every_server_of_the_twin(loopback: str, bench: Any, system: str) -> None:
+    pytest.importorskip("motioncapture")
+    server = server_of(system, loopback)
+    await server.start()
+    tracker = BridgeTracker(config(loopback, system))
+    frames: list[tuple[Sighting, ...]] = []
+    async with bench.running(feed(server), tracker.run(frames.append)):
+        await bench.until(lambda: len(frames) >= 50)
+        assert tracker.connected
+        assert tracker.problem == ""
+    await server.stop()
+    for (seen,) in frames:
+        assert seen.body == "ardrone"
+        assert seen.pose.position[1:] == pytest.approx((2.0, 1.0), abs=1e-5)
+        assert seen.pose.orientation == pytest.approx(TURNED, abs=1e-5)
+        assert seen.received_at - seen.captured_at == pytest.approx(0.02)
+
+
+@pytest.mark.wire
+async def test_a_system_that_falls_silent_is_named_and_asked_again(
+    loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("motioncapture")
+    monkeypatch.setattr(bridge, "SILENCE", 2.5)
+    server = ViconServer(loopback)
+    await server.start()
+    tracker = BridgeTracker(config(loopback, "vicon"))
+    frames: list[tuple[Sighting, ...]] = []
+    async with bench.running(tracker.run(frames.append)):
+        async with bench.running(feed(server)):
+            await bench.until(lambda: len(frames) >= 3)
+        await bench.until(lambda: "no new poses" in tracker.problem)
+        await bench.until(lambda: "silent" in tracker.problem)
+        frames.clear()
+        async with bench.running(feed(server)):
+            await bench.until(lambda: len(frames) >= 3)
+    await server.stop()
+
+
+@pytest.mark.wire
+async def test_nobody_there_is_named_although_the_library_hangs(
+    loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("motioncapture")
+    monkeypatch.setattr(bridge, "SILENCE", 1.0)
+    tracker = BridgeTracker(config(loopback, "optitrack"))
+    async with bench.running(tracker.run(lambda frame: None)):
+        await bench.until(lambda: "silent" in tracker.problem)
+        assert not tracker.connected
+
+
+@pytest.mark.wire
+async def test_a_system_that_the_library_does_not_know_is_named(loopback: str, bench: Any) -> None:
+    pytest.importorskip("motioncapture")
+    tracker = BridgeTracker(config(loopback, "crystal_ball"))
+    async with bench.running(tracker.run(lambda frame: None)):
+        await bench.until(lambda: "Unknown motion capture type" in tracker.problem)
+
+
+async def test_a_missing_library_is_named_with_its_remedy(bench: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    tracker = BridgeTracker(config("127.0.0.1", "qualisys"))
+    async with bench.running(tracker.run(lambda frame: None)):
+        await bench.until(lambda: "pip install 'housefly[mocap]'" in tracker.problem)
+
+
+@pytest.mark.wire
+async def test_the_child_ends_with_its_parent(loopback: str) -> None:
+    pytest.importorskip("motioncapture")
+    server = ViconServer(loopback)
+    await server.start()
+    command = (sys.executable, "-m", "housefly.tracking.bridge_child", "vicon", json.dumps({"hostname": f"{loopback}:8010"}))
+    child = await asyncio.create_subprocess_exec(*command, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE)
+    assert child.stdin is not None and child.stdout is not None
+    server.publish(MocapFrame(1, 0.0, 0.0, ()))
+    await asyncio.wait_for(child.stdout.readline(), 10.0)
+    child.stdin.close()
+    assert await asyncio.wait_for(child.wait(), 10.0) == 0
+    await server.stop()
+
+
+@given(
+    st.binary(max_size=100) | st.recursive(st.none() | st.floats() | st.text(), st.lists).map(lambda v: json.dumps(v).encode())
+)
+def test_any_line_is_a_frame_or_a_named_error(text: bytes) -> None:
+    with suppress(WireError, LinkError):
+        lines()[0].read(text, 1.0)
+
+
+def test_a_pose_that_is_the_last_one_to_the_bit_is_not_told_again() -> None:
+    reader, counts = lines()
+    here, there = [1.0, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0], [1.5, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0]
+    assert len(reader.read(line(a=here, b=here), 1.0) or ()) == 2
+    assert reader.read(line(a=here, b=here), 1.1) is None
+    assert [seen.body for seen in reader.read(line(a=here, b=there), 1.2) or ()] == ["b"]
+    assert (counts.frames, counts.repeated) == (2, 1)
+
+
+def test_poses_that_cannot_be_are_refused() -> None:
+    reader, counts = lines()
+    assert reader.read(line(a=[float("nan"), 0, 0, 1, 0, 0, 0], b=[0, 0, 0, 0, 0, 0, 0]), 1.0) == ()
+    assert counts.refused == 2
+
+
+def test_each_system_is_told_where_it_is() -> None:
+    assert settings_of(config("127.0.0.1", "qualisys")) == {"hostname": "127.0.0.1"}
+    assert settings_of(config("127.0.0.1", "vicon")) == {"hostname": "127.0.0.1:8010"}
+    assert settings_of(config("127.0.0.1", "optitrack"))["interface_ip"] == "127.0.0.1"
