@@ -120,3 +120,13 @@ def test_a_request_for_a_picture_carries_the_people() -> None:
     people = (Pose((1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.0)), Pose((4.0, 5.0, 6.0), (0.0, 1.0, 0.0, 0.0)))
     request = Request(people[0], True, Camera.FRONT, 2.5, people)
     assert Request.unpack(request.pack()) == request
+
+
+def test_tracking_loses_a_visitor_when_somebody_comes_between(make_room: MakeRoom, ceiling_cameras: tuple[Any, ...]) -> None:
+    room = make_room(cameras=ceiling_cameras, visitor=(2.0, 2.6))
+    between = scene({"do": "wait", "seconds": 0.5}, {"do": "lie", "at": [2.0, 2.6], "height": 1.9, "seconds": 9})
+    crowded = SimulatedWorld(Site(), room, between)
+    crowded.advance(0.3)
+    assert crowded.mocap_frames()[-1].bodies[1][1] is not None
+    crowded.advance(0.7)
+    assert crowded.mocap_frames()[-1].bodies[1][1] is None
