@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Callable
 from math import hypot
 from pathlib import Path
 
 import pytest
 
-from housefly.app.launcher import parts_of
+from housefly.app.launcher import Launcher, parts_of
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.looker_main import Looker
 from housefly.app.premises import Premises, open_premises, read_site
 from housefly.app.replaying import verify_recording
 from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import OBSTACLE
+from housefly.bus.topics import OBSTACLE, STEP
+from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config import changed
 from housefly.errors import ConfigError
@@ -69,6 +71,23 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
         await feed.stop()
+
+
+@pytest.mark.wire
+@pytest.mark.slow
+def test_the_processes_of_a_site_with_a_scanner_tell_the_pilot_of_the_visitor(tmp_path: Path, loopback: str) -> None:
+    laser = {"name": "laser-1", "address": loopback, "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
+    site = read_site("bsen", drone__address=loopback, tracking__address=loopback, twin__video=False, drone__has_video=False)
+    runtime = new_runtime(changed(site, lasers=[laser]), tmp_path)
+    heard: list[Obstacle] = []
+    with Launcher(runtime, tmp_path, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
+        bus.subscribe(STEP, lambda step: heard.extend(step.inputs.obstacles))
+        deadline = time.monotonic() + 60.0
+        while len(heard) < 10 and time.monotonic() < deadline:
+            time.sleep(0.05)
+    assert len(heard) >= 10
+    x, y = premises().room.visitor or (0.0, 0.0)
+    assert min(hypot(o.position[0] - x, o.position[1] - y) for o in heard) < 0.3
 
 
 def test_the_looker_runs_where_there_are_scanners_and_only_there(tmp_path: Path) -> None:

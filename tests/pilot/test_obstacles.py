@@ -251,3 +251,29 @@ def test_any_obstacles_give_the_same_outputs_twice_and_never_an_error(fly: Fly, 
         now = flight.now + 0.05 * tick
         inputs = Inputs(sightings, flight.heard, orders, tuple(heard))
         assert one.step(now, inputs) == two.step(now, inputs)
+
+
+put = st.tuples(st.floats(1.0, 20.0), st.floats(0.5, 12.0), st.floats(0.5, 4.5), st.floats(0.1, 0.5))
+
+
+@pytest.mark.slow
+@settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(st.lists(put, min_size=1, max_size=4))
+def test_whatever_is_put_down_wherever_a_standing_thing_is_never_touched(
+    fly: Fly, places: list[tuple[float, float, float, float]]
+) -> None:
+    flight = fly()
+    flight.depart()
+    start, chairs = flight.now, []
+    flight.around = lambda f: tuple(
+        Obstacle(str(n), seen.position, seen.radius, seen_at=seen.seen_at)
+        for n, chair in enumerate(chairs)
+        for seen in chair.seen(f)
+    )
+    waiting = sorted(places)
+    while flight.now - start < 60.0 and flight.step().phase is not Phase.HOLDING:
+        if waiting and flight.now - start > waiting[0][0]:
+            _, x, y, radius = waiting.pop(0)
+            if hypot(x - flight.body.x, y - flight.body.y) - radius > 0.8:
+                chairs.append(Chair((x, y), radius))
+    assert all(chair.closest > HULL for chair in chairs)

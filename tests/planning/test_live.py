@@ -137,3 +137,12 @@ def test_obstacles_below_or_above_the_flight_do_not_count() -> None:
     low, high = Obstacle("cat", (4.0, 1.0), 0.2, top=0.3), Obstacle("lamp", (4.0, 1.0), 0.2, bottom=1.9, top=2.2)
     assert len(rows(low, high)) == 0
     assert len(rows(Obstacle("chair", (4.0, 1.0), 0.2), low)) == 1
+
+
+def test_who_stands_in_somebodys_way_may_step_aside_and_not_go_towards_them() -> None:
+    walker = Obstacle("anna", (4.0, 1.0), 0.3, velocity=(0.8, 0.0))
+    found = rows(walker, horizon=1.0)
+    assert gap(found[0], 4.8, 1.0) == 0.0
+    assert first_block(found, ((4.8, 1.0), (4.8, 3.0)), 0.43)[1] == -1
+    assert first_block(found, ((4.8, 1.0), (7.0, 1.0)), 0.43)[1] == -1
+    assert first_block(found, ((4.8, 1.0), (1.0, 1.0)), 0.43)[1] == 0

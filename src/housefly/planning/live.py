@@ -65,6 +65,14 @@ def gap(row: Any, x: float, y: float) -> float:
 
 
 @compiled
+def standing(row: Any, x: float, y: float) -> float:
+    """Return the same distance [m] to where the row's obstacle was seen, wherever it may go."""
+    u = max(abs((x - row[0]) * row[4] + (y - row[1]) * row[5]) - row[2], 0.0)
+    v = max(abs((y - row[1]) * row[4] - (x - row[0]) * row[5]) - row[3], 0.0)
+    return max(sqrt(u * u + v * v) - float(row[6]), 0.0)
+
+
+@compiled
 def _grow(rows: Any, x0: float, y0: float, edge: float, reach: float, most: float, cells: Any, clearance: Any) -> None:
     nx, ny = cells.shape
     touch = 0.7072 * edge
@@ -92,21 +100,25 @@ def _grow(rows: Any, x0: float, y0: float, edge: float, reach: float, most: floa
 @compiled
 def _first_block(rows: Any, points: Any, tight: float, step: float, skip: float) -> tuple[float, int]:
     """Return how far along the path [m] it comes too close, and to which row; (inf, -1) when it does not."""
-    along, before, was_free = 0.0, -1.0, False
+    along, before, was_free = 0.0, np.inf, False
     for leg in range(points.shape[0] - 1):
         dx, dy = points[leg + 1, 0] - points[leg, 0], points[leg + 1, 1] - points[leg, 1]
         length = sqrt(dx * dx + dy * dy)
         count = max(int(np.ceil(length / step)), 1)
         for n in range(count + 1):
-            nearest, which = np.inf, -1
+            nearest, which, present = np.inf, -1, np.inf
             for k in range(rows.shape[0]):
-                near = gap(rows[k], points[leg, 0] + dx * n / count, points[leg, 1] + dy * n / count)
+                x, y = points[leg, 0] + dx * n / count, points[leg, 1] + dy * n / count
+                near = gap(rows[k], x, y)
+                if near < tight:
+                    present = min(present, standing(rows[k], x, y))
                 if near < nearest:
                     nearest, which = near, k
-            if nearest < tight and (was_free or nearest < before - skip):
+            is_first = leg == 0 and n == 0
+            if nearest < tight and (was_free or (not is_first and present < before - skip)):
                 return along + length * n / count, which
             was_free = was_free or nearest >= tight
-            before = nearest
+            before = present
         along += length
     return np.inf, -1
 
@@ -126,7 +138,8 @@ def live_grid(static: OccupancyGrid, rows: Floats, reach: float) -> OccupancyGri
 def first_block(rows: Floats, points: tuple[Vec2, ...], tight: float) -> tuple[float, int]:
     """Return how far along a path [m] an obstacle blocks it, and which row that is; (inf, -1) when the path is free.
 
-    Where the drone is too close already, the path counts as free as long as it leads away.
+    Where the drone is too close already, the path counts as free as long as it leads away from where the obstacle is now: inside
+    the ground that one may still cover there is no other measure of near and far.
     """
     if not len(rows) or len(points) < 2:
         return inf, -1
