@@ -6,11 +6,11 @@ from collections.abc import Collection
 
 from housefly.messages import Happening, Observation
 from housefly.situations.latch import Latch
-from housefly.situations.situation import Finding, Item, Situation, flag, number
+from housefly.situations.situation import OURS, Finding, Item, Situation, flag, number
 from housefly.situations.trust import trust
 
 OCCUPIED = "bed occupied"
-SOURCE = "beds"
+SOURCE = OURS + "beds"
 LOAD_ON = 20.0
 """From this load on somebody lies there [kg]."""
 LOAD_OFF = 10.0
@@ -50,7 +50,7 @@ class Beds:
         """Return whether a bed feels somebody at a time [s], however shortly; None when it does not say."""
         known = self._beds.get(bed)
         found = known.finding(now) if known else None
-        return found and found.kind == OCCUPIED
+        return found.kind == OCCUPIED if found else None
 
     def situation(self, bed: str) -> Situation | None:
         """Return the claim that a bed is occupied, if it is made."""

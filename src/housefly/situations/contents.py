@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
-from housefly.messages import Happening, Observation
+from housefly.messages import Facts, Happening, Observation
 from housefly.situations.move import PUT, TAKEN, Move
 from housefly.situations.situation import Item, fact, number
 from housefly.situations.trust import KNOWN, trust
@@ -26,18 +26,28 @@ UNDATED = 0.6
 
 @dataclass(slots=True)
 class _Container:
-    """One container: its contents as far as known, None at first, and since when things are missing [s, Unix time]."""
+    """One container: its contents, None until it names them; what is missing, and what it reported [s, Unix time]."""
 
     heard: float
     inside: set[str] | None = None
     missing: dict[str, tuple[float, bool]] = field(default_factory=dict)
-    reported: dict[str, float] = field(default_factory=dict)
+    reported: dict[str, tuple[float, bool]] = field(default_factory=dict)
+
+    def believed(self, named: set[str], at: float) -> set[str]:
+        """Return the contents that it names, mended by what it has just reported."""
+        fresh = {thing: put for thing, (when, put) in self.reported.items() if at - when < SETTLE}
+        return (named | {thing for thing, put in fresh.items() if put}) - {thing for thing, put in fresh.items() if not put}
 
 
 class Contents:
-    """Watches everything that says what is in it."""
+    """Watches everything that says what is in it.
 
-    def __init__(self) -> None:
+    Args:
+        expected: ids of the containers that should speak.
+    """
+
+    def __init__(self, expected: Collection[str]) -> None:
+        self._expected = expected
         self._containers: dict[str, _Container] = {}
         self._moves: list[Move] = []
 
@@ -60,44 +70,32 @@ class Contents:
 
     def known(self, now: float) -> bool:
         """Tell whether all containers still speak, so that what is in none of them is known."""
-        return all(trust(now - box.heard, HEARTBEAT) >= KNOWN for box in self._containers.values())
-
-    def things(self) -> Mapping[str, str]:
-        """Return the container of each thing that is in one."""
-        return {thing: name for name, box in sorted(self._containers.items()) for thing in box.inside or ()}
+        heard = {**dict.fromkeys(self._expected, float("-inf")), **{name: box.heard for name, box in self._containers.items()}}
+        return all(trust(now - at, HEARTBEAT) >= KNOWN for at in heard.values())
 
     def _report(self, told: Happening) -> None:
-        box = self._containers.setdefault(told.source, _Container(told.at))
-        box.heard, box.reported[told.thing] = told.at, told.at
+        box, put = self._containers.setdefault(told.source, _Container(told.at)), told.kind == PUT
+        box.heard, box.reported[told.thing] = told.at, (told.at, put)
         box.missing.pop(told.thing, None)
-        inside = box.inside if box.inside is not None else set()
-        known = box.inside is not None
-        if known and (told.thing in inside) == (told.kind == PUT):
-            return
-        (inside.add if told.kind == PUT else inside.discard)(told.thing)
-        weight = number(told, "weight")
-        facts = () if weight is None else (("weight", weight),)
-        words = f"{told.source}: reports it"
-        self._moves.append(
-            Move(told.kind, told.thing, told.at, told.source, None, REPORTED * told.confidence, words, facts=facts)
-        )
+        if box.inside is not None:
+            if (told.thing in box.inside) == put:
+                return
+            (box.inside.add if put else box.inside.discard)(told.thing)
+        self._moves.append(_reported(told))
 
     def _compare(self, said: Observation, named: set[str]) -> None:
         at, source = said.captured_at, said.source
         box = self._containers.setdefault(source, _Container(at))
-        silent = trust(at - box.heard, HEARTBEAT) < 1.0
-        box.heard = at
+        dated, box.heard = trust(at - box.heard, HEARTBEAT) == 1.0, at
+        believed = box.believed(named, at)
         if box.inside is None:
-            box.inside = {thing for thing in named if not self._settling(box, thing, at)}
-            return
-        for thing in sorted(named - box.inside):
-            if not self._settling(box, thing, at):
-                box.inside.add(thing)
-                self._moves.append(_compared(PUT, thing, at, source, dated=not silent))
-        for thing in sorted(box.inside - named):
-            if not self._settling(box, thing, at):
-                box.missing.setdefault(thing, (at, not silent))
-        for thing in named:
+            box.inside = set(believed)
+        for thing in sorted(believed - box.inside):
+            box.inside.add(thing)
+            self._moves.append(_compared(PUT, thing, at, source, dated))
+        for thing in sorted(box.inside - believed):
+            box.missing.setdefault(thing, (at, dated))
+        for thing in believed:
             box.missing.pop(thing, None)
 
     def _lost(self, now: float) -> Iterator[Move]:
@@ -108,8 +106,12 @@ class Contents:
                 (box.inside or set()).discard(thing)
                 yield _compared(TAKEN, thing, at, source, dated)
 
-    def _settling(self, box: _Container, thing: str, at: float) -> bool:
-        return at - box.reported.get(thing, float("-inf")) < SETTLE
+
+def _reported(told: Happening) -> Move:
+    weight = number(told, "weight")
+    facts: Facts = () if weight is None else (("weight", weight),)
+    confidence = REPORTED * told.confidence
+    return Move(told.kind, told.thing, told.at, told.source, None, confidence, f"{told.source}: reports it", facts=facts)
 
 
 def _compared(kind: str, thing: str, at: float, source: str, dated: bool) -> Move:

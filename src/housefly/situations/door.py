@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from housefly.messages import Happening, Observation
 from housefly.situations.latch import Latch
-from housefly.situations.situation import Finding, Item, Situation, flag
+from housefly.situations.situation import OURS, Finding, Item, Situation, flag
 from housefly.situations.trust import trust
 
 TOO_LONG = "door open too long"
-SOURCE = "doors"
+SOURCE = OURS + "doors"
 OPEN_TOO_LONG = 60.0
 """A door may stand open for this long where the layout does not say otherwise [s]."""
 HEARTBEAT = 60.0

@@ -5,12 +5,12 @@ from __future__ import annotations
 from housefly.messages import Happening
 from housefly.situations.latch import Latch
 from housefly.situations.layout import Layout
-from housefly.situations.situation import Finding, Item, Situation, flag, time_of
+from housefly.situations.situation import OURS, Finding, Item, Situation, flag, time_of
 from housefly.situations.tracks import Tracks
 from housefly.situations.trust import together, trust
 
 SOMEONE = "someone at the entrance"
-SOURCE = "entrance"
+SOURCE = OURS + "entrance"
 BELL = 0.9
 """Confidence that somebody stands there who has just rung."""
 BELL_PATIENCE = 15.0

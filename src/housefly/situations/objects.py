@@ -11,12 +11,12 @@ from housefly.situations.latch import Latch
 from housefly.situations.layout import Layout
 from housefly.situations.move import PUT, TAKEN, Move
 from housefly.situations.rests import Rests
-from housefly.situations.situation import Finding, Item, Situation
+from housefly.situations.situation import OURS, Finding, Item, Situation
 from housefly.situations.tracks import Tracks
 from housefly.situations.who import NOBODY, Doer, doer_near
 
 MISSING = "object missing"
-SOURCE = "objects"
+SOURCE = OURS + "objects"
 MISSING_AFTER = 300.0
 """A thing that nothing has seen for this long since it was taken is missing [s]."""
 BELIEF = 0.8
@@ -34,7 +34,7 @@ class Objects:
 
     def __init__(self, tracks: Tracks, layout: Layout) -> None:
         self._tracks, self._places = tracks, layout.containers
-        self._contents, self._rests = Contents(), Rests(tracks)
+        self._contents, self._rests = Contents(layout.containers), Rests(tracks)
         self._carrier: dict[str, str] = {}
         self._taken: dict[str, Move] = {}
         self._latches: dict[str, Latch] = {}
@@ -42,7 +42,7 @@ class Objects:
     def take(self, item: Item) -> None:
         """Take what containers and sources of positions say of things."""
         self._contents.take(item)
-        if item.thing not in self._contents.things():
+        if not self._contents.where(item.thing):
             self._rests.take(item)
 
     def after(self, now: float) -> tuple[Happening, ...]:
@@ -80,11 +80,11 @@ class Objects:
             self._taken.pop(move.thing, None)
 
     def _missing(self, thing: str, now: float) -> Finding | None:
-        taken = self._taken.get(thing)
+        taken = None if self._contents.where(thing) else self._taken.get(thing)
         seen = max(taken.at if taken else now, self._rests.seen(thing) or 0.0)
         if taken is None or now - seen < MISSING_AFTER:
             return Finding("", BELIEF, None, ("it is where it was put",) if taken is None else ("not for long",))
-        if not self._contents.known(now):
+        if not self._contents.known(now) or not self._rests.known(thing, now):
             return None
         words = (f"{taken.evidence}, and no source has it since",)
         by: Facts = (("taken_by", self._carrier[thing]),) if self._carrier[thing] else ()

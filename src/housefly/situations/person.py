@@ -9,12 +9,12 @@ from housefly.situations.bed import Beds
 from housefly.situations.latch import Latch
 from housefly.situations.layout import Layout
 from housefly.situations.posture import LYING, SITTING, STANDING, WALKING, Looks, bed_at, rule_for, seat_at
-from housefly.situations.situation import Finding, Item, Situation
+from housefly.situations.situation import OURS, Finding, Item, Situation
 from housefly.situations.sleeper import sleeper_finding
-from housefly.situations.tracks import Track, Tracks
+from housefly.situations.tracks import WINDOW, Track, Tracks
 
 PRESENT = "person present"
-SOURCE = "people"
+SOURCE = OURS + "people"
 PRESENT_AFTER = 0.5
 """Somebody must be seen over this long before they are there [s]: one reflection is nobody."""
 SEEN = 0.95
@@ -51,7 +51,7 @@ class People:
         for person in self._tracks.people():
             latches = self._latches.setdefault(person, _new(person))
             posture = self._posture(person, latches.posture, now)
-            told += latches.present.step(now, self._presence(person, posture, now))
+            told += latches.present.step(now, self._presence(person, posture, latches.present, now))
             told += latches.posture.step(now, posture)
         return tuple(told)
 
@@ -61,10 +61,10 @@ class People:
         claims = (latch.situation for row in rows for latch in (row.present, row.posture))
         return tuple(claim for claim in claims if claim is not None)
 
-    def _presence(self, person: str, posture: Finding | None, now: float) -> Finding | None:
+    def _presence(self, person: str, posture: Finding | None, latch: Latch, now: float) -> Finding | None:
         track = self._tracks.best(person, now)
         if track is not None:
-            if track.last.at - track.since < PRESENT_AFTER:
+            if not latch.kind and track.last.at - track.since < PRESENT_AFTER:
                 return Finding("", SEEN, track.since, (f"{track.source}: seen too shortly",))
             believed = SEEN * self._tracks.trusted(track, now)
             return Finding(PRESENT, believed, track.since, (f"{track.source}: seen",), _whereabouts(track, None))
@@ -81,7 +81,7 @@ class People:
             return sleeper_finding(person, now, self._tracks, self._beds, self._layout)
         speed = track.speed()
         if speed is None:
-            return None
+            return _as_before(track, latch, now)
         looks = self._looks(track, speed, latch, now)
         rule = rule_for(looks)
         on = looks.bed or looks.seat
@@ -95,6 +95,11 @@ class People:
         loaded = self._beds.occupied(bed, now) if bed else None
         area = self._layout.beds.get(bed)
         return Looks(speed, latch.kind == WALKING, track.last.head, seat_at(self._layout, place), area, loaded)
+
+
+def _as_before(track: Track, latch: Latch, now: float) -> Finding | None:
+    """Return what was claimed, for the moment in which somebody came into sight and their speed is not known yet."""
+    return Finding(latch.kind, SEEN, None, (f"{track.source}: just came into sight",)) if now - track.since < WINDOW else None
 
 
 def _new(person: str) -> _Latches:

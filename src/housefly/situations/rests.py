@@ -84,6 +84,10 @@ class Rests:
         """Return when a thing was last seen by position [s, Unix time], None for never."""
         return max((row.last for (name, _), row in self._things.items() if name == thing), default=None)
 
+    def known(self, thing: str, now: float) -> bool:
+        """Tell whether the source that saw a thing still speaks, so that its not being seen says something."""
+        return thing not in self._source or self._tracks.speaks(self._source[thing], now)
+
     def lifted(self, thing: str) -> None:
         """Note that a thing was moved, as another source knows: where it comes to rest it was put."""
         for (name, _), row in self._things.items():

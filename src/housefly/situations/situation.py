@@ -9,6 +9,8 @@ from housefly.messages import Facts, Happening, Observation
 
 Item = Observation | Happening
 """What sensors tell."""
+OURS = "situations/"
+"""How the sources of our own happenings begin; no sensor can be called so."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from housefly.situations.entrance import Entrance
 from housefly.situations.layout import Layout
 from housefly.situations.objects import Objects
 from housefly.situations.person import People
-from housefly.situations.situation import Detector, Item, Situation
+from housefly.situations.situation import OURS, Detector, Item, Situation
 from housefly.situations.stream import PATIENCE, Stream
 from housefly.situations.tracks import Tracks
 
@@ -20,8 +20,6 @@ STEP = 0.25
 """Detectors look at the room at whole multiples of this time [s], so that nothing depends on how often they are called."""
 LONGEST_GAP = 900.0
 """After a longer pause [s] they start this long before its end: everything but doors and missing things is forgotten by then."""
-OURS = frozenset({"people", "beds", "doors", "objects", "entrance"})
-"""Sources of our own happenings: they are not heard again, should they come back over the bus."""
 
 
 class Situations:
@@ -58,7 +56,7 @@ class Situations:
         if self._steps is None:
             self._steps = goal - 1
         for item in items:
-            if item.source not in OURS:
+            if not item.source.startswith(OURS):  # they may come back over the bus
                 self._stream.add(item, self._steps * STEP, now)
         begin = max(self._steps, goal - round(LONGEST_GAP / STEP))
         told = [happening for number in range(begin + 1, goal + 1) for happening in self._step(number * STEP)]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable
 from dataclasses import replace
 from heapq import heappop, heappush
 from math import isfinite
@@ -17,6 +16,8 @@ FUTURE = 2.0
 """Items that claim to be further ahead of us are refused [s]."""
 LATE_HAPPENING = 60.0
 """A happening that comes too late is taken as one of now, up to this age [s]: better a bell that is heard late than never."""
+JUST_AFTER = 1e-6
+"""Such a happening is put this long after what was released [s]."""
 MOST = 20_000
 """So many items may wait; more are refused."""
 
@@ -33,7 +34,8 @@ class Stream:
     def __init__(self) -> None:
         self.counts: Counter[tuple[str, str]] = Counter()
         self._waiting: list[tuple[Key, int, Item]] = []
-        self._keys: set[Hashable] = set()
+        self._keys: set[Key] = set()
+        self._heard: dict[Key, float] = {}
         self._number = 0
 
     def add(self, item: Item, passed: float, now: float) -> None:
@@ -44,12 +46,14 @@ class Stream:
             passed: up to when items were released [s, Unix time].
             now: [s, Unix time].
         """
-        reason = self._refusal(item, passed, now)
+        key, reason = _key(item), self._refusal(item, passed, now)
+        if key in self._keys or key in self._heard:
+            reason = "doubled"
         if reason == "late" and isinstance(item, Happening) and now - item.at <= LATE_HAPPENING:
             self.counts[reason, item.source] += 1
-            item, reason = replace(item, at=passed + 1e-6, facts=(*item.facts, ("late", now - item.at))), ""
-        key = _key(item)
-        reason = reason or ("doubled" if key in self._keys else "")
+            self._heard[key] = item.at
+            item, reason = replace(item, at=passed + JUST_AFTER, facts=(*item.facts, ("late", now - item.at))), ""
+            key = _key(item)
         if reason:
             self.counts[reason, item.source] += 1
             return
@@ -64,6 +68,9 @@ class Stream:
             key, _, item = heappop(self._waiting)
             self._keys.discard(key)
             released.append(item)
+            if isinstance(item, Happening):
+                self._heard[key] = item.at
+        self._heard = {key: at for key, at in self._heard.items() if at > time - LATE_HAPPENING}
         return tuple(released)
 
     def _refusal(self, item: Item, passed: float, now: float) -> str:

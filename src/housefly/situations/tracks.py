@@ -125,12 +125,16 @@ class Tracks:
         return tuple(sorted({person for person, _ in self._tracks}))
 
     def trusted(self, track: Track, now: float) -> float:
-        """Return how far the last position is believed at a time [s], 0 to 1; 0 where the source speaks and sees them no longer."""
+        """Return how far the last position is believed at a time [s], 0 to 1; 0 if the source speaks without seeing them."""
         return 0.0 if self.out_of_sight(track) else trust(now - track.last.at, HEARTBEAT)
 
     def out_of_sight(self, track: Track) -> bool:
         """Tell whether the source has spoken since without seeing them."""
         return self._heard.get(track.source, 0.0) - track.last.at > UNSEEN
+
+    def speaks(self, source: str, now: float) -> bool:
+        """Tell whether a source was heard lately."""
+        return trust(now - self._heard.get(source, float("-inf")), HEARTBEAT) >= KNOWN
 
     def best(self, person: str, now: float) -> Track | None:
         """Return the most exact track among those that are believed, None when there is none."""
