@@ -110,7 +110,7 @@ class Contents:
 def _reported(told: Happening) -> Move:
     weight = number(told, "weight")
     facts: Facts = () if weight is None else (("weight", weight),)
-    confidence = REPORTED * told.confidence
+    confidence = REPORTED * min(1.0, max(0.0, told.confidence))
     return Move(told.kind, told.thing, told.at, told.source, None, confidence, f"{told.source}: reports it", facts=facts)
 
 

@@ -18,19 +18,30 @@ HEARTBEAT = 60.0
 """A contact speaks at least this often [s]."""
 BELIEF = 0.95
 """Confidence in a contact that speaks."""
-DWELL = {TOO_LONG: 0.0, "": 0.5}
-"""So long must a door be open too long, or closed, before it counts [s]: contacts bounce."""
+BOUNCE = 0.5
+"""A door that opens again sooner than this [s] was never closed: contacts bounce."""
+DWELL = {TOO_LONG: 0.0, "": BOUNCE}
+"""So long must a door be open too long, or closed, before it counts [s]."""
 EVENTS = {"door opened": True, "door closed": False}
 
 
 @dataclass(slots=True)
 class _Door:
-    """One contact: what it said last [s, Unix time]."""
+    """One contact: what it says, since when, and since when it said the opposite before [s, Unix time]."""
 
     latch: Latch
     open: bool
     since: float
     heard: float
+    before: float = float("-inf")
+
+    def turn(self, is_open: bool, at: float) -> None:
+        self.heard = at
+        if is_open == self.open:
+            return
+        bounced = is_open and at - self.since < BOUNCE and self.before > float("-inf")
+        self.before, self.since = self.since, self.before if bounced else at
+        self.open = is_open
 
 
 class Doors:
@@ -51,9 +62,7 @@ class Doors:
             return
         at = item.captured_at if isinstance(item, Observation) else item.at
         door = self._doors.setdefault(item.source, _Door(Latch(item.source, SOURCE, DWELL), is_open, at, at))
-        if is_open != door.open:
-            door.open, door.since = is_open, at
-        door.heard = at
+        door.turn(is_open, at)
 
     def after(self, now: float) -> tuple[Happening, ...]:
         """Return which doors came to stand open too long, or were closed, up to a time [s]."""

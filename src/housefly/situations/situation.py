@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 from typing import Protocol
 
 from housefly.messages import Facts, Happening, Observation
@@ -82,9 +83,9 @@ def fact(item: Item, name: str) -> str | float | bool | None:
 
 
 def number(item: Item, name: str) -> float | None:
-    """Return a fact that is a number, None when it is absent or something else."""
+    """Return a fact that is a finite number, None when it is absent or something else."""
     value = fact(item, name)
-    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
+    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value) else None
 
 
 def flag(item: Item, name: str) -> bool | None:

@@ -20,6 +20,8 @@ MEMORY = 6.0
 """Positions are kept for this long [s], so that it can be said who was near when something happened a moment ago."""
 WINDOW = 1.2
 """Speeds are taken over this long [s]."""
+SHORTEST = 0.8
+"""And never over less [s]: noise would walk."""
 THINNEST = 0.04
 """Positions closer in time than this are left out [s]: a fast source says no more about a walk."""
 SIGMA = 0.05
@@ -81,9 +83,12 @@ class Track:
 
     def speed(self) -> float | None:
         """Return the speed over the floor [m/s]: the way between the means of two half windows; None when too little is seen."""
-        window = [seen for seen in self._seen if seen.at >= self.last.at - WINDOW]
+        recent = sum(seen.at >= self.last.at - WINDOW for seen in self._seen)
+        window = list(self._seen)[-recent:]
+        if self.last.at - window[0].at < SHORTEST:
+            window = list(self._seen)[-recent - 1 :]
         middle = len(window) // 2
-        if middle == 0 or window[-1].at - window[0].at < WINDOW / 3:
+        if middle == 0 or window[-1].at - window[0].at < SHORTEST:
             return None
         (t0, x0, y0), (t1, x1, y1) = _mean(window[:middle]), _mean(window[middle:])
         return hypot(x1 - x0, y1 - y0) / (t1 - t0)
