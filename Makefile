@@ -24,7 +24,7 @@ $(VENV)/bin/python:
 
 $(VENV)/ready: pyproject.toml constraints.txt | $(VENV)/bin/python
 	@echo "installing Housefly (once, about a minute)"
-	@scripts/system-packages optional libosmesa6 & packages=$$!; \
+	@scripts/system-packages optional libosmesa6 mosquitto & packages=$$!; \
 	$(INSTALL) -e '.[twin,lab]' && wait $$packages
 	@$(BIN)/python -m housefly.app.warm_up
 	@touch $@

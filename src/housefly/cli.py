@@ -73,6 +73,9 @@ def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
     _add_site(parser)
     _add_console(parser)
     _add_simulation(parser)
+    parser.add_argument(
+        "--lively", action="store_true", help="somebody lives there: people and things move, devices speak over MQTT (mosquitto)"
+    )
     parser.set_defaults(run=commands.demo)
 
 

@@ -28,7 +28,14 @@ class MqttConfig(Section):
     """The MQTT broker through which the room's devices speak; docs/devices.md has their topics."""
 
     broker: str = Field(default="", max_length=253, description='name or IP address; "" means no devices on MQTT')
-    port: int = Field(default=1883, ge=1, le=65535, description="TCP port", json_schema_extra={"unit": "1"})
+    start: bool = Field(default=False, description="start a mosquitto of our own at that address, for the time of a run")
+    port: int = Field(
+        default=1883,
+        ge=0,
+        le=65535,
+        description="TCP port; 0 chooses a free one for a broker of our own",
+        json_schema_extra={"unit": "1"},
+    )
     site: str = Field(default="bsen", pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$", description="second part of every topic")
     username: str = Field(default="", max_length=200, description="for a broker that asks for one")
     password_file: str = Field(default="", description="file whose first line is the password, relative to the working folder")

@@ -3,6 +3,7 @@
 pilot   the only one that must be on time; the others run at lower priority
 twin    the simulated drone and cameras; absent with real hardware
 hub     the room's memory
+broker  an MQTT broker of the run's own; absent where devices have theirs
 looker  reads the scanners and tells the pilot what is in the way; absent without scanners
 web     the console
 """
@@ -43,6 +44,8 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
     parts = [Part("pilot", "housefly.app.pilot_main")]
+    if site.mqtt.broker and site.mqtt.start:
+        parts.append(Part("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
         parts.append(Part("twin", "housefly.twin.process", site_argument))
     if site.hub.enabled:

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from housefly.bus.room_questions import News, Occurrence, Question, SensorAnswer
 
 console = Console(highlight=False)
+INNER = ("noticed_at", "sigma", "lasted")
+"""Facts that are for programs."""
 
 
 class Room(Protocol):
@@ -67,7 +69,7 @@ def run_where(options: argparse.Namespace) -> int:
     for said in answer.said:
         place = "({:.2f}, {:.2f}, {:.2f}) m".format(*said.position) if said.position else ""
         inside = f"in {said.inside}" if said.inside else ""
-        facts = ", ".join(f"{key} {value}" for key, value in said.facts.items())
+        facts = ", ".join(f"{key} {_plain(value)}" for key, value in said.facts.items())
         words = "  ".join(part for part in (place, inside, facts, "" if said.valid else "not valid") if part)
         console.print(f"  {said.source:<14} {_ago(said.age):<12} {words}", soft_wrap=True)
     return 0
@@ -161,9 +163,15 @@ def _tell(news: News, moves: bool) -> None:
 
 def _line(event: Occurrence, now: float) -> str:
     cause = f" by {event.cause}" if event.cause else ""
-    facts = ", ".join(f"{key} {value}" for key, value in event.facts.items())
+    facts = ", ".join(f"{key} {_plain(value)}" for key, value in event.facts.items() if key not in INNER)
     sure = "" if event.confidence >= 0.995 else f" ({100 * event.confidence:.0f} % sure)"
     return f"{_clock(event.at, now)}  {event.thing}: {event.kind}{cause}{sure}{'; ' + facts if facts else ''}  [{event.source}]"
+
+
+def _plain(value: str | float | bool) -> str:
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return f"{value:.3g}" if isinstance(value, float) else str(value)
 
 
 def _row(sensor: SensorAnswer) -> tuple[str, ...]:

@@ -48,6 +48,8 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
     """Write the site into the folder and choose free ports and fresh secrets; a console on port 0 gets a free one too."""
     if site.web.port == 0:
         site = changed(site, web__port=free_port(socket.SOCK_STREAM))
+    if site.mqtt.start and site.mqtt.port == 0:
+        site = changed(site, mqtt__port=free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
     bus_port, stop_port = free_port(socket.SOCK_STREAM), free_port(socket.SOCK_DGRAM)

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from housefly.bus.bus import Bus
 from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS, STEP
+from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config import Site, load_site
@@ -28,8 +28,10 @@ from housefly.hub.answers import Answers
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory
 from housefly.hub.newsroom import PERIOD, Newsroom
+from housefly.hub.obstacle_board import ObstacleBoard
 from housefly.hub.pilot_health import PilotHealth
 from housefly.hub.present import Present
+from housefly.hub.situation_desk import SituationDesk
 from housefly.hub.things_of_room import things_of
 from housefly.messages import Happening, PilotStep
 from housefly.room.files import load_room
@@ -58,6 +60,8 @@ class Hub:
         self.memory = RoomMemory(catalogue_of(site, room, folder), lambda: open_store(address, keep_days=site.hub.keep_days))
         self.present = Present(self.memory.writer.report)
         self._answers = Answers(self.memory, self.present, time.time)
+        self._obstacles = ObstacleBoard(self.present, RealClock())
+        self._situations = SituationDesk(site, room, self.memory, self.present)
         self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
         self._facts = FlightFacts(site.tracking.body, site.tracking.kind)
@@ -65,7 +69,11 @@ class Hub:
             self.present.watch(watched.health)
         self._newsroom = Newsroom(self.memory, self.present, time.time)
         self._bus = bus
-        self._subscriptions = (bus.subscribe(STEP, self._step), bus.answer(HUB_QUERY, self._answer))
+        self._subscriptions = (
+            bus.subscribe(STEP, self._step),
+            bus.subscribe(OBSTACLE, self._obstacles.heard),
+            bus.answer(HUB_QUERY, self._answer),
+        )
 
     async def run(self) -> None:
         """Run the drivers until cancelled."""
@@ -84,6 +92,8 @@ class Hub:
     async def _tell(self) -> None:
         while True:
             await asyncio.sleep(PERIOD)
+            self._obstacles.step()
+            self._situations.step(time.time())
             if (news := self._newsroom.news()) is not None:
                 self._bus.publish(ROOM_NEWS, news)
 

@@ -1,0 +1,44 @@
+"""An MQTT broker of this run's own: mosquitto on loopback, for a site that says ``mqtt.start = true``.
+
+``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and lets in whoever is on this machine.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from housefly.app.runtime import runtime_from_environment
+
+PLACES = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"))
+"""Debian puts it where users who are not root do not look."""
+AGAIN = 60.0
+"""Time until the launcher may try again without a broker installed [s]."""
+REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
+
+
+def program() -> str | None:
+    """Return the path of mosquitto, or None."""
+    return shutil.which("mosquitto", path=PLACES)
+
+
+def main() -> int:
+    """Become the broker."""
+    site = runtime_from_environment().site()
+    found = program()
+    if found is None:
+        print(REMEDY, file=sys.stderr, flush=True)
+        time.sleep(AGAIN)
+        return 1
+    folder = Path(tempfile.mkdtemp(prefix="housefly-broker-"))
+    settings = folder / "mosquitto.conf"
+    settings.write_text(f"listener {site.mqtt.port} {site.mqtt.broker}\nallow_anonymous true\npersistence false\nuser root\n")
+    os.execv(found, [found, "-c", str(settings)])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

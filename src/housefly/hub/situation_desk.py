@@ -1,0 +1,57 @@
+"""Runs the detectors over what the memory takes: what they find is taken too, and what holds is shown."""
+
+from __future__ import annotations
+
+import threading
+
+from housefly.bus.room_questions import Holding
+from housefly.config import Site
+from housefly.hub.memory import RoomMemory
+from housefly.hub.present import Present
+from housefly.messages import Happening, Observation
+from housefly.room.model import Room
+from housefly.situations import Layout, Situations
+from housefly.situations.furniture import beds_of, entrance_of, seats_of
+
+MOST = 20_000
+"""Items that may wait for the detectors; more are left out of them, not of the memory."""
+
+
+class SituationDesk:
+    """Feeds one site's detectors; items may come from any thread, ``step`` is called by one."""
+
+    def __init__(self, site: Site, room: Room, memory: RoomMemory, present: Present) -> None:
+        self._memory, self._present = memory, present
+        self._situations = Situations(layout_of(site, room))
+        self._lock = threading.Lock()
+        self._waiting: list[Observation | Happening] = []
+        memory.listen(self._noted)
+
+    def step(self, now: float) -> None:
+        """Let the detectors look [Unix time, s]."""
+        with self._lock:
+            items, self._waiting = self._waiting, []
+        for happening in self._situations.after(items, now):
+            self._memory.take(happening)
+        self._present.hold(
+            Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence)) for s in self._situations.holds()
+        )
+
+    def _noted(self, item: Observation | Happening) -> None:
+        with self._lock:
+            if len(self._waiting) < MOST:
+                self._waiting.append(item)
+
+
+def layout_of(site: Site, room: Room) -> Layout:
+    """Return what the detectors know of a site beforehand; devices are told by their ids."""
+    names = [d.id for d in site.mqtt.devices if "bed" in d.id] or ["bed"]
+    return Layout(
+        seats=seats_of(room),
+        beds=dict(zip(names, beds_of(room), strict=False)),
+        entrance=entrance_of(room),
+        bells=frozenset({"doorbell"} | {d.id for d in site.mqtt.devices if "bell" in d.id}),
+        motion=frozenset({"corridor-motion"} | {d.id for d in site.mqtt.devices if "motion" in d.id}),
+        containers={d.id: d.position for d in site.mqtt.devices if "cabinet" in d.id or "refrigerator" in d.id},
+        people=frozenset({site.tracking.visitor}),
+    )
