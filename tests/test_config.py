@@ -4,8 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config import Section, Site, changed, load_site, site_from_tree
+from housefly.config import Site, changed, load_site, site_from_tree
 from housefly.errors import ConfigError
+from housefly.section import Section
 
 NUMBERS = [
     (

@@ -8,31 +8,14 @@ from __future__ import annotations
 
 import json
 import tomllib
-from ipaddress import IPv4Address
 from pathlib import Path
 from typing import Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
-from pydantic.fields import FieldInfo
+from pydantic import Field, ValidationError, model_validator
 
 from housefly.errors import ConfigError
 from housefly.profile import load_profile
-
-
-def quantity(default: float, low: float, high: float, unit: str, meaning: str) -> Any:
-    """Declare a number with its default, inclusive range, unit and one-line meaning."""
-    return Field(default, ge=low, le=high, allow_inf_nan=False, description=meaning, json_schema_extra={"unit": unit})
-
-
-def port_number(default: int, meaning: str) -> Any:
-    """Declare a port with its default and one-line meaning."""
-    return Field(default, ge=1, le=65535, description=meaning, json_schema_extra={"unit": "1"})
-
-
-class Section(BaseModel):
-    """A frozen table of the site file that knows all its keys."""
-
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=False)
+from housefly.section import Section, explain, is_multicast_group, port_number, quantity
 
 
 class RoomConfig(Section):
@@ -210,18 +193,11 @@ class TwinConfig(Section):
 
     @model_validator(mode="after")
     def _group(self) -> Self:
-        if self.natnet_group and not _is_group(self.natnet_group):
+        if self.natnet_group and not is_multicast_group(self.natnet_group):
             raise ValueError(
                 f"natnet_group ({self.natnet_group}) must be an IPv4 multicast address, 224.0.0.0 to 239.255.255.255"
             )
         return self
-
-
-def _is_group(address: str) -> bool:
-    try:
-        return IPv4Address(address).is_multicast
-    except ValueError:
-        return False
 
 
 class WebConfig(Section):
@@ -319,43 +295,3 @@ def changed(site: Site, **values: Any) -> Site:
             branch = branch[parent]
         branch[leaf] = value
     return site_from_tree(tree)
-
-
-def explain(problem: Any, root: type[Section]) -> str:
-    """Return one of pydantic's problems in words: the value, what is allowed, the unit; ``root`` declares the keys."""
-    kind, value = problem["type"], problem["input"]
-    if kind == "extra_forbidden":
-        return "is not a known key"
-    if kind == "missing":
-        return "is missing"
-    if kind == "value_error":
-        return str(problem["ctx"]["error"])
-    found = _field_at(problem["loc"], root)
-    bounds = _bounds(found)
-    unit = ((found.json_schema_extra or {}) if found and isinstance(found.json_schema_extra, dict) else {}).get("unit")
-    unit_text = f" {unit}" if unit not in (None, "1") else ""
-    if bounds:
-        return f"is {value!r}; allowed: a number from {bounds[0]:.9g} to {bounds[1]:.9g}{unit_text}"
-    return f"is {value!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}"
-
-
-def _field_at(location: tuple[int | str, ...], root: type[Section]) -> FieldInfo | None:
-    section: Any = root
-    found: FieldInfo | None = None
-    for part in location:
-        if isinstance(part, int):
-            continue
-        fields = getattr(section, "model_fields", {})
-        if part not in fields:
-            return None
-        found = fields[part]
-        section = found.annotation
-    return found
-
-
-def _bounds(found: FieldInfo | None) -> tuple[float, float] | None:
-    if found is None:
-        return None
-    low = next((item.ge for item in found.metadata if hasattr(item, "ge")), None)
-    high = next((item.le for item in found.metadata if hasattr(item, "le")), None)
-    return (float(low), float(high)) if low is not None and high is not None else None

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from housefly.config import Section
 from housefly.errors import ConfigError, MissingPartError
 from housefly.experiments.cases import Parameter
+from housefly.section import Section
 
 try:
     from scipy.special import ndtr, ndtri

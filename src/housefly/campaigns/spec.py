@@ -15,10 +15,10 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from housefly.campaigns.draws import Draw, Value
-from housefly.config import Section, explain, quantity
 from housefly.errors import ConfigError
 from housefly.experiments.cases import BY_NAME, PARAMETERS, WHOLE, checked
 from housefly.experiments.outcomes import MEASURES
+from housefly.section import Section, explain, quantity
 
 MOST_DRONES = 50_000_000
 """More drones than this are refused: their results would fill a disk before anyone reads them."""
