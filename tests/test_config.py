@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config import Section, Site, changed, load_site, site_from_tree
+from housefly.config import Site, changed, load_site, site_from_tree
+from housefly.config_section import Section
 from housefly.errors import ConfigError
 
 NUMBERS = [

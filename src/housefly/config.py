@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 import tomllib
-from ipaddress import IPv4Address
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -19,6 +18,7 @@ from housefly.config_hub import HubConfig
 from housefly.config_laser import LaserConfig, check_lasers
 from housefly.config_section import Section as Section
 from housefly.config_section import explain as explain
+from housefly.config_section import is_multicast_group
 from housefly.config_section import port_number as port_number
 from housefly.config_section import quantity as quantity
 from housefly.errors import ConfigError
@@ -206,18 +206,11 @@ class TwinConfig(Section):
 
     @model_validator(mode="after")
     def _group(self) -> Self:
-        if self.natnet_group and not _is_group(self.natnet_group):
+        if self.natnet_group and not is_multicast_group(self.natnet_group):
             raise ValueError(
                 f"natnet_group ({self.natnet_group}) must be an IPv4 multicast address, 224.0.0.0 to 239.255.255.255"
             )
         return self
-
-
-def _is_group(address: str) -> bool:
-    try:
-        return IPv4Address(address).is_multicast
-    except ValueError:
-        return False
 
 
 class WebConfig(Section):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ipaddress import IPv4Address
 from typing import Any, get_args
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -16,6 +17,14 @@ def quantity(default: float, low: float, high: float, unit: str, meaning: str) -
 def port_number(default: int, meaning: str) -> Any:
     """Declare a port with its default and one-line meaning."""
     return Field(default, ge=1, le=65535, description=meaning, json_schema_extra={"unit": "1"})
+
+
+def is_multicast_group(address: str) -> bool:
+    """Tell whether a text is an IPv4 multicast address."""
+    try:
+        return IPv4Address(address).is_multicast
+    except ValueError:
+        return False
 
 
 class Section(BaseModel):

@@ -9,7 +9,8 @@ from typing import Any, get_args
 
 from pydantic.fields import FieldInfo
 
-from housefly.config import Section, Site
+from housefly.config import Site
+from housefly.config_section import Section
 
 HEAD = """# The site file
 

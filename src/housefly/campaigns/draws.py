@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from housefly.config import Section
+from housefly.config_section import Section
 from housefly.errors import ConfigError, MissingPartError
 from housefly.experiments.cases import Parameter
 

@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from housefly.campaigns.draws import Draw, Value
-from housefly.config import Section, explain, quantity
+from housefly.config_section import Section, explain, quantity
 from housefly.errors import ConfigError
 from housefly.experiments.cases import BY_NAME, PARAMETERS, WHOLE, checked
 from housefly.experiments.outcomes import MEASURES
