@@ -27,7 +27,7 @@ class Newsroom:
         self._lock = threading.Lock()
         self._touched: set[str] = set()
         self._events: list[Occurrence] = []
-        self._told: tuple[object, ...] = ()
+        self._told: tuple[object, ...] = ((), ())
         memory.listen(self._noted)
 
     def news(self) -> RoomNews | None:

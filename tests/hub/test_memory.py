@@ -1,0 +1,70 @@
+"""What the room was told is there after a restart, and nothing that contradicts itself is kept."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from housefly.bus.room_questions import Where
+from housefly.messages import Happening, Observation
+from housefly.store.backlog import Dropped
+from housefly.things.thing import Kind, Thing
+
+
+def test_after_a_restart_it_knows_what_it_knew(house) -> None:
+    house.see("cup", 60.0, (1.0, 2.0, 3.0))
+    house.see("parcel", 50.0, inside="kitchen", source="door")
+    house.memory.close()
+    house.open()
+    assert house.ask(Where("cup")).position == (1.0, 2.0, 3.0)
+    assert house.ask(Where("parcel")).inside == ("kitchen",)
+
+
+def test_the_catalogue_of_today_replaces_that_of_yesterday(house) -> None:
+    house.memory.close()
+    house.open((Thing("cup", "the blue cup", Kind.OBJECT),))
+    assert house.ask(Where("cup")).name == "the blue cup"
+
+
+def test_what_would_be_inside_itself_is_refused_and_told_to_nobody(house, noon: float) -> None:
+    told: list[object] = []
+    house.memory.listen(told.append)
+    house.see("kitchen", 1.0, inside="cup")
+    assert told == []
+    assert "kitchen" in house.memory.refused[-1]
+    house.memory.take(Happening("door opened", "cabinet", noon, "test"))
+    assert len(told) == 1
+
+
+def test_two_threads_may_tell_and_ask_at_once(house) -> None:
+    from threading import Thread
+
+    def tell() -> None:
+        for number in range(2000):
+            house.memory.take(Observation("drone", "vicon", house.now + number * 0.01, house.now, (float(number), 0.0, 1.0)))
+
+    teller = Thread(target=tell)
+    teller.start()
+    answers = [house.ask(Where("drone")).position for _ in range(300)]
+    teller.join()
+    assert all(position is not None for position in answers)
+    assert house.ask(Where("drone")).position == (1999.0, 0.0, 1.0)
+
+
+@pytest.mark.slow
+def test_taking_never_waits_for_a_store_that_is_locked(house) -> None:
+    import sqlite3
+
+    other = sqlite3.connect(house.file, isolation_level=None)
+    house.memory.flush()
+    other.execute("BEGIN EXCLUSIVE")
+    start = time.monotonic()
+    for number in range(1000):
+        house.see("drone", 100.0 - 0.1 * number, (float(number), 0.0, 1.0))
+    waited = time.monotonic() - start
+    other.execute("ROLLBACK")
+    other.close()
+    assert waited < 1.0
+    assert house.memory.writer.flush(10.0)
+    assert house.memory.writer.dropped() == Dropped()

@@ -1,0 +1,22 @@
+"""What the room model already knows becomes things with ids, kinds and places."""
+
+from __future__ import annotations
+
+import re
+
+from housefly.app.premises import open_premises, read_site
+from housefly.hub.things_of_room import things_of
+from housefly.things.thing import Kind
+from housefly.things.world import World
+
+
+def test_b_sen_brings_its_furniture_places_cameras_drone_and_visitor() -> None:
+    premises = open_premises(read_site("bsen"))
+    things = things_of(premises.site, premises.room)
+    world = World(things)
+    assert len(world.of_kind(Kind.SENSOR)) == 18
+    assert {"sofa", "bed", "refrigerator"} <= {thing.id for thing in world.of_kind(Kind.FURNITURE)}
+    assert world.find("drone").kind is Kind.ROBOT
+    assert world.find("Entrance").viewpoints[0].position[2] == premises.site.map.flight_height
+    assert all(re.fullmatch(r"[a-z0-9][a-z0-9-]*", thing.id) for thing in things)
+    assert len({thing.id for thing in things}) == len(things)

@@ -1,0 +1,174 @@
+"""The room over HTTP: asked by our own client, by strangers' fuzzing, by nobody without a key."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import schemathesis
+import uvicorn
+from hypothesis import HealthCheck, given, settings
+from websockets.exceptions import InvalidStatus
+from websockets.sync.client import connect as connect_socket
+
+import housefly
+from housefly.asking.client import RoomClient
+from housefly.bus.local import LocalBus
+from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
+from housefly.bus.topics import HUB_QUERY, ROOM_NEWS
+from housefly.errors import HouseflyError, LinkError, ThingError, WireError
+from housefly.hub.answers import Answers
+from housefly.hub.memory import RoomMemory
+from housefly.hub.newsroom import Newsroom
+from housefly.hub.present import Present
+from housefly.messages import Happening, Observation
+from housefly.store.opening import open_store
+from housefly.things.thing import Kind, Thing
+from housefly.web.process import make_server
+from housefly.web.security import api_key
+from housefly.web.server import create_app
+
+SECRET = "a-secret-for-tests-only"
+KEY = api_key(SECRET)
+pytestmark = pytest.mark.wire
+
+
+class Room:
+    """A console with a hub behind it, on a thread of its own."""
+
+    def __init__(self, host: str, folder: Path) -> None:
+        self.bus = LocalBus()
+        things = (
+            Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(1.0, 2.0, 0.5)),
+            Thing("cup", "cup", inside="cabinet"),
+        )
+        self.memory = RoomMemory(things, lambda: open_store(folder / "room.db"))
+        self.present = Present(self.memory.writer.report)
+        self.newsroom = Newsroom(self.memory, self.present, time.time)
+        answers = Answers(self.memory, self.present, time.time)
+
+        def answer(text: str) -> str:
+            try:
+                return answer_to_json(answers.answer(question_from_json(text)))
+            except HouseflyError as error:
+                return refusal_to_json(error)
+
+        self.answering = self.bus.join().answer(HUB_QUERY, answer)
+        app = create_app(self.bus, "token", lambda: None, hosts=frozenset({host}), secret=SECRET)
+        self.server: uvicorn.Server = make_server(app)
+        self.listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+        self.listener.bind((host, 0))
+        self.address = f"http://{host}:{self.listener.getsockname()[1]}"
+        self.thread = threading.Thread(target=lambda: asyncio.run(self.server.serve([self.listener])))
+        self.thread.start()
+        while not self.server.started:
+            time.sleep(0.01)
+
+    def close(self) -> None:
+        self.server.should_exit = True
+        self.thread.join()
+        self.memory.close()
+
+
+@pytest.fixture
+def room(loopback: str, tmp_path: Path) -> Iterator[Room]:
+    made = Room(loopback, tmp_path)
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def client(room: Room) -> Iterator[RoomClient]:
+    with housefly.connect(address=room.address, key=KEY) as one:
+        yield one
+
+
+def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
+    now = time.time()
+    room.memory.take(Observation("cup", "floor", now - 60.0, now, (3.0, 4.0, 0.0)))
+    room.memory.take(Happening("object taken", "cup", now - 50.0, "situations/objects", "person-1"))
+    room.memory.take(Observation("cup", "cabinet", now - 10.0, now, inside="cabinet"))
+    assert client.where("cup").inside == ("cabinet",)
+    assert client.where("cup", at=now - 30.0).position == (3.0, 4.0, 0.0)
+    assert [thing.thing for thing in client.things("furniture")] == ["cabinet"]
+    assert [thing.thing for thing in client.contents("cabinet")] == ["cup"]
+    assert [thing.thing for thing in client.near("cabinet", 0.5)] == ["cup"]
+    assert [thing.thing for thing in client.near((1.0, 2.0, 0.5), 0.1)] == ["cabinet", "cup"]
+    assert [(event.kind, event.cause) for event in client.events(thing="cup")] == [("object taken", "person-1")]
+    assert client.trajectory("cup", now - 100.0).shape == (1, 4)
+    assert {thing.thing for thing in client.picture().things} == {"cabinet", "cup"}
+    assert client.sensors() == ()
+    assert client.memory() == "all is kept"
+
+
+def test_refusals_are_the_errors_that_they_are(room: Room, client: RoomClient) -> None:
+    with pytest.raises(ThingError, match="cup"):
+        client.where("cupp")
+    with pytest.raises(WireError, match="radius"):
+        client.near("cup", -1.0)
+    room.answering.close()
+    with pytest.raises(LinkError, match="memory does not answer"):
+        client.where("cup")
+
+
+def test_nobody_is_answered_without_a_key(room: Room) -> None:
+    for key in ("", "wrong", KEY[:-1], "ü"):
+        with RoomClient(room.address, "x") as stranger, pytest.raises((LinkError, UnicodeEncodeError)):
+            stranger._headers = {"Authorization": f"Bearer {key}"}
+            stranger.where("cup")
+    with pytest.raises(InvalidStatus):
+        connect_socket(room.address.replace("http", "ws") + "/api/v1/watch")
+
+
+def test_a_listener_hears_what_changes(room: Room, client: RoomClient) -> None:
+    heard: list[Any] = []
+
+    def listen() -> None:
+        with contextlib.suppress(LinkError):
+            for news in client.watch():
+                heard.append(news)
+                return
+
+    listener = threading.Thread(target=listen)
+    listener.start()
+    deadline = time.monotonic() + 5.0
+    while not heard and time.monotonic() < deadline:
+        room.memory.take(Observation("cup", "floor", time.time(), time.time(), (1.0, 1.0, 0.0)))
+        if (news := room.newsroom.news()) is not None:
+            room.bus.publish(ROOM_NEWS, news)
+        time.sleep(0.02)
+    listener.join(5.0)
+    assert [thing.thing for thing in heard[0].things] == ["cup"]
+
+
+@pytest.mark.parametrize("query", ["at=yesterday", "at=1&at=2", "colour=red", "at=nan"])
+def test_a_bad_parameter_is_named(client: RoomClient, query: str) -> None:
+    status, text = client._get(f"/api/v1/where/cup?{query}")
+    assert status == 422
+    assert json.loads(text)["error"].startswith(query.partition("=")[0])
+
+
+@pytest.mark.slow
+def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: Room) -> None:
+    schema = schemathesis.openapi.from_url(f"{room.address}/api/v1/openapi.json")
+    operations = [result.ok() for result in schema.get_all_operations()]
+    assert len(operations) == 8
+    for operation in operations:
+        fuzz(operation, room.address)
+
+
+def fuzz(operation: Any, address: str) -> None:
+    @settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), database=None)
+    @given(case=operation.as_strategy())
+    def asked(case: Any) -> None:
+        case.call_and_validate(base_url=address, headers={"Authorization": f"Bearer {KEY}"}, timeout=10)
+
+    asked()
