@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from housefly.situations.latch import EITHER_WAY, ENDED, NOT_KNOWN, Latch
 from housefly.situations.situation import Finding
-from housefly.situations.trust import CLAIM
+from housefly.situations.trust import CLAIM, KNOWN
 
 DWELL = {"a": 1.0, "b": 2.0, "": 3.0}
 FINDINGS = st.none() | st.builds(Finding, st.sampled_from(["a", "b", ""]), st.floats(0.0, 1.0))
@@ -78,3 +78,11 @@ def test_the_confidence_of_a_claim_follows_its_evidence() -> None:
     subject.step(1.0, Finding("a", 0.3, evidence=("old",)))
     assert subject.situation is not None
     assert (subject.situation.confidence, subject.situation.evidence, subject.situation.since) == (0.3, ("old",), -2.0)
+
+
+def test_a_claim_whose_confidence_runs_out_is_not_known_any_more() -> None:
+    subject = latch()
+    subject.step(0.0, Finding("a", 0.9, since=-2.0))
+    assert subject.step(1.0, Finding("a", KNOWN)) == ()
+    (ended,) = subject.step(2.0, Finding("a", KNOWN - 0.01))
+    assert dict(ended.facts)["because"] == NOT_KNOWN
