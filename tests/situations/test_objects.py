@@ -287,3 +287,15 @@ def test_positions_of_a_thing_inside_a_container_are_not_believed() -> None:
     for step in range(20):
         room.wait(5.0, things=(("cup", 5.0 + step, 1.0),))
     assert room.told == []
+
+
+def test_the_farther_a_second_person_the_surer_the_first() -> None:
+    shares = []
+    for second in (5.8, 6.1):
+        room = room_with_contents()
+        room.wait(5.0, ("ann", 4.7, 1.0), ("bob", second, 1.0))
+        room.report("object taken")
+        room.wait(1.0)
+        assert room.told[0].cause == "ann"
+        shares.append(dict(room.told[0].facts)["by_confidence"])
+    assert shares == pytest.approx([0.8 / 1.1, 1.1 / 1.4])

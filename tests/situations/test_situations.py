@@ -207,7 +207,8 @@ STREAMS = st.lists(st.tuples(st.integers(0, 600).map(lambda n: n / 10), CHOICES)
 
 def heard(layout: Layout, rows: Heard, period: float, until: float = 62.0) -> list[Happening]:
     """Return what is told of a stream whose items come at (time, item), by calls of this period [s]."""
-    situations, told, index = Situations(layout), [], 0
+    situations, index = Situations(layout), 0
+    told: list[Happening] = []
     rows = sorted(rows, key=lambda row: row[0])
     for now in (n * period for n in range(round(until / period) + 1)):
         due = index
