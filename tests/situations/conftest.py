@@ -47,7 +47,8 @@ def play() -> Callable[[Scene, float], Heard]:
             for message in devices.messages(now, UNIX + now):
                 delivered = Delivered(message.address, message.channel, message.payload, UNIX + now)
                 reading = decode(delivered, things)
-                heard += [(now, item) for item in (*reading.happenings, *reading.observations)]
+                heard += [(now, happening) for happening in reading.happenings]
+                heard += [(now, seen) for seen in reading.observations]
         return heard
 
     return played

@@ -12,7 +12,8 @@ from housefly.situations.bed import HEARTBEAT, LOAD_OFF, LOAD_ON, Beds
 
 def watch(*loads: tuple[float, float], until: float) -> tuple[Beds, list[Happening]]:
     """Return what is said of a bed that says (time, load), looked at four times a second."""
-    beds, told, rows = Beds({"bed"}), [], list(loads)
+    beds, rows = Beds({"bed"}), list(loads)
+    told: list[Happening] = []
     for now in (step * 0.25 for step in range(round(until * 4) + 1)):
         while rows and rows[0][0] <= now:
             at, load = rows.pop(0)

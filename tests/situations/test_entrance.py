@@ -118,3 +118,11 @@ def test_without_a_rectangle_bells_or_sensors_nothing_is_claimed() -> None:
     door.ring()
     door.wait(9.0, ("guest", 1.0, 4.0), motion=True)
     assert door.told == []
+
+
+def test_who_stands_on_the_edge_of_the_rectangle_stays_at_the_entrance() -> None:
+    door = Door()
+    for _ in range(30):
+        door.wait(0.5, ("guest", 1.7, 4.0))
+        door.wait(0.5, ("guest", 1.8, 4.0))
+    assert door.kinds() == [SOMEONE]

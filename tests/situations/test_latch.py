@@ -5,9 +5,10 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.messages import Happening
 from housefly.situations.latch import EITHER_WAY, ENDED, NOT_KNOWN, Latch
 from housefly.situations.situation import Finding
-from housefly.situations.trust import CLAIM
+from housefly.situations.trust import CLAIM, KNOWN
 
 DWELL = {"a": 1.0, "b": 2.0, "": 3.0}
 FINDINGS = st.none() | st.builds(Finding, st.sampled_from(["a", "b", ""]), st.floats(0.0, 1.0))
@@ -19,12 +20,13 @@ def latch() -> Latch:
 
 @given(st.lists(st.tuples(st.floats(0.0, 5.0), FINDINGS), max_size=60))
 def test_beginnings_and_ends_alternate_in_order_of_time(rows: list[tuple[float, Finding | None]]) -> None:
-    subject, now, told = latch(), 0.0, []
+    subject, now = latch(), 0.0
+    told: list[Happening] = []
     for wait, finding in rows:
         now += wait
         told += subject.step(now, finding)
         assert subject.situation is None or subject.situation.since <= now
-    assert [told.kind.endswith(ENDED) for told in told] == [bool(n % 2) for n in range(len(told))]
+    assert [happening.kind.endswith(ENDED) for happening in told] == [bool(n % 2) for n in range(len(told))]
     for begun, ended in zip(told[::2], told[1::2], strict=False):
         assert ended.kind == begun.kind + ENDED
     assert [happening.at for happening in told] == sorted(happening.at for happening in told)
@@ -78,3 +80,11 @@ def test_the_confidence_of_a_claim_follows_its_evidence() -> None:
     subject.step(1.0, Finding("a", 0.3, evidence=("old",)))
     assert subject.situation is not None
     assert (subject.situation.confidence, subject.situation.evidence, subject.situation.since) == (0.3, ("old",), -2.0)
+
+
+def test_a_claim_whose_confidence_runs_out_is_not_known_any_more() -> None:
+    subject = latch()
+    subject.step(0.0, Finding("a", 0.9, since=-2.0))
+    assert subject.step(1.0, Finding("a", KNOWN)) == ()
+    (ended,) = subject.step(2.0, Finding("a", KNOWN - 0.01))
+    assert dict(ended.facts)["because"] == NOT_KNOWN

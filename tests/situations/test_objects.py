@@ -8,6 +8,7 @@ from housefly.messages import Happening, Observation
 from housefly.situations.contents import ABSENT, HEARTBEAT
 from housefly.situations.layout import Layout
 from housefly.situations.objects import MISSING_AFTER, Objects
+from housefly.situations.rests import LEFT_ALONE
 from housefly.situations.tracks import Tracks
 from housefly.situations.who import REACH
 
@@ -252,3 +253,49 @@ def test_a_thing_taken_from_a_cabinet_and_left_in_sight_is_put_there() -> None:
     room.wait(9.0, ("ann", 9.4, 1.0), things=(("cup", 7.0, 1.0),))
     taken, put = room.told
     assert (taken.kind, put.kind, dict(put.facts)["x"]) == ("object taken", "object put", 7.0)
+
+
+def carried_off() -> Room:
+    """Return a room in which Ann carried a cup from its place, out of sight."""
+    room = Room(Layout())
+    room.inside = {}
+    room.wait(5.0, ("ann", 2.3, 1.0), things=(("cup", 2.0, 1.0),))
+    room.wait(30.0, ("ann", 2.3, 1.0), things=(("cup", 2.0, 1.0),))
+    room.wait(2.0, ("ann", 4.3, 1.0), things=(("cup", 4.0, 1.0),))
+    return room
+
+
+def test_what_vanishes_from_a_source_that_speaks_is_missing_and_from_a_silent_one_it_is_not_known() -> None:
+    room = carried_off()
+    room.wait(MISSING_AFTER + 5.0, things=(("book", 9.0, 1.0),))
+    assert room.kinds() == ["object taken", "object missing"]
+    room = carried_off()
+    room.wait(MISSING_AFTER + 5.0)
+    assert room.kinds() == ["object taken"]
+
+
+def test_a_thing_that_rests_beside_somebody_for_long_is_not_in_their_hand() -> None:
+    room = carried_off()
+    room.wait(LEFT_ALONE - 2.0, ("ann", 4.3, 1.0), things=(("cup", 4.0, 1.0),))
+    assert room.kinds() == ["object taken"]
+    room.wait(5.0, ("ann", 4.3, 1.0), things=(("cup", 4.0, 1.0),))
+    assert room.kinds() == ["object taken", "object put"]
+
+
+def test_positions_of_a_thing_inside_a_container_are_not_believed() -> None:
+    room = room_with_contents()
+    for step in range(20):
+        room.wait(5.0, things=(("cup", 5.0 + step, 1.0),))
+    assert room.told == []
+
+
+def test_the_farther_a_second_person_the_surer_the_first() -> None:
+    shares = []
+    for second in (5.8, 6.1):
+        room = room_with_contents()
+        room.wait(5.0, ("ann", 4.7, 1.0), ("bob", second, 1.0))
+        room.report("object taken")
+        room.wait(1.0)
+        assert room.told[0].cause == "ann"
+        shares.append(dict(room.told[0].facts)["by_confidence"])
+    assert shares == pytest.approx([0.8 / 1.1, 1.1 / 1.4])

@@ -158,6 +158,8 @@ def test_who_vanishes_beside_a_bed_that_feels_somebody_lies_in_it_and_is_there()
     room.see(4.0, 8.0, 1.9)
     assert room.holds() == {"person present", STANDING}
     assert "person present ended" not in room.kinds()
+    ended = next(happening for happening in room.told if happening.kind == "person lying ended")
+    assert dict(ended.facts)["because"] == "floor: stays where they are"
 
 
 def test_without_the_load_of_the_bed_they_are_just_gone() -> None:

@@ -40,9 +40,10 @@ def test_whatever_the_order_of_arrival_the_order_of_release_is_one(times: list[f
 
 def test_a_report_comes_before_the_state_of_the_same_time() -> None:
     stream = Stream()
-    stream.add(state(NOW), NOW - 1.0, NOW)
+    cabinet = state(NOW, "a-cabinet")
+    stream.add(cabinet, NOW - 1.0, NOW)
     stream.add(bell(NOW), NOW - 1.0, NOW)
-    assert stream.until(NOW) == (bell(NOW), state(NOW))
+    assert stream.until(NOW) == (bell(NOW), cabinet)
 
 
 def test_an_item_heard_twice_is_one_however_late_the_second_comes() -> None:

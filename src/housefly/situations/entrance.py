@@ -19,6 +19,8 @@ PERSON = 0.9
 """Confidence in a person who is seen before the door and stays."""
 STAYS = 1.5
 """So long must a person be before the door [s]: who passes does not count."""
+EDGE = 0.3
+"""And is there until they are this far outside the rectangle [m]."""
 MOTION = 0.4
 """Confidence in the motion sensor alone; too little for a claim."""
 MOTION_PATIENCE = 5.0
@@ -74,7 +76,8 @@ class Entrance:
 
     def _is_before_the_door(self, person: str, now: float) -> bool:
         track, area = self._tracks.best(person, now), self._layout.entrance
-        return track is not None and area is not None and area.distance(track.last.position) == 0.0
+        margin = EDGE if person in self._inside else 0.0
+        return track is not None and area is not None and area.distance(track.last.position) <= margin
 
     def _finding(self, now: float) -> Finding | None:
         signs = [*self._bell(now), *self._person(now), *self._motion(now)]
