@@ -37,6 +37,17 @@ def flight(believed: Premises, real: Premises, repeats: int = 6) -> tuple[str, l
 
 
 @pytest.mark.slow
+def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first() -> None:
+    premises = open_premises(read_site("bsen"))
+    x, y = premises.room.home
+    box = Box((x - 0.4, y + 0.3), reach=0.62, height=premises.site.map.flight_height)
+    maneuver = Maneuver(blocks(4, premises.site.limits.tilt_max)[:2], box)
+    world, steps = SimulatedWorld(premises.site, premises.room), []
+    assert fly_in_lock_step(premises, world, Errand(box, maneuver, 60.0), steps.append) == "completed"
+    assert maneuver.done == 2
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_the_hidden_constants_of_a_simulated_drone_are_found(seed: int) -> None:
     hidden = {"drone__attitude_lag": 5.0 + seed, "drone__attitude_gain": 0.9, "drone__drag": 0.4, "drone__climb_lag": 2.0}

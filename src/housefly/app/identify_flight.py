@@ -24,7 +24,7 @@ from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.identification.box import Box
-from housefly.identification.maneuver import Maneuver
+from housefly.identification.maneuver import NEAR, Maneuver
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
 from housefly.pilot import Pilot, warm_up
 from housefly.twin.contracts import World
@@ -60,6 +60,7 @@ class Errand:
     _asked_at: float = -inf
     _began: float | None = None
     _flown: bool = False
+    _arrived: bool = False
     _problem: str = ""
 
     def after(self, step: PilotStep) -> Order | None:
@@ -88,8 +89,9 @@ class Errand:
             return None
         if self.maneuver.finished:
             return self._asking(OrderKind.HOME, now)
-        is_there = distance(position[:2], self.box.centre) < self.box.reach
-        return None if is_there else self._asking(OrderKind.GO, now, self.box.centre)
+        # The blocks begin in the middle: anywhere else in the box they would wait for ever.
+        self._arrived = self._arrived or distance(position[:2], self.box.centre) < NEAR
+        return None if self._arrived else self._asking(OrderKind.GO, now, self.box.centre)
 
     def _asking(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
         """Return the order, again after a while: the pilot refuses orders while it does not see the drone."""
