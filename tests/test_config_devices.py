@@ -18,7 +18,7 @@ def test_a_site_has_no_broker_and_no_scene_unless_it_names_them() -> None:
 @pytest.mark.parametrize(
     ("mqtt", "key", "words"),
     [
-        ({"port": 0}, "mqtt.port", "allowed: a number from 1 to 65535"),
+        ({"port": -1}, "mqtt.port", "allowed: a number from 0 to 65535"),
         ({"rate_max_hz": 5000}, "mqtt.rate_max_hz", "allowed: a number from 0.1 to 1000 Hz"),
         ({"site": "My Home"}, "mqtt.site", "'My Home'"),
         ({"devices": [{"id": "f", "yaw": 9.0}]}, "mqtt.devices.0.yaw", "allowed: a number from -6.3 to 6.3 rad"),
