@@ -11,8 +11,8 @@ typedef struct { uint64_t random; Order orders[ORDERS]; Frame frames[FRAMES]; do
 
 static inline void acceleration(double theta, double phi, double psi, double *ax, double *ay)
 {
-    double c = cos(psi), s = sin(psi), upright = cos(theta);
-    double forward = GRAVITY * sin(theta) / upright, left = -GRAVITY * sin(phi) / (cos(phi) * upright);
+    double c = cos(psi), s = sin(psi), lean = tan(theta);
+    double forward = GRAVITY * lean, left = -GRAVITY * tan(phi) * sqrt(1.0 + lean * lean);
     *ax = c * forward - s * left, *ay = s * forward + c * left;
 }
 

@@ -11,7 +11,7 @@ whose exact inverse is ``tilt``; at psi = 0 and psi = pi it is the paper's eqs. 
 
 from __future__ import annotations
 
-from math import atan, cos, sin, sqrt
+from math import atan, cos, sin, sqrt, tan
 
 from housefly.geometry import GRAVITY
 from housefly.numeric import clipped, compiled, wrapped
@@ -77,9 +77,9 @@ def clipped_per_axis(theta: float, phi: float, bound: float) -> tuple[float, flo
 @compiled
 def acceleration(theta: float, phi: float, psi: float) -> tuple[float, float]:
     """Return the world acceleration [m/s^2] at an attitude [rad]: eqs. (8)-(9) for any heading, thrust holding the height."""
-    c, s, upright = cos(psi), sin(psi), cos(theta)
-    forward = GRAVITY * sin(theta) / upright
-    left = -GRAVITY * sin(phi) / (cos(phi) * upright)
+    c, s, lean = cos(psi), sin(psi), tan(theta)
+    # 1 / cos(theta) = sqrt(1 + tan^2) for any tilt that is flown, and a tangent costs no more than a sine
+    forward, left = GRAVITY * lean, -GRAVITY * tan(phi) * sqrt(1.0 + lean * lean)
     return c * forward - s * left, s * forward + c * left
 
 
