@@ -31,7 +31,7 @@ premises = open_premises(read_site("bsen"))
 warm_up(premises.site, premises.room, premises.grid)
 """
 COMMANDS: dict[str, list[str]] = {
-    "`housefly --help`": [HOUSEFLY, "--help"],
+    "help of the command line": [HOUSEFLY, "--help"],
     "`housefly plan --to entrance`": [HOUSEFLY, "plan", "--to", "entrance"],
     "`housefly campaign SPEC --dry-run` (flies a probe)": [
         HOUSEFLY, "campaign", str(ROOT / "examples" / "08_tracking_rate.toml"), "--dry-run",
