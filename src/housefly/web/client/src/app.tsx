@@ -16,7 +16,7 @@ import { screen, swapped } from "./store";
 /** Two screens, one to fly and one of the room; STOP is on both, in the same place. */
 export function App() {
   return (
-    <div class="app" data-swapped={swapped.value}>
+    <div class="app" data-swapped={swapped.value && screen.value === "fly"}>
       <Top />
       {screen.value === "room" ? <RoomScreen /> : <FlyScreen />}
       <StopBar />

@@ -5,6 +5,8 @@ import type { CoverageView } from "../wire/room-messages";
 import { coverage, showsCoverage } from "./store";
 
 const LEVELS = ["blind", "few", "some", "many"] as const;
+/** Letters of the grid where air is at flight height. */
+const FLYABLE = ".vi";
 const SOME = 4;
 const MANY = 7;
 const NUMBER_EVERY = 4;
@@ -21,7 +23,7 @@ export function CoverageLayer({ to }: { to: Projection }) {
     [...row].forEach((digit, i) => {
       const corner: [number, number] = [view.origin[0] + i * view.resolution, view.origin[1] + j * view.resolution];
       const middle: [number, number] = [corner[0] + view.resolution / 2, corner[1] + view.resolution / 2];
-      if (letterAt(grid, ...cellOf(grid, middle)) === "x") return;
+      if (!FLYABLE.includes(letterAt(grid, ...cellOf(grid, middle)))) return;
       const count = parseInt(digit, 36);
       const [u, v] = to.at(corner);
       const level = levelOf(count, view);

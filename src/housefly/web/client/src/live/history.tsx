@@ -1,4 +1,5 @@
 import { signal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import { askEvents, showAt } from "./line";
 import { at, events, hubNow, moment, only, picture, span, things, trouble } from "./store";
 import { ago, clock, happened, kindOf } from "./words";
@@ -90,7 +91,7 @@ export function PastBanner() {
 }
 
 /** What happened, newest first; a press shows the room as it was then. */
-export function Events() {
+export function Events({ children }: { children: ComponentChildren }) {
   const whose = [...things.value.values()].filter((one) => ["person", "robot", "object"].includes(kindOf(one)) || one.age !== null);
   const shown = events.value.slice(-LISTED).reverse();
   return (
@@ -113,6 +114,7 @@ export function Events() {
           ))}
         </select>
       </div>
+      {children}
       <ol tabIndex={0} data-scrolls>
         {shown.map((event) => (
           <li key={`${event.at} ${event.kind} ${event.thing}`}>

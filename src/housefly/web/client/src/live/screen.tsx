@@ -16,7 +16,7 @@ export function RoomScreen() {
   return (
     <main class="room-deck">
       <Find />
-      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null}>
+      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null} data-coverage={showsCoverage.value}>
         <PlanFrame label="Floor plan with people and things. Each can be reached with Tab.">
           {(to) => (
             <>
@@ -31,8 +31,9 @@ export function RoomScreen() {
         <PastBanner />
       </section>
       <History />
-      <Holds />
-      <Events />
+      <Events>
+        <Holds />
+      </Events>
       <Sensors />
     </main>
   );
@@ -62,20 +63,18 @@ function Notes() {
 function Holds() {
   if (at.value !== null || (situations.value.length === 0 && obstacles.value.length === 0)) return null;
   return (
-    <section class="card holds" aria-label="What holds now">
-      <ul>
-        {situations.value.map((one) => (
-          <li key={`${one.kind} ${one.thing}`}>
-            <strong>
-              △ {nameOf(one.thing)}: {one.kind}
-            </strong>
-            <span class="quiet">
-              {percent(one.confidence)} sure{one.evidence && `; ${one.evidence}`}
-            </span>
-          </li>
-        ))}
-        {obstacles.value.length > 0 && <li class="quiet">{obstacles.value.length} in the way of the drone</li>}
-      </ul>
-    </section>
+    <ul class="holds" aria-label="What holds now">
+      {situations.value.map((one) => (
+        <li key={`${one.kind} ${one.thing}`}>
+          <strong>
+            △ {nameOf(one.thing)}: {one.kind}
+          </strong>
+          <span class="quiet">
+            {percent(one.confidence)} sure{one.evidence && `; ${one.evidence}`}
+          </span>
+        </li>
+      ))}
+      {obstacles.value.length > 0 && <li class="quiet">{obstacles.value.length} in the way of the drone</li>}
+    </ul>
   );
 }

@@ -7,9 +7,13 @@ type Health = "well" | "warning" | "fault";
 
 const MARK: Record<Health, string> = { well: "✓", warning: "△", fault: "✕" };
 
+/** What the memory says of itself when nothing is wrong with it. */
+const ALL_KEPT = "all is kept";
+
 /** Every sensor: how often it speaks, when it last did, and what is wrong, in words. */
 export function Sensors() {
   const all = sensors.value?.sensors ?? [];
+  const memory = sensors.value?.memory;
   const wrong = all.filter((one) => health(one) !== "well").length;
   return (
     <section class="card sensors" aria-label="Sensors">
@@ -20,11 +24,12 @@ export function Sensors() {
         {[...all].sort((a, b) => Number(health(a) === "well") - Number(health(b) === "well")).map((one) => (
           <Row key={one.sensor} one={one} />
         ))}
-        {sensors.value?.memory && (
-          <li data-health="warning">
-            <span class="mark">△</span>
-            <span>Memory</span>
-            <em>{sensors.value.memory}</em>
+        {memory && (
+          <li data-health={memory === ALL_KEPT ? "well" : "warning"}>
+            <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>
+            <span>memory</span>
+            <span class="quiet">{memory === ALL_KEPT && memory}</span>
+            {memory !== ALL_KEPT && <em>{memory}</em>}
           </li>
         )}
       </ul>

@@ -1,6 +1,6 @@
 // Times and ages as people say them, and what sort of thing something is.
 import type { Occurrence } from "../wire/room-messages";
-import { nameOf, type Seen } from "./store";
+import { nameOf, things, type Seen } from "./store";
 
 const NOW = 2;
 const UNITS: [number, string][] = [
@@ -30,8 +30,10 @@ export function kindOf(thing: Seen): string {
 
 export function happened(event: Occurrence): string {
   const words = event.kind.charAt(0).toUpperCase() + event.kind.slice(1);
+  const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
   const by = event.cause ? ` by ${nameOf(event.cause)}` : "";
-  return event.thing === event.source ? words : `${words}: ${nameOf(event.thing)}${by}`;
+  const said = event.source !== event.thing && things.value.has(event.source) ? ` (${nameOf(event.source)})` : "";
+  return words + whose + by + said;
 }
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;
