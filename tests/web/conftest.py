@@ -125,9 +125,7 @@ async def serve(
         bus, stops = LocalBus(), [] if stops is None else stops
         loop = asyncio.get_running_loop()
         pilot = PretendedPilot(bus.join(), example_room())
-        app = create_app(
-            bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage
-        )
+        app = create_app(bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage)
         server: uvicorn.Server = make_server(app)
         serving = asyncio.create_task(server.serve([listener]))
         flying = asyncio.create_task(pilot.run())

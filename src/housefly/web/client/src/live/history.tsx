@@ -14,6 +14,8 @@ const SPANS: [number, string][] = [
 ];
 const STEPS = 600;
 const LISTED = 200;
+/** An event is shown with what it brought about [s]. */
+const AFTER = 0.5;
 
 /** The right end of the slider while the past is shown: it must not run away from under the finger. */
 const end = signal(0);
@@ -118,7 +120,7 @@ export function Events({ children }: { children: ComponentChildren }) {
       <ol tabIndex={0} data-scrolls>
         {shown.map((event) => (
           <li key={`${event.at} ${event.kind} ${event.thing}`}>
-            <button type="button" aria-current={at.value === event.at} title="Show the room as it was then" onClick={() => go(event.at)}>
+            <button type="button" aria-current={at.value === event.at + AFTER} title="Show the room as it was then" onClick={() => go(event.at + AFTER)}>
               <time>{clock(event.at)}</time>
               <span>{happened(event)}</span>
             </button>

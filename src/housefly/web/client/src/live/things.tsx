@@ -68,7 +68,7 @@ function Mark({ to, thing, contents }: MarkProps) {
       data-kind={kind}
       data-thing={thing.thing}
       role="button"
-      tabIndex={0}
+      tabindex={0}
       aria-label={lines.map((line) => line.text).join(", ")}
       style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: fade(age) }}
       onClick={press}

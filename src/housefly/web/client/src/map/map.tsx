@@ -44,7 +44,7 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
   return (
     <div class="plan-view" ref={frame}>
       {to ? (
-        <svg width={to.width} height={to.height} tabIndex={onPoint ? 0 : -1} role={onPoint ? "img" : "group"} aria-label={label} data-scale={to.scale} onClick={click}>
+        <svg width={to.width} height={to.height} tabindex={onPoint ? 0 : -1} role={onPoint ? "img" : "group"} aria-label={label} data-scale={to.scale} onClick={click}>
           {children(to)}
         </svg>
       ) : (
