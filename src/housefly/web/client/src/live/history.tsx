@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { askEvents, showAt } from "./line";
+import { askEvents, keyOf, showAt } from "./line";
 import { at, events, hubNow, moment, only, picture, span, things, trouble } from "./store";
 import { ago, clock, happened, kindOf } from "./words";
 
@@ -55,7 +55,7 @@ export function History() {
       <div class="slider">
         <div class="marks" aria-hidden="true">
           {marks.map((event) => (
-            <i key={`${event.at} ${event.kind} ${event.thing}`} title={happened(event)} style={{ left: `${100 * (1 - (right - event.at) / span.value)}%` }} />
+            <i key={keyOf(event)} style={{ left: `${100 * (1 - (right - event.at) / span.value)}%` }} />
           ))}
         </div>
         <input
@@ -119,7 +119,7 @@ export function Events({ children }: { children: ComponentChildren }) {
       {children}
       <ol tabIndex={0} data-scrolls>
         {shown.map((event) => (
-          <li key={`${event.at} ${event.kind} ${event.thing}`}>
+          <li key={keyOf(event)}>
             <button type="button" aria-current={at.value === event.at + AFTER} title="Show the room as it was then" onClick={() => go(event.at + AFTER)}>
               <time>{clock(event.at)}</time>
               <span>{happened(event)}</span>

@@ -1,6 +1,6 @@
 // The line to the room's memory: questions over HTTP, news over a socket; both only while the screen is open.
 import { batch } from "@preact/signals";
-import type { CoverageView, EventsAnswer, PictureAnswer, Placed, RoomAnswer, RoomNews, SensorsAnswer, ThingsAnswer, WhereAnswer } from "../wire/room-messages";
+import type { CoverageView, EventsAnswer, Occurrence, PictureAnswer, Placed, RoomAnswer, RoomNews, SensorsAnswer, ThingsAnswer, WhereAnswer } from "../wire/room-messages";
 import { alike } from "./alike";
 import * as store from "./store";
 
@@ -8,6 +8,7 @@ const API = "/api/v1";
 const PERIOD = 1000;
 const DEBOUNCE = 120;
 const EVENTS_KEPT = 500;
+const RECENT = 100;
 
 async function get<T extends RoomAnswer>(path: string, parameters: Record<string, string | number> = {}): Promise<T> {
   const text = new URLSearchParams(Object.entries(parameters).map(([key, value]) => [key, String(value)]));
@@ -67,9 +68,15 @@ function hear(news: RoomNews): void {
     put(news.things, news.at);
     store.situations.value = news.situations;
     store.obstacles.value = news.obstacles;
-    const fresh = news.events.filter((event) => !store.only.value || event.thing === store.only.value);
+    // What was asked for a moment ago may be told once more.
+    const known = new Set(store.events.value.slice(-RECENT).map(keyOf));
+    const fresh = news.events.filter((event) => (!store.only.value || event.thing === store.only.value) && !known.has(keyOf(event)));
     if (fresh.length) store.events.value = [...store.events.value, ...fresh].slice(-EVENTS_KEPT);
   });
+}
+
+export function keyOf(event: Occurrence): string {
+  return `${event.at} ${event.kind} ${event.thing}`;
 }
 
 function put(placed: Placed[], toldAt: number): void {

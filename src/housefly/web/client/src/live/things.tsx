@@ -57,6 +57,7 @@ function Mark({ to, thing, contents }: MarkProps) {
   const [x, y] = thing.position!;
   const [u, v] = to.at([x, y]);
   const age = thing.seenAt === null ? null : Math.max(0, moment.value - thing.seenAt);
+  const below = kind === "person" ? personRadius(to.scale) + LINE : 24;
   const lines = linesOf(thing, kind, age, contents);
   const press = (event: Event): void => {
     event.stopPropagation();
@@ -70,14 +71,14 @@ function Mark({ to, thing, contents }: MarkProps) {
       role="button"
       tabindex={0}
       aria-label={lines.map((line) => line.text).join(", ")}
-      style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: fade(age) }}
+      style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: MOVES.includes(kind) ? fade(age) : 1 }}
       onClick={press}
       onKeyDown={(event) => event.key === "Enter" && press(event)}
     >
       <circle class="reach" r="16" />
       <Shape kind={kind} yaw={thing.yaw} scale={to.scale} />
       {lines.map((line, k) => (
-        <text key={k} class={line.kind} y={(kind === "furniture" ? 18 : 24) + k * LINE}>
+        <text key={k} class={line.kind} y={below + k * LINE}>
           {line.text}
         </text>
       ))}
@@ -85,13 +86,17 @@ function Mark({ to, thing, contents }: MarkProps) {
   );
 }
 
+function personRadius(scale: number): number {
+  return Math.max(9, 0.24 * scale);
+}
+
 function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: number }) {
   const turn = yaw === null ? "" : `rotate(${((-yaw * 180) / Math.PI).toFixed(0)})`;
   if (kind === "person") {
     return (
       <g class="person">
-        <ellipse rx={Math.max(9, 0.24 * scale)} ry={Math.max(9, 0.24 * scale)} />
-        <circle r={Math.max(4, 0.1 * scale)} />
+        <circle class="body" r={personRadius(scale)} />
+        <circle r={0.42 * personRadius(scale)} />
       </g>
     );
   }
