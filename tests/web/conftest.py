@@ -19,6 +19,7 @@ from playwright.async_api import Browser, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.local import LocalBus
+from housefly.web.coverage_layer import CoverageView
 from housefly.web.process import make_server
 from housefly.web.rehearsal import PretendedPilot
 from housefly.web.rehearsal_room import example_room
@@ -115,14 +116,16 @@ def until_fixture() -> Callable[..., Any]:
 
 
 @contextlib.asynccontextmanager
-async def serve(host: str, port: int = 0, stops: list[float] | None = None) -> AsyncIterator[Served]:
+async def serve(
+    host: str, port: int = 0, stops: list[float] | None = None, coverage: Callable[[], CoverageView] | None = None
+) -> AsyncIterator[Served]:
     with socket.socket() as listener:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
         bus, stops = LocalBus(), [] if stops is None else stops
         loop = asyncio.get_running_loop()
         pilot = PretendedPilot(bus.join(), example_room())
-        app = create_app(bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET)
+        app = create_app(bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage)
         server: uvicorn.Server = make_server(app)
         serving = asyncio.create_task(server.serve([listener]))
         flying = asyncio.create_task(pilot.run())

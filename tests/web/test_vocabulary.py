@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -10,12 +11,13 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from housefly.messages import OrderKind
-from housefly.web.typescript import TARGET, typescript
+from housefly.web.typescript import files
 from housefly.web.vocabulary import CLIENT_MESSAGE, Accepted, Pong, to_text
 
 
-def test_the_typescript_types_are_current() -> None:
-    assert TARGET.read_text(encoding="utf-8") == typescript(), "run: python -m housefly.web.typescript"
+@pytest.mark.parametrize("path", files(), ids=lambda path: str(path.name))
+def test_the_typescript_types_are_current(path: Path) -> None:
+    assert path.read_text(encoding="utf-8") == files()[path], "run: python -m housefly.web.typescript"
 
 
 def test_numbers_that_are_not_finite_become_null() -> None:

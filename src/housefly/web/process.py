@@ -26,6 +26,8 @@ from housefly.bus.stop import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config import Site, load_site
 from housefly.errors import ConfigError, HouseflyError
+from housefly.room.files import load_room
+from housefly.web.coverage_layer import coverage_view
 from housefly.web.security import LOOPBACK_NAMES, check_bind
 from housefly.web.server import create_app
 
@@ -45,7 +47,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     signal.signal(signal.SIGTERM, _leave)
     try:
         site = load_site(options.site)
-        asyncio.run(run_web(site, options.bus, options.host, options.port, insecure=options.insecure, names=options.name))
+        folder = options.site.parent
+        serving = run_web(
+            site, options.bus, options.host, options.port, insecure=options.insecure, names=options.name, folder=folder
+        )
+        asyncio.run(serving)
     except HouseflyError as error:
         print(error, file=sys.stderr)
         return 1
@@ -60,6 +66,7 @@ async def run_web(
     *,
     insecure: bool = False,
     names: Sequence[str] = (),
+    folder: Path = Path(),
 ) -> None:
     """Serve the console of a site on its bus until cancelled or signalled.
 
@@ -70,6 +77,7 @@ async def run_web(
         port: TCP port instead of the site's; 0 takes a free one.
         insecure: allow an address that other machines reach.
         names: further host names to answer to.
+        folder: of the site file, for relative paths.
 
     Raises:
         ConfigError: the address is not allowed or taken, or a secret is missing.
@@ -88,6 +96,7 @@ async def run_web(
             hosts=LOOPBACK_NAMES | {host, *names},
             secret=os.environ.get(SECRET, ""),
             drone_body=site.tracking.body,
+            coverage=lambda: coverage_view(load_room(site.room.model, folder), site.map.flight_height),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
         print(f"console ready: {address}/?token={token}", flush=True)

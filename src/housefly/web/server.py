@@ -6,6 +6,7 @@
 /stop            POST: STOP, for a browser whose socket is down
 /static/...      the built client
 /api/v1/...      the room: where things are, what happened (``web.room_api``)
+/coverage        which parts of the room the tracking cameras see
 """
 
 from __future__ import annotations
@@ -28,9 +29,11 @@ from starlette.websockets import WebSocket
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
+from housefly.errors import HouseflyError
 from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
 from housefly.web.console import Console
+from housefly.web.coverage_layer import CoverageLayer, CoverageView
 from housefly.web.news import PilotNews
 from housefly.web.pages import link_used, no_session
 from housefly.web.pilot_link import PilotLink
@@ -52,6 +55,7 @@ def create_app(
     secret: str = "",
     drone_body: str = "ardrone",
     clock: Clock | None = None,
+    coverage: Callable[[], CoverageView] | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -63,6 +67,7 @@ def create_app(
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
         clock: tests may bring their own.
+        coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
     """
     clock = clock or RealClock()
     doorkeeper = Doorkeeper(token, secret or secrets.token_urlsafe(32))
@@ -70,6 +75,7 @@ def create_app(
     console = Console(PilotNews(clock, drone_body), link, doorkeeper, clock)
     video = VideoRoom(bus)
     room = RoomApi(bus, doorkeeper, api_key(secret) if secret else "")
+    layer = CoverageLayer(coverage) if coverage else None
 
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -83,6 +89,8 @@ def create_app(
             await task
         link.close()
         room.close()
+        if layer is not None:
+            layer.close()
 
     async def index(request: Request) -> Response:
         if (offered := request.query_params.get("token")) is not None:
@@ -100,6 +108,17 @@ def create_app(
     async def pictures(request: Request) -> Response:
         return mjpeg.stream(video) if doorkeeper.knows(request) else no_session()
 
+    async def seen(request: Request) -> Response:
+        if not doorkeeper.knows(request):
+            return JSONResponse({"error": "this browser has no session"}, status_code=401)
+        if layer is None:
+            return JSONResponse({"error": "nobody knows what the cameras of this site see"}, status_code=404)
+        try:
+            text = await layer.text()
+        except HouseflyError as error:
+            return JSONResponse({"error": str(error)}, status_code=503)
+        return Response(text, media_type="application/json", headers={"cache-control": "no-store"})
+
     async def console_socket(websocket: WebSocket) -> None:
         if await socket.allowed(websocket, doorkeeper):
             await socket.serve(websocket, console)
@@ -112,6 +131,7 @@ def create_app(
         routes=[
             Route("/", index),
             Route("/video.mjpeg", pictures),
+            Route("/coverage", seen),
             Route("/stop", stop_now, methods=["POST"]),
             WebSocketRoute("/socket", console_socket),
             WebSocketRoute("/video", video_socket),

@@ -1,4 +1,4 @@
-"""Writes the console's TypeScript types from the vocabulary: ``python -m housefly.web.typescript``."""
+"""Writes the console's TypeScript types from the values that it hears: ``python -m housefly.web.typescript``."""
 
 from __future__ import annotations
 
@@ -8,19 +8,37 @@ from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from housefly.web import vocabulary
+from housefly.bus import room_questions
+from housefly.web import coverage_layer, vocabulary
 
-TARGET = Path(__file__).parent / "client" / "src" / "wire" / "messages.ts"
-HEADER = "// Generated from housefly/web/vocabulary.py by `python -m housefly.web.typescript`. Do not edit.\n"
+WIRE = Path(__file__).parent / "client" / "src" / "wire"
+TARGET = WIRE / "messages.ts"
+ROOM_TARGET = WIRE / "room-messages.ts"
+HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
 PLAIN: dict[Any, str] = {float: "number", int: "number", str: "string", bool: "boolean", types.NoneType: "null"}
 
 
+def files() -> dict[Path, str]:
+    """Return the text of every generated file."""
+    return {TARGET: typescript(), ROOM_TARGET: room_typescript()}
+
+
 def typescript() -> str:
-    """Return the TypeScript text of all messages and of every value inside them."""
-    writer = _Writer()
+    """Return the TypeScript text of all messages of the socket and of every value inside them."""
     unions = {"ClientMessage": vocabulary.ClientMessage, "ServerMessage": vocabulary.ServerMessage}
+    return _text("housefly/web/vocabulary.py", unions)
+
+
+def room_typescript() -> str:
+    """Return the TypeScript text of the answers of the room's API and of its news."""
+    unions = {"RoomAnswer": room_questions.Answer | coverage_layer.CoverageView, "RoomNews": room_questions.News}
+    return _text("housefly/bus/room_questions.py", unions)
+
+
+def _text(source: str, unions: dict[str, Any]) -> str:
+    writer = _Writer()
     lines = [f"export type {name} = {writer.name(union)};\n" for name, union in unions.items()]
-    return "\n".join([HEADER, *writer.declarations.values(), *lines])
+    return "\n".join([HEADER.format(source=source), *writer.declarations.values(), *lines])
 
 
 class _Writer:
@@ -75,5 +93,6 @@ class _Writer:
 
 
 if __name__ == "__main__":
-    TARGET.parent.mkdir(parents=True, exist_ok=True)
-    TARGET.write_text(typescript(), encoding="utf-8")
+    WIRE.mkdir(parents=True, exist_ok=True)
+    for path, text in files().items():
+        path.write_text(text, encoding="utf-8")

@@ -1,6 +1,7 @@
 import { Actions } from "./controls/actions";
 import { Errand } from "./controls/errand";
 import { StopBar } from "./controls/stop";
+import { RoomScreen } from "./live/screen";
 import { MapView } from "./map/map";
 import { Announcer } from "./panels/announcer";
 import { Battery } from "./panels/battery";
@@ -10,30 +11,37 @@ import { Log } from "./panels/log";
 import { Readings } from "./panels/readings";
 import { Top } from "./panels/top";
 import { VideoView } from "./panels/video";
-import { swapped } from "./store";
+import { screen, swapped } from "./store";
 
-/** The one screen: map and picture, what the drone says, what one may ask of it, and STOP. */
+/** Two screens, one to fly and one of the room; STOP is on both, in the same place. */
 export function App() {
   return (
-    <div class="app" data-swapped={swapped.value}>
+    <div class="app" data-swapped={swapped.value && screen.value === "fly"}>
       <Top />
-      <main class="deck">
-        <MapView />
-        <VideoView />
-        <section class="command" aria-label="Orders">
-          <Errand />
-          <Actions />
-        </section>
-        <section class="side" aria-label="Drone and links">
-          <Battery />
-          <Readings />
-          <Log />
-        </section>
-      </main>
+      {screen.value === "room" ? <RoomScreen /> : <FlyScreen />}
       <StopBar />
       <Help />
       <Control />
       <Announcer />
     </div>
+  );
+}
+
+/** Map and picture, what the drone says, and what one may ask of it. */
+function FlyScreen() {
+  return (
+    <main class="deck">
+      <MapView />
+      <VideoView />
+      <section class="command" aria-label="Orders">
+        <Errand />
+        <Actions />
+      </section>
+      <section class="side" aria-label="Drone and links">
+        <Battery />
+        <Readings />
+        <Log />
+      </section>
+    </main>
   );
 }

@@ -2,7 +2,7 @@
 import { cutMotors, home, land, service, stop } from "./commands";
 import { nudge } from "./goal";
 import type { Hold } from "./hold";
-import { panel, swapped } from "./store";
+import { open, panel, screen, swapped } from "./store";
 
 export interface Key {
   /** `KeyboardEvent.key`; letters in lower case. */
@@ -26,6 +26,7 @@ export const KEYS: Key[] = [
   { keys: Object.keys(ARROWS), shown: "Arrow keys", does: "Move the goal by one cell", press: (key) => nudge(...ARROWS[key]!) },
   { keys: ["enter"], shown: "Enter, held", does: "Send the drone to look and come back", hold: service },
   { keys: ["m"], shown: "M", does: "Swap map and picture", press: () => (swapped.value = !swapped.value) },
+  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: () => open(screen.value === "fly" ? "room" : "fly") },
   { keys: ["?"], shown: "?", does: "Show or hide this list", press: () => (panel.value = panel.value === "help" ? "" : "help") },
   { keys: ["escape"], shown: "Esc", does: "Close a panel", press: () => (panel.value = "") },
 ];

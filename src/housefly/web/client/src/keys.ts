@@ -1,12 +1,13 @@
 // The keyboard: STOP from anywhere, everything else unless the focus has its own use for the key.
 import type { Hold } from "./hold";
 import { KEYS, SPACE, type Key } from "./keymap";
-import { flying } from "./store";
+import { flying, screen } from "./store";
 
 let held: { key: string; hold: Hold } | null = null;
 
 function inTextField(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
+  if (target instanceof HTMLInputElement) return target.type !== "range";
+  return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
 /** Buttons and links use Enter themselves; a chosen place does not any more, so Enter can go on to send the drone there. */
@@ -23,6 +24,8 @@ function find(event: KeyboardEvent): Key | undefined {
 }
 
 function belongsToFocus(event: KeyboardEvent): boolean {
+  // No goal moves and no flight begins where the goal is not on the screen.
+  if (screen.peek() === "room" && (event.key === "Enter" || event.key.startsWith("Arrow"))) return true;
   // Someone who types a name while the drone flies can still stop it with Space.
   if (inTextField(event.target)) return event.key !== SPACE || !flying.peek();
   if (event.key.startsWith("Arrow")) return event.target instanceof Element && event.target.closest("[data-scrolls]") !== null;

@@ -4,6 +4,7 @@ import { listenToKeys } from "./keys";
 import "./theme.css";
 import "./layout.css";
 import "./map/map.css";
+import "./live/live.css";
 import { keepAwake } from "./wake";
 import { connect } from "./wire/socket";
 

@@ -19,6 +19,14 @@ export const notice = signal("");
 
 /** Which of the two views is large; and on a narrow screen, which are shown. */
 export const swapped = signal(false);
+/** The screen that is open; the address keeps it over a reload. */
+export const screen = signal<"fly" | "room">(location.hash === "#room" ? "room" : "fly");
+
+export function open(name: "fly" | "room"): void {
+  screen.value = name;
+  history.replaceState(null, "", name === "fly" ? location.pathname : `#${name}`);
+}
+
 export const panel = signal<"" | "help" | "control">("");
 
 const OLD = 0.5;

@@ -8,7 +8,7 @@ import { polyline, type Projection } from "./projection";
 const GRID_LINES_FROM = 13;
 
 /** Everything that does not move: cells, furniture with names, places, home, scale. */
-export function RoomLayer({ to }: { to: Projection }) {
+export function RoomLayer({ to, visitors = true }: { to: Projection; visitors?: boolean }) {
   const view = room.value;
   if (!view) return null;
   return (
@@ -19,7 +19,7 @@ export function RoomLayer({ to }: { to: Projection }) {
       <HomePad view={view} to={to} />
       {view.places.map((place) => place.name !== "home" && <Place key={place.name} place={place} to={to} />)}
       <Names view={view} to={to} />
-      <Visitors to={to} />
+      {visitors && <Visitors to={to} />}
       <Scale to={to} />
     </g>
   );

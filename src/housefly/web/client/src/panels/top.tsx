@@ -1,9 +1,14 @@
 import { cutMotors } from "../commands";
 import { HoldButton } from "../controls/hold-button";
 import { CutIcon, ShapeIcon } from "../controls/icons";
-import { iFly, nameOf, panel, room, state, viewers } from "../store";
+import { iFly, nameOf, open, panel, room, screen, state, viewers } from "../store";
 import { lag } from "../wire/clock";
 import { headline, milliseconds } from "../words";
+
+const SCREENS = [
+  ["fly", "Fly"],
+  ["room", "Room"],
+] as const;
 
 /** The state in words, who flies, and far from STOP the button that cuts the motors. */
 export function Top() {
@@ -23,6 +28,13 @@ export function Top() {
         <span class="detail">{detail}</span>
       </div>
       <div class="who">
+        <nav class="screens" aria-label="Screens">
+          {SCREENS.map(([name, title]) => (
+            <button type="button" key={name} aria-current={screen.value === name ? "page" : undefined} onClick={() => open(name)}>
+              {title}
+            </button>
+          ))}
+        </nav>
         <span class="charge">{state.value?.battery == null ? "" : `battery ${Math.round(100 * state.value.battery)} %`}</span>
         <span class="lag" title="Round trip between this browser and the server">
           lag {lag.value === null ? "–" : milliseconds(lag.value)}

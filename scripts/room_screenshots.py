@@ -1,0 +1,121 @@
+"""Takes the pictures of the ROOM screen: plays B-sen's scene over a broker of its own until the cup is in the cabinet.
+
+``python scripts/room_screenshots.py`` writes docs/images/{room-live,room-history,phone-room}.png. Needs mosquitto.
+"""
+
+from __future__ import annotations
+
+import getpass
+import io
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import Page, expect, sync_playwright
+from screenshots import DESKTOP, FLAGS, IMAGES, PHONE, address_in, housefly
+
+from housefly import sites
+
+FOLDER = Path(sites.__file__).parent
+THINGS = """
+thing = [
+    { id = "cup", name = "the cup", aliases = ["mug"] },
+    { id = "tea-bottle", name = "the tea bottle" },
+    { id = "book", name = "the book" },
+    { id = "cabinet", name = "the cabinet", kind = "furniture", position = [11.50, 4.20, 0.60] },
+    { id = "person-1", name = "Hanako", kind = "person" },
+    { id = "person-2", name = "Taro", kind = "person" },
+]
+"""
+MORE = """
+[hub]
+store = "{folder}/room.db"
+things = "{folder}/things.toml"
+[mqtt]
+broker = "127.0.0.1"
+port = {broker}
+[drone]
+address = "127.90.9.1"
+[tracking]
+address = "127.90.9.1"
+[web]
+port = {web}
+"""
+
+
+def free_port() -> int:
+    """Return a TCP port that is free now."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def write_site(folder: Path, broker: int) -> Path:
+    """Write B-sen with its scene, in which the cup is in the refrigerator at first."""
+    scene = (FOLDER / "bsen_scene.toml").read_text()
+    (folder / "scene.toml").write_text(scene.replace('inside = "cabinet"', 'inside = "refrigerator"', 1))
+    (folder / "things.toml").write_text(THINGS)
+    site = (FOLDER / "bsen.toml").read_text().replace("[twin]\n", f'[twin]\nscene = "{folder}/scene.toml"\n', 1)
+    file = folder / "site.toml"
+    file.write_text(site + MORE.format(folder=folder, broker=broker, web=free_port()))
+    return file
+
+
+def photograph(page: Page, name: str) -> None:
+    """Save a picture with nothing focused and nothing under the pointer."""
+    page.evaluate("document.activeElement.blur()")
+    page.mouse.move(3, 65)
+    page.wait_for_timeout(600)
+    picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    picture.quantize(256, dither=Image.Dither.NONE).save(IMAGES / f"{name}.png", optimize=True)
+    print(f"{name}.png")
+
+
+def visit(page: Page, address: str) -> None:
+    """Wait for the cup, look, go back, and look again on a phone."""
+    page.goto(f"{address}#room")
+    page.get_by_role("combobox", name="Where is").fill("mug")
+    page.keyboard.press("Enter")
+    answer = page.locator(".find .answer")
+    expect(answer).to_contain_text("in refrigerator", timeout=20_000)
+    began = time.time()
+    expect(answer).to_contain_text("in the cabinet", timeout=150_000)
+    page.wait_for_timeout(1500)
+    photograph(page, "room-live")
+    page.get_by_role("slider", name="Time shown").fill(str(-round(0.7 * (time.time() - began))))
+    expect(answer).to_contain_text("in refrigerator")
+    photograph(page, "room-history")
+    page.get_by_role("button", name="Back to now").click()
+    expect(answer).to_contain_text("in the cabinet")
+    page.set_viewport_size(PHONE)
+    photograph(page, "phone-room")
+
+
+def main() -> None:
+    """Take all pictures."""
+    mosquitto = shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin:/usr/bin") or sys.exit("mosquitto is absent")
+    with tempfile.TemporaryDirectory() as name, sync_playwright() as play:
+        folder, port = Path(name), free_port()
+        settings = f"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser {getpass.getuser()}\n"
+        (folder / "mosquitto.conf").write_text(settings)
+        broker = subprocess.Popen([mosquitto, "-c", str(folder / "mosquitto.conf")], stderr=subprocess.DEVNULL)
+        log = folder / "run.log"
+        run = housefly("run", "--site", str(write_site(folder, port)), stdout=log.open("w"), stderr=subprocess.STDOUT)
+        try:
+            browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+            visit(browser.new_page(viewport=DESKTOP), address_in(log))
+            browser.close()
+        finally:
+            run.send_signal(signal.SIGINT)
+            run.wait(60)
+            broker.terminate()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,80 @@
+import { useEffect } from "preact/hooks";
+import { PlanFrame } from "../map/map";
+import { RoomLayer } from "../map/room";
+import { CoverageLayer, CoverageLegend } from "./coverage";
+import { Find } from "./find";
+import { Events, History, PastBanner } from "./history";
+import { listen, toggleCoverage } from "./line";
+import { Sensors } from "./sensors";
+import { at, nameOf, obstacles, showsCoverage, situations, trouble } from "./store";
+import { ObstacleLayer, placeless, ThingsLayer } from "./things";
+import { percent } from "./words";
+
+/** The room: where everything is, how we know, and how it was before. */
+export function RoomScreen() {
+  useEffect(listen, []);
+  return (
+    <main class="room-deck">
+      <Find />
+      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null} data-coverage={showsCoverage.value}>
+        <PlanFrame label="Floor plan with people and things. Each can be reached with Tab.">
+          {(to) => (
+            <>
+              <RoomLayer to={to} visitors={false} />
+              <CoverageLayer to={to} />
+              <ObstacleLayer to={to} />
+              <ThingsLayer to={to} />
+            </>
+          )}
+        </PlanFrame>
+        <Notes />
+        <PastBanner />
+      </section>
+      <History />
+      <Events>
+        <Holds />
+      </Events>
+      <Sensors />
+    </main>
+  );
+}
+
+function Notes() {
+  const lost = placeless();
+  return (
+    <ul class="legend" aria-label="Legend">
+      <li class="plain">
+        <button type="button" aria-pressed={showsCoverage.value} onClick={() => void toggleCoverage()}>
+          Tracking coverage
+        </button>
+      </li>
+      <CoverageLegend />
+      {lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
+      {trouble.value && (
+        <li class="trouble" role="alert">
+          △ {trouble.value}
+        </li>
+      )}
+    </ul>
+  );
+}
+
+/** What holds now, in words: the map says the same beside the people. */
+function Holds() {
+  if (at.value !== null || (situations.value.length === 0 && obstacles.value.length === 0)) return null;
+  return (
+    <ul class="holds" aria-label="What holds now">
+      {situations.value.map((one) => (
+        <li key={`${one.kind} ${one.thing}`}>
+          <strong>
+            △ {nameOf(one.thing)}: {one.kind}
+          </strong>
+          <span class="quiet">
+            {percent(one.confidence)} sure{one.evidence && `; ${one.evidence}`}
+          </span>
+        </li>
+      ))}
+      {obstacles.value.length > 0 && <li class="quiet">{obstacles.value.length} in the way of the drone</li>}
+    </ul>
+  );
+}

@@ -1,0 +1,64 @@
+import { milliseconds } from "../words";
+import type { SensorAnswer } from "../wire/room-messages";
+import { sensors, trouble } from "./store";
+import { ago } from "./words";
+
+type Health = "well" | "warning" | "fault";
+
+const MARK: Record<Health, string> = { well: "✓", warning: "△", fault: "✕" };
+
+/** What the memory says of itself when nothing is wrong with it. */
+const ALL_KEPT = "all is kept";
+
+/** Every sensor: how often it speaks, when it last did, and what is wrong, in words. */
+export function Sensors() {
+  const all = sensors.value?.sensors ?? [];
+  const memory = sensors.value?.memory;
+  const wrong = all.filter((one) => health(one) !== "well").length;
+  return (
+    <section class="card sensors" aria-label="Sensors">
+      <h2>
+        Sensors <small class="quiet">{all.length === 0 ? "none heard yet" : wrong ? `${wrong} of ${all.length} need a look` : `all ${all.length} are well`}</small>
+      </h2>
+      <ul tabIndex={0} data-scrolls data-old={trouble.value !== ""}>
+        {[...all].sort((a, b) => Number(health(a) === "well") - Number(health(b) === "well")).map((one) => (
+          <Row key={one.sensor} one={one} />
+        ))}
+        {memory && (
+          <li data-health={memory === ALL_KEPT ? "well" : "warning"}>
+            <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>
+            <span>memory</span>
+            <span class="quiet">{memory === ALL_KEPT && memory}</span>
+            {memory !== ALL_KEPT && <em>{memory}</em>}
+          </li>
+        )}
+      </ul>
+    </section>
+  );
+}
+
+function Row({ one }: { one: SensorAnswer }) {
+  const state = health(one);
+  return (
+    <li data-health={state}>
+      <span class="mark" aria-label={state}>
+        {MARK[state]}
+      </span>
+      <span>{one.title}</span>
+      <span class="quiet">
+        {one.rate_hz >= 0.5 ? `${Math.round(one.rate_hz)} Hz · ` : ""}
+        {heard(one.age)}
+      </span>
+      {one.problem && <em>{one.problem}</em>}
+    </li>
+  );
+}
+
+function health(one: SensorAnswer): Health {
+  return one.connected ? (one.problem ? "warning" : "well") : "fault";
+}
+
+function heard(age: number | null): string {
+  if (age === null) return "never heard";
+  return age < 1 ? milliseconds(age) : ago(age);
+}

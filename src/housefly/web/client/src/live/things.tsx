@@ -1,0 +1,169 @@
+import { found, moment, obstacles, shown, situations, at, type Seen } from "./store";
+import type { Hindrance } from "../wire/room-messages";
+import type { Projection } from "../map/projection";
+import { find } from "./line";
+import { ago, kindOf, percent } from "./words";
+
+const MOVES = ["person", "robot", "object"];
+const FADES: [number, number][] = [
+  [2, 1],
+  [30, 0.8],
+  [300, 0.6],
+];
+const FAINTEST = 0.45;
+const WORTH_SAYING = 10;
+const LINE = 13;
+
+/** What moves, where it is; what is in something, beside it; faded by age, with the age in words. */
+export function ThingsLayer({ to }: { to: Projection }) {
+  const all = shown.value;
+  const byId = new Map(all.map((one) => [one.thing, one]));
+  const inside = new Map<string, Seen[]>();
+  for (const one of all) if (byId.has(one.inside)) inside.set(one.inside, [...(inside.get(one.inside) ?? []), one]);
+  const drawn = all.filter((one) => one.position && (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)));
+  return (
+    <g class="things">
+      <Rings to={to} byId={byId} />
+      {drawn.map((one) => (
+        <Mark key={one.thing} to={to} thing={one} contents={inside.get(one.thing) ?? []} />
+      ))}
+    </g>
+  );
+}
+
+/** Rings around what was searched for, or around what it is in. */
+function Rings({ to, byId }: { to: Projection; byId: Map<string, Seen> }) {
+  const answer = found.value.answer;
+  if (!answer) return null;
+  const known = [answer.position, ...[answer.thing, ...answer.inside].map((id) => byId.get(id)?.position)].find((position) => position != null);
+  if (!known) return null;
+  const [u, v] = to.at([known[0], known[1]]);
+  return (
+    <g class="found" transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`}>
+      <circle r="22" />
+      <circle class="outer" r="28" />
+    </g>
+  );
+}
+
+interface MarkProps {
+  to: Projection;
+  thing: Seen;
+  contents: Seen[];
+}
+
+function Mark({ to, thing, contents }: MarkProps) {
+  const kind = kindOf(thing);
+  const [x, y] = thing.position!;
+  const [u, v] = to.at([x, y]);
+  const age = thing.seenAt === null ? null : Math.max(0, moment.value - thing.seenAt);
+  const below = kind === "person" ? personRadius(to.scale) + LINE : 24;
+  const lines = linesOf(thing, kind, age, contents);
+  const press = (event: Event): void => {
+    event.stopPropagation();
+    void find(thing.name);
+  };
+  return (
+    <g
+      class="thing-mark"
+      data-kind={kind}
+      data-thing={thing.thing}
+      role="button"
+      tabindex={0}
+      aria-label={lines.map((line) => line.text).join(", ")}
+      style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: MOVES.includes(kind) ? fade(age) : 1 }}
+      onClick={press}
+      onKeyDown={(event) => event.key === "Enter" && press(event)}
+    >
+      <circle class="reach" r="16" />
+      <Shape kind={kind} yaw={thing.yaw} scale={to.scale} />
+      {lines.map((line, k) => (
+        <text key={k} class={line.kind} y={below + k * LINE}>
+          {line.text}
+        </text>
+      ))}
+    </g>
+  );
+}
+
+function personRadius(scale: number): number {
+  return Math.max(9, 0.24 * scale);
+}
+
+function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: number }) {
+  const turn = yaw === null ? "" : `rotate(${((-yaw * 180) / Math.PI).toFixed(0)})`;
+  if (kind === "person") {
+    return (
+      <g class="person">
+        <circle class="body" r={personRadius(scale)} />
+        <circle r={0.42 * personRadius(scale)} />
+      </g>
+    );
+  }
+  if (kind === "robot") {
+    return (
+      <g class="drone" transform={turn}>
+        <circle class="hull" r="12" />
+        {yaw !== null && <path class="arrow" d="M9 0L-6 6L-3 0L-6 -6z" />}
+      </g>
+    );
+  }
+  return kind === "object" ? <path class="object" d="M0 -7L7 0L0 7L-7 0z" /> : <rect class="holder" x="-6" y="-6" width="12" height="12" rx="2" />;
+}
+
+interface Line {
+  kind: "name" | "age" | "content" | "situation";
+  text: string;
+}
+
+function linesOf(thing: Seen, kind: string, age: number | null, contents: Seen[]): Line[] {
+  const lines: Line[] = [{ kind: "name", text: thing.name }];
+  for (const held of at.value === null ? situations.value : []) {
+    if (held.thing === thing.thing) lines.push({ kind: "situation", text: `△ ${held.kind}, ${percent(held.confidence)}` });
+  }
+  if (contents.length) lines.push({ kind: "content", text: `${kind === "person" ? "has" : "in it:"} ${contents.map((one) => one.name).join(", ")}` });
+  if (age === null && MOVES.includes(kind)) lines.push({ kind: "age", text: "never seen" });
+  if (age !== null && age > WORTH_SAYING && MOVES.includes(kind)) lines.push({ kind: "age", text: ago(age) });
+  return lines;
+}
+
+function fade(age: number | null): number {
+  return FADES.find(([limit]) => age !== null && age < limit)?.[1] ?? FAINTEST;
+}
+
+/** What no map knows and the scanners see now. */
+export function ObstacleLayer({ to }: { to: Projection }) {
+  if (at.value !== null) return null;
+  return (
+    <g class="obstacles">
+      {obstacles.value.map((one) => (
+        <Obstacle key={one.obstacle} to={to} one={one} />
+      ))}
+    </g>
+  );
+}
+
+function Obstacle({ to, one }: { to: Projection; one: Hindrance }) {
+  const [u, v] = to.at([one.x, one.y]);
+  const [a, b] = to.at([one.x + one.vx, one.y + one.vy]);
+  const speed = Math.hypot(one.vx, one.vy);
+  const turn = (Math.atan2(b - v, a - u) * 180) / Math.PI;
+  const radius = Math.max(6, one.radius * to.scale);
+  return (
+    <g class="obstacle" transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`} opacity={Math.max(FAINTEST, 1 - one.age)}>
+      <circle r={radius} />
+      {speed > 0.05 && <path d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`} transform={`rotate(${turn.toFixed(0)})`} />}
+      <text y={-radius - 5}>
+        {speed > 0.05 ? `${speed.toFixed(1)} m/s, ` : ""}
+        {percent(one.confidence)} sure
+      </text>
+    </g>
+  );
+}
+
+/** Things that move and have no place: nobody may think that they are gone. */
+export function placeless(): Seen[] {
+  const all = shown.value;
+  const placed = new Set(all.filter((one) => one.position).map((one) => one.thing));
+  return all.filter((one) => MOVES.includes(kindOf(one)) && !one.position && one.inside && !placed.has(one.inside));
+}

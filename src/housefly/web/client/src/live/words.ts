@@ -1,0 +1,39 @@
+// Times and ages as people say them, and what sort of thing something is.
+import type { Occurrence } from "../wire/room-messages";
+import { nameOf, things, type Seen } from "./store";
+
+const NOW = 2;
+const UNITS: [number, string][] = [
+  [86400, "days"],
+  [3600, "h"],
+  [60, "min"],
+  [1, "s"],
+];
+
+export function ago(age: number): string {
+  if (age < NOW) return "now";
+  const [length, unit] = UNITS.find(([seconds]) => age >= 2 * seconds) ?? UNITS[3]!;
+  return `${Math.floor(age / length)} ${unit} ago`;
+}
+
+/** Time of day, and the day when it is not today. */
+export function clock(unix: number): string {
+  const date = new Date(1000 * unix);
+  const time = date.toTimeString().slice(0, 8);
+  return date.toDateString() === new Date().toDateString() ? time : `${date.toDateString().slice(4, 10)} ${time}`;
+}
+
+/** Floors call the people that they feel by number, and nobody may have told the catalogue of them. */
+export function kindOf(thing: Seen): string {
+  return thing.kind === "object" && thing.thing.startsWith("person-") ? "person" : thing.kind;
+}
+
+export function happened(event: Occurrence): string {
+  const words = event.kind.charAt(0).toUpperCase() + event.kind.slice(1);
+  const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
+  const by = event.cause ? ` by ${nameOf(event.cause)}` : "";
+  const said = event.source !== event.thing && things.value.has(event.source) ? ` (${nameOf(event.source)})` : "";
+  return words + whose + by + said;
+}
+
+export const percent = (share: number): string => `${Math.round(100 * share)} %`;

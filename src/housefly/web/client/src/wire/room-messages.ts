@@ -1,0 +1,145 @@
+// Generated from housefly/bus/room_questions.py by `python -m housefly.web.typescript`. Do not edit.
+
+export interface Said {
+  source: string;
+  age: number;
+  position: [number, number, number] | null;
+  inside: string;
+  valid: boolean;
+  facts: Record<string, string | number | boolean>;
+}
+
+export interface WhereAnswer {
+  thing: string;
+  name: string;
+  kind: string;
+  words: string;
+  position: [number, number, number] | null;
+  yaw: number | null;
+  std: number | null;
+  inside: string[];
+  by_container: string;
+  seen_at: number | null;
+  age: number | null;
+  sources: string[];
+  said: Said[];
+}
+
+export interface View {
+  name: string;
+  position: [number, number, number];
+  yaw: number;
+  robot: string;
+}
+
+export interface ThingAnswer {
+  thing: string;
+  name: string;
+  kind: string;
+  aliases: string[];
+  position: [number, number, number] | null;
+  inside: string;
+  viewpoints: View[];
+}
+
+export interface ThingsAnswer {
+  things: ThingAnswer[];
+}
+
+export interface Placed {
+  thing: string;
+  name: string;
+  kind: string;
+  position: [number, number, number] | null;
+  yaw: number | null;
+  inside: string;
+  age: number | null;
+  distance: number | null;
+}
+
+export interface PlacedAnswer {
+  things: Placed[];
+}
+
+export interface TrajectoryAnswer {
+  thing: string;
+  rows: [number, number, number, number][];
+}
+
+export interface Occurrence {
+  kind: string;
+  thing: string;
+  at: number;
+  source: string;
+  cause: string;
+  confidence: number;
+  facts: Record<string, string | number | boolean>;
+}
+
+export interface EventsAnswer {
+  events: Occurrence[];
+}
+
+export interface SensorAnswer {
+  sensor: string;
+  kind: string;
+  title: string;
+  connected: boolean;
+  rate_hz: number;
+  age: number | null;
+  problem: string;
+  counts: Record<string, number>;
+}
+
+export interface SensorsAnswer {
+  sensors: SensorAnswer[];
+  memory: string;
+}
+
+export interface Holding {
+  kind: string;
+  thing: string;
+  since: number;
+  confidence: number;
+  evidence: string;
+}
+
+export interface Hindrance {
+  obstacle: string;
+  x: number;
+  y: number;
+  radius: number;
+  vx: number;
+  vy: number;
+  confidence: number;
+  age: number;
+  source: string;
+}
+
+export interface PictureAnswer {
+  at: number;
+  things: Placed[];
+  situations: Holding[];
+  obstacles: Hindrance[];
+}
+
+export interface CoverageView {
+  height: number;
+  cameras: number;
+  enough: number;
+  origin: [number, number];
+  resolution: number;
+  rows: string[];
+}
+
+export interface News {
+  at: number;
+  things: Placed[];
+  events: Occurrence[];
+  situations: Holding[];
+  obstacles: Hindrance[];
+}
+
+export type RoomAnswer = WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer | CoverageView;
+
+export type RoomNews = News;
