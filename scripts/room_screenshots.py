@@ -29,8 +29,8 @@ thing = [
     { id = "tea-bottle", name = "the tea bottle" },
     { id = "book", name = "the book" },
     { id = "cabinet", name = "the cabinet", kind = "furniture", position = [11.50, 4.20, 0.60] },
-    { id = "person-1", name = "Hanako", kind = "person" },
-    { id = "person-2", name = "Taro", kind = "person" },
+    { id = "person-1", name = "the resident", kind = "person" },
+    { id = "person-2", name = "the guest", kind = "person" },
 ]
 """
 MORE = """

@@ -6,7 +6,15 @@ import argparse
 import signal
 import sys
 
-from housefly.app import campaign_command, commands, gains_command, identify_command, reproduce_command, room_commands
+from housefly.app import (
+    campaign_command,
+    commands,
+    gains_command,
+    identify_command,
+    memory_command,
+    reproduce_command,
+    room_commands,
+)
 from housefly.errors import HouseflyError
 
 EPILOG = """examples:
@@ -37,6 +45,7 @@ def build_parser() -> argparse.ArgumentParser:
     identify_command.add(actions)
     gains_command.add(actions)
     room_commands.add(actions)
+    memory_command.add(actions)
     campaign_command.add(actions)
     reproduce_command.add(actions)
     _add_doctor(actions)

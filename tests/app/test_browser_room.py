@@ -78,7 +78,7 @@ position = [11.50, 4.20, 0.60]
 
 [[thing]]
 id = "person-1"
-name = "Hanako"
+name = "the resident"
 kind = "person"
 """
 
@@ -157,7 +157,7 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(f"{address}#room")
     answer, past = page.locator(".find .answer"), page.locator(".past-banner")
-    expect(page.locator(".thing-mark[data-thing='person-1']")).to_contain_text("Hanako", timeout=15_000)
+    expect(page.locator(".thing-mark[data-thing='person-1']")).to_contain_text("the resident", timeout=15_000)
     page.get_by_role("combobox", name="Where is").fill("mug")
     page.keyboard.press("Enter")
     expect(answer).to_contain_text("in refrigerator")

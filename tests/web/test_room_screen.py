@@ -64,7 +64,7 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
             Thing("cup", "the red cup", aliases=("mug",)),
             Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(6.0, 2.5, 0.6)),
             Thing("refrigerator-2", "the small refrigerator", Kind.FURNITURE, position=(1.0, 3.0, 0.6)),
-            Thing("person-1", "Hanako", Kind.PERSON),
+            Thing("person-1", "the resident", Kind.PERSON),
         )
         found.see("cup", inside="refrigerator-2", source="refrigerator", ago=120.0)
         found.see("cup", inside="cabinet", source="cabinet", ago=30.0)
@@ -115,7 +115,7 @@ async def middle(locator: Any) -> tuple[float, float]:
 
 
 async def test_people_are_drawn_where_they_are_and_move(page: Page, room: Room) -> None:
-    await expect(mark(page, "person-1")).to_contain_text("Hanako")
+    await expect(mark(page, "person-1")).to_contain_text("the resident")
     before = await middle(mark(page, "person-1").locator("circle.reach"))
     room.see("person-1", (5.0, 0.8, 0.0))
     await asyncio.sleep(1.0)
@@ -156,7 +156,7 @@ async def test_what_nobody_knows_is_said_and_what_was_meant_is_one_press_away(pa
 async def test_a_thing_on_the_map_is_found_by_keyboard(page: Page, room: Room) -> None:
     await mark(page, "person-1").focus()
     await page.keyboard.press("Enter")
-    await expect(page.locator(".find .words")).to_contain_text("Hanako: at (3.00, 0.80, 0.00) m")
+    await expect(page.locator(".find .words")).to_contain_text("the resident: at (3.00, 0.80, 0.00) m")
     assert room.console.pilot.orders == []
 
 
