@@ -31,7 +31,7 @@ $(VENV)/ready: pyproject.toml constraints.txt | $(VENV)/bin/python
 
 $(VENV)/ready-dev: pyproject.toml constraints.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json | $(VENV)/bin/python
 	@echo "installing Housefly and what its tests need (once, a few minutes)"
-	@scripts/system-packages required libosmesa6 chromium libatomic1 mosquitto & packages=$$!; \
+	@scripts/system-packages required libosmesa6 chromium libatomic1 mosquitto postgresql & packages=$$!; \
 	$(INSTALL) -e '.[dev]' && npm ci --silent --no-audit --no-fund --prefix $(PEERS) && \
 	npm ci --silent --no-audit --no-fund --prefix $(CLIENT) && wait $$packages
 	@$(BIN)/python -m housefly.app.warm_up
