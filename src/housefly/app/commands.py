@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.table import Table
 
+from housefly import sites
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
 
@@ -153,6 +154,7 @@ def _premises(options: argparse.Namespace) -> Premises:
     changes: dict[str, Any] = {"mode": options.mode, "web__port": getattr(options, "port", None)}
     changes["twin__seed"] = getattr(options, "seed", None)
     if getattr(options, "lively", False):
+        changes["hub__things"] = str(Path(sites.__file__).with_name("bsen_things.toml"))
         changes |= {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
     changes["twin__mocap_rate_hz"] = getattr(options, "mocap_rate", None)
     return open_premises(read_site(options.site, **{key: value for key, value in changes.items() if value is not None}))

@@ -26,8 +26,8 @@ def add(actions: Any) -> None:
     bring = kinds.add_parser(
         "import-tms",
         help="read a dump of ROS-TMS's database",
-        description="Read a dump of ROS-TMS's database (mongoexport, one JSON object a line) into the memory of a site: things with "
-        "their places, approach poses and containers, and what each sensor last said. A bad row is named and left out.",
+        description="Read a dump of ROS-TMS's database (mongoexport, one JSON object a line) into the memory of a site: things "
+        "with their places, approach poses and containers, and what each sensor last said. A bad row is named and left out.",
     )
     take = kinds.add_parser(
         "export-tms",

@@ -37,12 +37,12 @@ def site_file(name: str) -> Path:
     shipped = Path(sites.__file__).parent
     if (shipped / f"{name}.toml").is_file():
         return shipped / f"{name}.toml"
-    known = ", ".join(sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith("_scene")))
+    known = ", ".join(sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things"))))
     raise ConfigError("--site", f"no file {name!r}, and no site of that name is shipped (shipped: {known})")
 
 
 def read_site(name: str, **changes: Any) -> Site:
-    """Read a site and apply dotted changes (``twin__seed=3``); paths of room and scene become absolute."""
+    """Read a site and apply dotted changes (``twin__seed=3``); paths of room, scene and catalogue become absolute."""
     path = site_file(name)
     site = load_site(path)
     model = site.room.model
@@ -50,6 +50,8 @@ def read_site(name: str, **changes: Any) -> Site:
         changes.setdefault("room__model", str((path.parent / model).resolve()))
     if site.twin.scene and (path.parent / site.twin.scene).is_file():
         changes.setdefault("twin__scene", str((path.parent / site.twin.scene).resolve()))
+    if site.hub.things:
+        changes.setdefault("hub__things", str((path.parent / site.hub.things).resolve()))
     return changed(site, **changes) if changes else site
 
 

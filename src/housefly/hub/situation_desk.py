@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterable
 
 from housefly.bus.room_questions import Holding
 from housefly.config import Site
@@ -12,6 +13,7 @@ from housefly.messages import Happening, Observation
 from housefly.room.model import Room
 from housefly.situations import Layout, Situations
 from housefly.situations.furniture import beds_of, entrance_of, seats_of
+from housefly.things.thing import Kind, Thing
 
 MOST = 20_000
 """Items that may wait for the detectors; more are left out of them, not of the memory."""
@@ -22,7 +24,7 @@ class SituationDesk:
 
     def __init__(self, site: Site, room: Room, memory: RoomMemory, present: Present) -> None:
         self._memory, self._present = memory, present
-        self._situations = Situations(layout_of(site, room))
+        self._situations = Situations(layout_of(site, room, memory.world.of_kind(Kind.FURNITURE)))
         self._lock = threading.Lock()
         self._waiting: list[Observation | Happening] = []
         memory.listen(self._noted)
@@ -33,6 +35,10 @@ class SituationDesk:
             items, self._waiting = self._waiting, []
         for happening in self._situations.after(items, now):
             self._memory.take(happening)
+            if happening.kind == "object taken" and happening.cause:
+                # It is with whoever took it, until a sensor says where it was put.
+                at = happening.at
+                self._memory.take(Observation(happening.thing, happening.source, at, now, inside=happening.cause))
         self._present.hold(
             Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence)) for s in self._situations.holds()
         )
@@ -43,8 +49,8 @@ class SituationDesk:
                 self._waiting.append(item)
 
 
-def layout_of(site: Site, room: Room) -> Layout:
-    """Return what the detectors know of a site beforehand; devices are told by their ids."""
+def layout_of(site: Site, room: Room, furniture: Iterable[Thing]) -> Layout:
+    """Return what the detectors know of a site beforehand; beds, bells and motion sensors are told by their ids."""
     names = [d.id for d in site.mqtt.devices if "bed" in d.id] or ["bed"]
     return Layout(
         seats=seats_of(room),
@@ -52,6 +58,6 @@ def layout_of(site: Site, room: Room) -> Layout:
         entrance=entrance_of(room),
         bells=frozenset({"doorbell"} | {d.id for d in site.mqtt.devices if "bell" in d.id}),
         motion=frozenset({"corridor-motion"} | {d.id for d in site.mqtt.devices if "motion" in d.id}),
-        containers={d.id: d.position for d in site.mqtt.devices if "cabinet" in d.id or "refrigerator" in d.id},
+        containers={thing.id: thing.position for thing in furniture if thing.position is not None},
         people=frozenset({site.tracking.visitor}),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.things.thing import Kind
 from housefly.things.whereabouts import Whereabouts
 from housefly.things.world import World
 
@@ -9,6 +10,8 @@ JUST_NOW = 2.0
 """Younger than this is now [s]."""
 UNITS = ((86_400.0, "day"), (3600.0, "h"), (60.0, "min"), (1.0, "s"))
 PLURAL = ("day",)
+CARRIERS = (Kind.PERSON, Kind.ROBOT)
+"""What is in their hands is with them, not in them."""
 COARSEST = 2.0
 """A unit is used from this many of it on: 90 s, then 2 min."""
 
@@ -31,10 +34,15 @@ def seen_words(found: Whereabouts, now: float) -> str:
     return f"seen now by {sources}" if age < JUST_NOW else f"last seen {age_words(age)} by {sources}"
 
 
+def _within(world: World, container: str) -> str:
+    holder = world.thing(container)
+    return f"{'with' if holder.kind in CARRIERS else 'in'} {holder.name}"
+
+
 def where_words(world: World, thing: str, now: float) -> str:
     """Answer "where is it": "cup: in the cabinet, in the kitchen, at (9.30, 5.60, 0.82) m, last seen 3 min ago by floor"."""
     found = world.where(thing)
-    parts = [f"in {world.thing(container).name}" for container in world.chain(thing)]
+    parts = [_within(world, container) for container in world.chain(thing)]
     if found.position is not None:
         parts.append("at ({:.2f}, {:.2f}, {:.2f}) m".format(*found.position))
     parts.append(seen_words(found, now))
