@@ -96,6 +96,15 @@ def test_a_sensor_of_ones_own_is_heard() -> None:
     assert_in_order(output, "('illuminance_lx', 320.5)", "'malformed': 1", "desk-lamp is -7", "Light window", "nothing lost")
 
 
+@pytest.mark.slow
+def test_the_room_is_asked_what_happened_in_it() -> None:
+    output = run("12_ask_the_room.py")
+    assert_in_order(
+        output, "now:  the cup: in the cabinet", "then: the cup: with the resident", "in the cabinet: the cup, the book"
+    )
+    assert_in_order(output, "object taken by person-1", "object put by person-1", "someone at the entrance")
+
+
 def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
     contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
     assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]

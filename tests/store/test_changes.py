@@ -56,3 +56,16 @@ def test_a_row_that_goes_on_is_told_once_a_batch_and_a_new_row_not_twice() -> No
     assert then.begun == ()
     changes.forget()
     assert len(changes.of(samples[3:]).begun) == 1
+
+
+def test_a_row_ends_when_another_source_puts_the_thing_into_something_else() -> None:
+    changes = Changes()
+
+    def said(at: float, source: str, inside: str) -> int:
+        return len(changes.of([Observation("cup", source, at, at, inside=inside)]).begun)
+
+    assert said(0.0, "cabinet", "cabinet") == 1
+    assert said(10.0, "cabinet", "cabinet") == 0
+    assert said(15.0, "detector", "somebody") == 1
+    assert said(30.0, "cabinet", "cabinet") == 1
+    assert said(40.0, "cabinet", "cabinet") == 0

@@ -39,15 +39,19 @@ class Changes:
     """Remembers the row in which each source's last word on each thing stands."""
 
     _spans: dict[Pair, Span] = field(default_factory=dict)
+    _containers: dict[str, dict[str, float]] = field(default_factory=dict)
+    """When each thing was last said, by anybody, to be in each container."""
 
     def of(self, samples: Iterable[Observation]) -> Change:
         """Return what these samples change."""
         begun: list[Span] = []
         stretched: dict[int, Span] = {}
         for sample in samples:
+            if sample.inside:
+                self._containers.setdefault(sample.thing, {})[sample.inside] = sample.captured_at
             pair = sample.thing, sample.source
             span = self._spans.get(pair)
-            if span is not None and 0.0 <= sample.captured_at - span.until <= LONGEST_SILENCE and is_same(span.sample, sample):
+            if span is not None and self._goes_on(span, sample):
                 span.until = sample.captured_at
                 stretched[id(span)] = span
                 continue
@@ -61,6 +65,14 @@ class Changes:
     def forget(self) -> None:
         """Begin new rows for everything: it is not known which rows the database has."""
         self._spans.clear()
+        self._containers.clear()
+
+    def _goes_on(self, span: Span, sample: Observation) -> bool:
+        """Tell whether a sample says what its row says, and nobody said since that the thing is in something else."""
+        if not (0.0 <= sample.captured_at - span.until <= LONGEST_SILENCE and is_same(span.sample, sample)):
+            return False
+        elsewhere = (at for inside, at in self._containers.get(sample.thing, {}).items() if inside != sample.inside)
+        return not (sample.inside and any(span.until < at <= sample.captured_at for at in elsewhere))
 
 
 def is_same(one: Observation, other: Observation) -> bool:
