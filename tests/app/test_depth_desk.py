@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from dataclasses import replace
 from math import hypot
 from pathlib import Path
@@ -11,15 +12,28 @@ import pytest
 
 from housefly.app.depth_desk import SILENT, TOLD_FOR, DepthDesk
 from housefly.app.launcher import parts_of
+from housefly.app.looker_main import Looker
 from housefly.app.premises import open_premises, read_site
 from housefly.app.runtime import new_runtime
 from housefly.bus.codec import decode, encode
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import DEPTH, OBSTACLE
-from housefly.clock import SteppedClock
+from housefly.bus.topics import DEPTH, OBSTACLE, STEP
+from housefly.clock import RealClock, SteppedClock
 from housefly.config import Site, changed
 from housefly.errors import ConfigError
-from housefly.messages import DepthImage, Obstacle, Pose
+from housefly.messages import (
+    Action,
+    Command,
+    DepthImage,
+    DroneStatus,
+    Estimate,
+    Inputs,
+    Obstacle,
+    Outputs,
+    PilotStep,
+    Pose,
+    Telemetry,
+)
 
 CAMERAS = [{"name": "depth-1"}]
 ALONG_X = (0.5, -0.5, 0.5, -0.5)
@@ -60,6 +74,23 @@ def test_images_become_obstacles_and_what_is_wrong_is_told_for_a_while() -> None
     desk.close()
     bus.publish(DEPTH, board(clock.now()))
     assert len(heard) == 3
+
+
+async def test_the_looker_takes_in_images_without_any_scanner_and_leaves_out_the_drone() -> None:
+    bus, heard = LocalBus(), list[Obstacle]()
+    bus.subscribe(OBSTACLE, heard.append)
+    looking = asyncio.create_task(Looker(open_premises(site()), bus, RealClock()).run())
+    flying = Telemetry(0.0, DroneStatus.FLYING, 1.0)
+    for place, told in (((7.0, 3.0), False), ((2.0, 3.0), True)):
+        estimate = Estimate(0.0, (*place, 1.1), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+        await asyncio.sleep(0.01)
+        bus.publish(STEP, PilotStep(0, 0.0, Inputs(telemetry=flying), Outputs(Command(Action.FLY), estimate)))
+        for n in range(4):
+            await asyncio.sleep(0.1)
+            bus.publish(DEPTH, board(RealClock().now(), n + 10 * told))
+        assert bool(heard) == told
+    looking.cancel()
+    await asyncio.gather(looking, return_exceptions=True)
 
 
 def test_a_site_without_depth_cameras_listens_to_none() -> None:
