@@ -104,7 +104,7 @@ class Pilot:
 
         Args:
             now: time [s]; a time before the last one counts as the last one.
-            inputs: sightings since the last step (of the drone and of tracked furniture), the newest telemetry, orders, obstacles.
+            inputs: sightings since the last step, of the drone and tracked furniture, the newest telemetry, orders, obstacles.
         """
         now = max(now, self._now)
         dt = min(now - self._now, LONGEST_TICK)
