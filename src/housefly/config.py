@@ -13,7 +13,9 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, ValidationError, model_validator
 
+from housefly.config_depth import DepthCameraConfig, check_depth_cameras
 from housefly.config_devices import MqttConfig
+from housefly.config_furniture import FurnitureConfig, check_furniture
 from housefly.config_hub import HubConfig
 from housefly.config_laser import LaserConfig, check_lasers
 from housefly.config_section import Section as Section
@@ -235,6 +237,8 @@ class Site(Section):
     limits: LimitsConfig = LimitsConfig()
     control: ControlConfig = ControlConfig()
     lasers: tuple[LaserConfig, ...] = Field(default=(), description="scanning range finders on the wall")
+    depth_cameras: tuple[DepthCameraConfig, ...] = Field(default=(), description="RGB-D cameras")
+    furniture: tuple[FurnitureConfig, ...] = Field(default=(), description="things that the tracking system sees")
     twin: TwinConfig = TwinConfig()
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
@@ -253,6 +257,8 @@ class Site(Section):
                 f"map.flight_height ({self.map.flight_height} m) must lie in limits.height_min..height_max ({low} .. {high} m)"
             )
         check_lasers(self.lasers)
+        check_depth_cameras(self.depth_cameras)
+        check_furniture(self.furniture, (self.tracking.body, self.tracking.visitor))
         if self.twin.enabled and not self.served_wires:
             raise ValueError(
                 f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin poses as ({', '.join(BRIDGED)}); "

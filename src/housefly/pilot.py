@@ -49,6 +49,7 @@ from housefly.messages import (
 )
 from housefly.navigator import RoomNavigator
 from housefly.numeric import wrapped
+from housefly.planning.furniture import TrackedFurniture
 from housefly.room.grid import OccupancyGrid, extent_of
 from housefly.room.model import Room
 from housefly.safety.facts import Facts, Fence
@@ -73,6 +74,7 @@ class Pilot:
         self._maneuver = maneuver
         self._paper = site.mode == "paper"
         self._navigator = RoomNavigator(site, room, grid)
+        self._furniture = TrackedFurniture(site.furniture)
         self._filter = _estimator(site)
         self._captain = Captain(site.limits, self._navigator)
         tolerance = PAPER_EPSILONS[2] if self._paper else site.control.epsilon_position
@@ -102,14 +104,14 @@ class Pilot:
 
         Args:
             now: time [s]; a time before the last one counts as the last one.
-            inputs: sightings since the last step, the newest telemetry, orders.
+            inputs: sightings since the last step, of the drone and tracked furniture, the newest telemetry, orders, obstacles.
         """
         now = max(now, self._now)
         dt = min(now - self._now, LONGEST_TICK)
         self._now = now
         self._hear(inputs.telemetry)
         events = self._see(inputs, now)
-        events.extend(self._look_around(inputs.obstacles, now))
+        events.extend(self._look_around((*inputs.obstacles, *self._furniture.step(inputs.sightings, now)), now))
         estimate = self._filter.estimate(now)
         scene = self._scene(now, estimate)
         events.extend(self._captain.obey(order, scene) for order in inputs.orders)

@@ -44,7 +44,7 @@ async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
 @pytest.mark.wire
 async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_is_taken_away(loopback: str) -> None:
     here = premises(loopback, twin__visitor_present=False)
-    world = SimulatedWorld(here.site, here.room, (Movable("chair"),))
+    world = SimulatedWorld(here.site, here.room, movables=(Movable("chair"),))
     feed, bus = LaserFeed(here.site, world), LocalBus()
     heard: list[Obstacle] = []
     bus.subscribe(OBSTACLE, heard.append)

@@ -4,7 +4,7 @@ pilot   the only one that must be on time; the others run at lower priority
 twin    the simulated drone and cameras; absent with real hardware
 hub     the room's memory
 broker  an MQTT broker of the run's own; absent where devices have theirs
-looker  reads the scanners and tells the pilot what is in the way; absent without scanners
+looker  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
 web     the console
 """
 
@@ -50,7 +50,7 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
         parts.append(Part("twin", "housefly.twin.process", site_argument))
     if site.hub.enabled:
         parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
-    if site.lasers:
+    if site.lasers or site.depth_cameras:
         parts.append(Part("looker", "housefly.app.looker_main", niceness=2))
     if web:
         parts.append(Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5))

@@ -1,7 +1,7 @@
-"""The process that looks: reads the scanners, follows what no map shows, and tells the pilot over the bus.
+"""The process that looks: reads scanners and depth images, follows what no map shows, and tells the pilot over the bus.
 
-``python -m housefly.app.looker_main``, started by the launcher where the site has scanners. When it dies, the pilot forgets what
-it was told within two seconds and flies by the map alone, as without scanners; the launcher starts it again.
+``python -m housefly.app.looker_main``, started by the launcher where the site has scanners or depth cameras. When it dies, the
+pilot forgets what it was told within two seconds and flies by the map alone, as without it; the launcher starts it again.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import asyncio
 import contextlib
 import signal
 
+from housefly.app.depth_desk import DepthDesk
 from housefly.app.lookers import own_of
 from housefly.app.premises import Premises, open_premises
 from housefly.app.runtime import Runtime, runtime_from_environment
@@ -26,12 +27,13 @@ TELL_PERIOD = 1.0
 
 
 class Looker:
-    """All scanners of a site, on one asyncio loop."""
+    """All scanners of a site on one asyncio loop, and its depth cameras."""
 
     def __init__(self, premises: Premises, bus: Bus, clock: Clock) -> None:
         self._site, self._bus, self._clock = premises.site, bus, clock
         self._watcher = Watcher(premises.room, premises.site.lasers)
         self._clients = tuple(LaserClient(laser, clock) for laser in premises.site.lasers)
+        self._depth = DepthDesk(premises, bus, clock)
         self._estimate: Estimate | None = None
         self._doubts: dict[str, str] = {}
 
@@ -42,11 +44,13 @@ class Looker:
             await asyncio.gather(*(client.run(self._on_scan) for client in self._clients), self._tell())
         finally:
             steps.close()
+            self._depth.close()
 
     def _on_step(self, step: PilotStep) -> None:
         telemetry = step.inputs.telemetry
         on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
         self._estimate = None if on_the_ground else step.outputs.estimate
+        self._depth.own = own_of(self._site, self._estimate)
 
     def _on_scan(self, scan: Scan) -> None:
         seen = self._watcher.step(scan, self._clock.now(), own_of(self._site, self._estimate))
@@ -54,13 +58,16 @@ class Looker:
         for obstacle in seen.obstacles:
             self._bus.publish(OBSTACLE, obstacle)
 
+    def _problems(self) -> tuple[str, ...]:
+        return (*(client.problem for client in self._clients), *self._doubts.values(), *self._depth.problems)
+
     async def _tell(self) -> None:
         told: tuple[str, ...] = ()
         while True:
             await asyncio.sleep(TELL_PERIOD)
-            problems = tuple(p for p in (*(client.problem for client in self._clients), *self._doubts.values()) if p)
+            problems = tuple(p for p in self._problems() if p)
             if problems != told:
-                print(f"looker: {'; '.join(problems) or 'all scanners are seen'}", flush=True)
+                print(f"looker: {'; '.join(problems) or 'everything that looks is heard'}", flush=True)
                 told = problems
 
 

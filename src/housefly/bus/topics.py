@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import LinkStatus, Obstacle, Order, PilotStep, RoomNews, VideoFrame
+from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -44,8 +44,9 @@ VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, dep
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
 ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
 OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
+DEPTH: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
 
-TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE)
+TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""

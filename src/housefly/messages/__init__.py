@@ -6,6 +6,7 @@ Pitch is theta, roll is phi, yaw is psi; signs follow REP-103: positive theta is
 positive phi is right side down (accelerates right), positive psi is counter-clockwise seen from above.
 """
 
+from housefly.messages.depth import DepthImage
 from housefly.messages.flight import (
     Event,
     Inputs,
@@ -46,6 +47,7 @@ __all__ = [
     "Behavior",
     "Command",
     "Covariance",
+    "DepthImage",
     "DroneStatus",
     "Estimate",
     "Event",

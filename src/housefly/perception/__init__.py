@@ -1,1 +1,1 @@
-"""From a scanner's distances to people and things that no map shows: what differs from the room, clustered, followed in time."""
+"""From measured distances to people and things that no map shows: what differs from the room, clustered, followed in time."""

@@ -66,10 +66,11 @@ def clusters_of(points: Floats, beams: NDArray[np.int64], origin: Vec2) -> tuple
         return ()
     jumps = (np.hypot(*np.diff(points, axis=0).T) > GAP) | (np.diff(beams) > MISSING + 1)
     groups = np.split(points, np.flatnonzero(jumps) + 1)
-    return tuple(_cluster(group, origin) for group in groups if len(group) >= FEWEST)
+    return tuple(cluster_of(group, origin) for group in groups if len(group) >= FEWEST)
 
 
-def _cluster(points: Floats, origin: Vec2) -> Cluster:
+def cluster_of(points: Floats, origin: Vec2) -> Cluster:
+    """Return the thing that points [m] from its one edge to the other belong to, seen from an origin [m]."""
     (ax, ay), (bx, by) = points[0].tolist(), points[-1].tolist()
     width = hypot(bx - ax, by - ay)
     if width > 2.0 * LARGEST_DISC:

@@ -105,6 +105,12 @@ class Physics:
         self.data.mocap_pos[self.model.body_mocapid[body]] = (0.0, 0.0, AWAY) if place is None else (*place, 0.0)
         mujoco.mj_kinematics(self.model, self.data)
 
+    def movable(self, name: str) -> tuple[int, Pose | None]:
+        """Return the body of a movable thing and where it stands; None while it is out of the building."""
+        body = int(self.model.body(f"{MOVABLE}{name}").id)
+        x, y, z = self.data.mocap_pos[self.model.body_mocapid[body]].tolist()
+        return body, Pose((x, y, z)) if z > AWAY / 2 else None
+
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""
         if self._visitor_at is None:

@@ -20,7 +20,7 @@ from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
-from housefly.twin.movable import Movable
+from housefly.twin.movable import Movable, markers_on
 from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
 from housefly.twin.people import Scene
 from housefly.twin.physics import Physics
@@ -39,7 +39,8 @@ class SimulatedWorld:
         site: drone, tracking, scanners, noise, seed.
         room: what stands where.
         scene: the people in it; its time is the world's.
-        movables: things that no map shows; out of the building until they are put somewhere.
+        movables: things that no map shows; out of the building until they are put somewhere. Those that are called like the
+            body of a piece of the site's furniture carry markers.
     """
 
     def __init__(self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()) -> None:
@@ -52,6 +53,8 @@ class SimulatedWorld:
         self._battery = Battery(site.twin.battery)
         self._cameras = Cameras(room.cameras, self._physics.model, self._physics.data)
         self._frames = FrameMaker(site, tracking)
+        marked = {piece.body for piece in site.furniture}
+        self._marked = tuple(movable for movable in movables if movable.name in marked)
         self._visitor = Visitor(self._physics, self._cameras)
         self._scanners = {laser.name: Scanner(laser, site.twin, n, self._physics) for n, laser in enumerate(site.lasers)}
         self._orders: deque[tuple[float, Callable[[], None]]] = deque()
@@ -191,7 +194,12 @@ class SimulatedWorld:
         markers = np.array([rotate(body.orientation, marker) for marker in MARKERS]) + body.position
         seen = self._cameras.see(markers, self._physics.drone_id)
         drone = Pose(body.position, body.orientation) if seen else None
-        self._frames.expose(now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen)))
+        things = tuple((movable.name, self._seen(movable)) for movable in self._marked)
+        self._frames.expose(now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen), *things))
+
+    def _seen(self, movable: Movable) -> Pose | None:
+        body, pose = self._physics.movable(movable.name)
+        return pose if pose is not None and self._cameras.see(markers_on(movable, pose), body) else None
 
 
 _ROUNDING = 1e-9

@@ -1,0 +1,81 @@
+"""Whether a depth image can be believed: everything that is wrong with it, in words."""
+
+from __future__ import annotations
+
+from math import hypot, isfinite
+
+import numpy as np
+
+from housefly.config_depth import DepthCameraConfig
+from housefly.messages import DepthImage
+
+AHEAD_OF_TIME, TOO_OLD = 0.05, 1.0
+"""An image from farther in the future, or older, is not believed [s]."""
+MOST_PIXELS = 1_000_000
+"""No image is larger [px]."""
+FROZEN = 3
+"""So many images that are alike to the last bit come from a camera that stands still."""
+SEEN_AT_ALL = 0.01
+"""A camera that measures a smaller share of its pixels is covered."""
+FARTHEST_CAMERA = 1000.0
+"""No camera is farther from the room's origin [m]."""
+EARLY = 0.9
+"""An image may come after this share of the camera's period."""
+
+
+class DepthChecks:
+    """Remembers the last image of each camera; a refused image changes nothing.
+
+    Args:
+        cameras: of the site.
+    """
+
+    def __init__(self, cameras: tuple[DepthCameraConfig, ...]) -> None:
+        self._cameras = {camera.name: camera for camera in cameras}
+        self._last: dict[str, DepthImage] = {}
+        self._alike: dict[str, int] = {}
+
+    def fault(self, image: DepthImage, now: float) -> str:
+        """Return why an image is not believed at a time [s], in words, or ""."""
+        if image.source not in self._cameras:
+            return "not a depth camera of this site"
+        problem = _nonsense(image) or _wrong_time(image, now) or self._too_soon(image)
+        if problem:
+            return problem
+        last = self._last.get(image.source)
+        is_alike = last is not None and last.data == image.data
+        self._last[image.source] = image
+        self._alike[image.source] = self._alike.get(image.source, 0) + 1 if is_alike else 0
+        if np.count_nonzero(np.frombuffer(image.data, dtype="<u2")) < SEEN_AT_ALL * image.width * image.height:
+            return "it measures next to nothing; does something cover it?"
+        return "the same image to the last bit again and again: it stands still" if self._alike[image.source] >= FROZEN else ""
+
+    def _too_soon(self, image: DepthImage) -> str:
+        last, rate = self._last.get(image.source), self._cameras[image.source].rate_hz
+        if last is None:
+            return ""
+        if image.captured_at <= last.captured_at:
+            return "an image that is not newer than the last"
+        return f"more than {rate:g} images a second" if image.captured_at - last.captured_at < EARLY / rate else ""
+
+
+def _nonsense(image: DepthImage) -> str:
+    w, x, y, z = image.pose.orientation
+    camera = (image.fx, image.fy, image.cx, image.cy)
+    if not all(isfinite(number) for number in (image.captured_at, *camera, *image.pose.position, w, x, y, z)):
+        return "not all its numbers are finite"
+    if image.width < 1 or image.height < 1 or image.width * image.height > MOST_PIXELS:
+        return f"it has no pixels, or more than {MOST_PIXELS}"
+    if len(image.data) != 2 * image.width * image.height:
+        return "it does not hold two bytes a pixel"
+    if min(image.fx, image.fy) < 1.0 or not (0.0 <= image.cx <= image.width and 0.0 <= image.cy <= image.height):
+        return "intrinsics that are none"
+    if abs(hypot(w, x, y, z) - 1.0) > 0.01 or max(abs(number) for number in image.pose.position) > FARTHEST_CAMERA:
+        return "a pose that is none"
+    return ""
+
+
+def _wrong_time(image: DepthImage, now: float) -> str:
+    if image.captured_at > now + AHEAD_OF_TIME:
+        return "an image from the future"
+    return f"an image that is older than {TOO_OLD:.0f} s" if image.captured_at < now - TOO_OLD else ""

@@ -1,0 +1,95 @@
+"""Things in a depth image that the room model does not explain: occupied cells close to each other, and the points in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.geometry import Vec2, distance
+from housefly.perception.clusters import Cluster, cluster_of
+from housefly.perception.depth import occupied_cells
+from housefly.room.distance import Floats, clearance_field, footprints
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Room
+
+RESOLUTION = 0.1
+"""Edge of a cell [m]."""
+EXPLAINED = 0.2
+"""What is seen within this of the modelled room belongs to it [m]: noise of the camera, error of its pose, edge of a cell."""
+SLACK = 0.05
+"""The room counts this much below and above the band in which the camera's points count [m]: its pose is not exact."""
+FEWEST = 12
+"""Things of fewer points are noise."""
+GAP_CELLS = 4
+"""Cells no farther apart than this belong to one thing: a side seen at a flat angle has holes, and no drone fits between."""
+MOST = 64
+"""Of more things only the nearest count."""
+
+
+def known_room(room: Room, band: Vec2) -> OccupancyGrid:
+    """Return the floor plan with what the room model explains between two heights [m]: those cells are occupied."""
+    x_min, y_min, x_max, y_max = room.bounds
+    xs = np.arange(x_min + RESOLUTION / 2, x_max, RESOLUTION)
+    ys = np.arange(y_min + RESOLUTION / 2, y_max, RESOLUTION)
+    solids = [replace(solid, collides=True) for solid in room.solids]
+    clearance = clearance_field(footprints(solids, band[0] - SLACK, band[1] + SLACK), xs, ys, 2.0 * EXPLAINED)
+    cells = np.where(clearance < EXPLAINED, Cell.OCCUPIED, Cell.FREE).astype(np.uint8)
+    return OccupancyGrid((x_min, y_min), RESOLUTION, cells, clearance)
+
+
+def unexplained(points: Floats, known: OccupancyGrid, band: Vec2, origin: Vec2) -> tuple[Cluster, ...]:
+    """Return the things that points belong to, without those that the room model explains.
+
+    Args:
+        points: world points [m], shape (n, 3).
+        known: of ``known_room``.
+        band: lowest and highest height that counts [m].
+        origin: where the camera is [m].
+    """
+    points = points[(points[:, 2] >= band[0]) & (points[:, 2] <= band[1])]
+    new = occupied_cells(points, known, band) & (known.cells == Cell.FREE)
+    labels = _connected(new)
+    cells = np.floor((points[:, :2] - np.array(known.origin)) / known.resolution).astype(np.int64)
+    inside = ((cells >= 0) & (cells < np.array(known.shape))).all(axis=1)
+    places, names = points[inside, :2], labels[cells[inside, 0], cells[inside, 1]]
+    order = np.argsort(names, kind="stable")
+    groups = np.split(places[order], np.flatnonzero(np.diff(names[order], prepend=0)))[1:]
+    things = [_cluster(group, origin) for group in groups if len(group) >= FEWEST]
+    return tuple(sorted(things, key=lambda thing: distance(thing.position, origin))[:MOST])
+
+
+def _cluster(points: Floats, origin: Vec2) -> Cluster:
+    """Return the thing that points belong to, taken from left to right as the camera sees them."""
+    away = points - np.array(origin)
+    ahead = away.mean(axis=0)
+    bearing = np.arctan2(ahead[0] * away[:, 1] - ahead[1] * away[:, 0], away @ ahead)
+    return cluster_of(points[np.argsort(bearing, kind="stable")], origin)
+
+
+def _connected(marked: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """Return the number of the group that each marked cell belongs to, from 1 on."""
+    labels = np.zeros(marked.shape, dtype=np.int64)
+    left = {(int(i), int(j)) for i, j in np.argwhere(marked)}
+    number = 0
+    for first in sorted(left):
+        if labels[first]:
+            continue
+        number += 1
+        labels[first], waiting = number, [first]
+        while waiting:
+            for cell in _around(waiting.pop()):
+                if cell in left and not labels[cell]:
+                    labels[cell] = number
+                    waiting.append(cell)
+    return labels
+
+
+def _around(cell: tuple[int, int]) -> Iterable[tuple[int, int]]:
+    i, j = cell
+    return ((i + di, j + dj) for di in _NEAR for dj in _NEAR)
+
+
+_NEAR = range(-GAP_CELLS, GAP_CELLS + 1)

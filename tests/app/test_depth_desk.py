@@ -1,0 +1,110 @@
+"""Depth images on the bus become obstacles on the bus."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import replace
+from math import hypot
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from housefly.app.depth_desk import SILENT, TOLD_FOR, DepthDesk
+from housefly.app.launcher import parts_of
+from housefly.app.looker_main import Looker
+from housefly.app.premises import open_premises, read_site
+from housefly.app.runtime import new_runtime
+from housefly.bus.codec import decode, encode
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import DEPTH, OBSTACLE, STEP
+from housefly.clock import RealClock, SteppedClock
+from housefly.config import Site, changed
+from housefly.errors import ConfigError
+from housefly.messages import (
+    Action,
+    Command,
+    DepthImage,
+    DroneStatus,
+    Estimate,
+    Inputs,
+    Obstacle,
+    Outputs,
+    PilotStep,
+    Pose,
+    Telemetry,
+)
+
+CAMERAS = [{"name": "depth-1"}]
+ALONG_X = (0.5, -0.5, 0.5, -0.5)
+"""Orientation of a level camera that looks along the room."""
+
+
+def board(at: float, seed: int = 0) -> DepthImage:
+    """An image of an upright board, 0.6 m wide, two metres before a camera that measures nothing else."""
+    metres = np.zeros((120, 160))
+    metres[30:100, 60:100] = 2.0 + np.random.default_rng(seed).normal(0.0, 0.005, (70, 40))
+    data = (1000.0 * metres).astype("<u2").tobytes()
+    return DepthImage("depth-1", at, 160, 120, data, 130.0, 130.0, 80.0, 60.0, Pose((5.0, 3.0, 1.1), ALONG_X))
+
+
+def site() -> Site:
+    return changed(read_site("bsen"), depth_cameras=CAMERAS)
+
+
+def test_images_become_obstacles_and_what_is_wrong_is_told_for_a_while() -> None:
+    bus, clock, heard = LocalBus(), SteppedClock(100.0), list[Obstacle]()
+    bus.subscribe(OBSTACLE, heard.append)
+    desk = DepthDesk(open_premises(site()), bus, clock)
+    assert desk.problems == ("depth-1: no depth images",)
+    for n in range(5):
+        clock.advance(0.1)
+        bus.publish(DEPTH, decode(DepthImage, encode(board(clock.now() - 0.02, n))))
+    assert not desk.problems and len(heard) == 3
+    assert hypot(heard[-1].position[0] - 7.0, heard[-1].position[1] - 3.0) < 0.35
+    bus.publish(DEPTH, replace(board(clock.now()), source="stranger"))
+    bus.publish(DEPTH, board(clock.now() + 3.0))
+    assert sorted(words.split(": ")[1] for words in desk.problems) == [
+        "an image from the future",
+        "not a depth camera of this site",
+    ]
+    assert len(heard) == 3
+    clock.advance(max(SILENT, TOLD_FOR) + 0.1)
+    assert desk.problems == ("depth-1: no depth images",)
+    desk.close()
+    bus.publish(DEPTH, board(clock.now()))
+    assert len(heard) == 3
+
+
+async def test_the_looker_takes_in_images_without_any_scanner_and_leaves_out_the_drone() -> None:
+    bus, heard = LocalBus(), list[Obstacle]()
+    bus.subscribe(OBSTACLE, heard.append)
+    looking = asyncio.create_task(Looker(open_premises(site()), bus, RealClock()).run())
+    flying = Telemetry(0.0, DroneStatus.FLYING, 1.0)
+    for place, told in (((7.0, 3.0), False), ((2.0, 3.0), True)):
+        estimate = Estimate(0.0, (*place, 1.1), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
+        await asyncio.sleep(0.01)
+        bus.publish(STEP, PilotStep(0, 0.0, Inputs(telemetry=flying), Outputs(Command(Action.FLY), estimate)))
+        for n in range(4):
+            await asyncio.sleep(0.1)
+            bus.publish(DEPTH, board(RealClock().now(), n + 10 * told))
+        assert bool(heard) == told
+    looking.cancel()
+    await asyncio.gather(looking, return_exceptions=True)
+
+
+def test_a_site_without_depth_cameras_listens_to_none() -> None:
+    bus = LocalBus()
+    desk = DepthDesk(open_premises(read_site("bsen")), bus, SteppedClock(100.0))
+    bus.publish(DEPTH, board(100.0))
+    assert not desk.problems
+    desk.close()
+
+
+def test_the_looker_runs_where_there_are_depth_cameras(tmp_path: Path) -> None:
+    assert "looker" in [part.name for part in parts_of(new_runtime(site(), tmp_path))]
+
+
+def test_two_depth_cameras_with_one_name_are_refused() -> None:
+    with pytest.raises(ConfigError, match="same name"):
+        changed(site(), depth_cameras=CAMERAS * 2)

@@ -1,0 +1,110 @@
+"""Whole flights in the simulated B-sen: a chair with markers stands in the way, and only tracking sees it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import hypot
+
+import pytest
+
+from housefly.app.lockstep import fly_lockstep
+from housefly.app.premises import Premises, open_premises, read_site
+from housefly.config import changed
+from housefly.geometry import Vec2
+from housefly.messages import Event, Order, OrderKind, PilotStep
+from housefly.pilot import Pilot
+from housefly.room.distance import half_diagonal
+from housefly.twin.movable import Movable
+from housefly.twin.world import SimulatedWorld
+
+CHAIR = {"name": "chair", "body": "chair", "length": 0.5, "width": 0.5, "top": 1.5}
+HULL = half_diagonal(0.517, 0.451)
+GO = Order(OrderKind.GO, "entrance")
+RADIUS = 0.25
+ASIDE = (13.5, 4.2)
+
+
+def premises(tracked: bool = True) -> Premises:
+    site = changed(read_site("bsen"), furniture=[CHAIR] if tracked else [], twin__visitor_present=False)
+    return open_premises(site)
+
+
+@dataclass
+class Story:
+    """A chair that stands somewhere from the start and may be carried elsewhere at a time [s]."""
+
+    place: Vec2 | None
+    moved_at: float = 1e9
+    moved_to: Vec2 | None = None
+    closest: float = 9.0
+    contacts: int = 0
+    way: list[Vec2] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
+    steps: list[PilotStep] = field(default_factory=list)
+
+    def world(self, world: SimulatedWorld) -> None:
+        place = self.place if world.now < self.moved_at else self.moved_to
+        world.put("chair", place)
+        truth = world.truth()
+        x, y, z = truth.pose.position
+        self.contacts = max(self.contacts, truth.contacts)
+        if z > 0.5:
+            self.way.append((x, y))
+            if place is not None:
+                self.closest = min(self.closest, hypot(x - place[0], y - place[1]) - RADIUS)
+
+    def step(self, step: PilotStep) -> None:
+        self.events.extend(step.outputs.events)
+        self.steps.append(step)
+
+    def paths(self) -> set[tuple[Vec2, ...]]:
+        return {step.outputs.path.waypoints for step in self.steps if step.outputs.path is not None}
+
+
+def fly(story: Story, tracked: bool = True, until: float = 30.0) -> Story:
+    fly_lockstep(premises(tracked), GO, story.step, until, (Movable("chair", RADIUS),), story.world)
+    return story
+
+
+@pytest.fixture(scope="module")
+def on_the_way() -> Vec2:
+    """A place on the way that the drone takes when nothing stands there."""
+    way = fly(Story(None)).way
+    return min(way, key=lambda p: abs(p[0] - 7.0))
+
+
+@pytest.mark.slow
+def test_a_tracked_chair_on_the_way_is_gone_around(on_the_way: Vec2) -> None:
+    story = fly(Story(on_the_way))
+    entrance = premises().room.place("entrance").viewpoint
+    assert story.closest > HULL and story.contacts == 0
+    assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
+
+
+@pytest.mark.slow
+def test_without_markers_the_drone_flies_into_the_chair(on_the_way: Vec2) -> None:
+    story = fly(Story(on_the_way), tracked=False)
+    assert story.closest < HULL and story.contacts > 0
+
+
+@pytest.mark.slow
+def test_a_chair_that_was_carried_away_before_the_order_leaves_its_place_free(on_the_way: Vec2) -> None:
+    free = fly(Story(ASIDE)).paths()
+    assert fly(Story(on_the_way, moved_at=0.3, moved_to=ASIDE)).paths() == free
+    assert fly(Story(on_the_way)).paths() != free
+
+
+@pytest.mark.slow
+def test_a_chair_that_is_put_in_the_way_in_flight_is_told_by_its_name_and_not_touched(on_the_way: Vec2) -> None:
+    story = fly(Story(ASIDE, moved_at=9.0, moved_to=on_the_way))
+    told = [event.text for event in story.events if event.code in ("detour", "way_blocked")]
+    assert told and all("chair" in text for text in told)
+    assert story.contacts == 0
+
+
+@pytest.mark.slow
+def test_another_pilot_with_the_same_inputs_decides_the_same(on_the_way: Vec2) -> None:
+    here = premises()
+    pilot = Pilot(here.site, here.room, here.grid)
+    for step in fly(Story(on_the_way), until=15.0).steps:
+        assert pilot.step(step.now, step.inputs) == step.outputs
