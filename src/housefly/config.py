@@ -26,6 +26,7 @@ from housefly.config_section import quantity as quantity
 from housefly.config_tracking import BRIDGED as BRIDGED
 from housefly.config_tracking import MocapWire as MocapWire
 from housefly.config_tracking import TrackingConfig as TrackingConfig
+from housefly.config_tracking import TrackingKind as TrackingKind
 from housefly.errors import ConfigError
 from housefly.profile import load_profile
 
