@@ -38,7 +38,7 @@ class ObstacleBoard:
         with self._lock:
             self._seen = {key: seen for key, seen in self._seen.items() if now - seen.seen_at < FORGOTTEN}
             found = tuple(self._seen.values())
-        self._present.block(_hindrance(obstacle, now) for obstacle in found)
+        self._present.block((_hindrance(obstacle, now) for obstacle in found), "bus")
 
 
 def _hindrance(obstacle: Obstacle, now: float) -> Hindrance:

@@ -19,32 +19,32 @@ class Present:
         self._memory_words = memory_words
         self._lock = threading.Lock()
         self._healths: tuple[Health, ...] = ()
-        self._situations: tuple[Holding, ...] = ()
-        self._obstacles: tuple[Hindrance, ...] = ()
+        self._situations: dict[str, tuple[Holding, ...]] = {}
+        self._obstacles: dict[str, tuple[Hindrance, ...]] = {}
 
     def watch(self, health: Health) -> None:
         """Ask this source of health from now on; it is called on the asker's thread."""
         self._healths = (*self._healths, health)
 
-    def hold(self, situations: Iterable[Holding]) -> None:
-        """Replace the situations that hold."""
+    def hold(self, situations: Iterable[Holding], teller: str = "") -> None:
+        """Replace the situations that hold by the word of one teller."""
         with self._lock:
-            self._situations = tuple(situations)
+            self._situations[teller] = tuple(situations)
 
-    def block(self, obstacles: Iterable[Hindrance]) -> None:
-        """Replace the live obstacles."""
+    def block(self, obstacles: Iterable[Hindrance], teller: str = "") -> None:
+        """Replace the live obstacles that one teller knows of."""
         with self._lock:
-            self._obstacles = tuple(obstacles)
+            self._obstacles[teller] = tuple(obstacles)
 
     def situations(self) -> tuple[Holding, ...]:
         """Return the situations that hold."""
         with self._lock:
-            return self._situations
+            return tuple(held for own in self._situations.values() for held in own)
 
     def obstacles(self) -> tuple[Hindrance, ...]:
         """Return the live obstacles."""
         with self._lock:
-            return self._obstacles
+            return tuple(seen for own in self._obstacles.values() for seen in own)
 
     def sensors(self) -> SensorsAnswer:
         """Return how every sensor does."""

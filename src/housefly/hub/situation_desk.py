@@ -39,9 +39,8 @@ class SituationDesk:
                 # It is with whoever took it, until a sensor says where it was put.
                 at = happening.at
                 self._memory.take(Observation(happening.thing, happening.source, at, now, inside=happening.cause))
-        self._present.hold(
-            Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence)) for s in self._situations.holds()
-        )
+        holds = (Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence)) for s in self._situations.holds())
+        self._present.hold(holds, "detectors")
 
     def _noted(self, item: Observation | Happening) -> None:
         with self._lock:
