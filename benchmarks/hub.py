@@ -20,7 +20,7 @@ from housefly.asking.meeting_place import announced
 from housefly.bus.room_json import answer_from_json, question_to_json
 from housefly.bus.room_questions import Sensors, SensorsAnswer
 from housefly.bus.topics import HUB_QUERY
-from housefly.config import Site
+from housefly.config import Site, changed
 from housefly.messages import LinkStatus, OrderKind, Phase
 
 ASKS = 2000
@@ -49,7 +49,8 @@ class Hover:
 def site_of(folder: Path, *, hub: bool) -> Site:
     """Return the demo with people and devices, and with a memory of its own or none."""
     lively = {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
-    return bench_site("127.9.6.1", name=SITE, hub__enabled=hub, hub__store=str(folder / "room.db"), **lively)
+    site = bench_site("127.9.6.1", hub__enabled=hub, hub__store=str(folder / "room.db"), **lively)
+    return changed(site, name=SITE)
 
 
 def seat(*arguments: object) -> Any:
