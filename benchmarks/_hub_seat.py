@@ -1,11 +1,13 @@
-"""Seats of their own processes for benchmarks/hub.py: two that ask, one that listens; each prints one JSON object."""
+"""Seats of their own processes for benchmarks/hub.py: two that ask, one that listens, an echo; they print JSON."""
 
 from __future__ import annotations
 
 import json
+import os
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 
 import housefly
 from housefly.bus.room_json import answer_from_json, question_to_json
@@ -15,38 +17,59 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
 from housefly.messages import PilotStep, RoomNews
 
+ECHO = "benchmark/echo"
 PAUSE = 0.003
 """Between two questions [s]: somebody who asks, not somebody who floods."""
 THINGS = ("ardrone", "cup", "the visitor", "entrance-door")
 
 
-def asked(where: Callable[[str], WhereAnswer], count: int) -> list[float]:
-    """Ask so many times and return how long each answer took [s]."""
-    known = [thing for thing in THINGS if _is_known(where, thing)]
-    times = []
-    for number in range(count):
-        time.sleep(PAUSE)
-        begin = time.perf_counter()
-        where(known[number % len(known)])
-        times.append(time.perf_counter() - begin)
-    return times
+def known_to(where: Callable[[str], WhereAnswer]) -> list[str]:
+    """Return the things that may be asked for."""
+    return [thing for thing in THINGS if _is_known(where, thing)]
 
 
-def by_bus(bus: ZenohBus, count: int) -> list[float]:
-    """Ask on the bus."""
+def taken(ask: Callable[[], object]) -> float:
+    """Return how long an answer took [s]."""
+    begin = time.perf_counter()
+    ask()
+    return time.perf_counter() - begin
+
+
+def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
+    """Ask on the bus, in turn with an echo that does nothing, and return how long each answer took [s]."""
 
     def where(thing: str) -> WhereAnswer:
         answer = answer_from_json(Where(thing), bus.ask(HUB_QUERY, question_to_json(Where(thing))))
         assert isinstance(answer, WhereAnswer)
         return answer
 
-    return asked(where, count)
+    known, text = known_to(where), bus.ask(HUB_QUERY, question_to_json(Where(THINGS[0])))
+    times: dict[str, list[float]] = {"hub": [], "echo": []}
+    for number in range(count):
+        thing = known[number % len(known)]
+        for name, ask in (("hub", partial(where, thing)), ("echo", partial(bus.ask, ECHO, text))):
+            time.sleep(PAUSE)
+            times[name].append(taken(ask))
+    return times
 
 
 def by_http(site: str, count: int) -> list[float]:
     """Ask as a program of the same user does."""
+    times = []
     with housefly.connect(site) as room:
-        return asked(room.where, count)
+        known = known_to(room.where)
+        for number in range(count):
+            time.sleep(PAUSE)
+            times.append(taken(partial(room.where, known[number % len(known)])))
+    return times
+
+
+def echo(endpoint: str) -> None:
+    """Answer with what was asked, at the priority of the hub, until told to leave."""
+    os.nice(5)
+    with ZenohBus(connect=endpoint) as bus:
+        bus.answer(ECHO, str)
+        sys.stdin.read()
 
 
 def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]]:
@@ -82,11 +105,13 @@ def _is_known(where: Callable[[str], WhereAnswer], thing: str) -> bool:
 
 
 def main() -> None:
-    """Do what the first argument says: bus ENDPOINT COUNT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
+    """Do what the first argument says: bus ENDPOINT COUNT, echo ENDPOINT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
     match sys.argv[1:]:
         case ["bus", endpoint, count]:
             with ZenohBus(connect=endpoint) as bus:
                 print(json.dumps(by_bus(bus, int(count))))
+        case ["echo", endpoint]:
+            echo(endpoint)
         case ["http", site, count]:
             print(json.dumps(by_http(site, int(count))))
         case ["listen", endpoint, drone, seconds]:

@@ -39,7 +39,7 @@ class Hover:
     links: list[LinkStatus] = field(default_factory=list)
     cores: dict[str, float] = field(default_factory=dict)
     memory: dict[str, tuple[float, float]] = field(default_factory=dict)
-    bus: list[float] = field(default_factory=list)
+    bus: dict[str, list[float]] = field(default_factory=dict)
     http: list[float] = field(default_factory=list)
     ages: dict[str, list[float]] = field(default_factory=dict)
     report: str = ""
@@ -90,10 +90,17 @@ def hover(state: Running, found: Hover) -> None:
         found.memory[name] = used.uss / 2**20, used.rss / 2**20
 
 
+def asked_on_the_bus(endpoint: str) -> dict[str, list[float]]:
+    """Return how long hub and echo took to answer, asked in turn [s]."""
+    with subprocess.Popen([sys.executable, str(SEAT), "echo", endpoint], stdin=subprocess.PIPE):
+        found: dict[str, list[float]] = seat("bus", endpoint, ASKS)
+    return found
+
+
 def question(state: Running, found: Hover) -> None:
     """Ask and listen from other processes, one after the other, while the drone hovers."""
     found.ages = seat("listen", state.runtime.bus, state.runtime.site().tracking.body, LISTEN_S)
-    found.bus = seat("bus", state.runtime.bus, ASKS)
+    found.bus = asked_on_the_bus(state.runtime.bus)
     with announced(meeting_place(state.runtime)):
         found.http = seat("http", SITE, ASKS)
     answer = answer_from_json(Sensors(), state.bus.ask(HUB_QUERY, question_to_json(Sensors())))
@@ -122,10 +129,14 @@ def figures(values: Sequence[float]) -> list[str]:
 def asking(found: Hover) -> str:
     """Return how long answers took."""
     rows = [
-        ["on the bus", len(found.bus), *figures(found.bus), "p99 2"],
+        ["on the bus", len(found.bus["hub"]), *figures(found.bus["hub"]), "p99 2"],
+        ["(an echo on the same bus that does nothing, in turn)", len(found.bus["echo"]), *figures(found.bus["echo"]), ""],
         ["`housefly.connect().where(...)` over HTTP", len(found.http), *figures(found.http), "p99 2"],
     ]
-    return table(["where is X, asked from another process", "asked", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"], rows)
+    times = found.bus
+    half, most = (percentile(times["hub"], share) / percentile(times["echo"], share) for share in (0.5, 0.99))
+    headings = ["where is X, asked from another process", "asked", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"]
+    return table(headings, rows) + f"\n\nThe hub takes {half:.2f} times the echo at the median, {most:.2f} times at p99."
 
 
 def travelling(ages: dict[str, list[float]]) -> str:

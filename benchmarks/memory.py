@@ -76,8 +76,8 @@ class Room:
     def tick(self, number: int) -> None:
         """Let a hundredth of a second pass."""
         self.now = self._begin + number / RATE
-        for item in frame(self.now):
-            self._take(item)
+        for sample in frame(self.now):
+            self._take(sample)
         if number % 5 == 0:
             for item in self._said(number / RATE):
                 self._take(item)
@@ -94,7 +94,8 @@ class Room:
     def _said(self, since: float) -> Iterator[Observation | Happening]:
         for message in self._devices.messages(since, self.now):
             reading = decode(Delivered(message.address, message.channel, message.payload, self.now), self._placement)
-            yield from (*reading.observations, *reading.happenings)
+            yield from reading.observations
+            yield from reading.happenings
 
 
 def hub() -> list[float]:
