@@ -106,6 +106,13 @@ def is_kept(rows: tuple[tuple[float, float, float, float], ...], at: float, plac
     return last > 0 and distance(rows[last - 1][1:], place) <= STILL
 
 
+def share_kept(flight: Flight, since: float, until: float) -> float:
+    """Return the share of the drone's places between two times that the store has."""
+    told = [seen for seen in flight.seen if since < seen[0] < until]
+    rows = flight.ask(Trajectory(DRONE, since - 5.0, until, source="vicon"), 10.0).rows
+    return sum(is_kept(rows, at, place) for at, place in told) / len(told)
+
+
 @contextmanager
 def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
     """Run a site without a console, wait until the memory sees the drone, send it on its way; the block begins in mid-flight."""
@@ -130,10 +137,8 @@ def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and
         assert until(lambda: flight.launcher.pid("hub") != old, 10.0)
         assert until(lambda: flight.age() < 1.0, 20.0), "the new hub does not say where the drone is"
         assert flight.ask(Where(DRONE)).position is not None
-        told = [seen for seen in flight.seen if since + 1.0 < seen[0] < killed_at - 1.0]
-        kept = flight.ask(Trajectory(DRONE, since - 1.0, killed_at, source="vicon"), 10.0).rows
-        assert len(told) > 300
-        assert sum(is_kept(kept, at, place) for at, place in told) >= 0.99 * len(told)
+        assert killed_at - since > 4.0
+        assert share_kept(flight, since + 1.0, killed_at - 1.0) >= 0.99
         assert flight.outcome() == "completed"
         assert flight.launcher.restarts("hub") == 1
         assert flight.launcher.restarts("pilot") == 0
@@ -141,15 +146,17 @@ def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and
 
 def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(tmp_path: Path, write_site: Any) -> None:
     with flying(write_site(), tmp_path) as flight:
-        hub = flight.launcher.pid("hub")
+        hub, begin = flight.launcher.pid("hub"), time.time()
         hard = resource.prlimit(hub, resource.RLIMIT_FSIZE)[1]
         resource.prlimit(hub, resource.RLIMIT_FSIZE, (1, hard))
         assert until(lambda: "rows wait: disk" in flight.memory(), 10.0), flight.memory()
         assert flight.age() < 1.0, "what is where now needs no disk"
         assert flight.outcome() == "completed"
         assert "rows wait: disk" in flight.memory()
+        end = time.time()
         resource.prlimit(hub, resource.RLIMIT_FSIZE, (hard, hard))
         assert until(lambda: "rows wait" not in flight.memory(), 20.0), flight.memory()
+        assert share_kept(flight, begin, end) >= 0.99, "what waited is written"
         assert flight.launcher.restarts("hub") == 0
 
 
