@@ -1,0 +1,125 @@
+"""Seats of their own processes for benchmarks/hub.py: two that ask, one that listens, an echo; they print JSON."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from collections.abc import Callable
+from functools import partial
+
+import housefly
+from housefly.bus.room_json import answer_from_json, question_to_json
+from housefly.bus.room_questions import Where, WhereAnswer
+from housefly.bus.topics import HUB_QUERY, ROOM_NEWS, STEP
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.errors import ThingError
+from housefly.messages import PilotStep, RoomNews
+
+ECHO = "benchmark/echo"
+PAUSE = 0.003
+"""Between two questions [s]: somebody who asks, not somebody who floods."""
+THINGS = ("ardrone", "cup", "the visitor", "entrance-door")
+
+
+def known_to(where: Callable[[str], WhereAnswer]) -> list[str]:
+    """Return the things that may be asked for."""
+    return [thing for thing in THINGS if _is_known(where, thing)]
+
+
+def taken(ask: Callable[[], object]) -> float:
+    """Return how long an answer took [s]."""
+    begin = time.perf_counter()
+    ask()
+    return time.perf_counter() - begin
+
+
+def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
+    """Ask on the bus, in turn with an echo that does nothing, and return how long each answer took [s]."""
+
+    def where(thing: str) -> WhereAnswer:
+        answer = answer_from_json(Where(thing), bus.ask(HUB_QUERY, question_to_json(Where(thing))))
+        assert isinstance(answer, WhereAnswer)
+        return answer
+
+    known, text = known_to(where), bus.ask(HUB_QUERY, question_to_json(Where(THINGS[0])))
+    times: dict[str, list[float]] = {"hub": [], "echo": []}
+    for number in range(count):
+        thing = known[number % len(known)]
+        for name, ask in (("hub", partial(where, thing)), ("echo", partial(bus.ask, ECHO, text))):
+            time.sleep(PAUSE)
+            times[name].append(taken(ask))
+    return times
+
+
+def by_http(site: str, count: int) -> list[float]:
+    """Ask as a program of the same user does."""
+    times = []
+    with housefly.connect(site) as room:
+        known = known_to(room.where)
+        for number in range(count):
+            time.sleep(PAUSE)
+            times.append(taken(partial(room.where, known[number % len(known)])))
+    return times
+
+
+def echo(endpoint: str) -> None:
+    """Answer with what was asked, at the priority of the hub, until told to leave."""
+    os.nice(5)
+    with ZenohBus(connect=endpoint) as bus:
+        bus.answer(ECHO, str)
+        sys.stdin.read()
+
+
+def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]]:
+    """Listen to steps and news and return how old what they tell was on arrival [s]."""
+    ages: dict[str, list[float]] = {"waited": [], "stepped": [], "frame": [], "captured": [], "news": [], "news_way": []}
+
+    def step(step: PilotStep) -> None:
+        now = time.monotonic()
+        ages["stepped"].append(now - step.now)
+        for sighting in step.inputs.sightings:
+            if sighting.body == drone:
+                ages["waited"].append(step.now - sighting.received_at)
+                ages["frame"].append(now - sighting.received_at)
+                ages["captured"].append(now - sighting.captured_at)
+
+    def news(news: RoomNews) -> None:
+        now, told = time.time(), json.loads(news.text)
+        ages["news_way"].append(now - told["at"])
+        ages["news"] += [now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone]
+
+    open_ = [bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
+    time.sleep(seconds)
+    for subscription in open_:
+        subscription.close()
+    return ages
+
+
+def _is_known(where: Callable[[str], WhereAnswer], thing: str) -> bool:
+    try:
+        return bool(where(thing))
+    except ThingError:
+        return False
+
+
+def main() -> None:
+    """Do what the first argument says: bus ENDPOINT COUNT, echo ENDPOINT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
+    match sys.argv[1:]:
+        case ["bus", endpoint, count]:
+            with ZenohBus(connect=endpoint) as bus:
+                print(json.dumps(by_bus(bus, int(count))))
+        case ["echo", endpoint]:
+            echo(endpoint)
+        case ["http", site, count]:
+            print(json.dumps(by_http(site, int(count))))
+        case ["listen", endpoint, drone, seconds]:
+            with ZenohBus(connect=endpoint) as bus:
+                print(json.dumps(listened(bus, drone, float(seconds))))
+        case _:
+            sys.exit(main.__doc__)
+
+
+if __name__ == "__main__":
+    main()
