@@ -20,6 +20,8 @@ from housefly.messages import PilotStep, RoomNews
 ECHO = "benchmark/echo"
 PAUSE = 0.003
 """Between two questions [s]: somebody who asks, not somebody who floods."""
+WARM_UP = 1.0
+"""The first messages wait until this process has built its decoder [s]."""
 THINGS = ("ardrone", "cup", "the visitor", "entrance-door")
 
 
@@ -91,6 +93,9 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
         ages["news"] += [now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone]
 
     open_ = [bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
+    time.sleep(WARM_UP)
+    for values in ages.values():
+        values.clear()
     time.sleep(seconds)
     for subscription in open_:
         subscription.close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -182,6 +183,9 @@ def main() -> None:
     own, whole = with_hub.memory["hub"]
     share = 100 * with_hub.cores["hub"]
     print(f"\nThe hub takes {share:.0f} % of a core and {own:.0f} MiB of its own ({whole:.0f} MiB with what it shares).")
+    load = os.getloadavg()[1]
+    print(f"Load of the machine meanwhile: {load:.1f} on {os.cpu_count()} cores;", end=" ")
+    print("the echo and the run without the hub show what it does.")
     print(f'It says of its store: "{with_hub.report}".')
 
 
