@@ -9,6 +9,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import contextlib
+import gc
 import logging
 import os
 import signal
@@ -140,6 +141,7 @@ async def run_hub(site: Site, folder: Path, endpoint: str) -> None:
         working = asyncio.create_task(hub.run())
         for number in (signal.SIGTERM, signal.SIGINT):
             asyncio.get_running_loop().add_signal_handler(number, working.cancel)
+        gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits
         print(f"hub ready: memory in {store_address(site)}", flush=True)
         try:
             with contextlib.suppress(asyncio.CancelledError):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import asyncio
+import gc
 import logging
 import os
 import secrets
@@ -99,6 +100,7 @@ async def run_web(
             coverage=lambda: coverage_view(load_room(site.room.model, folder), site.map.flight_height),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
+        gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits
         print(f"console ready: {address}/?token={token}", flush=True)
         await make_server(app).serve([listener])
 
