@@ -14,6 +14,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, ValidationError, model_validator
 
 from housefly.config_devices import MqttConfig
+from housefly.config_edits import Edits
 from housefly.config_hub import HubConfig
 from housefly.config_laser import LaserConfig, check_lasers
 from housefly.config_section import Section as Section
@@ -239,6 +240,7 @@ class Site(Section):
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
+    edits: Edits = Edits()
 
     @property
     def served_wires(self) -> tuple[MocapWire, ...]:
