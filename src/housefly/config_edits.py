@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, StringConstraints, model_validator
 
 from housefly.config_section import Section
 
@@ -12,6 +12,10 @@ PLACES_MAX, ZONES_MAX = 40, 40
 NAME_MAX, TITLE_MAX, REASON_MAX = 30, 30, 60
 NAME = r"^[a-z0-9][a-z0-9 _-]*$"
 
+Title = Annotated[str, StringConstraints(strip_whitespace=True, max_length=TITLE_MAX, pattern=r"^[^\x00-\x1f\x7f]*$")]
+Reason = Annotated[
+    str, StringConstraints(strip_whitespace=True, min_length=1, max_length=REASON_MAX, pattern=r"^[^\x00-\x1f\x7f]*$")
+]
 Metres = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False, json_schema_extra={"unit": "m"})]
 
 
@@ -19,7 +23,7 @@ class PlaceEdit(Section):
     """A place that is new, or that stands for the room's own place of the same name."""
 
     name: str = Field(min_length=1, max_length=NAME_MAX, pattern=NAME, description='short lower-case name ("coffee corner")')
-    title: str = Field(default="", max_length=TITLE_MAX, description="shown to people")
+    title: Title = Field(default="", description="shown to people")
     viewpoint: tuple[Metres, Metres] = Field(description="where to hover: x, y [m]")
     look_at: tuple[Metres, Metres, Metres] = Field(description="what to look at: x, y, z [m]")
 
@@ -28,7 +32,7 @@ class NoFlyZone(Section):
     """A rectangle that the drone must not enter, and why."""
 
     rectangle: tuple[Metres, Metres, Metres, Metres] = Field(description="x_min, y_min, x_max, y_max [m]")
-    reason: str = Field(min_length=1, max_length=REASON_MAX, description="shown on the map")
+    reason: Reason = Field(description="shown on the map")
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:

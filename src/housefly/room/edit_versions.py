@@ -97,9 +97,9 @@ class EditVersions:
         return newest
 
     def _save(self, edits: Edits, based_on: int, equals: int | None, by: str) -> Version:
-        self._checked(based_on)
         good, bad = self._numbers()
         number = max((*good, *bad, 0)) + 1
+        self._checked(based_on)  # after the number was chosen: who saves from now on takes it, and the link below fails
         version = Version(number, edits, number if equals is None else equals, self._now(), by)
         text = json.dumps({**_head(version), "edits": edits.model_dump(mode="json")}, indent=1)
         draft = self.folder / f".{number:04d}.{secrets.token_hex(4)}.draft"
@@ -139,7 +139,13 @@ class EditVersions:
         path = self._path(number)
         try:
             tree: Any = json.loads(path.read_text(encoding="utf-8"))
-            version = Version(number, edits_from_tree(tree["edits"]), int(tree["equals"]), float(tree["saved_at"]), str(tree["by"]))
+            version = Version(
+                number, edits_from_tree(tree["edits"]), int(tree["equals"]), float(tree["saved_at"]), str(tree["by"])
+            )
+            if not 0 <= version.equals <= number:
+                raise ValueError(f"equals is {version.equals}; allowed: 0 to {number}")
+        except FileNotFoundError:
+            return None  # another process has just moved it aside
         except OSError as error:
             raise EditsError(f"{path} cannot be read: {error.strerror}") from error
         except (ValueError, KeyError, TypeError, RecursionError, EditsError) as error:
@@ -153,7 +159,9 @@ class EditVersions:
             aside = path.with_name(f"{path.name}{ASIDE}.{secrets.token_hex(4)}")
         with suppress(OSError):
             path.rename(aside)
-        self.problem = f"{path.name} in {self.folder} is damaged ({error!s:.160}): it is now {aside.name}, and the version before it counts"
+        self.problem = (
+            f"{path.name} in {self.folder} is damaged ({error!s:.160}): it is now {aside.name}, and the version before it counts"
+        )
 
 
 def _head(version: Version) -> dict[str, Any]:

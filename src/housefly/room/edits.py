@@ -56,10 +56,14 @@ def edits_from_tree(tree: Any) -> Edits:
         first = error.errors()[0]
         location = [str(part) for part in first["loc"]]
         words = "edits are places, removed and zones" if not location else explain(first, Edits)
+        if location[-1:] == ["reason"] and first["type"] != "string_too_long":
+            words = "say why: the reason is shown on the map"
         if location[-1:] == ["name"] and first["type"].startswith("string"):
             words = f"is {first['input']!r}; allowed: 1 to {NAME_MAX} of a-z, 0-9, space, - and _, a letter or digit first"
         where = f"{'.'.join(location)}: " if location else ""
-        raise EditsError(where + (words if len(words) <= 2 * SHOWN else f"{words[:SHOWN]} ..."), ".".join(location[:2])) from error
+        raise EditsError(
+            where + (words if len(words) <= 2 * SHOWN else f"{words[:SHOWN]} ..."), ".".join(location[:2])
+        ) from error
 
 
 def edited(room: Room, site: Site, edits: Edits) -> tuple[Room, Site]:
@@ -134,7 +138,9 @@ def _check_place(edit: PlaceEdit, item: str, room: Room, site: Site, bare: Occup
         case _:
             near = bare.clearance_at(edit.viewpoint)
             why = f"the nearest obstacle is {near:.2f} m away and the drone keeps {inflation(site):.2f} m"
-    raise EditsError(f"{shown}: the drone cannot hover at ({x:.2f}, {y:.2f}) m: {why}{_instead(bare, reached, edit.viewpoint)}", item)
+    raise EditsError(
+        f"{shown}: the drone cannot hover at ({x:.2f}, {y:.2f}) m: {why}{_instead(bare, reached, edit.viewpoint)}", item
+    )
 
 
 def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> None:
