@@ -9,7 +9,7 @@ from pydantic import Field, StringConstraints, model_validator
 from housefly.config_section import Section
 
 PLACES_MAX, ZONES_MAX = 40, 40
-NAME_MAX, TITLE_MAX, REASON_MAX = 30, 30, 60
+NAME_MAX, TITLE_MAX, REASON_MAX = 40, 40, 60
 NAME = r"^[a-z0-9][a-z0-9 _-]*$"
 
 Title = Annotated[str, StringConstraints(strip_whitespace=True, max_length=TITLE_MAX, pattern=r"^[^\x00-\x1f\x7f]*$")]
@@ -43,7 +43,7 @@ class NoFlyZone(Section):
 
 
 class Edits(Section):
-    """What people changed on the ROOM screen; the launcher fills it in from the newest version that was saved. Mode default only."""
+    """What people changed on the ROOM screen, in mode default; a start fills it in from the newest version that was saved."""
 
     places: tuple[PlaceEdit, ...] = Field(
         default=(), max_length=PLACES_MAX, description="places that are new or changed: name, title, viewpoint [m], look_at [m]"

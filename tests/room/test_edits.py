@@ -102,7 +102,7 @@ def test_mode_paper_knows_no_edits() -> None:
     [
         ([], "", "edits are places, removed and zones"),
         ({"place": []}, "place", "is not a known key"),
-        ({"places": [{"name": "A b!", "viewpoint": [1, 1], "look_at": [1, 1, 1]}]}, "places.0", "1 to 30 of a-z"),
+        ({"places": [{"name": "A b!", "viewpoint": [1, 1], "look_at": [1, 1, 1]}]}, "places.0", "1 to 40 of a-z"),
         ({"places": [{"name": "a", "viewpoint": [1, None], "look_at": [1, 1, 1]}]}, "places.0", "places.0.viewpoint.1"),
         ({"zones": [{"rectangle": [1, 1, 2, 2], "reason": "  "}]}, "zones.0", "say why"),
         ({"zones": [{"rectangle": [2, 1, 1, 2], "reason": "x"}]}, "zones.0", "x_min < x_max"),

@@ -1,7 +1,7 @@
 """Versions of a room's edits as files: ``0001.json``, ``0002.json``, ...; nothing is ever changed or deleted.
 
-Version 0 is the room without edits. Undo saves a new version equal to the one before. A file that cannot be read is moved aside, in
-words, and the version before it counts; its number is not used again.
+Version 0 is the room without edits. Undo saves a new version equal to the one before. A file that cannot be read is moved
+aside, in words, and the version before it counts; its number is not used again.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from housefly.room.edits import edits_from_tree
 
 NUMBERED = re.compile(r"^(\d{4,9})\.json")
 ASIDE = ".damaged"
+NO_EDITS = Edits()
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,7 @@ class Version:
     """
 
     number: int = 0
-    edits: Edits = Edits()
+    edits: Edits = NO_EDITS
     equals: int = 0
     saved_at: float = 0.0
     by: str = ""

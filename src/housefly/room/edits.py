@@ -1,7 +1,7 @@
 """Places and no-fly zones that people change: checked against the room, in words, and applied.
 
-Whoever reads a site gets them with it (``site.edits``): ``room_of`` applies the places, ``room.grid`` the zones. Mode ``paper`` flies
-the paper's own map and knows no edits.
+Whoever reads a site gets them with it (``site.edits``): ``room_of`` applies the places, ``room.grid`` the zones. Mode ``paper``
+flies the paper's own map and knows no edits.
 """
 
 from __future__ import annotations

@@ -4,7 +4,8 @@ Rules, in the order in which they win:
 
 1. OCCUPIED: a footprint covers the middle of the cell or more than a quarter of it.
 2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls, inside furniture).
-3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or in a zone of its edits; these bound the drone's middle: no growth.
+3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its edits; these bound the drone's
+   middle: no growth.
 4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the hull's diagonal plus the
    tracking bound plus the margin.
 5. FREE.
@@ -125,7 +126,7 @@ def build_grid(room: Room, site: Site) -> OccupancyGrid:
     """
     if site.mode == "paper":
         return _grid(room, site, site.map.paper_rectangle, site.map.paper_resolution, 0.0, site.map.paper_virtual_obstacles)
-    virtual = (*site.map.virtual_obstacles, *site.edits.zones)
+    virtual: tuple[VirtualObstacle | NoFlyZone, ...] = (*site.map.virtual_obstacles, *site.edits.zones)
     return _grid(room, site, room.bounds, site.map.resolution, inflation(site), virtual)
 
 
