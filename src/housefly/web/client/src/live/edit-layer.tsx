@@ -7,6 +7,8 @@ import { addPlace, addZone, aim, aims, choose, chosen, places, rectangle, setZon
 /** A touch that moves less is a tap [px]. */
 const STILL = 8;
 const NEAR = 18;
+/** On smaller maps names would cover each other [px/m]; the list has them all. */
+const NAMES_FROM = 35;
 
 interface Pull {
   from: Point;
@@ -51,7 +53,16 @@ export function EditLayer({ to }: { to: Projection }) {
       {places.value.map((place, k) => (
         <Place key={k} to={to} place={place} open={open?.kind === "places" && open.index === k} />
       ))}
-      <rect class="touch" width={to.width} height={to.height} onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={() => (pull.value = null)} />
+      <rect
+        class="touch"
+        width={to.width}
+        height={to.height}
+        onPointerDown={down}
+        onPointerMove={move}
+        onPointerUp={up}
+        onPointerCancel={() => (pull.value = null)}
+        onMouseDown={(event) => event.preventDefault() /* the form that a touch opens keeps the focus */}
+      />
     </g>
   );
 }
@@ -95,9 +106,11 @@ function Place({ to, place, open }: { to: Projection; place: PlaceView; open: bo
       {open && <path d={`M${u} ${v}L${a} ${b}`} />}
       {open && <path class="eye" d={`M${a - 5} ${b - 5}l10 10m0 -10l-10 10`} />}
       <circle cx={u} cy={v} r={open ? 8 : 6} />
-      <text x={u} y={v + 20}>
-        {place.title || "new place"}
-      </text>
+      {(open || to.scale > NAMES_FROM) && (
+        <text x={u} y={v + 20}>
+          {place.title || "new place"}
+        </text>
+      )}
     </g>
   );
 }

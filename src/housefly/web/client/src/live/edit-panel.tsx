@@ -2,6 +2,12 @@ import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { addInTheMiddle, aims, busy, changed, choose, chosen, load, places, remove, save, saved, setPlace, setZone, said, toggleEditing, trouble, undo, zones, type Chosen } from "./edits";
 
+const HINTS = {
+  none: "Tap the map for a new place, drag on it for a new zone, or:",
+  places: "Tap or drag on the map to move what is open; Done when it is right.",
+  zones: "Drag on the map to draw the open zone again; Done when it is right.",
+};
+
 /** What can be edited, in a list; what is open has a form, and beside it what is wrong with it. */
 export function EditPanel() {
   const view = saved.value;
@@ -10,9 +16,9 @@ export function EditPanel() {
   return (
     <section class="card edit" aria-label="Edit places and zones">
       <h2>
-        Places and no-fly zones <small class="quiet">{view && (view.version ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}` : "as the room's file has them")}</small>
+        Places and no-fly zones <small class="quiet">{view && (view.version ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}` : "never edited")}</small>
       </h2>
-      <p class="quiet">Tap the map for a place, drag on it for a zone, or add one here:</p>
+      <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
       <p class="chips">
         <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("places")}>
           Add a place
@@ -79,12 +85,13 @@ interface ItemProps {
 function Item({ item, name, fixed, children }: ItemProps) {
   const open = chosen.value?.kind === item.kind && chosen.value.index === item.index;
   const wrong = trouble.value;
+  const beside = open && wrong?.item?.kind === item.kind && wrong.item.index === item.index;
   const row = useRef<HTMLLIElement>(null);
   useLayoutEffect(() => {
     if (!open) return;
     row.current!.querySelector<HTMLInputElement>("input")!.focus({ preventScroll: true });
     row.current!.scrollIntoView({ block: "nearest" });
-  }, [open]);
+  }, [open, beside]);
   if (fixed) {
     return (
       <li class="fixed">
@@ -109,12 +116,12 @@ function Item({ item, name, fixed, children }: ItemProps) {
             choose(null);
           }}
         >
-          {children}
-          {wrong?.item?.kind === item.kind && wrong.item.index === item.index && (
+          {beside && (
             <p class="wrong" role="alert">
-              △ {wrong.words}
+              △ {wrong!.words}
             </p>
           )}
+          {children}
           <button type="submit">Done</button>
         </form>
       )}
@@ -144,6 +151,7 @@ function PlaceForm({ index }: { index: number }) {
         <legend>Hovers at [m]</legend>
         <Metres name="x" value={x} set={(value) => setPlace(index, { viewpoint: [value, y] })} />
         <Metres name="y" value={y} set={(value) => setPlace(index, { viewpoint: [x, value] })} />
+        <span />
         <Aim at="viewpoint" />
       </fieldset>
       <fieldset>
@@ -176,8 +184,8 @@ function ZoneForm({ index }: { index: number }) {
         Reason
         <input value={zone.reason} maxLength={60} required autocomplete="off" placeholder="Wet floor" onInput={(event) => setZone(index, { reason: event.currentTarget.value })} />
       </label>
-      <fieldset>
-        <legend>Kept free [m]; drag on the map to draw it again</legend>
+      <fieldset class="two">
+        <legend>Kept free [m]</legend>
         {[0, 2, 1, 3].map((k) => (
           <Metres
             key={k}
@@ -195,11 +203,27 @@ function ZoneForm({ index }: { index: number }) {
   );
 }
 
+/** A number that may be half typed ("4." on the way to "4.25") without being put right under the fingers. */
 function Metres({ name, value, set }: { name: string; value: number; set: (value: number) => void }) {
+  const field = useRef<HTMLInputElement>(null);
+  const show = (): void => {
+    // Blur comes also when the form goes away.
+    const input = field.current;
+    if (input && input.valueAsNumber !== value) input.value = String(value);
+  };
+  useLayoutEffect(() => {
+    if (document.activeElement !== field.current) show();
+  }, [value]);
   return (
     <label>
       {name}
-      <input type="number" step="0.05" value={value} onInput={(event) => Number.isFinite(event.currentTarget.valueAsNumber) && set(event.currentTarget.valueAsNumber)} />
+      <input
+        ref={field}
+        type="number"
+        step="0.05"
+        onBlur={show}
+        onInput={(event) => Number.isFinite(event.currentTarget.valueAsNumber) && set(event.currentTarget.valueAsNumber)}
+      />
     </label>
   );
 }

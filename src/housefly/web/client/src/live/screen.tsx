@@ -70,7 +70,9 @@ function Notes() {
         </button>
       </li>
       <CoverageLegend />
-      {lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
+      {editing.value && <li class="virtual">kept free by order</li>}
+      {editing.value && <li class="inflated">too close</li>}
+      {!editing.value && lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
       {trouble.value && (
         <li class="trouble" role="alert">
           △ {trouble.value}
