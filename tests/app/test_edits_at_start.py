@@ -51,6 +51,13 @@ def test_edits_that_do_not_fit_the_room_any_more_stop_the_start_and_say_what_to_
         with_newest_edits(site)
 
 
+def test_what_was_undone_does_not_come_back_with_a_site_that_was_recorded_with_it(site: Site) -> None:
+    versions = EditVersions(edits_folder(site))
+    recorded = changed(site, edits=versions.save(Edits(removed=("bed",)), 0).edits)
+    versions.undo(1)
+    assert with_newest_edits(recorded) == (site, "places and zones as edited, version 2")
+
+
 def test_a_damaged_version_is_told_at_the_start(site: Site) -> None:
     versions = EditVersions(edits_folder(site))
     versions.save(Edits(removed=("bed",)), 0)

@@ -8,7 +8,6 @@ from typing import Any
 
 from housefly import sites
 from housefly.config import Site, changed, load_site
-from housefly.config_edits import Edits
 from housefly.errors import ConfigError, EditsError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.edits import edited, room_of
@@ -76,7 +75,7 @@ def with_newest_edits(site: Site) -> tuple[Site, str]:
     versions = EditVersions(edits_folder(site))
     try:
         newest = versions.newest()
-        if newest.edits == Edits():
+        if newest.number == 0:
             return site, versions.problem
         _, site = edited(load_room(site.room.model), site, newest.edits)
     except EditsError as error:
