@@ -1,6 +1,6 @@
 """Takes the pictures of the ROOM screen: plays B-sen's scene over a broker of its own until the cup is in the cabinet.
 
-``python scripts/room_screenshots.py`` writes docs/images/{room-live,room-history,phone-room}.png. Needs mosquitto.
+``python scripts/room_screenshots.py`` writes docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.
 """
 
 from __future__ import annotations
@@ -95,6 +95,27 @@ def visit(page: Page, address: str) -> None:
     expect(answer).to_contain_text("in the cabinet")
     page.set_viewport_size(PHONE)
     photograph(page, "phone-room")
+    page.set_viewport_size(DESKTOP)
+    edit(page)
+
+
+def edit(page: Page) -> None:
+    """Draw a zone and a place, and leave without saving."""
+    page.get_by_role("button", name="Edit", exact=True).click()
+    panel = page.get_by_role("region", name="Edit places and zones")
+    expect(panel).to_contain_text("Meeting table")
+    plan = page.locator(".plan-view > svg").bounding_box() or sys.exit("there is no map")
+    u, v = plan["x"] + 0.43 * plan["width"], plan["y"] + 0.46 * plan["height"]
+    page.mouse.move(u, v)
+    page.mouse.down()
+    page.mouse.move(u + 62, v + 58, steps=4)
+    page.mouse.up()
+    panel.get_by_label("Reason").fill("Wet floor")
+    panel.get_by_role("button", name="Done").click()
+    page.mouse.click(u, v - 28)
+    panel.get_by_label("Name").fill("Reading corner")
+    photograph(page, "room-edit")
+    panel.get_by_role("button", name="Discard").click()
 
 
 def main() -> None:

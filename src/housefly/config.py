@@ -15,6 +15,7 @@ from pydantic import Field, ValidationError, model_validator
 
 from housefly.config_depth import DepthCameraConfig, check_depth_cameras
 from housefly.config_devices import MqttConfig
+from housefly.config_edits import Edits
 from housefly.config_furniture import FurnitureConfig, check_furniture
 from housefly.config_hub import HubConfig
 from housefly.config_laser import LaserConfig, check_lasers
@@ -205,6 +206,7 @@ class Site(Section):
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
+    edits: Edits = Edits()
 
     @property
     def served_wires(self) -> tuple[MocapWire, ...]:

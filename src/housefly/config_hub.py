@@ -17,4 +17,8 @@ class HubConfig(Section):
         description='SQLite file, or postgresql://user@host/database; "" is a file of this site in the user\'s state folder',
     )
     things: str = Field(default="", description="catalogue of further things (TOML), relative to the site file")
+    edits: bool = Field(
+        default=True,
+        description="whether places and zones may be edited on the ROOM screen and apply from the next start on, in mode default",
+    )
     keep_days: float = quantity(14.0, 0.05, 3650.0, "d", "samples are kept so long at 10 Hz; what happened stays for good")

@@ -3,6 +3,8 @@
 HouseflyError
 ├── ConfigError        a site file, room file or option has a bad value; names the key and the allowed range
 ├── RoomError          a room or map cannot be read or makes no sense
+├── EditsError         changes to the room cannot be applied or saved; says which item, what is allowed, and the way out
+│   └── StaleEdits     somebody else saved in between
 ├── WireError          bytes from outside are not what the protocol says
 ├── LinkError          a drone, tracking system or bus peer does not answer
 ├── RecordingError     a recording cannot be read or written
@@ -36,6 +38,22 @@ class ConfigError(HouseflyError):
 
 class RoomError(HouseflyError):
     """A room description or a map file cannot be used."""
+
+
+class EditsError(HouseflyError):
+    """Changes to places and zones are refused.
+
+    Attributes:
+        item: which one: ``places.0``, ``removed.1``, ``zones.2``, or "" for all of them.
+    """
+
+    def __init__(self, problem: str, item: str = "") -> None:
+        self.item = item
+        super().__init__(problem)
+
+
+class StaleEdits(EditsError):
+    """Somebody else saved a version after the one that these changes are based on."""
 
 
 class WireError(HouseflyError):

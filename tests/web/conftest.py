@@ -19,7 +19,9 @@ from playwright.async_api import Browser, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.local import LocalBus
+from housefly.bus.queries import RoomView
 from housefly.web.coverage_layer import CoverageView
+from housefly.web.edit_desk import EditDesk
 from housefly.web.process import make_server
 from housefly.web.rehearsal import PretendedPilot
 from housefly.web.rehearsal_room import example_room
@@ -117,15 +119,22 @@ def until_fixture() -> Callable[..., Any]:
 
 @contextlib.asynccontextmanager
 async def serve(
-    host: str, port: int = 0, stops: list[float] | None = None, coverage: Callable[[], CoverageView] | None = None
+    host: str,
+    port: int = 0,
+    stops: list[float] | None = None,
+    coverage: Callable[[], CoverageView] | None = None,
+    edits: EditDesk | None = None,
+    view: RoomView | None = None,
 ) -> AsyncIterator[Served]:
     with socket.socket() as listener:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
         bus, stops = LocalBus(), [] if stops is None else stops
         loop = asyncio.get_running_loop()
-        pilot = PretendedPilot(bus.join(), example_room())
-        app = create_app(bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage)
+        pilot = PretendedPilot(bus.join(), view or example_room())
+        app = create_app(
+            bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage, edits=edits
+        )
         server: uvicorn.Server = make_server(app)
         serving = asyncio.create_task(server.serve([listener]))
         flying = asyncio.create_task(pilot.run())

@@ -32,7 +32,7 @@ def run(options: argparse.Namespace) -> int:
     from housefly.app.compiling import Part, compile_once
 
     compile_once(Part.CHAIN, console.print)
-    premises = _premises(options)
+    premises = _premises(options, with_edits=True)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
         return stay(premises, Path(folder), record, console)
@@ -43,7 +43,7 @@ def fly(options: argparse.Namespace) -> int:
     from housefly.app.compiling import Part, compile_once
     from housefly.app.flight import fly_service
 
-    premises = _premises(options)
+    premises = _premises(options, with_edits=not options.lockstep)
     out = Path(options.out or time.strftime("flights/%Y-%m-%d_%H-%M-%S"))
     try:
         premises.room.place(options.place)
@@ -148,8 +148,9 @@ def doctor(options: argparse.Namespace) -> int:
     return 0 if all(finding.well or finding.optional for finding in findings) else 1
 
 
-def _premises(options: argparse.Namespace) -> Premises:
-    from housefly.app.premises import open_premises, read_site
+def _premises(options: argparse.Namespace, *, with_edits: bool = False) -> Premises:
+    """Open what the options name, with the newest edits of the ROOM screen where real wires are flown."""
+    from housefly.app.premises import open_premises, read_site, with_newest_edits
 
     changes: dict[str, Any] = {"mode": options.mode, "web__port": getattr(options, "port", None)}
     changes["twin__seed"] = getattr(options, "seed", None)
@@ -157,7 +158,12 @@ def _premises(options: argparse.Namespace) -> Premises:
         changes["hub__things"] = str(Path(sites.__file__).with_name("bsen_things.toml"))
         changes |= {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
     changes["twin__mocap_rate_hz"] = getattr(options, "mocap_rate", None)
-    return open_premises(read_site(options.site, **{key: value for key, value in changes.items() if value is not None}))
+    site = read_site(options.site, **{key: value for key, value in changes.items() if value is not None})
+    if with_edits:
+        site, words = with_newest_edits(site)
+        if words:
+            console.print(f"map:      {words}", markup=False)
+    return open_premises(site)
 
 
 def _point(text: str, premises: Premises, option: str) -> Vec2:

@@ -58,7 +58,7 @@ def add(actions: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Fly and fit, or fit only; 0 when a profile was written."""
-    from housefly.app.premises import open_premises, read_site
+    from housefly.app.premises import open_premises, read_site, with_newest_edits
 
     if options.recorded:
         folder = Path(options.recorded)
@@ -67,7 +67,10 @@ def run(options: argparse.Namespace) -> int:
     if not 4 <= options.repeats <= 40:
         raise ConfigError("--repeats", f"is {options.repeats}; allowed: a number from 4 to 40")
     changes = {"twin__seed": options.seed, "twin__mocap_rate_hz": options.mocap_rate, "mode": "default"}
-    premises = open_premises(read_site(options.site, **{key: value for key, value in changes.items() if value is not None}))
+    site = read_site(options.site, **{key: value for key, value in changes.items() if value is not None})
+    if not options.lockstep:
+        site, _ = with_newest_edits(site)  # a no-fly zone holds for this flight too
+    premises = open_premises(site)
     out = Path(options.out or time.strftime("identification/%Y-%m-%d_%H-%M-%S"))
     steps, flown, outcome = _fly(premises, options, out)
     if outcome != "completed":

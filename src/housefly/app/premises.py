@@ -8,10 +8,13 @@ from typing import Any
 
 from housefly import sites
 from housefly.config import Site, changed, load_site
-from housefly.errors import ConfigError
+from housefly.errors import ConfigError, EditsError
+from housefly.room.edit_versions import EditVersions
+from housefly.room.edits import edited, room_of
 from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room
+from housefly.state import edits_folder
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,5 +60,26 @@ def read_site(name: str, **changes: Any) -> Site:
 
 def open_premises(site: Site) -> Premises:
     """Load the room of a site and build its map; raises RoomError or ConfigError."""
-    room = load_room(site.room.model)
+    room = room_of(site)
     return Premises(site, room, build_grid(room, site))
+
+
+def with_newest_edits(site: Site) -> tuple[Site, str]:
+    """Return a site with the newest edits that were saved on the ROOM screen, and a line that says so ("" when there are none).
+
+    Raises:
+        ConfigError: the edits do not fit the room any more; nobody may fly where a zone was meant to be.
+    """
+    if not site.hub.edits or site.mode == "paper":
+        return site, ""
+    versions = EditVersions(edits_folder(site))
+    try:
+        newest = versions.newest()
+        if newest.number == 0:
+            return site, versions.problem
+        _, site = edited(load_room(site.room.model), site, newest.edits)
+    except EditsError as error:
+        raise ConfigError(
+            "edits", f"{error}; mend the room, or start without edits: hub.edits = false in the site file", str(versions.folder)
+        ) from error
+    return site, "; ".join(filter(None, (f"places and zones as edited, version {newest.number}", versions.problem)))

@@ -13,7 +13,7 @@ from housefly.hub.answers import Answers
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
 from housefly.hub.process import catalogue_of, store_address
-from housefly.room.files import load_room
+from housefly.room.edits import room_of
 from housefly.store.opening import open_store
 
 
@@ -22,7 +22,7 @@ class OfflineRoom:
 
     def __init__(self, site: Site, folder: Path) -> None:
         address = store_address(site)
-        things = catalogue_of(site, load_room(site.room.model, folder), folder)
+        things = catalogue_of(site, room_of(site, folder), folder)
         self._memory = RoomMemory(things, lambda: open_store(address, keep_days=site.hub.keep_days))
         self._answers = Answers(self._memory, Present(self._memory.writer.report), time.time)
 

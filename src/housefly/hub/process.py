@@ -11,7 +11,6 @@ import asyncio
 import contextlib
 import gc
 import logging
-import os
 import signal
 import sys
 import time
@@ -35,10 +34,11 @@ from housefly.hub.present import Present
 from housefly.hub.situation_desk import SituationDesk
 from housefly.hub.things_of_room import things_of
 from housefly.messages import Happening, PilotStep
-from housefly.room.files import load_room
+from housefly.room.edits import room_of
 from housefly.room.model import Room
 from housefly.sensors.contracts import Sensor
 from housefly.sensors.mqtt import MqttSensors
+from housefly.state import database_file
 from housefly.store.opening import SERVERS, open_store
 from housefly.things.catalogue import load_catalogue
 from housefly.things.thing import Thing
@@ -56,7 +56,7 @@ class Hub:
     """
 
     def __init__(self, site: Site, folder: Path, bus: Bus) -> None:
-        room = load_room(site.room.model, folder)
+        room = room_of(site, folder)
         address = store_address(site)
         self.memory = RoomMemory(catalogue_of(site, room, folder), lambda: open_store(address, keep_days=site.hub.keep_days))
         self.present = Present(self.memory.writer.report)
@@ -124,12 +124,7 @@ def store_address(site: Site) -> str:
     """Return where a site's memory is: what the site says, or a file in the user's state folder, which is made."""
     if site.hub.store.startswith(SERVERS):
         return site.hub.store
-    if site.hub.store:
-        path = Path(site.hub.store).expanduser()
-    else:
-        state = Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state")
-        name = "".join(letter if letter.isalnum() else "-" for letter in site.name.lower())
-        path = state / "housefly" / name / "room.db"
+    path = database_file(site)
     path.parent.mkdir(parents=True, exist_ok=True)
     return str(path)
 

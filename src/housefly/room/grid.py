@@ -4,7 +4,8 @@ Rules, in the order in which they win:
 
 1. OCCUPIED: a footprint covers the middle of the cell or more than a quarter of it.
 2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls, inside furniture).
-3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file; these bound the drone's middle: no growth.
+3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its edits; these bound the drone's
+   middle: no growth.
 4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the hull's diagonal plus the
    tracking bound plus the margin.
 5. FREE.
@@ -20,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config import Site, VirtualObstacle
+from housefly.config_edits import NoFlyZone
 from housefly.geometry import Vec2
 from housefly.room.distance import Floats, clearance_field, covered_shares, footprints, half_diagonal
 from housefly.room.model import Room
@@ -124,7 +126,8 @@ def build_grid(room: Room, site: Site) -> OccupancyGrid:
     """
     if site.mode == "paper":
         return _grid(room, site, site.map.paper_rectangle, site.map.paper_resolution, 0.0, site.map.paper_virtual_obstacles)
-    return _grid(room, site, room.bounds, site.map.resolution, inflation(site), site.map.virtual_obstacles)
+    virtual: tuple[VirtualObstacle | NoFlyZone, ...] = (*site.map.virtual_obstacles, *site.edits.zones)
+    return _grid(room, site, room.bounds, site.map.resolution, inflation(site), virtual)
 
 
 def _grid(
@@ -133,7 +136,7 @@ def _grid(
     rectangle: tuple[float, float, float, float],
     resolution: float,
     keep: float,
-    virtual: tuple[VirtualObstacle, ...],
+    virtual: tuple[VirtualObstacle | NoFlyZone, ...],
 ) -> OccupancyGrid:
     rows = footprints(room.solids, site.map.flight_height - site.map.half_band, site.map.flight_height + site.map.half_band)
     xs, ys = _middles(rectangle, resolution)
@@ -158,7 +161,7 @@ def _middles(rectangle: tuple[float, float, float, float], resolution: float) ->
     ) * resolution
 
 
-def _inside(obstacle: VirtualObstacle, xs: Floats, ys: Floats) -> NDArray[np.bool_]:
+def _inside(obstacle: VirtualObstacle | NoFlyZone, xs: Floats, ys: Floats) -> NDArray[np.bool_]:
     x_min, y_min, x_max, y_max = obstacle.rectangle
     return ((xs >= x_min) & (xs <= x_max))[:, None] & ((ys >= y_min) & (ys <= y_max))[None, :]
 

@@ -8,8 +8,10 @@ from housefly.geometry import Vec2
 from housefly.room.model import Solid
 from housefly.room.parts import paint, pillar, placed
 
+RADIUS = 0.40
+"""Of the pad [m]."""
 PAD = (
-    pillar("rim", (0.0, 0.0), 0.0, 0.004, 0.80, paint(0.94, 0.94, 0.92)),
+    pillar("rim", (0.0, 0.0), 0.0, 0.004, 2 * RADIUS, paint(0.94, 0.94, 0.92)),
     pillar("disc", (0.0, 0.0), 0.004, 0.006, 0.74, paint(0.13, 0.38, 0.42)),
     pillar("dot", (0.0, 0.0), 0.006, 0.008, 0.20, paint(0.94, 0.94, 0.92)),
 )

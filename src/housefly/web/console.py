@@ -128,6 +128,19 @@ class Console:
             self.news.note(Severity.WARNING, "control", f"{self._name(holder)} lost contact and with it control")
             self.show_viewers()
 
+    def name_at(self, tab: str) -> str:
+        """Return the name of who sits before a tab."""
+        return self._name(self._numbers.get(tab))
+
+    def objection_at(self, tab: str) -> str:
+        """Return why this tab may not change the room now, or "": as with orders, it needs control."""
+        return self._no_control(self._numbers.get(tab))
+
+    def told(self, words: str) -> None:
+        """Put a line into everybody's log."""
+        log.info("%s", words)
+        self.news.note(Severity.INFO, "room", words)
+
     # --- messages -----------------------------------------------------------------------------------
 
     def _count(self, viewer: Viewer) -> bool:
@@ -186,12 +199,18 @@ class Console:
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
         if message.order in FOR_EVERYONE:
             return objection(message, self.room)
-        if self.lease.holder != viewer.number:
-            holder = self._name(self.lease.holder)
-            return f"{holder} has control" if self.lease.holder else "nobody has control: take it first"
+        if problem := self._no_control(viewer.number):
+            return problem
         if self.news.age > PILOT_SILENT and message.order is not OrderKind.CUT:
             return "no contact with the pilot"
         return objection(message, self.room)
+
+    def _no_control(self, number: int | None) -> str:
+        """Return who else has control, in words, or ""."""
+        holder = self.lease.holder
+        if holder is None:
+            return "nobody has control: take it first"
+        return "" if holder == number else f"{self._name(holder)} has control"
 
     async def _confirm(self, viewer: Viewer, number: int, sent: asyncio.Future[str]) -> None:
         problem = await sent

@@ -27,8 +27,11 @@ from housefly.bus.stop import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config import Site, load_site
 from housefly.errors import ConfigError, HouseflyError
+from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
+from housefly.state import edits_folder
 from housefly.web.coverage_layer import coverage_view
+from housefly.web.edit_desk import EditDesk
 from housefly.web.security import LOOPBACK_NAMES, check_bind
 from housefly.web.server import create_app
 
@@ -98,6 +101,7 @@ async def run_web(
             secret=os.environ.get(SECRET, ""),
             drone_body=site.tracking.body,
             coverage=lambda: coverage_view(load_room(site.room.model, folder), site.map.flight_height),
+            edits=EditDesk(lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
         gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits

@@ -7,6 +7,7 @@
 /static/...      the built client
 /api/v1/...      the room: where things are, what happened (``web.room_api``)
 /coverage        which parts of the room the tracking cameras see
+/edits           places and no-fly zones: seen, saved, undone (``web.edits_api``)
 """
 
 from __future__ import annotations
@@ -34,6 +35,8 @@ from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
 from housefly.web.console import Console
 from housefly.web.coverage_layer import CoverageLayer, CoverageView
+from housefly.web.edit_desk import EditDesk
+from housefly.web.edits_api import EditsApi
 from housefly.web.news import PilotNews
 from housefly.web.pages import link_used, no_session
 from housefly.web.pilot_link import PilotLink
@@ -56,6 +59,7 @@ def create_app(
     drone_body: str = "ardrone",
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
+    edits: EditDesk | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -68,6 +72,7 @@ def create_app(
         drone_body: name of the drone among the tracked bodies.
         clock: tests may bring their own.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
+        edits: where places and zones are edited; None where they are not.
     """
     clock = clock or RealClock()
     doorkeeper = Doorkeeper(token, secret or secrets.token_urlsafe(32))
@@ -76,6 +81,7 @@ def create_app(
     video = VideoRoom(bus)
     room = RoomApi(bus, doorkeeper, api_key(secret) if secret else "")
     layer = CoverageLayer(coverage) if coverage else None
+    editing = EditsApi(edits, doorkeeper, console)
 
     @asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -89,6 +95,7 @@ def create_app(
             await task
         link.close()
         room.close()
+        editing.close()
         if layer is not None:
             layer.close()
 
@@ -136,6 +143,7 @@ def create_app(
             WebSocketRoute("/socket", console_socket),
             WebSocketRoute("/video", video_socket),
             *room.routes(),
+            *editing.routes(),
             Mount("/static", StaticFiles(directory=STATIC)),
         ],
         middleware=[Middleware(Guard, hosts=hosts)],

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from housefly.bus import room_questions
-from housefly.web import coverage_layer, vocabulary
+from housefly.web import coverage_layer, edit_desk, vocabulary
 
 WIRE = Path(__file__).parent / "client" / "src" / "wire"
 TARGET = WIRE / "messages.ts"
@@ -31,7 +31,10 @@ def typescript() -> str:
 
 def room_typescript() -> str:
     """Return the TypeScript text of the answers of the room's API and of its news."""
-    unions = {"RoomAnswer": room_questions.Answer | coverage_layer.CoverageView, "RoomNews": room_questions.News}
+    unions = {
+        "RoomAnswer": room_questions.Answer | coverage_layer.CoverageView | edit_desk.EditsView,
+        "RoomNews": room_questions.News,
+    }
     return _text("housefly/bus/room_questions.py", unions)
 
 

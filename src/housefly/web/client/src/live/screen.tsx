@@ -2,6 +2,9 @@ import { useEffect } from "preact/hooks";
 import { PlanFrame } from "../map/map";
 import { RoomLayer } from "../map/room";
 import { CoverageLayer, CoverageLegend } from "./coverage";
+import { EditLayer } from "./edit-layer";
+import { EditPanel } from "./edit-panel";
+import { changed, editing, toggleEditing } from "./edits";
 import { Find } from "./find";
 import { Events, History, PastBanner } from "./history";
 import { listen, toggleCoverage } from "./line";
@@ -13,28 +16,41 @@ import { percent } from "./words";
 /** The room: where everything is, how we know, and how it was before. */
 export function RoomScreen() {
   useEffect(listen, []);
+  const edits = editing.value;
   return (
-    <main class="room-deck">
-      <Find />
-      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null} data-coverage={showsCoverage.value}>
-        <PlanFrame label="Floor plan with people and things. Each can be reached with Tab.">
+    <main class="room-deck" data-editing={edits}>
+      {!edits && <Find />}
+      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null} data-coverage={showsCoverage.value} data-editing={edits}>
+        <PlanFrame label={edits ? "Floor plan being edited. The list of places and zones follows." : "Floor plan with people and things. Each can be reached with Tab."}>
           {(to) => (
             <>
               <RoomLayer to={to} visitors={false} />
               <CoverageLayer to={to} />
-              <ObstacleLayer to={to} />
-              <ThingsLayer to={to} />
+              {edits ? (
+                <EditLayer to={to} />
+              ) : (
+                <>
+                  <ObstacleLayer to={to} />
+                  <ThingsLayer to={to} />
+                </>
+              )}
             </>
           )}
         </PlanFrame>
         <Notes />
         <PastBanner />
       </section>
-      <History />
-      <Events>
-        <Holds />
-      </Events>
-      <Sensors />
+      {edits ? (
+        <EditPanel />
+      ) : (
+        <>
+          <History />
+          <Events>
+            <Holds />
+          </Events>
+          <Sensors />
+        </>
+      )}
     </main>
   );
 }
@@ -48,8 +64,15 @@ function Notes() {
           Tracking coverage
         </button>
       </li>
+      <li class="plain">
+        <button type="button" aria-pressed={editing.value} onClick={toggleEditing}>
+          Edit{changed.value ? " (not saved)" : ""}
+        </button>
+      </li>
       <CoverageLegend />
-      {lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
+      {editing.value && <li class="virtual">kept free by order</li>}
+      {editing.value && <li class="inflated">too close</li>}
+      {!editing.value && lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
       {trouble.value && (
         <li class="trouble" role="alert">
           △ {trouble.value}

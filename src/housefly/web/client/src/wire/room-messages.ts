@@ -132,6 +132,29 @@ export interface CoverageView {
   rows: string[];
 }
 
+export interface PlaceView {
+  name: string;
+  title: string;
+  viewpoint: [number, number];
+  look_at: [number, number, number];
+}
+
+export interface ZoneView {
+  rectangle: [number, number, number, number];
+  reason: string;
+}
+
+export interface EditsView {
+  version: number;
+  own: PlaceView[];
+  places: PlaceView[];
+  zones: ZoneView[];
+  undoable: boolean;
+  saved_at: number;
+  by: string;
+  words: string;
+}
+
 export interface News {
   at: number;
   things: Placed[];
@@ -140,6 +163,6 @@ export interface News {
   obstacles: Hindrance[];
 }
 
-export type RoomAnswer = WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer | CoverageView;
+export type RoomAnswer = WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer | CoverageView | EditsView;
 
 export type RoomNews = News;

@@ -21,7 +21,8 @@ let pause = 250;
 let lastId = 0;
 const waiting = new Map<number, (answer: Answer) => void>();
 
-function tab(): string {
+/** Which tab this is; the server knows again by it who sits here. */
+export function tab(): string {
   const known = sessionStorage.getItem(TAB_KEY);
   if (known) return known;
   const fresh = Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");

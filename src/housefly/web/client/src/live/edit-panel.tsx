@@ -1,0 +1,229 @@
+import type { ComponentChildren } from "preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { addInTheMiddle, aims, busy, changed, choose, chosen, load, places, remove, save, saved, setPlace, setZone, said, toggleEditing, trouble, undo, zones, type Chosen } from "./edits";
+
+const HINTS = {
+  none: "Tap the map for a new place, drag on it for a new zone, or:",
+  places: "Tap or drag on the map to move what is open; Done when it is right.",
+  zones: "Drag on the map to draw the open zone again; Done when it is right.",
+};
+
+/** What can be edited, in a list; what is open has a form, and beside it what is wrong with it. */
+export function EditPanel() {
+  const view = saved.value;
+  const wrong = trouble.value;
+  const shownBeside = wrong?.item != null;
+  return (
+    <section class="card edit" aria-label="Edit places and zones">
+      <h2>
+        Places and no-fly zones <small class="quiet">{view && (view.version ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}` : "never edited")}</small>
+      </h2>
+      <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
+      <p class="chips">
+        <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("places")}>
+          Add a place
+        </button>
+        <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("zones")}>
+          Add a zone
+        </button>
+      </p>
+      <ul class="items" data-scrolls aria-label="Places and zones">
+        {places.value.map((place, index) => (
+          <Item key={`p${index}`} item={{ kind: "places", index }} name={place.title || "new place"} fixed={place.name === "home" ? "where it starts and lands" : ""}>
+            <PlaceForm index={index} />
+          </Item>
+        ))}
+        {zones.value.map((zone, index) => (
+          <Item key={`z${index}`} item={{ kind: "zones", index }} name={zone.reason || "new zone"} fixed="">
+            <ZoneForm index={index} />
+          </Item>
+        ))}
+      </ul>
+      {wrong && !shownBeside && (
+        <p class="wrong" role="alert">
+          △ {wrong.words}
+        </p>
+      )}
+      <p role="status">{said.value || (changed.value ? "Not saved yet." : "")}</p>
+      <div class="chips">
+        <Button words="Save" strong ready={changed.value} press={save} />
+        <Button words="Discard" ready={changed.value || wrong !== null} press={load} />
+        <Button words="Undo" title="Go back to the version before" ready={!changed.value && (view?.undoable ?? false)} press={undo} />
+        <button type="button" onClick={toggleEditing}>
+          Close
+        </button>
+      </div>
+    </section>
+  );
+}
+
+interface ButtonProps {
+  words: string;
+  title?: string;
+  strong?: boolean;
+  ready: boolean;
+  press: () => Promise<void>;
+}
+
+function Button({ words, title, strong = false, ready, press }: ButtonProps) {
+  const possible = ready && !busy.value;
+  return (
+    <button type="button" title={title} class={strong && possible ? "strong" : ""} aria-disabled={!possible} onClick={() => possible && void press()}>
+      {words}
+    </button>
+  );
+}
+
+interface ItemProps {
+  item: Chosen;
+  name: string;
+  /** Why it cannot be changed, or "". */
+  fixed: string;
+  children: ComponentChildren;
+}
+
+function Item({ item, name, fixed, children }: ItemProps) {
+  const open = chosen.value?.kind === item.kind && chosen.value.index === item.index;
+  const wrong = trouble.value;
+  const beside = open && wrong?.item?.kind === item.kind && wrong.item.index === item.index;
+  const row = useRef<HTMLLIElement>(null);
+  useLayoutEffect(() => {
+    if (!open) return;
+    row.current!.querySelector<HTMLInputElement>("input")!.focus({ preventScroll: true });
+    row.current!.scrollIntoView({ block: "nearest" });
+  }, [open, beside]);
+  if (fixed) {
+    return (
+      <li class="fixed">
+        {name} <small class="quiet">{fixed}</small>
+      </li>
+    );
+  }
+  return (
+    <li ref={row} data-kind={item.kind}>
+      <div class="head">
+        <button type="button" class="name" aria-expanded={open} onClick={() => choose(open ? null : item)}>
+          {name}
+        </button>
+        <button type="button" aria-label={`Remove ${name}`} onClick={() => remove(item)}>
+          Remove
+        </button>
+      </div>
+      {open && (
+        <form
+          onSubmit={(event) => {
+            event.preventDefault();
+            choose(null);
+          }}
+        >
+          {beside && (
+            <p class="wrong" role="alert">
+              △ {wrong!.words}
+            </p>
+          )}
+          {children}
+          <button type="submit">Done</button>
+        </form>
+      )}
+    </li>
+  );
+}
+
+function PlaceForm({ index }: { index: number }) {
+  const place = places.value[index]!;
+  const own = saved.value?.places.some((one) => one.name === place.name) ?? false;
+  const [[x, y], [u, v, height]] = [place.viewpoint, place.look_at];
+  return (
+    <>
+      <label>
+        Name
+        <input
+          value={place.title}
+          maxLength={40}
+          required
+          autocomplete="off"
+          placeholder="Reading corner"
+          onInput={(event) => setPlace(index, { title: event.currentTarget.value })}
+        />
+      </label>
+      {own && <small class="quiet">In commands: {place.name}</small>}
+      <fieldset>
+        <legend>Hovers at [m]</legend>
+        <Metres name="x" value={x} set={(value) => setPlace(index, { viewpoint: [value, y] })} />
+        <Metres name="y" value={y} set={(value) => setPlace(index, { viewpoint: [x, value] })} />
+        <span />
+        <Aim at="viewpoint" />
+      </fieldset>
+      <fieldset>
+        <legend>Looks at [m]</legend>
+        <Metres name="x" value={u} set={(value) => setPlace(index, { look_at: [value, v, height] })} />
+        <Metres name="y" value={v} set={(value) => setPlace(index, { look_at: [u, value, height] })} />
+        <Metres name="height" value={height} set={(value) => setPlace(index, { look_at: [u, v, value] })} />
+        <Aim at="look_at" />
+      </fieldset>
+    </>
+  );
+}
+
+/** Which of the two points the map sets. */
+function Aim({ at }: { at: "viewpoint" | "look_at" }) {
+  return (
+    <button type="button" aria-pressed={aims.value === at} onClick={() => (aims.value = at)}>
+      on map
+    </button>
+  );
+}
+
+const CORNERS = ["x from", "y from", "x to", "y to"];
+
+function ZoneForm({ index }: { index: number }) {
+  const zone = zones.value[index]!;
+  return (
+    <>
+      <label>
+        Reason
+        <input value={zone.reason} maxLength={60} required autocomplete="off" placeholder="Wet floor" onInput={(event) => setZone(index, { reason: event.currentTarget.value })} />
+      </label>
+      <fieldset class="two">
+        <legend>Kept free [m]</legend>
+        {[0, 2, 1, 3].map((k) => (
+          <Metres
+            key={k}
+            name={CORNERS[k]!}
+            value={zone.rectangle[k]!}
+            set={(value) => {
+              const next: typeof zone.rectangle = [...zone.rectangle];
+              next[k] = value;
+              setZone(index, { rectangle: next });
+            }}
+          />
+        ))}
+      </fieldset>
+    </>
+  );
+}
+
+/** A number that may be half typed ("4." on the way to "4.25") without being put right under the fingers. */
+function Metres({ name, value, set }: { name: string; value: number; set: (value: number) => void }) {
+  const field = useRef<HTMLInputElement>(null);
+  const show = (): void => {
+    // Blur comes also when the form goes away.
+    const input = field.current;
+    if (input && input.valueAsNumber !== value) input.value = String(value);
+  };
+  useLayoutEffect(() => {
+    if (document.activeElement !== field.current) show();
+  }, [value]);
+  return (
+    <label>
+      {name}
+      <input
+        ref={field}
+        type="number"
+        step="0.05"
+        onBlur={show}
+        onInput={(event) => Number.isFinite(event.currentTarget.valueAsNumber) && set(event.currentTarget.valueAsNumber)}
+      />
+    </label>
+  );
+}
