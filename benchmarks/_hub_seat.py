@@ -10,18 +10,20 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
+from housefly.bus.room_answers import WhereAnswer
 from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Where, WhereAnswer
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS, STEP
+from housefly.bus.room_questions import Where
+from housefly.bus.topics import FRAME, HUB_QUERY, ROOM_NEWS, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
-from housefly.messages import PilotStep, RoomNews
+from housefly.messages import PilotStep, RoomNews, TrackedFrame
 
 ECHO = "benchmark/echo"
 PAUSE = 0.003
 """Between two questions [s]: somebody who asks, not somebody who floods."""
 WARM_UP = 1.0
 """The first messages wait until this process has built its decoder [s]."""
+AGES = ("frame", "waited", "stepped", "step", "captured", "news", "news_way")
 THINGS = ("ardrone", "cup", "the visitor", "entrance-door")
 
 
@@ -75,8 +77,12 @@ def echo(endpoint: str) -> None:
 
 
 def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]]:
-    """Listen to steps and news and return how old what they tell was on arrival [s]."""
-    ages: dict[str, list[float]] = {"waited": [], "stepped": [], "frame": [], "captured": [], "news": [], "news_way": []}
+    """Listen to frames, steps and news and return how old what they tell was on arrival [s]."""
+    ages: dict[str, list[float]] = {name: [] for name in AGES}
+
+    def frame(frame: TrackedFrame) -> None:
+        now = time.monotonic()
+        ages["frame"] += [now - sighting.received_at for sighting in frame.sightings if sighting.body == drone]
 
     def step(step: PilotStep) -> None:
         now = time.monotonic()
@@ -84,7 +90,7 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
         for sighting in step.inputs.sightings:
             if sighting.body == drone:
                 ages["waited"].append(step.now - sighting.received_at)
-                ages["frame"].append(now - sighting.received_at)
+                ages["step"].append(now - sighting.received_at)
                 ages["captured"].append(now - sighting.captured_at)
 
     def news(news: RoomNews) -> None:
@@ -92,7 +98,7 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
         ages["news_way"].append(now - told["at"])
         ages["news"] += [now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone]
 
-    open_ = [bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
+    open_ = [bus.subscribe(FRAME, frame), bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
     time.sleep(WARM_UP)
     for values in ages.values():
         values.clear()

@@ -18,8 +18,9 @@ import psutil
 from _run import Running, bench_site, percentile, running, table
 from housefly.app.runtime import meeting_place
 from housefly.asking.meeting_place import announced
+from housefly.bus.room_answers import SensorsAnswer
 from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Sensors, SensorsAnswer
+from housefly.bus.room_questions import Sensors
 from housefly.bus.topics import HUB_QUERY
 from housefly.config import Site, changed
 from housefly.messages import LinkStatus, OrderKind, Phase
@@ -143,9 +144,10 @@ def asking(found: Hover) -> str:
 def travelling(ages: dict[str, list[float]]) -> str:
     """Return how fast a frame reaches whoever listens."""
     named = (
+        ("frame reached the pilot -> FRAME in another process", "frame", "p99 3"),
         ("pilot steps -> STEP in another process", "stepped", ""),
         ("frame reached the pilot -> the pilot's next tick (100 Hz)", "waited", ""),
-        ("frame reached the pilot -> STEP in another process", "frame", "p99 3"),
+        ("frame reached the pilot -> STEP in another process", "step", ""),
         ("frame captured -> STEP in another process", "captured", ""),
         ("hub tells -> ROOM_NEWS in another process", "news_way", ""),
         ("frame captured -> ROOM_NEWS in another process (told 5 times a second)", "news", ""),
@@ -177,7 +179,7 @@ def main() -> None:
     print(asking(with_hub))
     print()
     print(travelling(with_hub.ages))
-    print("\nThe pilot steps on its own clock: a frame waits for the next tick, 5 ms on average, before anybody hears of it.")
+    print("\nThe pilot steps on its own clock: a frame waits for the next tick, 5 ms on average, before anybody hears of a step.")
     print(f"\nTwo runs of {HOVER_S:.0f} s hovering, nobody asking:\n")
     print(punctuality(with_hub, without))
     own, whole = with_hub.memory["hub"]

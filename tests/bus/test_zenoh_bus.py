@@ -17,7 +17,7 @@ import pytest
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.errors import LinkError
+from housefly.errors import LinkError, WireError
 from housefly.messages import Action, Command, Inputs, LinkStatus, Order, OrderKind, Outputs, PilotStep, VideoFrame
 
 pytestmark = pytest.mark.wire
@@ -194,6 +194,17 @@ def test_a_slow_handler_skips_messages_and_delays_nobody_else(endpoint: str) -> 
         gate.set()
         until(lambda: slow[-1].at == 99.0)
         assert len(slow) <= 4
+
+
+def test_what_nobody_hears_is_not_even_encoded(endpoint: str) -> None:
+    broken = LinkStatus("no time")  # type: ignore[arg-type]
+    with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
+        bus.publish(LINK, broken)
+        heard: list[LinkStatus] = []
+        other.subscribe(LINK, heard.append)
+        until(lambda: (bus.publish(LINK, LinkStatus(1.0)), heard)[1])
+        with pytest.raises(WireError, match="cannot be encoded"):
+            bus.publish(LINK, broken)
 
 
 def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str) -> None:

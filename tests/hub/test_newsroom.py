@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from housefly.bus.room_questions import Holding
+from housefly.bus.room_answers import Holding
 from housefly.hub.newsroom import MOST_EVENTS, Newsroom
 from housefly.messages import Happening
 

@@ -14,7 +14,7 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.room_questions import Hindrance, Holding
+from housefly.bus.room_answers import Hindrance, Holding
 from housefly.config import Site
 from housefly.config_hub import HubConfig
 from housefly.geometry import Vec3

@@ -1,6 +1,7 @@
 """The pilot's shell: wires on both sides of the pure step, and a clock.
 
     tracker ──sightings──►            ──command──► drone
+       └─────frames──────────────────────────────► bus
                           pilot.step
     orders, STOP ────────►            ──step─────► bus (whoever listens)
     obstacles ───────────►
@@ -20,7 +21,7 @@ from housefly.app.premises import Premises
 from housefly.app.questions import Questions
 from housefly.behavior.maneuver import Maneuver
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK, OBSTACLE, ORDER, STEP, VIDEO
+from housefly.bus.topics import FRAME, LINK, OBSTACLE, ORDER, STEP, VIDEO
 from housefly.clock import Rate, RealClock
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError
@@ -34,6 +35,7 @@ from housefly.messages import (
     OrderKind,
     PilotStep,
     Sighting,
+    TrackedFrame,
     VideoFrame,
 )
 from housefly.pilot import Pilot
@@ -134,6 +136,7 @@ class PilotShell:
         for sighting in sightings:
             if sighting.body == self._body:
                 self._tracking.add(sighting.received_at)
+        self._bus.publish(FRAME, TrackedFrame(sightings))
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)

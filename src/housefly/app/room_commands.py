@@ -16,7 +16,8 @@ from housefly.app.moments import ALLOWED, moment
 from housefly.errors import LinkError
 
 if TYPE_CHECKING:
-    from housefly.bus.room_questions import News, Occurrence, Question, SensorAnswer
+    from housefly.bus.room_answers import News, Occurrence, SensorAnswer
+    from housefly.bus.room_questions import Question
 
 console = Console(highlight=False)
 INNER = ("noticed_at", "sigma", "lasted")

@@ -26,30 +26,22 @@ from pydantic import TypeAdapter, ValidationError
 from websockets.exceptions import WebSocketException
 from websockets.sync.client import connect as connect_socket
 
-from housefly.bus.room_json import answer_from_json
-from housefly.bus.room_questions import (
-    Catalogue,
-    Contents,
-    Events,
+from housefly.bus.room_answers import (
     EventsAnswer,
-    Near,
     News,
     Occurrence,
-    Picture,
     PictureAnswer,
     Placed,
     PlacedAnswer,
-    Question,
     SensorAnswer,
-    Sensors,
     SensorsAnswer,
     ThingAnswer,
     ThingsAnswer,
-    Trajectory,
     TrajectoryAnswer,
-    Where,
     WhereAnswer,
 )
+from housefly.bus.room_json import answer_from_json
+from housefly.bus.room_questions import Catalogue, Contents, Events, Near, Picture, Question, Sensors, Trajectory, Where
 from housefly.errors import LinkError, WireError
 from housefly.geometry import Vec3
 

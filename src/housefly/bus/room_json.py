@@ -8,7 +8,8 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import Field, TypeAdapter, ValidationError
 
-from housefly.bus.room_questions import ANSWERS, Answer, Question
+from housefly.bus.room_answers import ANSWERS, Answer
+from housefly.bus.room_questions import Question
 from housefly.errors import HouseflyError, ThingError, WireError
 
 Told = TypeVar("Told")

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, VideoFrame
+from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, TrackedFrame, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -38,6 +38,7 @@ class Topic(Generic[Message]):
     depth: int = 1
 
 
+FRAME: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
 STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=100)
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
@@ -46,7 +47,7 @@ ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth
 OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 DEPTH: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
 
-TOPICS = (STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH)
+TOPICS = (FRAME, STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""

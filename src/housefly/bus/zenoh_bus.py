@@ -89,11 +89,13 @@ class ZenohBus:
     def publish(self, topic: Topic[Message], message: Message) -> None:
         """Send one message; does nothing after ``close``.
 
-        A LATEST topic drops what the network cannot take at once. An EVERY topic waits for room, at most five seconds.
+        A LATEST topic drops what the network cannot take at once, and costs next to nothing while nobody listens. An EVERY
+        topic waits for room, at most five seconds.
         """
-        data = encode(message)
         try:
-            self._publisher(topic).put(data)
+            publisher = self._publisher(topic)
+            if topic.delivery is Delivery.EVERY or publisher.matching_status.matching:
+                publisher.put(encode(message))
         except zenoh.ZError as error:
             if not self._session.is_closed():
                 raise LinkError(f"cannot publish {topic.key}: {_words(error)}") from error

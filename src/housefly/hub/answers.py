@@ -6,29 +6,21 @@ from collections.abc import Callable, Iterable
 from math import sqrt
 from typing import Any
 
-from housefly.bus.room_questions import (
+from housefly.bus.room_answers import (
     Answer,
-    Catalogue,
-    Contents,
-    Events,
     EventsAnswer,
-    Near,
     Occurrence,
-    Picture,
     PictureAnswer,
     Placed,
     PlacedAnswer,
-    Question,
     Said,
-    Sensors,
     ThingAnswer,
     ThingsAnswer,
-    Trajectory,
     TrajectoryAnswer,
     View,
-    Where,
     WhereAnswer,
 )
+from housefly.bus.room_questions import Catalogue, Contents, Events, Near, Picture, Question, Sensors, Trajectory, Where
 from housefly.errors import ThingError
 from housefly.geometry import yaw_of
 from housefly.hub.memory import RoomMemory

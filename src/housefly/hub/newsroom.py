@@ -7,7 +7,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import asdict
 
-from housefly.bus.room_questions import News, Occurrence, Placed
+from housefly.bus.room_answers import News, Occurrence, Placed
 from housefly.hub.answers import occurrence, placed
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present

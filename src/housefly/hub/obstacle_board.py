@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from math import hypot
 
-from housefly.bus.room_questions import Hindrance
+from housefly.bus.room_answers import Hindrance
 from housefly.clock import Clock
 from housefly.hub.present import Present
 from housefly.messages import Obstacle

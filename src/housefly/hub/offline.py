@@ -7,7 +7,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from housefly.bus.room_questions import Answer, Question
+from housefly.bus.room_answers import Answer
+from housefly.bus.room_questions import Question
 from housefly.config import Site
 from housefly.hub.answers import Answers
 from housefly.hub.memory import RoomMemory

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Iterable
 from math import isfinite
 
-from housefly.bus.room_questions import Hindrance, Holding, SensorAnswer, SensorsAnswer
+from housefly.bus.room_answers import Hindrance, Holding, SensorAnswer, SensorsAnswer
 from housefly.sensors.contracts import SensorHealth
 
 Health = Callable[[], tuple[SensorHealth, ...]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterable
 
-from housefly.bus.room_questions import Holding
+from housefly.bus.room_answers import Holding
 from housefly.config import Site
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present

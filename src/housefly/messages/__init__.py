@@ -26,6 +26,7 @@ from housefly.messages.sensing import (
     Pose,
     Sighting,
     Telemetry,
+    TrackedFrame,
     VideoFrame,
 )
 from housefly.messages.steering import (
@@ -74,5 +75,6 @@ __all__ = [
     "Severity",
     "Sighting",
     "Telemetry",
+    "TrackedFrame",
     "VideoFrame",
 ]

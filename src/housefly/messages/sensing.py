@@ -38,6 +38,13 @@ class Sighting:
     received_at: float
 
 
+@dataclass(frozen=True, slots=True)
+class TrackedFrame:
+    """What one frame of the tracking system showed, told as soon as it is heard."""
+
+    sightings: tuple[Sighting, ...]
+
+
 class DroneStatus(Enum):
     """What the drone says it is doing."""
 

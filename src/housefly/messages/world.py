@@ -67,6 +67,6 @@ class Happening:
 
 @dataclass(frozen=True, slots=True)
 class RoomNews:
-    """What changed in the room since the last news, as JSON text (see ``bus.room_questions.News``)."""
+    """What changed in the room since the last news, as JSON text (see ``bus.room_answers.News``)."""
 
     text: str

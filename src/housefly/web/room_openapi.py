@@ -7,7 +7,8 @@ from typing import Any, Protocol
 
 from pydantic import TypeAdapter
 
-from housefly.bus.room_questions import ANSWERS, Question
+from housefly.bus.room_answers import ANSWERS
+from housefly.bus.room_questions import Question
 
 VERSION = "1.0"
 REFERENCE = "#/components/schemas/{model}"

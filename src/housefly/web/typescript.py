@@ -8,7 +8,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from housefly.bus import room_questions
+from housefly.bus import room_answers
 from housefly.web import coverage_layer, edit_desk, vocabulary
 
 WIRE = Path(__file__).parent / "client" / "src" / "wire"
@@ -32,10 +32,10 @@ def typescript() -> str:
 def room_typescript() -> str:
     """Return the TypeScript text of the answers of the room's API and of its news."""
     unions = {
-        "RoomAnswer": room_questions.Answer | coverage_layer.CoverageView | edit_desk.EditsView,
-        "RoomNews": room_questions.News,
+        "RoomAnswer": room_answers.Answer | coverage_layer.CoverageView | edit_desk.EditsView,
+        "RoomNews": room_answers.News,
     }
-    return _text("housefly/bus/room_questions.py", unions)
+    return _text("housefly/bus/room_answers.py", unions)
 
 
 def _text(source: str, unions: dict[str, Any]) -> str:

@@ -1,4 +1,4 @@
-// Generated from housefly/bus/room_questions.py by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/bus/room_answers.py by `python -m housefly.web.typescript`. Do not edit.
 
 export interface Said {
   source: string;
