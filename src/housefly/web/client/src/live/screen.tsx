@@ -11,7 +11,7 @@ import { listen, toggleCoverage } from "./line";
 import { Sensors } from "./sensors";
 import { at, nameOf, obstacles, showsCoverage, situations, trouble } from "./store";
 import { ObstacleLayer, placeless, ThingsLayer } from "./things";
-import { percent } from "./words";
+import { isWorry, percent, worthSaying } from "./words";
 
 /** The room: where everything is, how we know, and how it was before. */
 export function RoomScreen() {
@@ -87,10 +87,11 @@ function Holds() {
   if (at.value !== null || (situations.value.length === 0 && obstacles.value.length === 0)) return null;
   return (
     <ul class="holds" aria-label="What holds now">
-      {situations.value.map((one) => (
-        <li key={`${one.kind} ${one.thing}`}>
+      {worthSaying(situations.value).map((one) => (
+        <li key={`${one.kind} ${one.thing}`} class={isWorry(one.kind) ? "worry" : "plain"}>
           <strong>
-            △ {nameOf(one.thing)}: {one.kind}
+            {isWorry(one.kind) && "△ "}
+            {nameOf(one.thing)}: {one.kind.replace(/^person /, "")}
           </strong>
           <span class="quiet">
             {percent(one.confidence)} sure{one.evidence && `; ${one.evidence}`}

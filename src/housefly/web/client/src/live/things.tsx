@@ -1,18 +1,16 @@
-import { found, moment, obstacles, shown, situations, at, type Seen } from "./store";
+import { at, found, obstacles, shown, type Seen } from "./store";
 import type { Hindrance } from "../wire/room-messages";
 import type { Projection } from "../map/projection";
 import { find } from "./line";
-import { ago, kindOf, percent } from "./words";
+import { LINE, MOVES, personRadius, wordsOf, type Words } from "./thing-labels";
+import { kindOf, percent } from "./words";
 
-const MOVES = ["person", "robot", "object"];
 const FADES: [number, number][] = [
   [2, 1],
   [30, 0.8],
   [300, 0.6],
 ];
 const FAINTEST = 0.45;
-const WORTH_SAYING = 10;
-const LINE = 13;
 
 /** What moves, where it is; what is in something, beside it; faded by age, with the age in words. */
 export function ThingsLayer({ to }: { to: Projection }) {
@@ -21,11 +19,12 @@ export function ThingsLayer({ to }: { to: Projection }) {
   const inside = new Map<string, Seen[]>();
   for (const one of all) if (byId.has(one.inside)) inside.set(one.inside, [...(inside.get(one.inside) ?? []), one]);
   const drawn = all.filter((one) => one.position && (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)));
+  const words = wordsOf(drawn, inside, to);
   return (
     <g class="things">
       <Rings to={to} byId={byId} />
       {drawn.map((one) => (
-        <Mark key={one.thing} to={to} thing={one} contents={inside.get(one.thing) ?? []} />
+        <Mark key={one.thing} to={to} thing={one} words={words.get(one.thing)!} />
       ))}
     </g>
   );
@@ -49,16 +48,14 @@ function Rings({ to, byId }: { to: Projection; byId: Map<string, Seen> }) {
 interface MarkProps {
   to: Projection;
   thing: Seen;
-  contents: Seen[];
+  words: Words;
 }
 
-function Mark({ to, thing, contents }: MarkProps) {
+function Mark({ to, thing, words }: MarkProps) {
   const kind = kindOf(thing);
   const [x, y] = thing.position!;
   const [u, v] = to.at([x, y]);
-  const age = thing.seenAt === null ? null : Math.max(0, moment.value - thing.seenAt);
-  const below = kind === "person" ? personRadius(to.scale) + LINE : 24;
-  const lines = linesOf(thing, kind, age, contents);
+  const { lines, age } = words;
   const press = (event: Event): void => {
     event.stopPropagation();
     void find(thing.name);
@@ -70,7 +67,7 @@ function Mark({ to, thing, contents }: MarkProps) {
       data-thing={thing.thing}
       role="button"
       tabindex={0}
-      aria-label={lines.map((line) => line.text).join(", ")}
+      aria-label={words.said}
       style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: MOVES.includes(kind) ? fade(age) : 1 }}
       onClick={press}
       onKeyDown={(event) => event.key === "Enter" && press(event)}
@@ -78,16 +75,12 @@ function Mark({ to, thing, contents }: MarkProps) {
       <circle class="reach" r="16" />
       <Shape kind={kind} yaw={thing.yaw} scale={to.scale} />
       {lines.map((line, k) => (
-        <text key={k} class={line.kind} y={below + k * LINE}>
+        <text key={k} class={line.kind} x={words.x} y={words.y + k * LINE}>
           {line.text}
         </text>
       ))}
     </g>
   );
-}
-
-function personRadius(scale: number): number {
-  return Math.max(9, 0.24 * scale);
 }
 
 function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: number }) {
@@ -109,22 +102,6 @@ function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: 
     );
   }
   return kind === "object" ? <path class="object" d="M0 -7L7 0L0 7L-7 0z" /> : <rect class="holder" x="-6" y="-6" width="12" height="12" rx="2" />;
-}
-
-interface Line {
-  kind: "name" | "age" | "content" | "situation";
-  text: string;
-}
-
-function linesOf(thing: Seen, kind: string, age: number | null, contents: Seen[]): Line[] {
-  const lines: Line[] = [{ kind: "name", text: thing.name }];
-  for (const held of at.value === null ? situations.value : []) {
-    if (held.thing === thing.thing) lines.push({ kind: "situation", text: `△ ${held.kind}, ${percent(held.confidence)}` });
-  }
-  if (contents.length) lines.push({ kind: "content", text: `${kind === "person" ? "has" : "in it:"} ${contents.map((one) => one.name).join(", ")}` });
-  if (age === null && MOVES.includes(kind)) lines.push({ kind: "age", text: "never seen" });
-  if (age !== null && age > WORTH_SAYING && MOVES.includes(kind)) lines.push({ kind: "age", text: ago(age) });
-  return lines;
 }
 
 function fade(age: number | null): number {

@@ -1,5 +1,5 @@
 // Times and ages as people say them, and what sort of thing something is.
-import type { Occurrence } from "../wire/room-messages";
+import type { Holding, Occurrence } from "../wire/room-messages";
 import { nameOf, things, type Seen } from "./store";
 
 const NOW = 2;
@@ -37,3 +37,14 @@ export function happened(event: Occurrence): string {
 }
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;
+
+const WORRIES = ["open too long", "missing", "at the entrance"];
+
+/** Whether somebody should look; that a person walks about is no worry. */
+export const isWorry = (kind: string): boolean => WORRIES.some((words) => kind.endsWith(words));
+
+/** Worries first; that a person is there goes without saying where more is known of them. */
+export function worthSaying(held: Holding[]): Holding[] {
+  const known = held.filter((one) => one.kind !== "person present" || !held.some((other) => other !== one && other.thing === one.thing));
+  return [...known].sort((a, b) => Number(isWorry(b.kind)) - Number(isWorry(a.kind)));
+}

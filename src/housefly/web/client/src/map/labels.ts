@@ -9,7 +9,7 @@ export interface Label {
   y: number;
 }
 
-interface Box {
+export interface Box {
   x0: number;
   y0: number;
   x1: number;
@@ -93,11 +93,17 @@ function boxOf(text: string, x: number, y: number): Box {
   return { x0: x - half, y0: y - LINE + 3, x1: x + half, y1: y + 3 };
 }
 
+/** The box [px] of lines under each other, the first at (x, y), each centred on x. */
+export function blockOf(texts: string[], x: number, y: number): Box {
+  const boxes = texts.map((text, line) => boxOf(text, x, y + line * LINE));
+  return around(boxes.flatMap((box): [number, number][] => [[box.x0, box.y0], [box.x1, box.y1]]));
+}
+
 function area(box: Box): number {
   return (box.x1 - box.x0) * (box.y1 - box.y0);
 }
 
-function overlap(box: Box, others: Box[]): number {
+export function overlap(box: Box, others: Box[]): number {
   return others.reduce((sum, other) => {
     const width = Math.min(box.x1, other.x1) - Math.max(box.x0, other.x0);
     const height = Math.min(box.y1, other.y1) - Math.max(box.y0, other.y0);
