@@ -68,7 +68,7 @@ class DeviceWatch:
         return SensorHealth(
             id=self._address.id,
             kind=self._kind.name,
-            title=f"{self._kind.title} {self._address.id}",
+            title=titled(self._kind.title, self._address.id),
             connected=not link_problem and not quiet,
             rate_hz=self._pulse.rate_hz(now),
             age=self._pulse.age(now),
@@ -101,3 +101,8 @@ class DeviceWatch:
     def _note(self, count: str, now: float, text: str) -> None:
         self.counts[count] += 1
         self._complaints[count] = (now, text)
+
+
+def titled(kind: str, device: str) -> str:
+    """Return what people call a device: a lone "cabinet" is not called "Intelligent cabinet cabinet"."""
+    return kind if device in kind.lower().split() else f"{kind} {device}"
