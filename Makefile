@@ -42,7 +42,7 @@ demo: setup
 
 test: setup-dev
 	$(BIN)/python -m pytest -q -n 2 -m 'not wire and not browser'
-	$(BIN)/python -m pytest -q -n 3 -m 'wire or browser'
+	$(BIN)/python -m pytest -q -n 3 --dist worksteal -m 'wire or browser'
 
 test-fast: setup-dev
 	$(BIN)/python -m pytest -q -n 2 -m 'not wire and not browser and not slow'
