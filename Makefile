@@ -41,11 +41,11 @@ demo: setup
 	@$(BIN)/housefly demo
 
 test: setup-dev
-	$(BIN)/python -m pytest -q -n 2 -m 'not wire and not browser'
-	$(BIN)/python -m pytest -q -n 3 --dist worksteal -m 'wire or browser'
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not wire and not browser'
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'wire or browser'
 
 test-fast: setup-dev
-	$(BIN)/python -m pytest -q -n 2 -m 'not wire and not browser and not slow'
+	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not wire and not browser and not slow'
 
 check: setup-dev
 	$(BIN)/ruff format --check src tests benchmarks examples

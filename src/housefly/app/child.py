@@ -10,6 +10,7 @@ import os
 import runpy
 import signal
 import sys
+from contextlib import suppress
 
 PR_SET_PDEATHSIG = 1
 
@@ -17,7 +18,8 @@ PR_SET_PDEATHSIG = 1
 def main() -> None:
     """Yield to the pilot as told, leave when the launcher is gone, and become the module."""
     parent, niceness, module = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
-    os.nice(niceness)
+    with suppress(PermissionError):
+        os.nice(niceness)
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
     if os.getppid() != parent:

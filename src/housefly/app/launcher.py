@@ -1,7 +1,7 @@
 """Starts the processes of one site, restarts those that die, and ends them in the right order: the drone lands first.
 
 pilot   the only one that must be on time; the others run at lower priority
-twin    the simulated drone and cameras; absent with real hardware
+twin    the simulated drone and cameras, urgent too: real ones have processors of their own; absent with real hardware
 hub     the room's memory
 broker  an MQTT broker of the run's own; absent where devices have theirs
 looker  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
@@ -31,7 +31,10 @@ POLL_PERIOD = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One process: its name, the module it runs with its arguments, and how much it yields to others."""
+    """One process: its name, the module it runs with its arguments, and how much it yields to others.
+
+    Less than 0 means that others yield to it; where the system does not allow that, it is as urgent as they are.
+    """
 
     name: str
     module: str
@@ -47,7 +50,7 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     if site.mqtt.broker and site.mqtt.start:
         parts.append(Part("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
-        parts.append(Part("twin", "housefly.twin.process", site_argument))
+        parts.append(Part("twin", "housefly.twin.process", site_argument, niceness=-5))
     if site.hub.enabled:
         parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
     if site.lasers or site.depth_cameras:

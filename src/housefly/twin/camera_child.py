@@ -22,8 +22,8 @@ from housefly.twin.camera_link import Backend, Encoded, Inbox, Kind, Request, Se
 
 CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000
-_NICENESS = 5
-"""Pictures may be late; the twin's physics and the pilot may not."""
+_NICENESS = 10
+"""More than the twin's own: pictures may be late, its physics and the pilot may not."""
 
 
 def serve(link: socket.socket) -> None:

@@ -38,10 +38,10 @@ export function happened(event: Occurrence): string {
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;
 
-const WORRIES = ["open too long", "missing", "at the entrance"];
+const ORDINARY = /^(person (present|walking|standing|sitting|lying)|bed occupied)$/;
 
 /** Whether somebody should look; that a person walks about is no worry. */
-export const isWorry = (kind: string): boolean => WORRIES.some((words) => kind.endsWith(words));
+export const isWorry = (kind: string): boolean => !ORDINARY.test(kind);
 
 /** Worries first; that a person is there goes without saying where more is known of them. */
 export function worthSaying(held: Holding[]): Holding[] {
