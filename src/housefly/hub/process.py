@@ -34,6 +34,7 @@ from housefly.hub.present import Present
 from housefly.hub.situation_desk import SituationDesk
 from housefly.hub.things_of_room import things_of
 from housefly.messages import Happening, PilotStep
+from housefly.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
 from housefly.room.model import Room
 from housefly.sensors.contracts import Sensor
@@ -62,6 +63,7 @@ class Hub:
         self.present = Present(self.memory.writer.report)
         self._answers = Answers(self.memory, self.present, time.time)
         self._obstacles = ObstacleBoard(self.present, RealClock())
+        self._furniture = TrackedFurniture(site.furniture)
         self._situations = SituationDesk(site, room, self.memory, self.present)
         self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
@@ -100,6 +102,8 @@ class Hub:
 
     def _step(self, step: PilotStep) -> None:
         self._pilot.heard(step)
+        for obstacle in self._furniture.step(step.inputs.sightings, step.now):
+            self._obstacles.heard(obstacle)
         unix = time.time() - time.monotonic()
         for item in self._facts.after(step, unix):
             self.memory.take(item)

@@ -1,0 +1,41 @@
+"""The hub's parts together, on a bus inside one process."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from pathlib import Path
+
+import pytest
+
+from housefly.app.premises import read_site
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import STEP
+from housefly.config_furniture import FurnitureConfig
+from housefly.hub.process import Hub
+from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
+
+CHAIR = FurnitureConfig(name="chair", body="chair-3", length=0.5, width=0.5, top=0.9)
+
+
+def step(sequence: int, now: float, *sightings: Sighting) -> PilotStep:
+    return PilotStep(sequence, now, Inputs(sightings), Outputs(Command(Action.IDLE)))
+
+
+async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_around_it(tmp_path: Path) -> None:
+    site = read_site("bsen", furniture=(CHAIR,), hub__store=str(tmp_path / "room.db"))
+    bus = LocalBus()
+    hub = Hub(site, tmp_path, bus.join())
+    running = asyncio.create_task(hub.run())
+    now = time.monotonic()
+    bus.publish(STEP, step(1, now, Sighting("chair-3", Pose((6.0, 3.0, 0.4)), now - 0.01, now)))
+    bus.publish(STEP, step(2, now + 0.01, Sighting("someone", Pose((1.0, 1.0, 0.4)), now, now)))
+    async with asyncio.timeout(10.0):
+        while not hub.present.obstacles():
+            await asyncio.sleep(0.02)
+    (shown,) = hub.present.obstacles()
+    running.cancel()
+    await asyncio.gather(running, return_exceptions=True)
+    hub.close()
+    assert (shown.obstacle, shown.x, shown.y, shown.source) == ("tracking/chair", 6.0, 3.0, "tracking")
+    assert shown.radius == pytest.approx(0.354, abs=0.01)
