@@ -48,6 +48,10 @@ def board(at: float, seed: int = 0) -> DepthImage:
     return DepthImage("depth-1", at, 160, 120, data, 130.0, 130.0, 80.0, 60.0, Pose((5.0, 3.0, 1.1), ALONG_X))
 
 
+def problems(desk: DepthDesk) -> list[str]:
+    return [report.problem for report in desk.reports() if report.problem]
+
+
 def site() -> Site:
     return changed(read_site("bsen"), depth_cameras=CAMERAS)
 
@@ -56,21 +60,23 @@ def test_images_become_obstacles_and_what_is_wrong_is_told_for_a_while() -> None
     bus, clock, heard = LocalBus(), SteppedClock(100.0), list[Obstacle]()
     bus.subscribe(OBSTACLE, heard.append)
     desk = DepthDesk(open_premises(site()), bus, clock)
-    assert desk.problems == ("depth-1: no depth images",)
+    assert problems(desk) == ["depth-1: no depth images"]
     for n in range(5):
         clock.advance(0.1)
         bus.publish(DEPTH, decode(DepthImage, encode(board(clock.now() - 0.02, n))))
-    assert not desk.problems and len(heard) == 3
+    assert not problems(desk) and len(heard) == 3
+    (report,) = desk.reports()
+    assert (report.id, report.connected, report.rate_hz) == ("depth-1", True, pytest.approx(10.0))
     assert hypot(heard[-1].position[0] - 7.0, heard[-1].position[1] - 3.0) < 0.35
     bus.publish(DEPTH, replace(board(clock.now()), source="stranger"))
     bus.publish(DEPTH, board(clock.now() + 3.0))
-    assert sorted(words.split(": ")[1] for words in desk.problems) == [
+    assert sorted(words.split(": ")[1] for words in problems(desk)) == [
         "an image from the future",
         "not a depth camera of this site",
     ]
     assert len(heard) == 3
     clock.advance(max(SILENT, TOLD_FOR) + 0.1)
-    assert desk.problems == ("depth-1: no depth images",)
+    assert problems(desk) == ["depth-1: no depth images"]
     desk.close()
     bus.publish(DEPTH, board(clock.now()))
     assert len(heard) == 3
@@ -97,7 +103,7 @@ def test_a_site_without_depth_cameras_listens_to_none() -> None:
     bus = LocalBus()
     desk = DepthDesk(open_premises(read_site("bsen")), bus, SteppedClock(100.0))
     bus.publish(DEPTH, board(100.0))
-    assert not desk.problems
+    assert desk.reports() == ()
     desk.close()
 
 

@@ -17,7 +17,10 @@ from housefly.app.premises import Premises, open_premises, read_site
 from housefly.app.replaying import verify_recording
 from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import OBSTACLE, STEP
+from housefly.bus.room_answers import SensorAnswer, SensorsAnswer
+from housefly.bus.room_json import answer_from_json, question_to_json
+from housefly.bus.room_questions import Sensors
+from housefly.bus.topics import HUB_QUERY, OBSTACLE, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config import changed
@@ -33,6 +36,12 @@ from housefly.twin.world import SimulatedWorld
 def premises(address: str = "127.0.0.1", **changes: object) -> Premises:
     lasers = [{"name": "laser-1", "address": address, "x": 5.5, "y": 0.85, "z": 1.1, "yaw": 1.2}]
     return open_premises(changed(read_site("bsen"), lasers=lasers, **changes))
+
+
+def scanner_of(bus: ZenohBus) -> SensorAnswer:
+    answer = answer_from_json(Sensors(), bus.ask(HUB_QUERY, question_to_json(Sensors()), timeout=20.0))
+    assert isinstance(answer, SensorsAnswer)
+    return next(sensor for sensor in answer.sensors if sensor.sensor == "laser-1")
 
 
 async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
@@ -75,17 +84,23 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
 
 @pytest.mark.wire
 @pytest.mark.slow
-def test_the_processes_of_a_site_with_a_scanner_tell_the_pilot_of_the_visitor(tmp_path: Path, loopback: str) -> None:
+def test_the_processes_of_a_site_with_a_scanner_tell_the_pilot_of_the_visitor_and_the_hub_how_it_does(
+    tmp_path: Path, loopback: str
+) -> None:
     laser = {"name": "laser-1", "address": loopback, "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
     site = read_site("bsen", drone__address=loopback, tracking__address=loopback, twin__video=False, drone__has_video=False)
-    runtime = new_runtime(changed(site, lasers=[laser]), tmp_path)
+    runtime = new_runtime(changed(site, lasers=[laser], hub__store=str(tmp_path / "room.db")), tmp_path)
     heard: list[Obstacle] = []
     with Launcher(runtime, tmp_path, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
         bus.subscribe(STEP, lambda step: heard.extend(step.inputs.obstacles))
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
             time.sleep(0.05)
+        while not (scanner := scanner_of(bus)).connected and time.monotonic() < deadline:
+            time.sleep(0.2)
     assert len(heard) >= 10
+    assert (scanner.title, scanner.connected, scanner.problem) == ("Laser scanner laser-1", True, "")
+    assert scanner.rate_hz > 2.0
     x, y = premises().room.visitor or (0.0, 0.0)
     assert min(hypot(o.position[0] - x, o.position[1] - y) for o in heard) < 0.3
 

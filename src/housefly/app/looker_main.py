@@ -15,15 +15,16 @@ from housefly.app.lookers import own_of
 from housefly.app.premises import Premises, open_premises
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.bus.bus import Bus
-from housefly.bus.topics import OBSTACLE, STEP
+from housefly.bus.topics import OBSTACLE, SENSOR, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
-from housefly.messages import DroneStatus, Estimate, PilotStep, Scan
+from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport
 from housefly.perception.watcher import Watcher
 from housefly.sensors.laser import LaserClient
+from housefly.sensors.pulse import Pulse
 
 TELL_PERIOD = 1.0
-"""How often changed problems are printed [s]."""
+"""How often the bus is told how the sensors do, and changed problems are printed [s]."""
 
 
 class Looker:
@@ -32,7 +33,8 @@ class Looker:
     def __init__(self, premises: Premises, bus: Bus, clock: Clock) -> None:
         self._site, self._bus, self._clock = premises.site, bus, clock
         self._watcher = Watcher(premises.room, premises.site.lasers)
-        self._clients = tuple(LaserClient(laser, clock) for laser in premises.site.lasers)
+        self._clients = {laser.name: LaserClient(laser, clock) for laser in premises.site.lasers}
+        self._pulses = {name: Pulse() for name in self._clients}
         self._depth = DepthDesk(premises, bus, clock)
         self._estimate: Estimate | None = None
         self._doubts: dict[str, str] = {}
@@ -41,7 +43,7 @@ class Looker:
         """Look until cancelled."""
         steps = self._bus.subscribe(STEP, self._on_step)
         try:
-            await asyncio.gather(*(client.run(self._on_scan) for client in self._clients), self._tell())
+            await asyncio.gather(*(client.run(self._on_scan) for client in self._clients.values()), self._tell())
         finally:
             steps.close()
             self._depth.close()
@@ -54,18 +56,27 @@ class Looker:
 
     def _on_scan(self, scan: Scan) -> None:
         seen = self._watcher.step(scan, self._clock.now(), own_of(self._site, self._estimate))
+        self._pulses[scan.source].beat(scan.received_at)
         self._doubts[scan.source] = seen.problem
         for obstacle in seen.obstacles:
             self._bus.publish(OBSTACLE, obstacle)
 
-    def _problems(self) -> tuple[str, ...]:
-        return (*(client.problem for client in self._clients), *self._doubts.values(), *self._depth.problems)
+    def _reports(self) -> tuple[SensorReport, ...]:
+        return (*(self._laser(name, client) for name, client in self._clients.items()), *self._depth.reports())
+
+    def _laser(self, name: str, client: LaserClient) -> SensorReport:
+        now, pulse = self._clock.now(), self._pulses[name]
+        problem = client.problem or self._doubts.get(name, "")
+        return SensorReport(name, "laser scanner", client.connected, pulse.rate_hz(now), pulse.age(now), problem)
 
     async def _tell(self) -> None:
         told: tuple[str, ...] = ()
         while True:
             await asyncio.sleep(TELL_PERIOD)
-            problems = tuple(p for p in self._problems() if p)
+            reports = self._reports()
+            for report in reports:
+                self._bus.publish(SENSOR, report)
+            problems = tuple(report.problem for report in reports if report.problem)
             if problems != told:
                 print(f"looker: {'; '.join(problems) or 'everything that looks is heard'}", flush=True)
                 told = problems

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, TrackedFrame, VideoFrame
+from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, SensorReport, TrackedFrame, VideoFrame
 
 Message = TypeVar("Message")
 
@@ -46,8 +46,9 @@ ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
 ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
 OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
 DEPTH: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
+SENSOR: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 
-TOPICS = (FRAME, STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH)
+TOPICS = (FRAME, STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH, SENSOR)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from housefly.bus.bus import Bus
 from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
-from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, STEP
+from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, SENSOR, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config import Site, load_site
@@ -31,6 +31,7 @@ from housefly.hub.newsroom import PERIOD, Newsroom
 from housefly.hub.obstacle_board import ObstacleBoard
 from housefly.hub.pilot_health import PilotHealth
 from housefly.hub.present import Present
+from housefly.hub.sensor_board import SensorBoard
 from housefly.hub.situation_desk import SituationDesk
 from housefly.hub.things_of_room import things_of
 from housefly.messages import Happening, PilotStep
@@ -68,13 +69,15 @@ class Hub:
         self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
         self._facts = FlightFacts(site.tracking.body, site.tracking.kind)
-        for watched in (self._pilot, *self._sensors):
+        self._others = SensorBoard(site, RealClock())
+        for watched in (self._pilot, *self._sensors, self._others):
             self.present.watch(watched.health)
         self._newsroom = Newsroom(self.memory, self.present, time.time)
         self._bus = bus
         self._subscriptions = (
             bus.subscribe(STEP, self._step),
             bus.subscribe(OBSTACLE, self._obstacles.heard),
+            bus.subscribe(SENSOR, self._others.heard),
             bus.answer(HUB_QUERY, self._answer),
         )
 

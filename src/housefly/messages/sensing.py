@@ -45,6 +45,27 @@ class TrackedFrame:
     sightings: tuple[Sighting, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class SensorReport:
+    """How one sensor does, told by the process that listens to it.
+
+    Attributes:
+        id: of the sensor, as the site file calls it.
+        kind: what it is, in a word or two.
+        connected: whether it is there and speaks as often as it should.
+        rate_hz: what is heard of it lately [Hz].
+        age: time since it was last heard [s]; infinite when never.
+        problem: what is wrong, in words, or "".
+    """
+
+    id: str
+    kind: str
+    connected: bool
+    rate_hz: float
+    age: float
+    problem: str
+
+
 class DroneStatus(Enum):
     """What the drone says it is doing."""
 
