@@ -38,10 +38,10 @@ def premises(address: str = "127.0.0.1", **changes: object) -> Premises:
     return open_premises(changed(read_site("bsen"), lasers=lasers, **changes))
 
 
-def scanner_of(bus: ZenohBus) -> SensorAnswer:
+def eye_of(bus: ZenohBus) -> SensorAnswer:
     answer = answer_from_json(Sensors(), bus.ask(HUB_QUERY, question_to_json(Sensors()), timeout=20.0))
     assert isinstance(answer, SensorsAnswer)
-    return next(sensor for sensor in answer.sensors if sensor.sensor == "laser-1")
+    return next(sensor for sensor in answer.sensors if sensor.sensor == "eye")
 
 
 async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
@@ -82,25 +82,34 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
         await feed.stop()
 
 
+LASER = {"name": "eye", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
+DEPTH_CAMERA = {"name": "eye", "x": 4.0, "y": 4.2, "z": 1.1, "yaw": 3.14}
+
+
 @pytest.mark.wire
 @pytest.mark.slow
-def test_the_processes_of_a_site_with_a_scanner_tell_the_pilot_of_the_visitor_and_the_hub_how_it_does(
-    tmp_path: Path, loopback: str
+@pytest.mark.parametrize(
+    ("sensors", "title"),
+    [({"lasers": [LASER]}, "Laser scanner eye"), ({"depth_cameras": [DEPTH_CAMERA]}, "Depth camera eye")],
+    ids=["scanner", "depth camera"],
+)
+def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_the_sensor_does(
+    tmp_path: Path, loopback: str, sensors: dict[str, list[dict[str, object]]], title: str
 ) -> None:
-    laser = {"name": "laser-1", "address": loopback, "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
+    served = {kind: [{**one, "address": loopback} if kind == "lasers" else one for one in some] for kind, some in sensors.items()}
     site = read_site("bsen", drone__address=loopback, tracking__address=loopback, twin__video=False, drone__has_video=False)
-    runtime = new_runtime(changed(site, lasers=[laser], hub__store=str(tmp_path / "room.db")), tmp_path)
+    runtime = new_runtime(changed(site, hub__store=str(tmp_path / "room.db"), **served), tmp_path)
     heard: list[Obstacle] = []
     with Launcher(runtime, tmp_path, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
         bus.subscribe(STEP, lambda step: heard.extend(step.inputs.obstacles))
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
             time.sleep(0.05)
-        while not (scanner := scanner_of(bus)).connected and time.monotonic() < deadline:
+        while not (eye := eye_of(bus)).connected and time.monotonic() < deadline:
             time.sleep(0.2)
     assert len(heard) >= 10
-    assert (scanner.title, scanner.connected, scanner.problem) == ("Laser scanner laser-1", True, "")
-    assert scanner.rate_hz > 2.0
+    assert (eye.title, eye.connected, eye.problem) == (title, True, "")
+    assert eye.rate_hz > 2.0
     x, y = premises().room.visitor or (0.0, 0.0)
     assert min(hypot(o.position[0] - x, o.position[1] - y) for o in heard) < 0.3
 

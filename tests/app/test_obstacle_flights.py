@@ -22,6 +22,8 @@ LASERS = (
     {"name": "laser-1", "x": 5.5, "y": 0.85, "z": 1.1, "yaw": 1.2},
     {"name": "laser-2", "address": "127.0.0.2", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6},
 )
+DEPTH_CAMERA = {"name": "depth-1", "x": 10.5, "y": 1.25, "z": 1.6, "yaw": 2.75}
+"""Looks along the way to the entrance, from above the pad."""
 HULL = half_diagonal(0.517, 0.451)
 SERVICE = Order(OrderKind.SERVICE, "entrance", look_s=1.0)
 
@@ -65,8 +67,9 @@ Fly = Callable[..., Story]
 
 @pytest.fixture
 def fly() -> Fly:
-    def make(story: Story, seeing: bool = True, give_up_after: float = 120.0) -> Story:
-        site = changed(read_site("bsen"), lasers=list(LASERS) if seeing else [], twin__visitor_present=False)
+    def make(story: Story, seeing: bool = True, give_up_after: float = 120.0, **sensors: object) -> Story:
+        sensors = sensors or {"lasers": list(LASERS) if seeing else []}
+        site = changed(read_site("bsen"), **sensors, twin__visitor_present=False)
         chair = Movable("chair", story.radius)
 
         def on_step(step: PilotStep) -> None:
@@ -87,6 +90,14 @@ def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(
     assert story.closest > HULL and story.contacts == 0
     seen = min(story.told("way_blocked"), story.told("detour")) if ahead < 1.5 else story.told("detour")
     assert seen - story.put_at < 0.2
+
+
+@pytest.mark.slow
+def test_a_chair_that_only_a_depth_camera_sees_is_avoided_too(fly: Fly) -> None:
+    story = fly(Story(2.0), depth_cameras=[DEPTH_CAMERA])
+    assert story.outcome == "completed"
+    assert story.closest > HULL and story.contacts == 0
+    assert story.told("detour") - story.put_at < 0.6
 
 
 @pytest.mark.slow

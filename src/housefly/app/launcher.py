@@ -50,7 +50,8 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     if site.mqtt.broker and site.mqtt.start:
         parts.append(Part("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
-        parts.append(Part("twin", "housefly.twin.process", site_argument, niceness=-5))
+        twin_arguments = (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
+        parts.append(Part("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
     if site.lasers or site.depth_cameras:

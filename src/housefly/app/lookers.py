@@ -1,4 +1,4 @@
-"""The scanners of a site and what is made of their scans, on a stepped clock: the same perception, the wires cut out."""
+"""The scanners and depth cameras of a site and what is made of what they see, on a stepped clock, the wires cut out."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections import deque
 from housefly.app.premises import Premises
 from housefly.config import Site
 from housefly.messages import Estimate, Obstacle, Scan
+from housefly.perception.depth_watcher import DepthWatcher
 from housefly.perception.watcher import Own, Watcher
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
@@ -18,12 +19,16 @@ OWN_SPARE = 0.25
 
 
 class LockstepLookers:
-    """Takes a scan of each scanner whenever one is due, and hands it to perception after its latency."""
+    """Takes a scan or an image whenever one is due, and hands scans to perception after their latency, images at once."""
 
     def __init__(self, premises: Premises, world: SimulatedWorld) -> None:
         self._site, self._world = premises.site, world
         self._watcher = Watcher(premises.room, premises.site.lasers)
-        self._due = {laser.name: 0.0 for laser in premises.site.lasers}
+        site = premises.site
+        height, half = site.map.flight_height, site.map.half_band
+        self._depth = DepthWatcher(premises.room, site.depth_cameras, (height - half, height + half))
+        self._due = {laser.name: 0.0 for laser in site.lasers}
+        self._image_due = {camera.name: 0.0 for camera in site.depth_cameras}
         self._under_way: deque[Scan] = deque()
 
     def look(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
@@ -37,6 +42,12 @@ class LockstepLookers:
         while self._under_way and self._under_way[0].received_at <= now:
             seen = self._watcher.step(self._under_way.popleft(), now, own_of(self._site, estimate))
             obstacles.extend(seen.obstacles)
+        for camera in self._site.depth_cameras:
+            if now >= self._image_due[camera.name]:
+                self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
+                obstacles.extend(
+                    self._depth.step(self._world.depth_image(camera.name, now), now, own_of(self._site, estimate)).obstacles
+                )
         return tuple(obstacles)
 
 

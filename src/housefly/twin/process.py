@@ -13,6 +13,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from housefly.bus.bus import Bus
+from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Rate, RealClock
 from housefly.config import Site, load_site
 from housefly.errors import HouseflyError
@@ -21,6 +23,7 @@ from housefly.room.model import Room
 from housefly.twin.address import check_address
 from housefly.twin.ardrone_server import ArDroneServer
 from housefly.twin.camera import CameraProcess
+from housefly.twin.depth_feed import DepthFeed
 from housefly.twin.device_link import DeviceLink
 from housefly.twin.devices import Devices
 from housefly.twin.laser_feed import LaserFeed
@@ -38,12 +41,15 @@ class Twin:
         room: what the drone flies in.
         beyond_loopback: allow addresses that other machines can reach.
         scene: the people and things that move; its devices speak when the site names a broker.
+        bus: where the site's depth cameras send their images; None sends none.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
     """
 
-    def __init__(self, site: Site, room: Room, beyond_loopback: bool = False, scene: Scene | None = None) -> None:
+    def __init__(
+        self, site: Site, room: Room, beyond_loopback: bool = False, scene: Scene | None = None, bus: Bus | None = None
+    ) -> None:
         check_address("tracking.address", site.tracking.address, beyond_loopback)
         if scene is not None and site.mqtt.broker:
             check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
@@ -53,6 +59,7 @@ class Twin:
         self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
         self._tracking = tracking_servers(site)
         self._lasers = LaserFeed(site, self._world, beyond_loopback)
+        self._depth = DepthFeed(site, self._world, bus, RealClock()) if bus else None
         self._camera = CameraProcess(site, room, scene.script.people if scene else ()) if site.twin.video else None
         self._camera_state = (0, "")
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
@@ -98,7 +105,8 @@ class Twin:
         video = "on" if self._camera is not None else "off"
         scanners = "".join(f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers)
         places = ", ".join(f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires)
-        return f"twin ready: drone at {drone.address}, tracking at {places}, video {video}{scanners}"
+        depth = "".join(f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth)
+        return f"twin ready: drone at {drone.address}, tracking at {places}, video {video}{scanners}{depth}"
 
     def _device_link(self, scene: Scene) -> DeviceLink:
         return DeviceLink(
@@ -113,6 +121,8 @@ class Twin:
             for server in self._tracking:
                 server.publish(frame)
         self._lasers.publish()
+        if self._depth is not None:
+            self._depth.publish()
 
     async def _film(self, camera: CameraProcess) -> None:
         rate = Rate(self._site.twin.video_rate_hz)
@@ -134,14 +144,16 @@ class Twin:
         self._camera_state = state
 
 
-async def run_twin(site: Site, room: Room, *, beyond_loopback: bool = False, scene: Scene | None = None) -> None:
+async def run_twin(
+    site: Site, room: Room, *, beyond_loopback: bool = False, scene: Scene | None = None, bus: Bus | None = None
+) -> None:
     """Serve the simulated room until SIGTERM, SIGINT or cancellation.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
         LinkError: a port that cannot be had.
     """
-    twin = Twin(site, room, beyond_loopback, scene)
+    twin = Twin(site, room, beyond_loopback, scene, bus)
     serving = asyncio.create_task(twin.run())
     loop = asyncio.get_running_loop()
     loop.add_signal_handler(signal.SIGUSR1, twin.toggle_visitor)
@@ -159,12 +171,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--beyond-loopback", action="store_true", help="serve other machines too; nothing on these ports is secured"
     )
+    parser.add_argument("--bus", default="", help="zenoh endpoint that depth images are sent to, for example tcp/127.0.0.1:7447")
     options = parser.parse_args(argv)
     try:
         site = load_site(options.site)
         room = load_room(site.room.model, options.site.parent)
         scene = load_scene(site.twin.scene, options.site.parent) if site.twin.scene else None
-        asyncio.run(run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene))
+        with ZenohBus(connect=options.bus) if options.bus else contextlib.nullcontext() as bus:
+            asyncio.run(run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene, bus=bus))
     except HouseflyError as error:
         print(f"twin: {error}", file=sys.stderr)
         return 1

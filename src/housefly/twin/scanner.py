@@ -45,12 +45,12 @@ class Scanner:
         parameters, beams = self._parameters, self._parameters.beams
         model, data = self._physics.model, self._physics.data
         far = parameters.longest / 1000.0
-        mujoco.mj_multiRay(model, data, self._origin, self._rays, _VISIBLE, 1, -1, self._geoms, self._reached, None, beams, far)
+        mujoco.mj_multiRay(model, data, self._origin, self._rays, VISIBLE, 1, -1, self._geoms, self._reached, None, beams, far)
         measured = 1000.0 * (self._reached + self._noise * self._random.standard_normal(beams))
         lost = self._random.random(beams) < self._dropout
         nothing = lost | (self._reached < 0.0) | (measured < parameters.shortest) | (measured > parameters.longest)
         return tuple(np.where(nothing, self._no_echo, np.rint(measured)).astype(int).tolist())
 
 
-_VISIBLE = np.array([1, 0, 1, 1, 0, 0], np.uint8)
+VISIBLE = np.array([1, 0, 1, 1, 0, 0], np.uint8)
 """Geom groups that stop a beam: all but lamps, painted shadows and markers."""

@@ -13,11 +13,12 @@ import numpy as np
 
 from housefly.config import Site
 from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
-from housefly.messages import Pose
+from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
 from housefly.twin.battery import Battery
 from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
+from housefly.twin.depth_camera import DepthCamera
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
 from housefly.twin.movable import Movable, markers_on
@@ -36,7 +37,7 @@ class SimulatedWorld:
     """Implements ``twin.contracts.World``.
 
     Args:
-        site: drone, tracking, scanners, noise, seed.
+        site: drone, tracking, scanners, depth cameras, noise, seed.
         room: what stands where.
         scene: the people in it; its time is the world's.
         movables: things that no map shows; out of the building until they are put somewhere. Those that are called like the
@@ -57,6 +58,8 @@ class SimulatedWorld:
         self._marked = tuple(movable for movable in movables if movable.name in marked)
         self._visitor = Visitor(self._physics, self._cameras)
         self._scanners = {laser.name: Scanner(laser, site.twin, n, self._physics) for n, laser in enumerate(site.lasers)}
+        seed = site.twin.seed
+        self._depth = {camera.name: DepthCamera(camera, seed, n, self._physics) for n, camera in enumerate(site.depth_cameras)}
         self._orders: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
@@ -126,6 +129,10 @@ class SimulatedWorld:
     def scan(self, laser: str) -> tuple[int, ...]:
         """Return what a scanner of the site measures now, one distance a beam [mm]."""
         return self._scanners[laser].scan()
+
+    def depth_image(self, camera: str, captured_at: float) -> DepthImage:
+        """Return what a depth camera of the site sees now, stamped with a time [s]."""
+        return self._depth[camera].image(captured_at)
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return the frames whose ``due_at`` has come since the last call, oldest first."""
