@@ -16,7 +16,7 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 RESULTS = FOLDER.parent / "docs" / "results.md"
-TIMEOUT_S = 900
+TIMEOUT_S = 2400
 HEAD = """# Results
 
 Every figure here was printed by the command above it. Machines are shared and noisy: trust the ratios inside a section,
