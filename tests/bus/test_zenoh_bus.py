@@ -196,6 +196,25 @@ def test_a_slow_handler_skips_messages_and_delays_nobody_else(endpoint: str) -> 
         assert len(slow) <= 4
 
 
+def test_a_recorder_that_stands_still_for_seconds_misses_no_step(endpoint: str) -> None:
+    heard: list[int] = []
+    gate = threading.Event()
+
+    def slow(heard_of: PilotStep) -> None:
+        heard.append(heard_of.sequence)
+        gate.wait(10.0)
+
+    with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
+        other.subscribe(STEP, slow)
+        until(lambda: (bus.publish(STEP, step(-1)), heard)[1])
+        for number in range(500):
+            bus.publish(STEP, step(number))
+            time.sleep(0.001)
+        gate.set()
+        until(lambda: heard[-1] == 499)
+        assert heard[heard.index(0) :] == list(range(500))
+
+
 def test_what_nobody_hears_is_not_even_encoded(endpoint: str) -> None:
     broken = LinkStatus("no time")  # type: ignore[arg-type]
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:

@@ -39,7 +39,8 @@ class Topic(Generic[Message]):
 
 
 FRAME: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
-STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=100)
+# Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can replay bit for bit.
+STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1000)
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
 ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
