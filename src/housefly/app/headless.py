@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from math import inf
 from pathlib import Path
 
 from housefly.app.launcher import Launcher, parts_of
@@ -22,7 +23,9 @@ from housefly.record.recorder import FlightRecorder
 START_TIMEOUT = 60.0
 """How long pilot, twin and drone may take until everything answers [s]."""
 SETTLE = 5.0
-"""How long the order waits for the first recorded sighting [s]."""
+"""How long the order waits at most for tracking to be steady [s]."""
+STEADY, GAP = 1.0, 0.4
+"""Steady means that tracking saw the drone for so long, never silent for longer than the gap [s]."""
 INTERRUPTED = "interrupted"
 
 
@@ -50,20 +53,45 @@ def fly_over_wires(
         missing = Readiness(site, bus, web=web, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
         if missing:
             raise LinkError(f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}")
-        return _serve(bus, home, order, recorder, on_step, give_up_after)
+        return _serve(bus, site.tracking.body, home, order, recorder, on_step, give_up_after)
+
+
+class Steadiness:
+    """Whether tracking sees a body without gaps: while everything else starts, a busy machine may hold frames back.
+
+    Args:
+        body: of the drone.
+    """
+
+    def __init__(self, body: str) -> None:
+        self._body = body
+        self._since = self._last = -inf
+
+    def after(self, step: PilotStep) -> bool:
+        """Return whether it was seen for ``STEADY`` up to this step."""
+        if any(sighting.body == self._body for sighting in step.inputs.sightings):
+            self._since = step.now if step.now - self._last > GAP else self._since
+            self._last = step.now
+        return step.now - self._last <= GAP and self._last - self._since >= STEADY
 
 
 def _serve(
-    bus: Bus, home: Vec2, order: Order, recorder: FlightRecorder, on_step: Callable[[PilotStep], None], give_up_after: float
+    bus: Bus,
+    body: str,
+    home: Vec2,
+    order: Order,
+    recorder: FlightRecorder,
+    on_step: Callable[[PilotStep], None],
+    give_up_after: float,
 ) -> str:
     clock, seen, done = RealClock(), threading.Event(), threading.Event()
-    watch = ServiceWatch(clock.now(), home, give_up_after)
+    watch, steadiness = ServiceWatch(clock.now(), home, give_up_after), Steadiness(body)
 
     def heard(step: PilotStep) -> None:
         nonlocal watch
         recorder.step(step)
         on_step(step)
-        if step.inputs.sightings:
+        if steadiness.after(step):
             seen.set()
         watch = watch.after(step)
         if watch.outcome:
