@@ -2,10 +2,13 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,12 +28,28 @@ def summary_of(out: Path) -> dict[str, Any]:
     return summary
 
 
-@pytest.mark.timeout(400)
-def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: Path, write_site: Any) -> None:
-    flights = {rate: start(write_site(rate=rate, video=rate == 100), tmp_path / str(rate), "entrance") for rate in (100, 30, 10)}
-    for rate, flight in flights.items():
+def stalled(out: Path) -> float:
+    """Return how long the simulated drone stood still because the machine gave it no processor [s], as the twin says itself."""
+    found = re.findall(r"([0-9.]+) s lost to stalls", (out / "logs" / "twin.log").read_text())
+    return float(found[-1]) if found else 0.0
+
+
+def assert_flown(flight: subprocess.Popen[str], again: Callable[[], subprocess.Popen[str]], out: Path) -> None:
+    """Wait for a flight to succeed; one whose drone stood still for longer than the pilot may accept is flown once more."""
+    output = flight.communicate(timeout=300)[0]
+    if flight.returncode != 0 and stalled(out) > 0.5:
+        flight = again()
         output = flight.communicate(timeout=300)[0]
-        assert flight.returncode == 0, f"{rate} Hz: {output}"
+    assert flight.returncode == 0, output
+
+
+@pytest.mark.timeout(600)
+def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: Path, write_site: Any) -> None:
+    sites = {rate: write_site(rate=rate, video=rate == 100) for rate in (100, 30, 10)}
+    flights = {rate: start(site, tmp_path / str(rate), "entrance") for rate, site in sites.items()}
+    for rate, flight in flights.items():
+        out = tmp_path / str(rate)
+        assert_flown(flight, partial(start, sites[rate], out, "entrance"), out)
         summary = summary_of(tmp_path / str(rate))
         assert summary["outcome"] == "completed"
         assert summary["arrival_error_m"] < 0.3
@@ -42,13 +61,12 @@ def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: 
     assert (frames[0].width, frames[0].height) == (640, 360)
 
 
-@pytest.mark.timeout(150)
+@pytest.mark.timeout(300)
 @pytest.mark.parametrize("tracking", ["natnet", "vrpn"])
 def test_the_drone_flies_by_other_tracking_systems(tmp_path: Path, write_site: Any, tracking: str) -> None:
     out = tmp_path / "out"
-    flight = start(write_site(tracking=tracking), out, "sofa")
-    output = flight.communicate(timeout=140)[0]
-    assert flight.returncode == 0, output
+    site = write_site(tracking=tracking)
+    assert_flown(start(site, out, "sofa"), partial(start, site, out, "sofa"), out)
     summary = summary_of(out)
     assert summary["outcome"] == "completed"
     assert summary["arrival_error_m"] < 0.3
@@ -84,7 +102,6 @@ def test_the_imported_aws_house_flies(tmp_path: Path, write_site: Any, shared_da
     house, out = tmp_path / "house", tmp_path / "out"
     map_file = str(shared_data / "rooms" / "small_house" / "map.yaml")
     subprocess.run([sys.executable, "-m", "housefly.cli", "room", "import", map_file, "--out", str(house)], check=True)
-    flight = start(write_site(model=str(house)), out, "far")
-    output = flight.communicate(timeout=250)[0]
-    assert flight.returncode == 0, output
+    site = write_site(model=str(house))
+    assert_flown(start(site, out, "far"), partial(start, site, out, "far"), out)
     assert summary_of(out)["outcome"] == "completed"
