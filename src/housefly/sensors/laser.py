@@ -11,6 +11,7 @@ from housefly.clock import Clock, RealClock
 from housefly.config_laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
+from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.wires.scip import (
     Ask,
     Measure,
@@ -29,7 +30,6 @@ FRESH = 1.0
 _CONNECT_TIMEOUT = 2.0
 _SILENCE = 3.0
 """A scanner silent for this long [s] is connected to anew: a pulled cable says nothing."""
-_FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
 _BETWEEN = 20
 """Replies to earlier requests that may come before the one waited for."""
 
@@ -69,20 +69,14 @@ class LaserClient:
 
     async def run(self, sink: Sink) -> None:
         """Connect and read for ever; ends only when cancelled."""
-        pause = _FIRST_PAUSE
-        while True:
-            before = self.scans
-            try:
-                await self._session(sink)
-            except WireError as error:
-                self.malformed += 1
-                self._problem = f"what answers at {self._where} does not speak SCIP ({error})"
-            except LinkError as error:
-                self._problem = str(error)
-            if self.scans > before:
-                pause = _FIRST_PAUSE
-            await asyncio.sleep(pause)
-            pause = min(2 * pause, _LONGEST_PAUSE)
+        await reconnect_for_ever(lambda: self._session(sink), lambda: self.scans, self._ended)
+
+    def _ended(self, error: Trouble) -> None:
+        if isinstance(error, WireError):
+            self.malformed += 1
+            self._problem = f"what answers at {self._where} does not speak SCIP ({error})"
+        else:
+            self._problem = str(error)
 
     @property
     def _where(self) -> str:

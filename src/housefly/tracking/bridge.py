@@ -19,6 +19,7 @@ from contextlib import suppress
 from housefly.clock import Clock, RealClock
 from housefly.config import TrackingConfig
 from housefly.errors import LinkError, MissingPartError, WireError
+from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
@@ -27,7 +28,6 @@ FRESH = 1.0
 """``connected`` means a new pose within this time [s]."""
 SILENCE = 5.0
 """A child that says nothing for this long [s] is ended and started anew; starting takes a second."""
-_FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
 
 
 class BridgeTracker:
@@ -58,20 +58,14 @@ class BridgeTracker:
 
     async def run(self, sink: Sink) -> None:
         """Read for ever; ends only when cancelled."""
-        pause = _FIRST_PAUSE
-        while True:
-            frames_before = self.counts.frames
-            try:
-                await self._session(sink)
-            except WireError as error:
-                self.counts.malformed += 1
-                self._problem = f"the bridge to {self._where} talks nonsense ({error})"
-            except (LinkError, MissingPartError) as error:
-                self._problem = str(error)
-            if self.counts.frames > frames_before:
-                pause = _FIRST_PAUSE
-            await asyncio.sleep(pause)
-            pause = min(2 * pause, _LONGEST_PAUSE)
+        await reconnect_for_ever(lambda: self._session(sink), lambda: self.counts.frames, self._ended)
+
+    def _ended(self, error: Trouble) -> None:
+        if isinstance(error, WireError):
+            self.counts.malformed += 1
+            self._problem = f"the bridge to {self._where} talks nonsense ({error})"
+        else:
+            self._problem = str(error)
 
     @property
     def _where(self) -> str:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
-
 from housefly.clock import Clock, RealClock
 from housefly.config import TrackingConfig
-from housefly.errors import LinkError
+from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_session import NatNetSession
 
 FRESH = 1.0
 """``connected`` means a frame within this time [s]."""
-_FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
 
 
 class NatNetTracker:
@@ -45,19 +42,18 @@ class NatNetTracker:
 
     async def run(self, sink: Sink) -> None:
         """Connect and listen for ever; ends only when cancelled."""
-        pause = _FIRST_PAUSE
-        while True:
-            frames_before = self.counts.frames
-            self._session = NatNetSession(self._config, self._clock, sink, self.counts)
-            try:
-                await self._session.run()
-            except LinkError as error:
-                self._problem = str(error)
+        await reconnect_for_ever(lambda: self._listen(sink), lambda: self.counts.frames, self._ended)
+
+    async def _listen(self, sink: Sink) -> None:
+        """Listen to one server to the end; raises LinkError."""
+        self._session = NatNetSession(self._config, self._clock, sink, self.counts)
+        try:
+            await self._session.run()
+        finally:
             self._frame_at, self._session = self._last_frame_at(), None
-            if self.counts.frames > frames_before:
-                pause = _FIRST_PAUSE
-            await asyncio.sleep(pause)
-            pause = min(2 * pause, _LONGEST_PAUSE)
+
+    def _ended(self, error: Trouble) -> None:
+        self._problem = str(error)
 
     def _last_frame_at(self) -> float:
         return self._frame_at if self._session is None else max(self._frame_at, self._session.frame_at)

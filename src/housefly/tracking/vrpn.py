@@ -8,6 +8,7 @@ import socket
 from housefly.clock import Clock, RealClock
 from housefly.config import TrackingConfig
 from housefly.errors import LinkError, WireError
+from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.flood import MOST, FloodGate
@@ -19,7 +20,6 @@ FRESH = 1.0
 """``connected`` means a pose within this time [s]."""
 SILENCE = 5.0
 """A server silent for this long [s] is connected to anew: a pulled cable says nothing."""
-_FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
 _CHUNK = 64 * 1024
 _WAYS = {"tcp": connect, "udp": be_connected}
 
@@ -55,20 +55,14 @@ class VrpnTracker:
 
     async def run(self, sink: Sink) -> None:
         """Connect and read for ever; ends only when cancelled."""
-        pause = _FIRST_PAUSE
-        while True:
-            frames_before = self.counts.frames
-            try:
-                await self._session(sink)
-            except WireError as error:
-                self.counts.malformed += 1
-                self._problem = f"what answers at {self._where} does not speak VRPN {MAJOR} ({error})"
-            except LinkError as error:
-                self._problem = str(error)
-            if self.counts.frames > frames_before:
-                pause = _FIRST_PAUSE
-            await asyncio.sleep(pause)
-            pause = min(2 * pause, _LONGEST_PAUSE)
+        await reconnect_for_ever(lambda: self._session(sink), lambda: self.counts.frames, self._ended)
+
+    def _ended(self, error: Trouble) -> None:
+        if isinstance(error, WireError):
+            self.counts.malformed += 1
+            self._problem = f"what answers at {self._where} does not speak VRPN {MAJOR} ({error})"
+        else:
+            self._problem = str(error)
 
     @property
     def _where(self) -> str:
