@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import socket
-import sys
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from itertools import pairwise
 from math import cos, sin
 from typing import Any
 
 import pytest
+from tracking_stage import DRONE, YAW, fed, frame, stranger, until
 
 from housefly.errors import LinkError
-from housefly.geometry import quaternion_from_euler
-from housefly.messages import Pose
 from housefly.twin import natnet_server
-from housefly.twin.contracts import MocapFrame
 from housefly.twin.natnet_server import NatNetServer, frame_item
 from housefly.wires.natnet import (
     Connect,
@@ -40,8 +36,6 @@ from housefly.wires.natnet import (
 
 pytestmark = pytest.mark.wire
 
-YAW = 2.0
-DRONE = Pose((1.5, -2.25, 0.75), quaternion_from_euler(0.0, 0.0, YAW))
 
 MOTIONCAPTURE = """
 import json, sys
@@ -88,10 +82,6 @@ print(json.dumps({"version": str(client.protocol_version.truncate(2)), "names": 
 """
 
 
-def frame(number: int, drone: Pose | None = DRONE) -> MocapFrame:
-    return MocapFrame(number, 0.01 * number, 0.01 * number + 0.02, (("ardrone", drone), ("visitor", None)))
-
-
 def group_of(address: str) -> str:
     return "239" + address[3:]
 
@@ -106,36 +96,8 @@ def data_port_of(address: str) -> int:
 async def served(address: str, **options: Any) -> AsyncIterator[NatNetServer]:
     """Serve 100 frames a second; the drone's x counts the frames in millimetres."""
     server = NatNetServer(address, **options)
-    await server.start()
-
-    async def feed() -> None:
-        loop = asyncio.get_running_loop()
-        start, number = loop.time(), 0
-        while True:
-            number += 1
-            server.publish(frame(number, Pose((0.001 * number, *DRONE.position[1:]), DRONE.orientation)))
-            await asyncio.sleep(start + 0.01 * number - loop.time())
-
-    task = asyncio.create_task(feed())
-    await asyncio.sleep(0.05)
-    try:
+    async with fed(server):
         yield server
-    finally:
-        task.cancel()
-        with suppress(asyncio.CancelledError):
-            await task
-        await server.stop()
-
-
-async def stranger(program: str, *arguments: str) -> Any:
-    """Return what a child process printed last, as JSON; it is killed when it blocks for ever."""
-    peer = await asyncio.create_subprocess_exec(sys.executable, "-c", program, *arguments, stdout=asyncio.subprocess.PIPE)
-    try:
-        output, _ = await asyncio.wait_for(peer.communicate(), 60.0)
-    finally:
-        if peer.returncode is None:
-            peer.kill()
-    return json.loads(output.splitlines()[-1])
 
 
 class Client(asyncio.DatagramProtocol):
@@ -160,12 +122,6 @@ class Client(asyncio.DatagramProtocol):
 
     async def hears(self, item: Item) -> None:
         await until(lambda: item in self.heard)
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20.0):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 @pytest.mark.parametrize("y_up", [False, True])

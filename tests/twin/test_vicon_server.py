@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import socket
-import sys
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from itertools import pairwise
 from math import cos, sin
 
 import pytest
+from tracking_stage import DRONE, YAW, fed, frame, stranger, until
 
 from housefly.errors import LinkError
-from housefly.geometry import quaternion_from_euler
-from housefly.messages import Pose
-from housefly.twin.contracts import MocapFrame
 from housefly.twin.vicon_server import OFFERED, ViconServer
 from housefly.wires.vicon import (
     HEADER_SIZE,
@@ -36,8 +32,6 @@ from housefly.wires.vicon import (
 pytestmark = pytest.mark.wire
 
 MAGIC = b"\x01\x00\x2b\x1a"
-YAW = 2.0
-DRONE = Pose((1.5, -2.25, 0.75), quaternion_from_euler(0.0, 0.0, YAW))
 
 PEER = """
 import json, sys
@@ -53,32 +47,12 @@ print(json.dumps({"rows": rows, "names": sorted(client.rigidBodies)}))
 """
 
 
-def frame(number: int, drone: Pose | None = DRONE) -> MocapFrame:
-    return MocapFrame(number, 0.01 * number, 0.01 * number + 0.02, (("ardrone", drone), ("visitor", None)))
-
-
 @asynccontextmanager
 async def served(address: str, first: int = 1) -> AsyncIterator[ViconServer]:
     """Serve 100 frames a second; the drone's x counts the frames in millimetres."""
     server = ViconServer(address)
-    await server.start()
-
-    async def feed() -> None:
-        loop = asyncio.get_running_loop()
-        start, number = loop.time(), first - 1
-        while True:
-            number += 1
-            server.publish(frame(number, Pose((0.001 * number, *DRONE.position[1:]), DRONE.orientation)))
-            await asyncio.sleep(start + 0.01 * (number - first + 1) - loop.time())
-
-    task = asyncio.create_task(feed())
-    try:
+    async with fed(server, first):
         yield server
-    finally:
-        task.cancel()
-        with suppress(asyncio.CancelledError):
-            await task
-        await server.stop()
 
 
 async def read_packet(reader: asyncio.StreamReader) -> tuple[Item, ...]:
@@ -87,24 +61,10 @@ async def read_packet(reader: asyncio.StreamReader) -> tuple[Item, ...]:
         return decode_packet(await reader.readexactly(length))
 
 
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20.0):
-        while not condition():
-            await asyncio.sleep(0.005)
-
-
 async def test_the_genuine_client_reads_our_poses_frame_by_frame(loopback: str) -> None:
     pytest.importorskip("motioncapture")
     async with served(loopback):
-        peer = await asyncio.create_subprocess_exec(
-            sys.executable, "-c", PEER, f"{loopback}:8010", stdout=asyncio.subprocess.PIPE
-        )
-        try:
-            output, _ = await asyncio.wait_for(peer.communicate(), 60.0)
-        finally:
-            if peer.returncode is None:
-                peer.kill()
-    answer = json.loads(output)
+        answer = await stranger(PEER, f"{loopback}:8010")
     assert answer["names"] == ["ardrone"]
     steps = [1000.0 * (b[0] - a[0]) for a, b in pairwise(answer["rows"])]
     assert sum(round(step) == 1 for step in steps) >= 0.9 * len(steps), "frames were lost on the way"

@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import socket
-import sys
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from math import cos, sin
 
 import pytest
+from tracking_stage import DRONE, YAW, fed, frame, stranger, until
 
 from housefly.errors import LinkError
-from housefly.geometry import quaternion_from_euler
-from housefly.messages import Pose
-from housefly.twin.contracts import MocapFrame
 from housefly.twin.vrpn_server import VrpnServer
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
@@ -36,8 +32,6 @@ from housefly.wires.vrpn import (
 
 pytestmark = pytest.mark.wire
 
-YAW = 2.0
-DRONE = Pose((1.5, -2.25, 0.75), quaternion_from_euler(0.0, 0.0, YAW))
 
 # waitForNextFrame of this client returns at its own pace, often without anything new.
 PEER = """
@@ -55,39 +49,12 @@ print(json.dumps({"rows": rows}))
 """
 
 
-def frame(number: int, drone: Pose | None = DRONE) -> MocapFrame:
-    return MocapFrame(number, 0.01 * number, 0.01 * number + 0.02, (("ardrone", drone), ("visitor", None)))
-
-
 @asynccontextmanager
 async def served(address: str, y_up: bool = False) -> AsyncIterator[VrpnServer]:
     """Serve 100 frames a second; the drone's x counts the frames in millimetres."""
     server = VrpnServer(address, y_up=y_up)
-    await server.start()
-
-    async def feed() -> None:
-        loop = asyncio.get_running_loop()
-        start, number = loop.time(), 0
-        while True:
-            number += 1
-            server.publish(frame(number, Pose((0.001 * number, *DRONE.position[1:]), DRONE.orientation)))
-            await asyncio.sleep(start + 0.01 * number - loop.time())
-
-    task = asyncio.create_task(feed())
-    await asyncio.sleep(0.05)
-    try:
+    async with fed(server):
         yield server
-    finally:
-        task.cancel()
-        with suppress(asyncio.CancelledError):
-            await task
-        await server.stop()
-
-
-async def until(condition: Callable[[], bool]) -> None:
-    async with asyncio.timeout(20.0):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 class Client:
@@ -124,13 +91,7 @@ async def connected(address: str) -> Client:
 async def test_the_genuine_library_reads_our_poses(loopback: str) -> None:
     pytest.importorskip("motioncapture")
     async with served(loopback):
-        peer = await asyncio.create_subprocess_exec(sys.executable, "-c", PEER, loopback, stdout=asyncio.subprocess.PIPE)
-        try:
-            output, _ = await asyncio.wait_for(peer.communicate(), 60.0)
-        finally:
-            if peer.returncode is None:
-                peer.kill()
-    answer = json.loads(output.splitlines()[-1])
+        answer = await stranger(PEER, loopback)
     assert len(answer["rows"]) == 150
     for name, _, y, z, *rotation in answer["rows"]:
         assert name == "ardrone"
