@@ -3,60 +3,27 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
+from contextlib import suppress
 from itertools import pairwise
-from math import pi
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from tracking_bench import Bench
 
-from housefly.clock import RealClock
 from housefly.config import TrackingConfig
-from housefly.geometry import quaternion_from_euler
-from housefly.messages import Pose, Sighting
+from housefly.messages import Sighting
 from housefly.tracking.vicon import ViconTracker
-from housefly.twin.contracts import MocapFrame
 from housefly.twin.vicon_server import ViconServer
 
 pytestmark = pytest.mark.wire
 
-DRONE = Pose((1.25, -0.5, 1.1), quaternion_from_euler(0.05, -0.03, pi / 2))
-VISITOR = Pose((3.0, 2.0, 0.9))
-LATENCY = 0.015
+feed, running, until = Bench.feed, Bench.running, Bench.until
+DRONE, VISITOR, LATENCY = Bench.DRONE, Bench.VISITOR, Bench.LATENCY
 
 
 def config(address: str) -> TrackingConfig:
     return TrackingConfig(address=address)
-
-
-async def feed(server: ViconServer, rate_hz: float, drone: Pose | None = DRONE) -> None:
-    start, clock = RealClock().now(), RealClock()
-    number = 0
-    while True:
-        number += 1
-        captured = start + number / rate_hz
-        await asyncio.sleep(captured + LATENCY - clock.now())
-        server.publish(MocapFrame(number, captured, captured + LATENCY, (("ardrone", drone), ("visitor", VISITOR))))
-
-
-@asynccontextmanager
-async def running(*work: object) -> AsyncIterator[None]:
-    tasks = [asyncio.ensure_future(item) for item in work]  # type: ignore[arg-type]
-    try:
-        yield
-    finally:
-        for task in tasks:
-            task.cancel()
-            with suppress(asyncio.CancelledError):
-                await task
-
-
-async def until(condition: Callable[[], bool], seconds: float = 20.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not condition():
-            await asyncio.sleep(0.005)
 
 
 @pytest.mark.parametrize("rate_hz", [100.0, 30.0, 10.0])
