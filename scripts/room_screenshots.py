@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import getpass
 import io
 import shutil
 import signal
@@ -39,7 +38,8 @@ store = "{folder}/room.db"
 things = "{folder}/things.toml"
 [mqtt]
 broker = "127.0.0.1"
-port = {broker}
+port = 0
+start = true
 [drone]
 address = "127.90.9.1"
 [tracking]
@@ -56,14 +56,14 @@ def free_port() -> int:
         return int(probe.getsockname()[1])
 
 
-def write_site(folder: Path, broker: int) -> Path:
+def write_site(folder: Path) -> Path:
     """Write B-sen with its scene, in which the cup is in the refrigerator at first."""
     scene = (FOLDER / "bsen_scene.toml").read_text()
     (folder / "scene.toml").write_text(scene.replace('inside = "cabinet"', 'inside = "refrigerator"', 1))
     (folder / "things.toml").write_text(THINGS)
     site = (FOLDER / "bsen.toml").read_text().replace("[twin]\n", f'[twin]\nscene = "{folder}/scene.toml"\n', 1)
     file = folder / "site.toml"
-    file.write_text(site + MORE.format(folder=folder, broker=broker, web=free_port()))
+    file.write_text(site + MORE.format(folder=folder, web=free_port()))
     return file
 
 
@@ -120,14 +120,10 @@ def edit(page: Page) -> None:
 
 def main() -> None:
     """Take all pictures."""
-    mosquitto = shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin:/usr/bin") or sys.exit("mosquitto is absent")
     with tempfile.TemporaryDirectory() as name, sync_playwright() as play:
-        folder, port = Path(name), free_port()
-        settings = f"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser {getpass.getuser()}\n"
-        (folder / "mosquitto.conf").write_text(settings)
-        broker = subprocess.Popen([mosquitto, "-c", str(folder / "mosquitto.conf")], stderr=subprocess.DEVNULL)
+        folder = Path(name)
         log = folder / "run.log"
-        run = housefly("run", "--site", str(write_site(folder, port)), stdout=log.open("w"), stderr=subprocess.STDOUT)
+        run = housefly("run", "--site", str(write_site(folder)), stdout=log.open("w"), stderr=subprocess.STDOUT)
         try:
             browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
             visit(browser.new_page(viewport=DESKTOP), address_in(log))
@@ -135,7 +131,6 @@ def main() -> None:
         finally:
             run.send_signal(signal.SIGINT)
             run.wait(60)
-            broker.terminate()
 
 
 if __name__ == "__main__":

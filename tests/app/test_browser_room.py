@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import getpass
 import re
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -20,7 +18,6 @@ from playwright.sync_api import Page, expect, sync_playwright
 pytestmark = [pytest.mark.wire, pytest.mark.browser, pytest.mark.slow]
 
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
-MOSQUITTO = shutil.which("mosquitto") or shutil.which("mosquitto", path="/usr/sbin:/usr/local/sbin")
 
 SCENE = """
 name = "A cup is tidied away"
@@ -89,7 +86,8 @@ store = "{folder}/room.db"
 things = "{folder}/things.toml"
 [mqtt]
 broker = "127.0.0.1"
-port = {port}
+port = 0
+start = true
 [[mqtt.tags]]
 tag = "E200-0001"
 thing = "cup"
@@ -107,29 +105,13 @@ def wait_for(log: Path, pattern: str, seconds: float) -> str:
 
 
 @pytest.fixture
-def broker(tmp_path: Path) -> Iterator[int]:
-    """Start a broker on a free port of loopback, or skip where Debian's package mosquitto is absent."""
-    if MOSQUITTO is None:
-        pytest.skip("the package mosquitto is absent: apt-get install mosquitto")
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = int(probe.getsockname()[1])
-    file = tmp_path / "mosquitto.conf"
-    file.write_text(f"listener {port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser {getpass.getuser()}\n")
-    process = subprocess.Popen([MOSQUITTO, "-c", str(file)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    yield port
-    process.kill()
-    process.wait()
-
-
-@pytest.fixture
-def address(tmp_path: Path, write_site: Any, broker: int) -> Iterator[str]:
+def address(tmp_path: Path, write_site: Any) -> Iterator[str]:
     """Run the site with its scene and yield the console's address."""
     (tmp_path / "scene.toml").write_text(SCENE)
     (tmp_path / "things.toml").write_text(THINGS)
     site: Path = write_site()
     with site.open("a") as file:
-        file.write(SITE.format(folder=tmp_path, port=broker))
+        file.write(SITE.format(folder=tmp_path))
     log = tmp_path / "run.log"
     with log.open("w") as output:
         command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site)]
