@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -68,3 +71,42 @@ def test_taking_never_waits_for_a_store_that_is_locked(house) -> None:
     assert waited < 1.0
     assert house.memory.writer.flush(10.0)
     assert house.memory.writer.dropped() == Dropped()
+
+
+LEAVING = """
+import sys, threading, time
+from housefly.errors import StoreError
+from housefly.hub.memory import RoomMemory
+from housefly.messages import Happening
+from housefly.store.opening import open_store
+from housefly.things.thing import Thing
+
+def ask(memory):
+    try:
+        while True:
+            with memory.past() as store:
+                store.events(0.0, 1e12)
+    except StoreError:
+        refused.append(memory)
+
+refused = []
+for leaving in range(100):
+    memory = RoomMemory([Thing("cup", "the cup")], lambda: open_store(sys.argv[1]))
+    for number in range(0 if leaving else 2000):
+        memory.take(Happening("object put", "cup", time.time(), "cabinet"))
+    memory.flush()
+    asking = [threading.Thread(target=ask, args=(memory,)) for _ in range(3)]
+    for thread in asking:
+        thread.start()
+    time.sleep(0.0002 * leaving)
+    memory.close()
+    for thread in asking:
+        thread.join()
+print(len(refused))
+"""
+
+
+@pytest.mark.slow
+def test_leaving_while_somebody_asks_for_the_past_refuses_the_next_question_in_words(tmp_path: Path) -> None:
+    left = subprocess.run([sys.executable, "-c", LEAVING, str(tmp_path / "room.db")], capture_output=True, text=True, check=False)
+    assert (left.returncode, left.stdout.strip()) == (0, "300"), left.stderr

@@ -93,16 +93,16 @@ class Answers:
         thing = self._named(question.thing)
         until = self._clock() if question.until is None else question.until
         self._memory.flush()
-        with self._memory.history_lock:
-            rows = self._memory.store.trajectory(thing, question.since, until, source=question.source, every=question.every)
+        with self._memory.past() as store:
+            rows = store.trajectory(thing, question.since, until, source=question.source, every=question.every)
         return TrajectoryAnswer(thing, tuple((t, x, y, z) for t, x, y, z in rows[-LONGEST:].tolist()))
 
     def _events(self, question: Events) -> EventsAnswer:
         thing = self._named(question.thing) if question.thing else ""
         until = self._clock() if question.until is None else question.until
         self._memory.flush()
-        with self._memory.history_lock:
-            found = self._memory.store.events(question.since, until, thing=thing, kind=question.kind, cause=question.cause)
+        with self._memory.past() as store:
+            found = store.events(question.since, until, thing=thing, kind=question.kind, cause=question.cause)
         return EventsAnswer(tuple(occurrence(one) for one in found[-question.limit :]))
 
     def _picture(self, question: Picture) -> PictureAnswer:
@@ -123,8 +123,8 @@ class Answers:
         self._memory.flush()
         with self._memory.lock:
             world = World(self._memory.world.things)
-        with self._memory.history_lock:
-            seen = self._memory.store.seen(at)
+        with self._memory.past() as store:
+            seen = store.seen(at)
         tell(world, seen)
         return world
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 
-from housefly.errors import ThingError
+from housefly.errors import StoreError, ThingError
 from housefly.messages import Happening, Observation
 from housefly.store.contract import Store
 from housefly.store.writer import Writer
@@ -24,22 +25,22 @@ class RoomMemory:
     Attributes:
         world: what is where, now; use it under ``lock``.
         lock: guards the world.
-        store: for questions about the past; used under ``history_lock``.
     """
 
     def __init__(self, things: Iterable[Thing], open_store: Callable[[], Store]) -> None:
         """Open the store, and remember what it last knew; raises StoreError when it cannot be opened at all."""
         self.lock = threading.Lock()
-        self.history_lock = threading.Lock()
         self.writer = Writer(open_store)
-        self.store = open_store()
+        self._store = open_store()
+        self._store_lock = threading.Lock()
+        self._closed = False
         self.refused: deque[str] = deque(maxlen=COMPLAINTS)
         self._listeners: tuple[Listener, ...] = ()
-        known = {thing.id: thing for thing in self.store.things()}
+        known = {thing.id: thing for thing in self._store.things()}
         own = {thing.id: thing for thing in things}
         self.world = World((known | own).values())
         self.writer.write_all(thing for thing in own.values() if known.get(thing.id) != thing)
-        for sample in self.store.latest():
+        for sample in self._store.latest():
             self._tell(sample)
 
     def listen(self, listener: Listener) -> None:
@@ -64,14 +65,27 @@ class RoomMemory:
                 self.world.know(thing)
         self.writer.write_all(things)
 
+    @contextmanager
+    def past(self) -> Iterator[Store]:
+        """Lend the store for a question about the past, to one thread at a time; raises StoreError after ``close``."""
+        if self._closed:
+            raise StoreError("the memory is closed")
+        with self._store_lock:
+            yield self._store
+
     def flush(self) -> bool:
         """Wait until everything taken so far is in the store; tell whether it is."""
         return self.writer.flush()
 
     def close(self) -> None:
-        """Write what is left and let go."""
+        """Write what is left and let go, after the question that is just being answered.
+
+        SQLite's connection must not be closed under a thread that reads from it: the process would end with a segmentation fault.
+        """
+        self._closed = True
         self.writer.close()
-        self.store.close()
+        with self._store_lock:
+            self._store.close()
 
     def _tell(self, sample: Observation) -> bool:
         try:
