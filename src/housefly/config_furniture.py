@@ -14,6 +14,11 @@ class FurnitureConfig(Section):
 
     name: str = Field(min_length=1, max_length=40, description="what people call it")
     body: str = Field(min_length=1, max_length=100, description="name of its body in the tracking system")
+    model: str = Field(
+        default="",
+        max_length=100,
+        description='the same thing in the room model ("sofa"), or how the names of its solids begin; "" when it is not there',
+    )
     length: float = quantity(0.5, 0.02, 5.0, "m", "of its footprint")
     width: float = quantity(0.5, 0.02, 5.0, "m", "of its footprint")
     bottom: float = quantity(0.0, 0.0, 5.0, "m", "height above the floor that it begins at")
@@ -31,11 +36,14 @@ class FurnitureConfig(Section):
 
 
 def check_furniture(furniture: tuple[FurnitureConfig, ...], others: tuple[str, ...]) -> None:
-    """Raise ValueError when two pieces share a name or a body, or a body is one of the others that tracking sees."""
+    """Raise ValueError when two pieces share a name, body or model, or a body is one of the others that tracking sees."""
     if len({piece.name for piece in furniture}) < len(furniture):
         raise ValueError("furniture: two things have the same name")
     if len({piece.body for piece in furniture}) < len(furniture):
         raise ValueError("furniture: two things have the same body")
+    models = [piece.model for piece in furniture if piece.model]
+    if len(set(models)) < len(models):
+        raise ValueError("furniture: two things have the same model")
     for piece in furniture:
         if piece.body in others:
             raise ValueError(f"furniture: {piece.name!r} has the body {piece.body!r}, which is the drone or the visitor")

@@ -74,7 +74,7 @@ class Pilot:
         self._maneuver = maneuver
         self._paper = site.mode == "paper"
         self._navigator = RoomNavigator(site, room, grid)
-        self._furniture = TrackedFurniture(site.furniture)
+        self._furniture = TrackedFurniture(site, room)
         self._filter = _estimator(site)
         self._captain = Captain(site.limits, self._navigator)
         tolerance = PAPER_EPSILONS[2] if self._paper else site.control.epsilon_position

@@ -1,4 +1,4 @@
-"""Whole flights in the simulated B-sen: a chair with markers stands in the way, and only tracking sees it."""
+"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or that the room's own shelf is carried elsewhere."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 
+SHELF = {"name": "shelf", "body": "shelf", "model": "smart shelf", "length": 0.5, "width": 0.35, "top": 1.0}
+SHELF_PLACE = (11.5, 4.2)
 CHAIR = {"name": "chair", "body": "chair", "length": 0.5, "width": 0.5, "top": 1.5}
 HULL = half_diagonal(0.517, 0.451)
 GO = Order(OrderKind.GO, "entrance")
@@ -108,3 +110,45 @@ def test_another_pilot_with_the_same_inputs_decides_the_same(on_the_way: Vec2) -
     pilot = Pilot(here.site, here.room, here.grid)
     for step in fly(Story(on_the_way), until=15.0).steps:
         assert pilot.step(step.now, step.inputs) == step.outputs
+
+
+def fly_with_shelf(story: Story, order: Order) -> None:
+    here = open_premises(changed(read_site("bsen"), furniture=[SHELF], twin__visitor_present=False))
+
+    def carry(world: SimulatedWorld) -> None:
+        if story.moved_to is not None:
+            world.put("shelf", story.moved_to)
+        x, y, z = world.truth().pose.position
+        story.contacts = max(story.contacts, world.truth().contacts)
+        if z > 0.5:
+            story.way.append((x, y))
+
+    fly_lockstep(here, order, story.step, 30.0, on_world=carry)
+
+
+def refusals(story: Story) -> list[str]:
+    return [event.text for event in story.events if event.code == "order_refused"]
+
+
+@pytest.mark.slow
+def test_the_rooms_own_shelf_that_was_carried_away_leaves_its_place_free() -> None:
+    story = Story(None, moved_to=(9.5, 5.0))
+    fly_with_shelf(story, Order(OrderKind.GO, goal=SHELF_PLACE))
+    assert hypot(story.way[-1][0] - SHELF_PLACE[0], story.way[-1][1] - SHELF_PLACE[1]) < 0.3
+    assert story.contacts == 0
+
+
+@pytest.mark.slow
+def test_the_rooms_own_shelf_that_stands_where_the_model_has_it_is_not_flown_into() -> None:
+    story = Story(None)
+    fly_with_shelf(story, Order(OrderKind.GO, goal=SHELF_PLACE))
+    assert not story.way and len(refusals(story)) == 1
+
+
+@pytest.mark.slow
+def test_the_rooms_own_shelf_put_on_the_way_is_gone_around(on_the_way: Vec2) -> None:
+    story = Story(None, moved_to=on_the_way)
+    fly_with_shelf(story, GO)
+    entrance = premises().room.place("entrance").viewpoint
+    assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
+    assert story.contacts == 0 and min(hypot(x - on_the_way[0], y - on_the_way[1]) for x, y in story.way) > HULL

@@ -35,12 +35,18 @@ def told(facts: FlightFacts, *steps: PilotStep) -> list[Observation | Happening]
 
 def test_every_sighting_is_an_observation_in_unix_time() -> None:
     sighting = Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 1.9, 1.95)
-    (seen,) = told(FlightFacts("ardrone", "vicon"), step(1, sightings=(sighting,)))
+    (seen,) = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=(sighting,)))
     assert (seen.thing, seen.source, seen.captured_at, seen.position) == ("ardrone", "vicon", ZERO + 1.9, (1.0, 2.0, 3.0))
 
 
+def test_tracked_furniture_is_called_by_its_id_and_other_bodies_by_their_names() -> None:
+    sightings = tuple(Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95) for body in ("Chair 3", "somebody"))
+    seen = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=sightings))
+    assert [observation.thing for observation in seen] == ["chair", "somebody"]
+
+
 def test_the_pilots_own_belief_comes_ten_times_a_second_with_its_variance() -> None:
-    believed = told(FlightFacts("ardrone", "vicon"), *(step(number) for number in range(30)))
+    believed = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), *(step(number) for number in range(30)))
     assert len(believed) == 3
     assert believed[0].covariance == (0.1**2, 0.0, 0.0, 0.1**2, 0.0, 0.1**2)
 
@@ -48,7 +54,7 @@ def test_the_pilots_own_belief_comes_ten_times_a_second_with_its_variance() -> N
 def test_a_flight_begins_and_ends_once_and_says_who_asked() -> None:
     order = Order(OrderKind.SERVICE, "entrance", sender="somebody")
     flown = told(
-        FlightFacts("ardrone", "vicon"),
+        FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}),
         step(1),
         step(2, Phase.TAKING_OFF, orders=(order,)),
         step(3, Phase.TAKING_OFF),
@@ -64,5 +70,5 @@ def test_a_flight_begins_and_ends_once_and_says_who_asked() -> None:
 
 def test_what_the_pilot_says_to_people_is_remembered() -> None:
     outputs = Outputs(Command(Action.IDLE), events=(Event(1.5, Severity.WARNING, "tracking_lost", "tracking lost"),))
-    (event,) = told(FlightFacts("ardrone", "vicon"), PilotStep(1, 2.0, Inputs(), outputs))
+    (event,) = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), PilotStep(1, 2.0, Inputs(), outputs))
     assert (event.kind, event.at, dict(event.facts)["code"]) == ("tracking lost", ZERO + 1.5, "tracking_lost")

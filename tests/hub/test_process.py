@@ -39,3 +39,4 @@ async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_aroun
     hub.close()
     assert (shown.obstacle, shown.x, shown.y, shown.source) == ("tracking/chair", 6.0, 3.0, "tracking")
     assert shown.radius == pytest.approx(0.354, abs=0.01)
+    assert (shown.length, shown.width, shown.yaw) == (0.5, 0.5, 0.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from housefly.app.premises import open_premises, read_site
+from housefly.config_furniture import FurnitureConfig
 from housefly.hub.things_of_room import things_of
 from housefly.things.thing import Kind
 from housefly.things.world import World
@@ -20,3 +21,12 @@ def test_b_sen_brings_its_furniture_places_cameras_drone_and_visitor() -> None:
     assert world.find("Entrance").viewpoints[0].position[2] == premises.site.map.flight_height
     assert all(re.fullmatch(r"[a-z0-9][a-z0-9-]*", thing.id) for thing in things)
     assert len({thing.id for thing in things}) == len(things)
+
+
+def test_tracked_furniture_is_the_thing_of_the_room_model_or_one_of_its_own() -> None:
+    sofa = FurnitureConfig(name="the big sofa", body="Sofa 1", model="sofa", length=2.4, width=0.9)
+    cart = FurnitureConfig(name="tea cart", body="Cart")
+    premises = open_premises(read_site("bsen", furniture=(sofa, cart)))
+    world = World(things_of(premises.site, premises.room))
+    assert world.find("Sofa 1") == world.find("the big sofa") == world.thing("sofa")
+    assert (world.find("Cart").id, world.find("Cart").name, world.find("Cart").kind) == ("tea-cart", "tea cart", Kind.FURNITURE)

@@ -7,6 +7,7 @@ import re
 import time
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
+from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -218,6 +219,16 @@ async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, r
     await page.get_by_role("slider", name="Time shown").fill("-60")
     await expect(page.locator(".past-banner")).to_be_visible()
     assert await page.locator(".obstacle").count() == 0
+
+
+async def test_tracked_furniture_is_drawn_as_it_lies_and_called_by_its_name(page: Page, room: Room) -> None:
+    sofa = Hindrance("tracking/the sofa", 4.0, 3.0, 1.25, 0.0, 0.0, 1.0, 0.0, "tracking", 2.4, 0.8, 0.5 * pi)
+    room.hub.present.block([sofa])
+    await expect(page.locator(".obstacle.tracked")).to_contain_text("the sofa tracked")
+    box = await page.locator(".obstacle.tracked .ground").bounding_box()
+    scale = float(await page.locator(".plan-view > svg").get_attribute("data-scale") or 0)
+    assert box is not None
+    assert (box["width"] / scale, box["height"] / scale) == (pytest.approx(0.8, abs=0.1), pytest.approx(2.4, abs=0.1))
 
 
 async def test_tracking_coverage_is_switched_on_and_off(page: Page) -> None:

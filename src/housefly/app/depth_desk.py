@@ -12,6 +12,7 @@ from housefly.clock import Clock
 from housefly.messages import DepthImage, SensorReport
 from housefly.perception.depth_watcher import DepthWatcher
 from housefly.perception.watcher import Own
+from housefly.room.tracked import untracked
 from housefly.sensors.pulse import Pulse
 
 SILENT = 2.0
@@ -32,7 +33,7 @@ class DepthDesk:
         height, half = site.map.flight_height, site.map.half_band
         self.own: Own | None = None
         self._bus, self._clock = bus, clock
-        self._watcher = DepthWatcher(premises.room, site.depth_cameras, (height - half, height + half))
+        self._watcher = DepthWatcher(untracked(premises.room, site), site.depth_cameras, (height - half, height + half))
         names = [camera.name for camera in site.depth_cameras]
         self._lock = threading.Lock()
         self._pulses = {name: Pulse() for name in names}

@@ -20,6 +20,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
 from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport
 from housefly.perception.watcher import Watcher
+from housefly.room.tracked import untracked
 from housefly.sensors.laser import LaserClient
 from housefly.sensors.pulse import Pulse
 
@@ -32,7 +33,7 @@ class Looker:
 
     def __init__(self, premises: Premises, bus: Bus, clock: Clock) -> None:
         self._site, self._bus, self._clock = premises.site, bus, clock
-        self._watcher = Watcher(premises.room, premises.site.lasers)
+        self._watcher = Watcher(untracked(premises.room, premises.site), premises.site.lasers)
         self._clients = {laser.name: LaserClient(laser, clock) for laser in premises.site.lasers}
         self._pulses = {name: Pulse() for name in self._clients}
         self._depth = DepthDesk(premises, bus, clock)

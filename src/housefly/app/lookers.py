@@ -10,6 +10,7 @@ from housefly.messages import Estimate, Obstacle, Scan
 from housefly.perception.depth_watcher import DepthWatcher
 from housefly.perception.watcher import Own, Watcher
 from housefly.room.distance import half_diagonal
+from housefly.room.tracked import untracked
 from housefly.sensors.laser import scan_of
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip.parameters import MODELS
@@ -23,10 +24,10 @@ class LockstepLookers:
 
     def __init__(self, premises: Premises, world: SimulatedWorld) -> None:
         self._site, self._world = premises.site, world
-        self._watcher = Watcher(premises.room, premises.site.lasers)
-        site = premises.site
+        site, known = premises.site, untracked(premises.room, premises.site)
+        self._watcher = Watcher(known, site.lasers)
         height, half = site.map.flight_height, site.map.half_band
-        self._depth = DepthWatcher(premises.room, site.depth_cameras, (height - half, height + half))
+        self._depth = DepthWatcher(known, site.depth_cameras, (height - half, height + half))
         self._due = {laser.name: 0.0 for laser in site.lasers}
         self._image_due = {camera.name: 0.0 for camera in site.depth_cameras}
         self._under_way: deque[Scan] = deque()

@@ -14,6 +14,7 @@ from housefly.room.edits import edited, room_of
 from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room
+from housefly.room.tracked import untracked
 from housefly.state import edits_folder
 
 
@@ -61,6 +62,7 @@ def read_site(name: str, **changes: Any) -> Site:
 def open_premises(site: Site) -> Premises:
     """Load the room of a site and build its map; raises RoomError or ConfigError."""
     room = room_of(site)
+    untracked(room, site)  # furniture that the room does not have is refused before anything starts
     return Premises(site, room, build_grid(room, site))
 
 

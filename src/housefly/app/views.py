@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from housefly.app.premises import Premises
 from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
-from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.grid import Cell, OccupancyGrid, build_grid
 from housefly.room.model import Solid
 from housefly.room.outline import outline
+from housefly.room.tracked import untracked
 
 CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFLATED: "i", Cell.OUTSIDE: "x"}
 
@@ -14,13 +15,14 @@ CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFL
 def room_view(premises: Premises) -> RoomView:
     """Return everything static that the console draws."""
     site, room = premises.site, premises.room
-    limits = site.limits
+    limits, fixed = site.limits, untracked(room, site)
+    standing = frozenset(solid.name for solid in fixed.solids)
     return RoomView(
         site=site.name,
         mode=site.mode,
         bounds=room.bounds,
-        grid=grid_view(premises.grid),
-        outlines=tuple(_outline(solid) for solid in room.solids),
+        grid=grid_view(premises.grid if fixed is room else build_grid(fixed, site)),
+        outlines=tuple(_outline(solid, solid.name not in standing) for solid in room.solids),
         places=tuple(PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at) for p in room.places),
         home=room.home,
         flight_height=site.map.flight_height,
@@ -44,7 +46,7 @@ def grid_view(grid: OccupancyGrid) -> GridView:
     return GridView(grid.origin, grid.resolution, width, height, rows)
 
 
-def _outline(solid: Solid) -> OutlineView:
+def _outline(solid: Solid, tracked: bool) -> OutlineView:
     red, green, blue, _ = solid.colour
     colour = f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
-    return OutlineView(solid.thing, outline(solid), solid.position[2] + solid.size[2] / 2, colour)
+    return OutlineView(solid.thing, outline(solid), solid.position[2] + solid.size[2] / 2, colour, tracked)

@@ -28,12 +28,13 @@ class PlaceView:
 
 @dataclass(frozen=True, slots=True)
 class OutlineView:
-    """The footprint of one solid, drawn under the grid: corners in world xy [m]."""
+    """The footprint of one solid, drawn under the grid: corners in world xy [m]; a tracked thing may stand elsewhere now."""
 
     thing: str
     corners: tuple[Vec2, ...]
     top: float
     colour: str
+    tracked: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -172,7 +172,11 @@ class Holding:
 
 @dataclass(frozen=True, slots=True)
 class Hindrance:
-    """A live obstacle: world xy [m], radius [m], velocity [m/s], confidence 0 to 1, time since it was seen [s]."""
+    """A live obstacle: world xy [m], velocity [m/s], confidence 0 to 1, time since it was seen [s].
+
+    Its ground is all within ``radius`` [m] of it or, when ``length`` and ``width`` [m] are not 0, the rectangle with its length
+    along ``yaw`` [rad].
+    """
 
     obstacle: str
     x: float
@@ -183,6 +187,9 @@ class Hindrance:
     confidence: float
     age: float
     source: str
+    length: float = 0.0
+    width: float = 0.0
+    yaw: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

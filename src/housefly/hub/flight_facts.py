@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from housefly.messages import Estimate, Happening, Observation, Phase, PilotStep, Sighting
 
@@ -22,10 +22,11 @@ class FlightFacts:
     Args:
         drone: id of the drone, the name of its tracked body.
         tracking: id of the tracking system.
+        things: ids of things by the names of their tracked bodies; other bodies are called by their names.
     """
 
-    def __init__(self, drone: str, tracking: str) -> None:
-        self._drone, self._tracking = drone, tracking
+    def __init__(self, drone: str, tracking: str, things: Mapping[str, str]) -> None:
+        self._drone, self._tracking, self._things = drone, tracking, things
         self._phase: Phase | None = None
 
     def after(self, step: PilotStep, unix: float) -> Iterator[Observation | Happening]:
@@ -47,7 +48,7 @@ class FlightFacts:
 
     def _seen(self, sighting: Sighting, unix: float) -> Observation:
         return Observation(
-            sighting.body,
+            self._things.get(sighting.body, sighting.body),
             self._tracking,
             unix + sighting.captured_at,
             unix + sighting.received_at,

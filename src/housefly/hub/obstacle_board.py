@@ -42,8 +42,8 @@ class ObstacleBoard:
 
 
 def _hindrance(obstacle: Obstacle, now: float) -> Hindrance:
-    (x, y), (vx, vy) = obstacle.position, obstacle.velocity
-    radius = obstacle.radius + 0.5 * hypot(*obstacle.size)
-    return Hindrance(
-        f"{obstacle.source}/{obstacle.id}", x, y, radius, vx, vy, obstacle.confidence, now - obstacle.seen_at, obstacle.source
-    )
+    (x, y), (length, width), (vx, vy) = obstacle.position, obstacle.size, obstacle.velocity
+    radius, age = obstacle.radius + 0.5 * hypot(length, width), now - obstacle.seen_at
+    grown = (length + 2.0 * obstacle.radius, width + 2.0 * obstacle.radius) if length and width else (0.0, 0.0)
+    name = f"{obstacle.source}/{obstacle.id}"
+    return Hindrance(name, x, y, radius, vx, vy, obstacle.confidence, age, obstacle.source, *grown, obstacle.yaw)

@@ -33,7 +33,7 @@ from housefly.hub.pilot_health import PilotHealth
 from housefly.hub.present import Present
 from housefly.hub.sensor_board import SensorBoard
 from housefly.hub.situation_desk import SituationDesk
-from housefly.hub.things_of_room import things_of
+from housefly.hub.things_of_room import thing_of, things_of
 from housefly.messages import Happening, PilotStep
 from housefly.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
@@ -64,11 +64,13 @@ class Hub:
         self.present = Present(self.memory.writer.report)
         self._answers = Answers(self.memory, self.present, time.time)
         self._obstacles = ObstacleBoard(self.present, RealClock())
-        self._furniture = TrackedFurniture(site.furniture)
+        self._furniture = TrackedFurniture(site, room)
         self._situations = SituationDesk(site, room, self.memory, self.present)
         self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
-        self._facts = FlightFacts(site.tracking.body, site.tracking.kind)
+        self._facts = FlightFacts(
+            site.tracking.body, site.tracking.kind, {piece.body: thing_of(piece) for piece in site.furniture}
+        )
         self._others = SensorBoard(site, RealClock())
         for watched in (self._pilot, *self._sensors, self._others):
             self.present.watch(watched.health)

@@ -1,12 +1,14 @@
-"""The things that the room model already knows: its furniture, its places, its tracking cameras, its drone."""
+"""The things that site and room model already know: furniture, places, tracking cameras, the drone."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from math import atan2
 
 from housefly.config import Site
+from housefly.config_furniture import FurnitureConfig
 from housefly.geometry import Vec3, quaternion_from_euler
 from housefly.room.model import Room, Solid
 from housefly.things.thing import Kind, Thing, Viewpoint
@@ -18,11 +20,20 @@ BUILDING = ("wall", "floor", "ceiling", "partition", "window", "outside", "home 
 def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
     """Return the catalogue that a room brings along; ids are their names in lower case with dashes."""
     found = {thing.id: thing for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))}
+    for piece in site.furniture:
+        known = found.get(thing_of(piece), Thing(thing_of(piece), piece.name, Kind.FURNITURE))
+        names = tuple(name for name in (piece.name, piece.body) if name not in (known.name, known.id))
+        found[known.id] = replace(known, aliases=tuple(dict.fromkeys((*known.aliases, *names))))
     body = site.tracking.body
     found.setdefault(body, Thing(body, "the drone", Kind.ROBOT, ("drone",), (*room.home, 0.0)))
     if room.visitor is not None:
         found.setdefault(site.tracking.visitor, Thing(site.tracking.visitor, "the visitor", Kind.PERSON, ("visitor",)))
     return tuple(found.values())
+
+
+def thing_of(piece: FurnitureConfig) -> str:
+    """Return the id of a thing that the tracking system sees."""
+    return _id(piece.model or piece.name)
 
 
 def _furniture(room: Room) -> Iterator[Thing]:

@@ -1,19 +1,22 @@
 """Tracked furniture as obstacles: wherever tracking sees the body of a thing, its footprint is in the way.
 
 A thing that nobody sees any more is taken to stand where it was last seen, for as long as the site says; after that it is
-forgotten like every other obstacle. The newest sighting is believed: where the thing stood before is free at once.
+forgotten like every other obstacle. The newest sighting is believed: where the thing stood before is free at once. A thing that
+the room model has, too, stands where the model has it until it is seen, and is never forgotten.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import cos, hypot, isfinite, sin
+from math import hypot, isfinite
 
-from housefly.config_furniture import FurnitureConfig
+from housefly.config import Site
 from housefly.geometry import Vec2, distance, wrap_angle
-from housefly.messages import Obstacle, Pose, Sighting
+from housefly.messages import Obstacle, Sighting
 from housefly.planning.obstacles import AHEAD_OF_TIME, FASTEST
+from housefly.room.model import Room
+from housefly.room.tracked import Stand, footprint_of, stand_of
 
 SOURCE = "tracking"
 """Source of these obstacles."""
@@ -62,11 +65,14 @@ class TrackedFurniture:
     """All tracked things of a site; what they did is in what was seen of them, so the same sightings tell the same.
 
     Args:
-        furniture: of the site.
+        site: which things tracking sees.
+        room: where those that it models stand; raises ConfigError as ``room.tracked.untracked``.
     """
 
-    def __init__(self, furniture: tuple[FurnitureConfig, ...]) -> None:
-        self._pieces = {piece.body: piece for piece in furniture}
+    def __init__(self, site: Site, room: Room) -> None:
+        self._pieces = {piece.body: piece for piece in site.furniture}
+        stands = {piece.body: stand_of(room, piece) for piece in site.furniture}
+        self._stands = {body: stand for body, stand in stands.items() if stand is not None}
         self._places: dict[str, Whereabouts] = {}
         self._told: dict[str, Obstacle] = {}
 
@@ -75,8 +81,11 @@ class TrackedFurniture:
         for sighting in sightings:
             if sighting.body in self._pieces:
                 self._see(sighting, now)
-        obstacles = [self._obstacle(body, place, now) for body, place in self._places.items()]
-        return tuple(obstacle for obstacle in obstacles if obstacle is not None)
+        unseen = ((body, self._standing(body, stand, now)) for body, stand in self._stands.items() if body not in self._places)
+        seen = ((body, self._obstacle(body, place, now)) for body, place in self._places.items())
+        fresh = {body: obstacle for body, obstacle in (*unseen, *seen) if obstacle is not None and self._is_news(body, obstacle)}
+        self._told |= fresh
+        return tuple(fresh.values())
 
     def _see(self, sighting: Sighting, now: float) -> None:
         at, known = sighting.captured_at, self._places.get(sighting.body)
@@ -87,27 +96,22 @@ class TrackedFurniture:
         fresh = Whereabouts(at, middle, yaw, (0.0, 0.0), at, middle)
         self._places[sighting.body] = fresh if known is None else known.after(at, middle, yaw)
 
+    def _standing(self, body: str, stand: Stand, now: float) -> Obstacle:
+        """Return a thing that was never seen, where the room model has it."""
+        name, band = self._pieces[body].name, (stand.bottom, stand.top)
+        return Obstacle(name, stand.middle, 0.0, stand.size, stand.yaw, *band, (0.0, 0.0), 1.0, now, SOURCE)
+
     def _obstacle(self, body: str, place: Whereabouts, now: float) -> Obstacle | None:
-        """Return one thing as an obstacle of now, or None when there is nothing to tell of it."""
-        piece, told = self._pieces[body], self._told.get(body)
-        unseen = now - place.at
-        if unseen > piece.remembered:
-            return None
-        is_due = told is None or now - told.seen_at >= TELL_PERIOD or _moved(told, place)
-        if not is_due:
+        """Return one thing as an obstacle of now, or None when it is forgotten."""
+        piece, unseen = self._pieces[body], now - place.at
+        if unseen > piece.remembered and body not in self._stands:
             return None
         velocity = place.velocity if unseen < WINDOW else (0.0, 0.0)
         size, band = (piece.length, piece.width), (piece.bottom, piece.top)
-        self._told[body] = Obstacle(piece.name, place.middle, 0.0, size, place.yaw, *band, velocity, 1.0, now, SOURCE)
-        return self._told[body]
+        return Obstacle(piece.name, place.middle, 0.0, size, place.yaw, *band, velocity, 1.0, now, SOURCE)
 
-
-def footprint_of(piece: FurnitureConfig, pose: Pose) -> tuple[Vec2, float]:
-    """Return the middle [m] and the yaw [rad] of the footprint of a thing whose body is at a pose."""
-    (x, y, _), yaw = pose.position, pose.yaw
-    middle = (x + cos(yaw) * piece.x - sin(yaw) * piece.y, y + sin(yaw) * piece.x + cos(yaw) * piece.y)
-    return middle, wrap_angle(yaw + piece.yaw)
-
-
-def _moved(told: Obstacle, place: Whereabouts) -> bool:
-    return distance(told.position, place.middle) > SHIFTED or abs(wrap_angle(told.yaw - place.yaw)) > TURNED
+    def _is_news(self, body: str, obstacle: Obstacle) -> bool:
+        told = self._told.get(body)
+        if told is None or obstacle.seen_at - told.seen_at >= TELL_PERIOD:
+            return True
+        return distance(told.position, obstacle.position) > SHIFTED or abs(wrap_angle(told.yaw - obstacle.yaw)) > TURNED

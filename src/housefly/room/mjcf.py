@@ -78,7 +78,7 @@ def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str
             "<worldbody>",
             *_surroundings(room),
             *_shades(room.solids),
-            *(_geom(solid) for solid in room.solids),
+            *(geom(solid) for solid in room.solids),
             visitor_body(room.visitor, room.visitor_yaw) if room.visitor else "",
             bodies,
             "</worldbody>",
@@ -136,7 +136,8 @@ def _turn(yaw: float) -> str:
     return f' quat="{cos(yaw / 2):.9g} 0 0 {sin(yaw / 2):.9g}"' if yaw else ""
 
 
-def _geom(solid: Solid) -> str:
+def geom(solid: Solid) -> str:
+    """Return the MJCF of a solid."""
     x, y, z = solid.position
     a, b, c = (extent / 2 for extent in solid.size)
     size = f"{a:.9g} {b:.9g} {c:.9g}" if solid.shape is Shape.BOX else f"{a:.9g} {c:.9g}"

@@ -1,14 +1,21 @@
-"""Things that stand in the simulated room although no map shows them: a chair, a person who walks through."""
+"""Things of the simulated room that can be put elsewhere: what no map shows, as a chair, and furniture that carries markers."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import cos, sin
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
 
+from housefly.config import Site
+from housefly.geometry import Vec3, rotate, wrap_angle
 from housefly.messages import Pose
+from housefly.room.mjcf import geom
+from housefly.room.model import Room, Solid
+from housefly.room.tracked import body_pose_of, solids_of, stand_of
 
 MOVABLE = "movable "
 """Bodies of movable things carry their name behind this."""
@@ -16,32 +23,64 @@ MARKER = 0.02
 """How far markers stand out [m]."""
 AWAY = -30.0
 """How far below the floor what is not there is kept [m]."""
+PLATE = 0.25
+"""The markers of furniture lie around its body within this [m]."""
+OUT = Pose((0.0, 0.0, AWAY))
 
 
 @dataclass(frozen=True, slots=True)
 class Movable:
-    """An upright cylinder that can be put anywhere.
+    """Something that can be put anywhere.
 
     Attributes:
-        name: of the thing.
-        radius, height: [m].
+        name: of the thing; one that is called like the body of a piece of the site's furniture carries markers.
+        radius: its markers lie within this around its middle [m]; without solids it is an upright cylinder of this radius.
+        height: at the top of which the markers are [m].
+        solids: what it is made of, in its own frame.
+        start: where it stands at first.
     """
 
     name: str
-    radius: float = 0.25
+    radius: float = PLATE
     height: float = 1.5
+    solids: tuple[Solid, ...] = ()
+    start: Pose = OUT
+
+
+def furniture_of(site: Site, room: Room) -> Iterator[Movable]:
+    """Yield the furniture of the room model that tracking sees, each where the model has it."""
+    for piece in site.furniture:
+        stand = stand_of(room, piece)
+        if stand is not None:
+            pose = body_pose_of(piece, stand.middle, stand.yaw)
+            solids = tuple(_seen_from(pose, solid) for solid in solids_of(room, piece.model))
+            yield Movable(piece.body, PLATE, stand.top, solids, pose)
 
 
 def markers_on(movable: Movable, pose: Pose) -> NDArray[np.float64]:
     """Return the world positions [m] of the four markers on top of a movable thing, shape (4, 3)."""
-    (x, y, z), out = pose.position, 0.8 * movable.radius
-    return np.array([(x + dx * out, y + dy * out, z + movable.height + MARKER) for dx, dy in ((1, 0), (0, 1), (-1, 0), (0, -1))])
+    out, up = 0.8 * movable.radius, movable.height + MARKER
+    corners: tuple[Vec3, ...] = ((out, 0.0, up), (0.0, out, up), (-out, 0.0, up), (0.0, -out, up))
+    positions: NDArray[np.float64] = np.array([rotate(pose.orientation, corner) for corner in corners]) + pose.position
+    return positions
 
 
 def movable_body(movable: Movable) -> str:
-    """Return the MJCF of a movable thing as a mocap body, out of the building."""
-    name = quoteattr(MOVABLE + movable.name)
-    return (
-        f'<body name={name} mocap="true" pos="0 0 {AWAY}"><geom type="cylinder" pos="0 0 {movable.height / 2:.9g}" '
-        f'size="{movable.radius:.9g} {movable.height / 2:.9g}" rgba="0.35 0.42 0.55 1" material="cloth"/></body>'
+    """Return the MJCF of a movable thing as a mocap body."""
+    (x, y, z), quaternion = movable.start.position, movable.start.orientation
+    turn = " ".join(f"{number:.9g}" for number in quaternion)
+    cylinder = (
+        f'<geom type="cylinder" pos="0 0 {movable.height / 2:.9g}" size="{movable.radius:.9g} {movable.height / 2:.9g}" '
+        'rgba="0.35 0.42 0.55 1" material="cloth"/>'
     )
+    parts = "".join(geom(solid) for solid in movable.solids) or cylinder
+    name = quoteattr(MOVABLE + movable.name)
+    return f'<body name={name} mocap="true" pos="{x:.9g} {y:.9g} {z:.9g}" quat="{turn}">{parts}</body>'
+
+
+def _seen_from(pose: Pose, solid: Solid) -> Solid:
+    """Return a solid of the room in the frame of a pose on the floor."""
+    (x, y, z), (px, py, _), yaw = solid.position, pose.position, pose.yaw
+    dx, dy = x - px, y - py
+    own = (cos(yaw) * dx + sin(yaw) * dy, cos(yaw) * dy - sin(yaw) * dx, z)
+    return replace(solid, position=own, yaw=wrap_angle(solid.yaw - yaw))

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config import Site
-from housefly.geometry import Quaternion, Vec2, Vec3, rotate
+from housefly.geometry import Quaternion, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
 from housefly.twin.engine import mujoco
-from housefly.twin.movable import AWAY, MOVABLE, Movable
+from housefly.twin.movable import AWAY, MOVABLE, OUT, Movable
 from housefly.twin.onboard_loops import Wrench
 from housefly.twin.people.bodies import PREFIX
 from housefly.twin.people.script import PersonScript
@@ -99,17 +99,20 @@ class Physics:
         for number, pose in zip(self._people, poses, strict=True):
             self.data.mocap_pos[number], self.data.mocap_quat[number] = pose.position, pose.orientation
 
-    def put(self, name: str, place: Vec2 | None) -> None:
-        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
-        body = self.model.body(f"{MOVABLE}{name}").id
-        self.data.mocap_pos[self.model.body_mocapid[body]] = (0.0, 0.0, AWAY) if place is None else (*place, 0.0)
+    def put(self, name: str, place: Vec2 | None, yaw: float) -> None:
+        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of the building."""
+        number = self.model.body_mocapid[self.model.body(f"{MOVABLE}{name}").id]
+        self.data.mocap_pos[number] = OUT.position if place is None else (*place, 0.0)
+        self.data.mocap_quat[number] = quaternion_from_euler(0.0, 0.0, yaw)
         mujoco.mj_kinematics(self.model, self.data)
 
     def movable(self, name: str) -> tuple[int, Pose | None]:
         """Return the body of a movable thing and where it stands; None while it is out of the building."""
         body = int(self.model.body(f"{MOVABLE}{name}").id)
-        x, y, z = self.data.mocap_pos[self.model.body_mocapid[body]].tolist()
-        return body, Pose((x, y, z)) if z > AWAY / 2 else None
+        number = self.model.body_mocapid[body]
+        x, y, z = self.data.mocap_pos[number].tolist()
+        qw, qx, qy, qz = self.data.mocap_quat[number].tolist()
+        return body, Pose((x, y, z), (qw, qx, qy, qz)) if z > AWAY / 2 else None
 
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""

@@ -15,13 +15,14 @@ from housefly.config import Site
 from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
+from housefly.room.tracked import untracked
 from housefly.twin.battery import Battery
 from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
 from housefly.twin.depth_camera import DepthCamera
 from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
 from housefly.twin.mocap import Cameras, FrameMaker
-from housefly.twin.movable import Movable, markers_on
+from housefly.twin.movable import Movable, furniture_of, markers_on
 from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
 from housefly.twin.people import Scene
 from housefly.twin.physics import Physics
@@ -40,15 +41,16 @@ class SimulatedWorld:
         site: drone, tracking, scanners, depth cameras, noise, seed.
         room: what stands where.
         scene: the people in it; its time is the world's.
-        movables: things that no map shows; out of the building until they are put somewhere. Those that are called like the
-            body of a piece of the site's furniture carry markers.
+        movables: things that no map shows; out of the building until they are put somewhere. The furniture of the room that the
+            site's tracking system sees can be put elsewhere, too, by the names of its bodies.
     """
 
     def __init__(self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()) -> None:
         sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
-        self._physics = Physics(site, room, scene.script.people if scene else (), movables)
+        movables = (*movables, *furniture_of(site, room))
+        self._physics = Physics(site, untracked(room, site), scene.script.people if scene else (), movables)
         self._sensors = Sensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
@@ -122,9 +124,9 @@ class SimulatedWorld:
         """Return the poses of the bodies of the scene's people, in its order."""
         return self._stage.poses if self._stage else ()
 
-    def put(self, name: str, place: Vec2 | None) -> None:
-        """Stand a movable thing somewhere on the floor [m], or take it out of the building."""
-        self._physics.put(name, place)
+    def put(self, name: str, place: Vec2 | None, yaw: float = 0.0) -> None:
+        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of the building."""
+        self._physics.put(name, place, yaw)
 
     def scan(self, laser: str) -> tuple[int, ...]:
         """Return what a scanner of the site measures now, one distance a beam [mm]."""

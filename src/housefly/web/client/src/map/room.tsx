@@ -86,9 +86,10 @@ function Furniture({ view, to }: RoomProps) {
   );
 }
 
-/** Walls, things lower than the drone flies, and things that stand in its way look different. */
+/** Walls, what may stand elsewhere now, things lower than the drone flies, and things that stand in its way look different. */
 function kind(outline: OutlineView, view: RoomView): string {
   if (WALLS.test(outline.thing)) return "wall";
+  if (outline.tracked) return "tracked";
   if (outline.top < 0.05) return "flat";
   return outline.top < view.flight_height - 0.3 ? "low" : "tall";
 }

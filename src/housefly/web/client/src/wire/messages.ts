@@ -78,6 +78,7 @@ export interface OutlineView {
   corners: [number, number][];
   top: number;
   colour: string;
+  tracked: boolean;
 }
 
 export interface PlaceView {

@@ -114,6 +114,9 @@ export interface Hindrance {
   confidence: number;
   age: number;
   source: string;
+  length: number;
+  width: number;
+  yaw: number;
 }
 
 export interface PictureAnswer {
