@@ -1,4 +1,4 @@
-"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or that the room's own shelf is carried elsewhere."""
+"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or the room's own shelf carried elsewhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Furniture of the room model that carries markers: taken out of the room, known by where it stood, refused when it is not there."""
+"""Furniture of the room model that carries markers: taken out of the room, known by where it stood, refused when not there."""
 
 from __future__ import annotations
 
