@@ -7,7 +7,8 @@ import pytest
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import LINK, ORDER, STEP
 from housefly.clock import SteppedClock
-from housefly.messages import Event, LinkStatus, Order, OrderKind, PilotStep, Severity
+from housefly.config_furniture import FurnitureConfig
+from housefly.messages import Event, LinkStatus, Order, OrderKind, PilotStep, Pose, Severity, Sighting
 from housefly.web.news import PilotNews
 from housefly.web.rehearsal import PretendedPilot
 from housefly.web.rehearsal_room import example_room
@@ -96,6 +97,27 @@ def test_other_bodies_are_shown_until_they_are_not_seen_any_more(heard: Heard) -
     bus.publish(STEP, replace(step, sequence=99, inputs=replace(step.inputs, sightings=())))
     state = news.state(0.0)
     assert state is not None and state.others == ()
+
+
+def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(heard: Heard) -> None:
+    news, pilot, clock, bus = heard
+    cart = FurnitureConfig(name="the cart", body="Cart", length=0.8, width=0.4, x=0.1, remembered=10.0)
+    sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
+    news.furniture = (cart, sofa)
+    pilot.advance(0.01)
+    step = news.step
+    assert step is not None
+    seen = tuple(Sighting(body, Pose((2.0, 1.0, 0.5)), step.now, step.now) for body in ("Cart", "Sofa"))
+    bus.publish(STEP, replace(step, sequence=99, inputs=replace(step.inputs, sightings=seen)))
+    shown: list[list[str]] = []
+    for _ in range(2):
+        state = news.state(0.0)
+        assert state is not None
+        shown.append([body.name for body in state.others if body.size[0]])
+        if shown == [["the cart", "the sofa"]]:
+            assert (state.others[-2].position, state.others[-2].size) == ((2.1, 1.0), (0.8, 0.4))
+        clock.advance(11.0)
+    assert shown == [["the cart", "the sofa"], ["the sofa"]]
 
 
 def test_link_and_notes_of_our_own_are_kept(heard: Heard) -> None:

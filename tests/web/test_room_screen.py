@@ -224,8 +224,8 @@ async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, r
 async def test_tracked_furniture_is_drawn_as_it_lies_and_called_by_its_name(page: Page, room: Room) -> None:
     sofa = Hindrance("tracking/the sofa", 4.0, 3.0, 1.25, 0.0, 0.0, 1.0, 0.0, "tracking", 2.4, 0.8, 0.5 * pi)
     room.hub.present.block([sofa])
-    await expect(page.locator(".obstacle.tracked")).to_contain_text("the sofa tracked")
-    box = await page.locator(".obstacle.tracked .ground").bounding_box()
+    await expect(page.locator(".obstacle.tracked")).to_contain_text("the sofa")
+    box = await page.locator(".obstacle.tracked rect").bounding_box()
     scale = float(await page.locator(".plan-view > svg").get_attribute("data-scale") or 0)
     assert box is not None
     assert (box["width"] / scale, box["height"] / scale) == (pytest.approx(0.8, abs=0.1), pytest.approx(2.4, abs=0.1))

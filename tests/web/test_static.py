@@ -11,11 +11,11 @@ import pytest
 
 from housefly.web.server import STATIC
 
-LIMIT = 112_000
-"""100 kB, and 12 kB for editing places and zones."""
+LIMIT = 113_000
+"""100 kB, 12 kB for editing places and zones, and 1 kB for furniture that stands elsewhere."""
 
 
-def test_the_whole_console_is_smaller_than_112_kilobytes() -> None:
+def test_the_whole_console_is_smaller_than_113_kilobytes() -> None:
     assert sum(file.stat().st_size for file in STATIC.iterdir() if file.name != "LICENSES.txt") < LIMIT
 
 

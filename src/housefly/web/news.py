@@ -5,13 +5,15 @@ from __future__ import annotations
 import threading
 from collections import deque
 from dataclasses import dataclass, field
-from math import dist
+from math import dist, inf
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP
 from housefly.clock import Clock
+from housefly.config_furniture import FurnitureConfig
 from housefly.geometry import Vec2
-from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity
+from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity, Sighting
+from housefly.room.tracked import footprint_of
 from housefly.web.vocabulary import EventView, LinkNews, OtherBody, PathNews, State
 
 ENDURANCE = 720.0
@@ -21,13 +23,13 @@ TRAIL_KEPT = 600
 TRAIL_STEP = 0.04
 """Distance between two points of the trail [m]."""
 BODY_MEMORY = 2.0
-"""Other tracked bodies vanish from the map when they were not seen for this long [s]."""
+"""Other tracked bodies than furniture vanish from the map when they were not seen for this long [s]."""
 
 
 @dataclass(slots=True)
 class _Seen:
-    position: Vec2
-    at: float
+    body: OtherBody
+    until: float
 
 
 @dataclass(slots=True)
@@ -37,10 +39,12 @@ class PilotNews:
     Attributes:
         clock: the server's clock.
         drone_body: name of the drone among the tracked bodies; the others are drawn as others.
+        furniture: those of them that are furniture.
     """
 
     clock: Clock
     drone_body: str
+    furniture: tuple[FurnitureConfig, ...] = ()
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _step: PilotStep | None = None
     _heard_at: float = 0.0
@@ -111,7 +115,15 @@ class PilotNews:
 
     def _bodies(self) -> tuple[OtherBody, ...]:
         now = self.clock.now()
-        return tuple(OtherBody(name, seen.position) for name, seen in self._others.items() if now - seen.at < BODY_MEMORY)
+        return tuple(seen.body for seen in self._others.values() if now < seen.until)
+
+    def _seen(self, sighting: Sighting, now: float) -> _Seen:
+        for piece in self.furniture:
+            if piece.body == sighting.body:
+                middle, yaw = footprint_of(piece, sighting.pose)
+                body = OtherBody(piece.name, middle, (piece.length, piece.width), yaw)
+                return _Seen(body, inf if piece.model else now + piece.remembered)
+        return _Seen(OtherBody(sighting.body, sighting.pose.position[:2]), now + BODY_MEMORY)
 
     def _on_step(self, step: PilotStep) -> None:
         now = self.clock.now()
@@ -125,7 +137,7 @@ class PilotNews:
                 self._log(event.severity, event.code, event.text)
             for sighting in step.inputs.sightings:
                 if sighting.body != self.drone_body:
-                    self._others[sighting.body] = _Seen(sighting.pose.position[:2], now)
+                    self._others[sighting.body] = self._seen(sighting, now)
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
             estimate = step.outputs.estimate

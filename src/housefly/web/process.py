@@ -100,6 +100,7 @@ async def run_web(
             hosts=LOOPBACK_NAMES | {host, *names},
             secret=os.environ.get(SECRET, ""),
             drone_body=site.tracking.body,
+            furniture=site.furniture,
             coverage=lambda: coverage_view(load_room(site.room.model, folder), site.map.flight_height),
             edits=EditDesk(lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))),
         )

@@ -30,6 +30,7 @@ from starlette.websockets import WebSocket
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
+from housefly.config_furniture import FurnitureConfig
 from housefly.errors import HouseflyError
 from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
@@ -57,6 +58,7 @@ def create_app(
     hosts: frozenset[str] = LOOPBACK_NAMES,
     secret: str = "",
     drone_body: str = "ardrone",
+    furniture: tuple[FurnitureConfig, ...] = (),
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
     edits: EditDesk | None = None,
@@ -70,6 +72,7 @@ def create_app(
         hosts: names that the server answers to.
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
+        furniture: things that the tracking system sees.
         clock: tests may bring their own.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
         edits: where places and zones are edited; None where they are not.
@@ -77,7 +80,7 @@ def create_app(
     clock = clock or RealClock()
     doorkeeper = Doorkeeper(token, secret or secrets.token_urlsafe(32))
     link = PilotLink(bus, stop, clock)
-    console = Console(PilotNews(clock, drone_body), link, doorkeeper, clock)
+    console = Console(PilotNews(clock, drone_body, furniture), link, doorkeeper, clock)
     video = VideoRoom(bus)
     room = RoomApi(bus, doorkeeper, api_key(secret) if secret else "")
     layer = CoverageLayer(coverage) if coverage else None

@@ -147,10 +147,12 @@ class RoomNews:
 
 @dataclass(frozen=True, slots=True)
 class OtherBody:
-    """Another tracked body, for example the visitor."""
+    """Another tracked body: the visitor, or furniture, whose footprint has a size (length and width [m]) and a yaw [rad]."""
 
     name: str
     position: Vec2
+    size: Vec2 = (0.0, 0.0)
+    yaw: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

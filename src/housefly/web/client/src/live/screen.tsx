@@ -9,7 +9,7 @@ import { Find } from "./find";
 import { Events, History, PastBanner } from "./history";
 import { listen, toggleCoverage } from "./line";
 import { Sensors } from "./sensors";
-import { at, nameOf, obstacles, showsCoverage, situations, trouble } from "./store";
+import { at, nameOf, hindering, showsCoverage, situations, trouble } from "./store";
 import { ObstacleLayer, placeless, ThingsLayer } from "./things";
 import { isWorry, percent, worthSaying } from "./words";
 
@@ -84,7 +84,7 @@ function Notes() {
 
 /** What holds now, in words: the map says the same beside the people. */
 function Holds() {
-  if (at.value !== null || (situations.value.length === 0 && obstacles.value.length === 0)) return null;
+  if (at.value !== null || (situations.value.length === 0 && hindering.value === 0)) return null;
   return (
     <ul class="holds" aria-label="What holds now">
       {worthSaying(situations.value).map((one) => (
@@ -98,7 +98,7 @@ function Holds() {
           </span>
         </li>
       ))}
-      {obstacles.value.length > 0 && <li class="quiet">{obstacles.value.length} in the way of the drone</li>}
+      {hindering.value > 0 && <li class="quiet">{hindering.value} in the way of the drone</li>}
     </ul>
   );
 }

@@ -21,6 +21,10 @@ export const NOTHING: Found = { answer: null, problem: "", meant: [] };
 export const things = signal<ReadonlyMap<string, Seen>>(new Map());
 export const situations = signal<Holding[]>([]);
 export const obstacles = signal<Hindrance[]>([]);
+/** Source of furniture that the tracking system sees. */
+export const TRACKED = "tracking";
+/** How many things are in the way that nobody put there on purpose. */
+export const hindering = computed(() => obstacles.value.filter((one) => one.source !== TRACKED).length);
 export const events = signal<Occurrence[]>([]);
 export const sensors = signal<SensorsAnswer | null>(null);
 export const catalogue = signal<ThingAnswer[]>([]);

@@ -1,6 +1,6 @@
-import { at, found, obstacles, shown, type Seen } from "./store";
+import { TRACKED, at, found, obstacles, shown, type Seen } from "./store";
 import type { Hindrance } from "../wire/room-messages";
-import type { Projection } from "../map/projection";
+import { turn, type Projection } from "../map/projection";
 import { find } from "./line";
 import { LINE, MOVES, personRadius, wordsOf, type Words } from "./thing-labels";
 import { kindOf, percent } from "./words";
@@ -11,8 +11,6 @@ const FADES: [number, number][] = [
   [300, 0.6],
 ];
 const FAINTEST = 0.45;
-/** Source of furniture that the tracking system sees. */
-const TRACKED = "tracking";
 
 /** What moves, where it is; what is in something, beside it; faded by age, with the age in words. */
 export function ThingsLayer({ to }: { to: Projection }) {
@@ -124,33 +122,25 @@ export function ObstacleLayer({ to }: { to: Projection }) {
 
 function Obstacle({ to, one }: { to: Projection; one: Hindrance }) {
   const [u, v] = to.at([one.x, one.y]);
-  const [a, b] = to.at([one.x + one.vx, one.y + one.vy]);
   const speed = Math.hypot(one.vx, one.vy);
-  const turn = (Math.atan2(b - v, a - u) * 180) / Math.PI;
   const radius = Math.max(6, one.radius * to.scale);
+  const [length, width] = [one.length * to.scale, one.width * to.scale];
+  const tracked = one.source === TRACKED;
   return (
-    <g class={one.source === TRACKED ? "obstacle tracked" : "obstacle"} transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`} opacity={Math.max(FAINTEST, 1 - one.age)}>
-      {one.length && one.width ? <path class="ground" d={rectangle(to, one)} /> : <circle r={radius} />}
-      {speed > 0.05 && <path d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`} transform={`rotate(${turn.toFixed(0)})`} />}
-      <text y={-radius - 5}>
-        {one.source === TRACKED ? `${one.obstacle.slice(TRACKED.length + 1)} ` : ""}
-        {speed > 0.05 ? `${speed.toFixed(1)} m/s, ` : ""}
-        {one.source === TRACKED ? "tracked" : `${percent(one.confidence)} sure`}
+    <g class={tracked ? "obstacle tracked" : "obstacle"} transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`} opacity={Math.max(FAINTEST, 1 - one.age)}>
+      {length ? (
+        <rect x={-length / 2} y={-width / 2} width={length} height={width} transform={turn(one.yaw)} />
+      ) : (
+        <circle r={radius} />
+      )}
+      {speed > 0.05 && <path d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`} transform={turn(Math.atan2(one.vy, one.vx))} />}
+      <text y={tracked ? 4 : -radius - 5}>
+        {tracked && one.obstacle.slice(TRACKED.length + 1)}
+        {speed > 0.05 && ` ${speed.toFixed(1)} m/s,`}
+        {tracked ? "" : ` ${percent(one.confidence)} sure`}
       </text>
     </g>
   );
-}
-
-/** The ground of an obstacle that has a length and a width, around its own middle on the screen. */
-function rectangle(to: Projection, one: Hindrance): string {
-  const [u, v] = to.at([one.x, one.y]);
-  const [c, s] = [Math.cos(one.yaw), Math.sin(one.yaw)];
-  const corners = [[1, 1], [-1, 1], [-1, -1], [1, -1]].map(([i, j]) => {
-    const [x, y] = [(i! * one.length) / 2, (j! * one.width) / 2];
-    const [a, b] = to.at([one.x + c * x - s * y, one.y + s * x + c * y]);
-    return `${(a - u).toFixed(1)} ${(b - v).toFixed(1)}`;
-  });
-  return `M${corners.join("L")}z`;
 }
 
 /** Things that move and have no place: nobody may think that they are gone. */

@@ -62,6 +62,7 @@ function inside(text: string, box: Box, taken: Box[]): Label[] {
 function thingBoxes(view: RoomView, to: Projection): { text: string; box: Box }[] {
   const found = new Map<string, { box: Box; area: number }>();
   for (const outline of view.outlines) {
+    if (outline.tracked) continue;
     if (WALLS.test(outline.thing) || outline.top < 0.05) continue;
     const box = around(outline.corners.map((corner) => to.at(corner)));
     const known = found.get(outline.thing);

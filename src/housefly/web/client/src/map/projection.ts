@@ -32,3 +32,8 @@ export function polyline(projection: Projection, points: Point[], closed = false
   });
   return steps.join("") + (closed && steps.length ? "Z" : "");
 }
+
+/** A yaw of the world [rad] as an SVG transform: y points down on the screen. */
+export function turn(yaw: number): string {
+  return `rotate(${((-yaw * 180) / Math.PI).toFixed(1)})`;
+}

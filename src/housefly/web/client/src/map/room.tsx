@@ -1,9 +1,9 @@
 import { computed } from "@preact/signals";
 import { room, state } from "../store";
-import type { GridView, OutlineView, PlaceView, RoomView } from "../wire/messages";
+import type { GridView, OtherBody, OutlineView, PlaceView, RoomView } from "../wire/messages";
 import { runs } from "./grid";
 import { labels, WALLS } from "./labels";
-import { polyline, type Projection } from "./projection";
+import { polyline, turn, type Projection } from "./projection";
 
 const GRID_LINES_FROM = 13;
 
@@ -138,6 +138,7 @@ function Visitors({ to }: { to: Projection }) {
     <>
       {others.value.map((one) => {
         const [u, v] = to.at(one.position);
+        if (one.size[0]) return <Piece key={one.name} to={to} one={one} />;
         return (
           <g key={one.name} class="person" transform={`translate(${u} ${v})`}>
             <ellipse rx={0.24 * to.scale} ry={0.24 * to.scale} />
@@ -147,6 +148,18 @@ function Visitors({ to }: { to: Projection }) {
         );
       })}
     </>
+  );
+}
+
+/** Furniture where tracking sees it. */
+function Piece({ to, one }: { to: Projection; one: OtherBody }) {
+  const [u, v] = to.at(one.position);
+  const [length, width] = [one.size[0] * to.scale, one.size[1] * to.scale];
+  return (
+    <g class="piece" transform={`translate(${u} ${v})`}>
+      <rect x={-length / 2} y={-width / 2} width={length} height={width} transform={turn(one.yaw)} />
+      <text y="4">{one.name}</text>
+    </g>
   );
 }
 

@@ -119,6 +119,8 @@ export type Action = "idle" | "take off" | "fly" | "hover" | "land" | "cut motor
 export interface OtherBody {
   name: string;
   position: [number, number];
+  size: [number, number];
+  yaw: number;
 }
 
 export interface State {
