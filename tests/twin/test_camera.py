@@ -181,15 +181,29 @@ async def test_a_killed_child_is_replaced_and_starts_with_a_key_frame() -> None:
 
 
 @pytest.mark.slow
-async def test_a_child_that_hangs_is_replaced() -> None:
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux has a policy for idle time")
+async def test_a_child_that_starves_while_all_else_goes_first_is_replaced_by_one_that_competes() -> None:
     async with filming() as film:
         await film.more(1)
-        hung = film.camera.pid
-        assert hung is not None
-        os.kill(hung, signal.SIGSTOP)
+        first = film.camera.pid
+        assert first is not None and os.sched_getscheduler(first) == os.SCHED_IDLE
+        os.kill(first, signal.SIGSTOP)
         await film.until(lambda: film.camera.restarts == 1)
         await film.more(1)
-        assert not alive(hung)
+        assert film.camera.pid is not None and os.sched_getscheduler(film.camera.pid) == os.SCHED_OTHER
+
+
+@pytest.mark.slow
+async def test_a_child_that_hangs_is_replaced_each_time() -> None:
+    async with filming() as film:
+        for times in (1, 2):
+            await film.more(1)
+            hung = film.camera.pid
+            assert hung is not None
+            os.kill(hung, signal.SIGSTOP)
+            await film.until(lambda times=times: film.camera.restarts == times)
+            await film.more(1)
+            assert not alive(hung)
 
 
 async def test_without_a_renderer_a_card_says_why(monkeypatch: pytest.MonkeyPatch) -> None:

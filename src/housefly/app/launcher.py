@@ -134,7 +134,8 @@ class Launcher:
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
-            start_new_session=True,
+            # Ctrl-C is for the launcher alone. Not a session each: kernels that group by session ignore niceness between them.
+            process_group=0,
         )
         return _Running(part, process, log)
 

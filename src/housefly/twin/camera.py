@@ -27,7 +27,9 @@ CHOICE = "HOUSEFLY_RENDERER"
 _CHOICES = {"egl": (Backend.EGL, Backend.CARD), "osmesa": (Backend.OSMESA, Backend.CARD), "none": (Backend.CARD,)}
 _START_TIMEOUT = 30.0
 _HUNG = 3.0
-"""A child that owes a picture for this long [s] is replaced."""
+"""A child that owes a picture for this long [s] is replaced ..."""
+_STARVED = 1.0
+"""... and one that lets everything else go first, after this: the machine is too busy for that."""
 _GLANCE = 0.5
 """How often a silent child is looked at [s]."""
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 5.0
@@ -78,6 +80,7 @@ class CameraProcess:
         self._writer: asyncio.StreamWriter | None = None
         self._ready = False
         self._owed_since: float | None = None
+        self._yields = True
 
     @property
     def pid(self) -> int | None:
@@ -137,6 +140,7 @@ class CameraProcess:
                 else:
                     reason = body.decode(errors="replace")
         except TimeoutError:
+            self._yields = self._yields and not self._ready
             return self._ready, "the process hung"
         except (asyncio.IncompleteReadError, OSError):
             return self._ready, reason
@@ -154,7 +158,7 @@ class CameraProcess:
                 env=_environment(backend),
             )
         reader, self._writer = await asyncio.open_connection(sock=ours)
-        settings = Settings(self._scene, backend, self._rate_hz, tuple(self._reasons))
+        settings = Settings(self._scene, backend, self._rate_hz, tuple(self._reasons), self._yields)
         self._writer.write(message(Kind.SETTINGS, settings.pack()))
         return reader
 
@@ -171,7 +175,8 @@ class CameraProcess:
                 async with asyncio.timeout(_GLANCE):
                     return await reader.readexactly(HEADER.size)
             except TimeoutError:
-                since, patience = (self._owed_since, _HUNG) if self._ready else (started, _START_TIMEOUT)
+                owed = self._owed_since, _STARVED if self._yields else _HUNG
+                since, patience = owed if self._ready else (started, _START_TIMEOUT)
                 if since is not None and self._clock.now() - since > patience:
                     raise
 

@@ -23,7 +23,11 @@ from housefly.twin.camera_link import Backend, Encoded, Inbox, Kind, Request, Se
 CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000
 _NICENESS = 10
-"""More than the twin's own: pictures may be late, its physics and the pilot may not."""
+"""More than the twin's own: pictures may be late, its physics and the pilot may not.
+
+A picture occupies a processor for some milliseconds, and nobody else should wait for them: only a process of the policy for idle
+time is put aside in the middle (Linux). There is no way back from that policy; the parent replaces a child that starves.
+"""
 
 
 def serve(link: socket.socket) -> None:
@@ -50,6 +54,8 @@ def _send_views(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
     view = View(settings.scene, *PICTURE)
     encoder = Encoder(*PICTURE, settings.rate_hz)
     link.sendall(message(Kind.READY, settings.backend.name.encode()))
+    if settings.yields and sys.platform == "linux":
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
     while (request := _newest(inbox)) is not None:
         _send(link, encoder, view.picture(request), request.at)
 

@@ -44,12 +44,14 @@ class Settings:
         backend: how to make pictures.
         rate_hz: pictures per second to expect.
         reasons: why no better backend is used, in words; shown on the card.
+        yields: whether everything else on the machine goes first once it is ready.
     """
 
     scene: str
     backend: Backend
     rate_hz: float
     reasons: tuple[str, ...] = ()
+    yields: bool = False
 
     def pack(self) -> bytes:
         """Return the message body."""
@@ -59,7 +61,13 @@ class Settings:
     def unpack(cls, body: bytes) -> Settings:
         """Read a message body."""
         fields = json.loads(body)
-        return cls(fields["scene"], Backend(fields["backend"]), float(fields["rate_hz"]), tuple(fields["reasons"]))
+        return cls(
+            fields["scene"],
+            Backend(fields["backend"]),
+            float(fields["rate_hz"]),
+            tuple(fields["reasons"]),
+            bool(fields["yields"]),
+        )
 
 
 @dataclass(frozen=True, slots=True)
