@@ -1,4 +1,4 @@
-"""Seats of their own processes for benchmarks/hub.py: two that ask, one that listens, an echo; they print JSON."""
+"""Seats of their own processes for benchmarks/hub.py: three that ask, one that listens, an echo; they print JSON."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
+from housefly.asking.client import RoomClient
+from housefly.asking.meeting_place import find
 from housefly.bus.room_answers import WhereAnswer
 from housefly.bus.room_json import answer_from_json, question_to_json
 from housefly.bus.room_questions import Where
@@ -57,15 +59,21 @@ def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
     return times
 
 
-def by_http(site: str, count: int) -> list[float]:
-    """Ask as a program of the same user does."""
+def by_client(room: RoomClient, count: int) -> list[float]:
+    """Ask as a program does."""
     times = []
-    with housefly.connect(site) as room:
+    with room:
         known = known_to(room.where)
         for number in range(count):
             time.sleep(PAUSE)
             times.append(taken(partial(room.where, known[number % len(known)])))
     return times
+
+
+def over_http(site: str) -> RoomClient:
+    """Return a client that asks the console, as one on another machine does."""
+    place = find(site)
+    return RoomClient(place.address, place.key)
 
 
 def echo(endpoint: str) -> None:
@@ -116,15 +124,17 @@ def _is_known(where: Callable[[str], WhereAnswer], thing: str) -> bool:
 
 
 def main() -> None:
-    """Do what the first argument says: bus ENDPOINT COUNT, echo ENDPOINT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
+    """Do what the first argument says: bus ENDPOINT COUNT, echo ENDPOINT, connected or http SITE COUNT, listen ENDPOINT BODY SECONDS."""
     match sys.argv[1:]:
         case ["bus", endpoint, count]:
             with ZenohBus(connect=endpoint) as bus:
                 print(json.dumps(by_bus(bus, int(count))))
         case ["echo", endpoint]:
             echo(endpoint)
+        case ["connected", site, count]:
+            print(json.dumps(by_client(housefly.connect(site), int(count))))
         case ["http", site, count]:
-            print(json.dumps(by_http(site, int(count))))
+            print(json.dumps(by_client(over_http(site), int(count))))
         case ["listen", endpoint, drone, seconds]:
             with ZenohBus(connect=endpoint) as bus:
                 print(json.dumps(listened(bus, drone, float(seconds))))

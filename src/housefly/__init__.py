@@ -25,4 +25,4 @@ def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
     if address:
         return RoomClient(address, key)
     place = find(site)
-    return RoomClient(place.address, place.key)
+    return RoomClient(place.address, place.key, port=place.port)

@@ -53,7 +53,8 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
         twin_arguments = (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
         parts.append(Part("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
-        parts.append(Part("hub", "housefly.hub.process", (*site_argument, "--bus", runtime.bus), niceness=5))
+        asked_at = ("--bus", runtime.bus, "--port", str(runtime.room_port))
+        parts.append(Part("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5))
     if site.lasers or site.depth_cameras:
         parts.append(Part("looker", "housefly.app.looker_main", niceness=2))
     if web:

@@ -107,7 +107,7 @@ def run_watch(options: argparse.Namespace) -> int:
     place = find()
     console.print(f"watching {place.site}; Ctrl-C ends")
     try:
-        with RoomClient(place.address, place.key) as room:
+        with RoomClient(place.address, place.key, port=place.port) as room:
             for news in room.watch():
                 _tell(news, options.moves)
     except KeyboardInterrupt:
@@ -150,7 +150,7 @@ def _room(site: str) -> Iterator[Room]:
         with OfflineRoom(read_site(site), site_file(site).parent) as memory:
             yield memory
     else:
-        with RoomClient(place.address, place.key) as client:
+        with RoomClient(place.address, place.key, port=place.port) as client:
             yield client
 
 

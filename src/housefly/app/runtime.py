@@ -14,6 +14,7 @@ from housefly.errors import ConfigError
 from housefly.web.security import api_key
 
 SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
+ROOM_PORT, ROOM_KEY = "HOUSEFLY_ROOM_PORT", "HOUSEFLY_ROOM_KEY"
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,6 +27,7 @@ class Runtime:
         stop_port: loopback UDP port of the STOP path.
         secret: key of the STOP path.
         token: one-time token of the console's address.
+        room_port: loopback TCP port on which the hub answers programs of this machine.
     """
 
     site_file: Path
@@ -33,11 +35,13 @@ class Runtime:
     stop_port: int
     secret: str
     token: str
+    room_port: int
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
         mine = {SITE: str(self.site_file), BUS: self.bus, STOP_PORT: str(self.stop_port), SECRET: self.secret, TOKEN: self.token}
-        return {**os.environ, **mine}
+        room = {ROOM_PORT: str(self.room_port), ROOM_KEY: api_key(self.secret)}
+        return {**os.environ, **mine, **room}
 
     def site(self) -> Site:
         """Return the site."""
@@ -52,21 +56,24 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
         site = changed(site, mqtt__port=free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
-    bus_port, stop_port = free_port(socket.SOCK_STREAM), free_port(socket.SOCK_DGRAM)
-    return Runtime(site_file, f"tcp/127.0.0.1:{bus_port}", stop_port, secrets.token_hex(16), secrets.token_urlsafe(16))
+    bus_port, room_port, stop_port = (free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM))
+    bus, secret, token = f"tcp/127.0.0.1:{bus_port}", secrets.token_hex(16), secrets.token_urlsafe(16)
+    return Runtime(site_file, bus, stop_port, secret, token, room_port)
 
 
 def meeting_place(runtime: Runtime) -> MeetingPlace:
     """Return what other programs of this user need to ask the room of a run."""
     site = runtime.site()
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
-    return MeetingPlace(site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid())
+    port = runtime.room_port if site.hub.enabled else 0
+    return MeetingPlace(site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), port)
 
 
 def runtime_from_environment() -> Runtime:
     """Return the run that this process belongs to; raises ConfigError when it was not started by the launcher."""
     try:
-        return Runtime(Path(os.environ[SITE]), os.environ[BUS], int(os.environ[STOP_PORT]), os.environ[SECRET], os.environ[TOKEN])
+        site_file, stop_port, room_port = Path(os.environ[SITE]), int(os.environ[STOP_PORT]), int(os.environ[ROOM_PORT])
+        return Runtime(site_file, os.environ[BUS], stop_port, os.environ[SECRET], os.environ[TOKEN], room_port)
     except (KeyError, ValueError) as error:
         raise ConfigError("environment", f"{error}: start this process with `housefly run` or `housefly demo`") from error
 

@@ -21,12 +21,14 @@ class MeetingPlace:
         address: of its HTTP API, without a path.
         key: bearer token.
         pid: of the launcher.
+        port: loopback TCP port on which the hub answers itself; 0 where it does not.
     """
 
     site: str
     address: str
     key: str
     pid: int
+    port: int = 0
 
 
 @contextmanager
@@ -75,7 +77,7 @@ def folder() -> Path:
 def _read(file: Path) -> MeetingPlace | None:
     try:
         tree = json.loads(file.read_text(encoding="utf-8"))
-        return MeetingPlace(str(tree["site"]), str(tree["address"]), str(tree["key"]), int(tree["pid"]))
+        return MeetingPlace(str(tree["site"]), str(tree["address"]), str(tree["key"]), int(tree["pid"]), int(tree.get("port", 0)))
     except (OSError, ValueError, KeyError, TypeError):
         return None
 

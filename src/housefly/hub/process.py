@@ -1,4 +1,4 @@
-"""The hub's process: ``python -m housefly.hub.process --site FILE --bus ENDPOINT``.
+"""The hub's process: ``python -m housefly.hub.process --site FILE --bus ENDPOINT [--port PORT]``.
 
 It listens to the pilot, runs the drivers of the room's sensors, keeps what they tell, and answers on the bus. It may die at any
 time: the flight goes on, and what it had written is there when it is started again.
@@ -11,10 +11,11 @@ import asyncio
 import contextlib
 import gc
 import logging
+import os
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from housefly.bus.bus import Bus
@@ -23,8 +24,9 @@ from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, SENSOR, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config import Site, load_site
-from housefly.errors import HouseflyError
+from housefly.errors import HouseflyError, LinkError
 from housefly.hub.answers import Answers
+from housefly.hub.counter import Counter
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory
 from housefly.hub.newsroom import PERIOD, Newsroom
@@ -46,6 +48,9 @@ from housefly.things.catalogue import load_catalogue
 from housefly.things.thing import Thing
 
 log = logging.getLogger(__name__)
+
+KEY = "HOUSEFLY_ROOM_KEY"
+"""The environment holds the key: other users can read command lines."""
 
 
 class Hub:
@@ -80,7 +85,7 @@ class Hub:
             bus.subscribe(STEP, self._step),
             bus.subscribe(OBSTACLE, self._obstacles.heard),
             bus.subscribe(SENSOR, self._others.heard),
-            bus.answer(HUB_QUERY, self._answer),
+            bus.answer(HUB_QUERY, self.answer),
         )
 
     async def run(self) -> None:
@@ -113,7 +118,8 @@ class Hub:
         for item in self._facts.after(step, unix):
             self.memory.take(item)
 
-    def _answer(self, text: str) -> str:
+    def answer(self, text: str) -> str:
+        """Return the answer to a question, both JSON; safe from any thread, raises nothing."""
         try:
             return answer_to_json(self._answers.answer(question_from_json(text)))
         except HouseflyError as error:
@@ -138,10 +144,22 @@ def store_address(site: Site) -> str:
     return str(path)
 
 
-async def run_hub(site: Site, folder: Path, endpoint: str) -> None:
-    """Remember and answer until SIGTERM, SIGINT or cancellation; raises StoreError or ConfigError when it cannot begin."""
+async def run_hub(site: Site, folder: Path, endpoint: str, port: int = 0, key: str = "") -> None:
+    """Remember and answer until SIGTERM, SIGINT or cancellation.
+
+    Args:
+        site: which sensors there are, and where the memory is.
+        folder: of the site file, for relative paths.
+        endpoint: of the bus.
+        port: on which programs of this machine ask, with a key; 0 for none.
+        key: bearer token of the run.
+
+    Raises:
+        StoreError, ConfigError: it cannot begin.
+    """
     with ZenohBus(connect=endpoint) as bus:
         hub = Hub(site, folder, bus)
+        counter = opened_counter(hub.answer, key, port) if port and key else None
         working = asyncio.create_task(hub.run())
         for number in (signal.SIGTERM, signal.SIGINT):
             asyncio.get_running_loop().add_signal_handler(number, working.cancel)
@@ -151,7 +169,18 @@ async def run_hub(site: Site, folder: Path, endpoint: str) -> None:
             with contextlib.suppress(asyncio.CancelledError):
                 await working
         finally:
+            if counter is not None:
+                counter.close()
             hub.close()
+
+
+def opened_counter(answer: Callable[[str], str], key: str, port: int) -> Counter | None:
+    """Open the counter; without it programs ask over HTTP, and the room is remembered all the same."""
+    try:
+        return Counter(answer, key, port)
+    except LinkError as error:
+        log.warning("%s", error)
+        return None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -159,10 +188,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m housefly.hub.process", description="Remember what the room tells.")
     parser.add_argument("--site", type=Path, required=True, help="site file")
     parser.add_argument("--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447")
+    parser.add_argument("--port", type=int, default=0, help=f"loopback TCP port for programs that ask, with the key in {KEY}")
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
     try:
-        asyncio.run(run_hub(load_site(options.site), options.site.parent, options.bus))
+        asyncio.run(run_hub(load_site(options.site), options.site.parent, options.bus, options.port, os.environ.get(KEY, "")))
     except HouseflyError as error:
         print(f"hub: {error}", file=sys.stderr)
         return 1
