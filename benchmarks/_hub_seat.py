@@ -124,7 +124,7 @@ def _is_known(where: Callable[[str], WhereAnswer], thing: str) -> bool:
 
 
 def main() -> None:
-    """Do what the first argument says: bus ENDPOINT COUNT, echo ENDPOINT, connected or http SITE COUNT, listen ENDPOINT BODY SECONDS."""
+    """Do as told: bus ENDPOINT COUNT, echo ENDPOINT, connected SITE COUNT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
     match sys.argv[1:]:
         case ["bus", endpoint, count]:
             with ZenohBus(connect=endpoint) as bus:

@@ -141,9 +141,8 @@ def asking(found: Hover) -> str:
     times = found.bus
     half, most = (percentile(times["hub"], share) / percentile(times["echo"], share) for share in (0.5, 0.99))
     headings = ["where is X, asked from another process", "asked", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"]
-    return (
-        table(headings, rows) + f"\n\nOn the bus the hub takes {half:.2f} times the echo at the median, {most:.2f} times at p99."
-    )
+    words = f"On the bus the hub takes {half:.2f} times the echo at the median, {most:.2f} times at p99."
+    return f"{table(headings, rows)}\n\n{words}"
 
 
 def travelling(ages: dict[str, list[float]]) -> str:
