@@ -105,7 +105,7 @@ def timed(action: object, count: int) -> list[float]:
 
 def perception(premises: Premises) -> list[float]:
     site = premises.site
-    world = SimulatedWorld(site, premises.room, (Movable("a"), Movable("b")))
+    world = SimulatedWorld(site, premises.room, movables=(Movable("a"), Movable("b")))
     watcher = Watcher(premises.room, site.lasers)
     scans = []
     for n in range(400):
