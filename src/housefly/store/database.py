@@ -7,6 +7,9 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 Row = tuple[Any, ...]
 
 
@@ -40,6 +43,10 @@ class Database(Protocol):
 
     def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
         """Run one statement and return its rows."""
+        ...
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
         ...
 
     def many(self, sql: str, rows: Sequence[Row]) -> None:

@@ -8,6 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
+
+import numpy as np
+from numpy.typing import NDArray
 
 from housefly.errors import MissingPartError, StoreError
 from housefly.store.contract import UnfitRowError
@@ -55,6 +59,10 @@ class PostgresDatabase:
         with _telling():
             cursor = self._connection.execute(_placed(sql), values or None)
             return cursor.fetchall() if cursor.description else ()
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        return np.fromiter(chain.from_iterable(self.query(sql, values)), dtype=np.float64).reshape(-1, columns)
 
     def many(self, sql: str, rows: Sequence[Row]) -> None:
         """Run one statement for each row of values."""

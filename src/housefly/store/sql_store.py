@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import chain
 
 import numpy as np
 
@@ -137,8 +136,7 @@ class SqlStore:
         if every > 0.0:
             bucket = self._database.dialect.floor.format(f"captured_at / {every!r}")
             sql, values = PATH + THINNED.format(bucket), asked * 2
-        rows = self._database.query(f"{sql} ORDER BY captured_at", values)
-        spans = np.fromiter(chain.from_iterable(rows), dtype=np.float64).reshape(-1, 5)
+        spans = self._database.numbers(f"{sql} ORDER BY captured_at", values, 5)
         path, stood = spans[:, (0, 2, 3, 4)], spans[:, 1] > spans[:, 0]
         if not stood.any():
             return path

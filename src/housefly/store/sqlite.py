@@ -11,7 +11,11 @@ import sqlite3
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from housefly.errors import StoreError
 from housefly.store.contract import UnfitRowError
@@ -54,6 +58,12 @@ class SqliteDatabase:
         """Run one statement and return its rows."""
         with self._telling():
             return self._connection.execute(sql, values).fetchall()
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        with self._telling():
+            found = chain.from_iterable(self._connection.execute(sql, values))
+            return np.fromiter(found, dtype=np.float64).reshape(-1, columns)
 
     def many(self, sql: str, rows: Sequence[Row]) -> None:
         """Run one statement for each row of values."""
