@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import os
+import sys
 import threading
 
 import numpy as np
@@ -178,3 +180,18 @@ def test_a_column_that_does_not_exist_or_lies_outside_its_range_is_named() -> No
         cases(Site(), 1, wnid_x=1.0)
     with pytest.raises(ConfigError, match="mocap_dropout"):
         cases(Site(), 1, mocap_dropout=1.5)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere niceness belongs to the whole process")
+def test_the_threads_that_fly_simulated_drones_let_a_real_flight_go_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    flying, seen = engine.fly_rows, set[int]()
+
+    def noted(*arguments: object) -> None:
+        seen.add(os.getpriority(os.PRIO_PROCESS, threading.get_native_id()))
+        flying(*arguments)
+
+    monkeypatch.setattr(engine, "fly_rows", noted)
+    before = os.getpriority(os.PRIO_PROCESS, threading.get_native_id())
+    fly_many(fleet(3), HOLD, threads=1)
+    assert seen == {max(before, engine.NICENESS)}
+    assert os.getpriority(os.PRIO_PROCESS, threading.get_native_id()) == before

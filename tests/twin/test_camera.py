@@ -203,7 +203,7 @@ async def test_a_child_that_hangs_is_replaced_each_time() -> None:
             os.kill(hung, signal.SIGSTOP)
             await film.until(lambda times=times: film.camera.restarts == times)
             await film.more(1)
-            assert not alive(hung)
+            await film.until(lambda hung=hung: not alive(hung))
 
 
 async def test_without_a_renderer_a_card_says_why(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -12,7 +12,9 @@ import socket
 import subprocess
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
+from threading import Thread
 
 from housefly.clock import RealClock
 from housefly.config import Site
@@ -32,6 +34,8 @@ _STARVED = 1.0
 """... and one that lets everything else go first, after this: the machine is too busy for that."""
 _GLANCE = 0.5
 """How often a silent child is looked at [s]."""
+_LAST = 2.0
+"""How long the end waits for the child's [s]."""
 _FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 5.0
 _STABLE = 10.0
 """A child that lived this long [s] was worth restarting at once."""
@@ -112,7 +116,11 @@ class CameraProcess:
         """End the child and the supervision."""
         if self._task is not None:
             self._task.cancel()
+        child = self._child
         self._bury()
+        if child is not None:
+            with suppress(subprocess.TimeoutExpired):
+                child.wait(_LAST)
 
     async def _supervise(self) -> None:
         pause = _FIRST_PAUSE
@@ -194,7 +202,8 @@ class CameraProcess:
             self._writer = None
         if self._child is not None:
             self._child.kill()
-            self._child.wait()
+            # One that starves takes its time even to die, and the simulated drone must not wait for that.
+            Thread(target=self._child.wait, name="camera child", daemon=True).start()
             self._child = None
 
 
