@@ -16,9 +16,9 @@ from housefly.messages import Obstacle, Order, OrderKind, Path, PlanAnswer
 from housefly.planning.live import distances_for, first_block, live_grid
 from housefly.planning.obstacles import Memory, fault_of, rows_of
 from housefly.planning.planner import plan
-from housefly.room.grid import OccupancyGrid, build_grid, extent_of, inflation
+from housefly.room.grid import OccupancyGrid, extent_of, inflation
 from housefly.room.model import Room
-from housefly.room.tracked import untracked
+from housefly.room.tracked import untracked_grid
 
 ESCAPE_REACH = 1.0
 """A drone in a blocked cell may fly straight to a free cell that is nearer than this [m]."""
@@ -37,8 +37,7 @@ class RoomNavigator:
         self._paper = site.mode == "paper"
         self._speed = site.limits.speed
         self._room = room
-        bare = untracked(room, site)
-        self._static = grid if bare is room else build_grid(bare, site)
+        self._static = untracked_grid(room, site, grid)
         # Until the first word of tracked furniture it stands where the room model has it.
         self._live: OccupancyGrid | None = grid
         self._extent = extent_of(grid)

@@ -8,13 +8,13 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
-from housefly.asking.meeting_place import MeetingPlace
+from housefly.asking.meeting_place import ROOM_KEY, MeetingPlace
 from housefly.config import Site, changed, load_site
 from housefly.errors import ConfigError
 from housefly.web.security import api_key
 
 SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
-ROOM_PORT, ROOM_KEY = "HOUSEFLY_ROOM_PORT", "HOUSEFLY_ROOM_KEY"
+ROOM_PORT = "HOUSEFLY_ROOM_PORT"
 
 
 @dataclass(frozen=True, slots=True)

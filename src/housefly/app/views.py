@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from housefly.app.premises import Premises
 from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
-from housefly.room.grid import Cell, OccupancyGrid, build_grid
+from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Solid
 from housefly.room.outline import outline
-from housefly.room.tracked import untracked
+from housefly.room.tracked import untracked, untracked_grid
 
 CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFLATED: "i", Cell.OUTSIDE: "x"}
 
@@ -15,13 +15,13 @@ CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFL
 def room_view(premises: Premises) -> RoomView:
     """Return everything static that the console draws."""
     site, room = premises.site, premises.room
-    limits, fixed = site.limits, untracked(room, site)
-    standing = frozenset(solid.name for solid in fixed.solids)
+    limits = site.limits
+    standing = frozenset(solid.name for solid in untracked(room, site).solids)
     return RoomView(
         site=site.name,
         mode=site.mode,
         bounds=room.bounds,
-        grid=grid_view(premises.grid if fixed is room else build_grid(fixed, site)),
+        grid=grid_view(untracked_grid(room, site, premises.grid)),
         outlines=tuple(_outline(solid, solid.name not in standing) for solid in room.solids),
         places=tuple(PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at) for p in room.places),
         home=room.home,

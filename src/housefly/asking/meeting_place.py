@@ -11,6 +11,9 @@ from pathlib import Path
 
 from housefly.errors import LinkError
 
+ROOM_KEY = "HOUSEFLY_ROOM_KEY"
+"""The hub finds the key of its run in this variable of its environment: other users can read command lines."""
+
 
 @dataclass(frozen=True, slots=True)
 class MeetingPlace:

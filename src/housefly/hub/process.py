@@ -18,6 +18,7 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from housefly.asking.meeting_place import ROOM_KEY
 from housefly.bus.bus import Bus
 from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
 from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, SENSOR, STEP
@@ -48,9 +49,6 @@ from housefly.things.catalogue import load_catalogue
 from housefly.things.thing import Thing
 
 log = logging.getLogger(__name__)
-
-KEY = "HOUSEFLY_ROOM_KEY"
-"""The environment holds the key: other users can read command lines."""
 
 
 class Hub:
@@ -188,11 +186,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m housefly.hub.process", description="Remember what the room tells.")
     parser.add_argument("--site", type=Path, required=True, help="site file")
     parser.add_argument("--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447")
-    parser.add_argument("--port", type=int, default=0, help=f"loopback TCP port for programs that ask, with the key in {KEY}")
+    parser.add_argument("--port", type=int, default=0, help=f"loopback TCP port for who asks, with the key in {ROOM_KEY}")
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
     try:
-        asyncio.run(run_hub(load_site(options.site), options.site.parent, options.bus, options.port, os.environ.get(KEY, "")))
+        key = os.environ.get(ROOM_KEY, "")
+        asyncio.run(run_hub(load_site(options.site), options.site.parent, options.bus, options.port, key))
     except HouseflyError as error:
         print(f"hub: {error}", file=sys.stderr)
         return 1

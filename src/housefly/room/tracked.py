@@ -16,6 +16,7 @@ from housefly.config_furniture import FurnitureConfig
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2, quaternion_from_euler, wrap_angle
 from housefly.messages import Pose
+from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room, Solid
 from housefly.room.outline import outline
 
@@ -55,6 +56,12 @@ def untracked(room: Room, site: Site) -> Room:
     """
     gone = {solid.name for piece in site.furniture if piece.model for solid in _checked(room, piece)}
     return replace(room, solids=tuple(solid for solid in room.solids if solid.name not in gone)) if gone else room
+
+
+def untracked_grid(room: Room, site: Site, grid: OccupancyGrid) -> OccupancyGrid:
+    """Return the map of the room without the things that tracking sees; the given one, of the whole room, when it sees none."""
+    bare = untracked(room, site)
+    return grid if bare is room else build_grid(bare, site)
 
 
 def stand_of(room: Room, piece: FurnitureConfig) -> Stand | None:
