@@ -6,6 +6,7 @@ import json
 import socket
 from collections.abc import Iterator
 from contextlib import closing
+from math import inf, nan
 
 import pytest
 
@@ -115,6 +116,10 @@ def test_the_hub_and_the_client_speak_the_same(house) -> None:
             room.where("cap")
         with pytest.raises(WireError, match="radius"):
             room.near("cup", -1.0)
+        for number in (nan, inf):
+            with pytest.raises(WireError, match="finite"):
+                room.near("cup", number)
+        assert room.where("cup").position == (1.0, 2.0, 3.0)
     with RoomClient("http://127.0.0.1:9", KEY, port=number) as room, pytest.raises(LinkError, match="does not answer"):
         room.where("cup")
     assert question_to_json(Where("cup")).count("\n") == 0

@@ -19,8 +19,11 @@ _ANSWERS: dict[type[Answer], TypeAdapter[Any]] = {kind: TypeAdapter(kind) for ki
 
 
 def question_to_json(question: Question) -> str:
-    """Return a question as JSON."""
-    return json.dumps(asdict(question), allow_nan=False)
+    """Return a question as JSON; raises WireError for a number that is not finite, which JSON cannot hold."""
+    try:
+        return json.dumps(asdict(question), allow_nan=False)
+    except ValueError as error:
+        raise WireError(f"not all numbers of the question {question.ask!r} are finite") from error
 
 
 def question_from_json(text: str) -> Question:
