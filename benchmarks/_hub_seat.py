@@ -1,4 +1,6 @@
-"""Seats of their own processes for benchmarks/hub.py: three that ask, one that listens, an echo; they print JSON."""
+"""Seats of their own processes for benchmarks/hub.py: three that ask, one that listens, an echo;
+they print JSON.
+"""
 
 from __future__ import annotations
 
@@ -10,14 +12,14 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
-from housefly.asking.client import RoomClient
-from housefly.asking.meeting_place import find
-from housefly.bus.room_answers import WhereAnswer
-from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Where
 from housefly.bus.topics import FRAME, HUB_QUERY, ROOM_NEWS, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
+from housefly.hub.api.answers import WhereAnswer
+from housefly.hub.api.questions import Where
+from housefly.hub.api.room_json import answer_from_json, question_to_json
+from housefly.hub.asking.client import RoomClient
+from housefly.hub.asking.discovery import find
 from housefly.messages import PilotStep, RoomNews, TrackedFrame
 
 ECHO = "benchmark/echo"
@@ -42,7 +44,9 @@ def taken(ask: Callable[[], object]) -> float:
 
 
 def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
-    """Ask on the bus, in turn with an echo that does nothing, and return how long each answer took [s]."""
+    """Ask on the bus, in turn with an echo that does nothing, and return how long each answer took
+    [s].
+    """
 
     def where(thing: str) -> WhereAnswer:
         answer = answer_from_json(Where(thing), bus.ask(HUB_QUERY, question_to_json(Where(thing))))
@@ -90,7 +94,9 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
 
     def frame(frame: TrackedFrame) -> None:
         now = time.monotonic()
-        ages["frame"] += [now - sighting.received_at for sighting in frame.sightings if sighting.body == drone]
+        ages["frame"] += [
+            now - sighting.received_at for sighting in frame.sightings if sighting.body == drone
+        ]
 
     def step(step: PilotStep) -> None:
         now = time.monotonic()
@@ -104,7 +110,9 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
     def news(news: RoomNews) -> None:
         now, told = time.time(), json.loads(news.text)
         ages["news_way"].append(now - told["at"])
-        ages["news"] += [now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone]
+        ages["news"] += [
+            now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone
+        ]
 
     open_ = [bus.subscribe(FRAME, frame), bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
     time.sleep(WARM_UP)
@@ -124,7 +132,9 @@ def _is_known(where: Callable[[str], WhereAnswer], thing: str) -> bool:
 
 
 def main() -> None:
-    """Do as told: bus ENDPOINT COUNT, echo ENDPOINT, connected SITE COUNT, http SITE COUNT, listen ENDPOINT BODY SECONDS."""
+    """Do as told: bus ENDPOINT COUNT, echo ENDPOINT, connected SITE COUNT, http SITE COUNT, listen
+    ENDPOINT BODY SECONDS.
+    """
     match sys.argv[1:]:
         case ["bus", endpoint, count]:
             with ZenohBus(connect=endpoint) as bus:

@@ -1,4 +1,6 @@
-"""Drones of crazyflow under its own position controller; runs in its environment, prints drone-seconds per core-second."""
+"""Drones of crazyflow under its own position controller; runs in its environment, prints
+drone-seconds per core-second.
+"""
 
 import sys
 import time

@@ -17,7 +17,7 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.bus.topics import LINK, ORDER, STEP
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import LinkStatus, Order, OrderKind, Phase, PilotStep
 
 
@@ -34,7 +34,9 @@ def row(*cells: object) -> str:
 
 def table(headings: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     """Return a Markdown table."""
-    return "\n".join([row(*headings), row(*("---" for _ in headings)), *(row(*cells) for cells in rows)])
+    return "\n".join(
+        [row(*headings), row(*("---" for _ in headings)), *(row(*cells) for cells in rows)]
+    )
 
 
 @dataclass
@@ -50,7 +52,9 @@ class Running:
 
     def order(self, kind: OrderKind, place: str = "", look_s: float = 3.0) -> None:
         """Give an order."""
-        self.bus.publish(ORDER, Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark"))
+        self.bus.publish(
+            ORDER, Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark")
+        )
 
     def wait_for(self, phase: Phase, timeout: float) -> None:
         """Wait until the pilot is in a phase."""
@@ -67,11 +71,16 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
     with tempfile.TemporaryDirectory() as folder:
         start = time.monotonic()
         runtime = new_runtime(site, Path(folder))
-        with Launcher(runtime, Path(folder), parts_of(runtime, web=web)) as launcher, ZenohBus(connect=runtime.bus) as bus:
+        with (
+            Launcher(runtime, Path(folder), parts_of(runtime, web=web)) as launcher,
+            ZenohBus(connect=runtime.bus) as bus,
+        ):
             video = site.drone.has_video and site.twin.video
             missing = Readiness(runtime.site(), bus, web=web, video=video).wait(60.0)
             if missing:
-                logs = "\n".join(f"{log.name}: {log.read_text()}" for log in Path(folder).glob("*.log"))
+                logs = "\n".join(
+                    f"{log.name}: {log.read_text()}" for log in Path(folder).glob("*.log")
+                )
                 sys.exit(f"not ready: {missing}\n{logs}")
             state = Running(runtime, launcher, bus, time.monotonic() - start)
             lock = threading.Lock()
@@ -87,4 +96,6 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
 
 def bench_site(address: str, **changes: object) -> Site:
     """Return the shipped demo site on a loopback address of its own."""
-    return read_site("bsen", drone__address=address, tracking__address=address, web__port=0, **changes)
+    return read_site(
+        "bsen", drone__address=address, tracking__address=address, web__port=0, **changes
+    )

@@ -22,7 +22,7 @@ from housefly.bus.codec import decode, encode
 from housefly.bus.stop import StopSender
 from housefly.bus.topics import STEP
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import (
     Action,
     Behavior,
@@ -59,7 +59,10 @@ def step(number: int, now: float) -> PilotStep:
         number,
         now,
         Inputs(
-            (Sighting("ardrone", pose, now - 0.02, now), Sighting("visitor", pose, now - 0.02, now)),
+            (
+                Sighting("ardrone", pose, now - 0.02, now),
+                Sighting("visitor", pose, now - 0.02, now),
+            ),
             Telemetry(now, DroneStatus.FLYING, 0.8),
         ),
         Outputs(
@@ -76,9 +79,14 @@ def step(number: int, now: float) -> PilotStep:
 
 
 def listen() -> None:
-    """The other process: measures the age of each step where its handler begins, and reports all ages as LINK notes."""
+    """The other process: measures the age of each step where its handler begins, and reports all
+    ages as LINK notes.
+    """
     ages: dict[str, list[float]] = {"zenoh": [], "tcp": []}
-    with ZenohBus(connect=f"tcp/{HOST}:{BUS_PORT}") as bus, socket.create_connection((HOST, TCP_PORT)) as link:
+    with (
+        ZenohBus(connect=f"tcp/{HOST}:{BUS_PORT}") as bus,
+        socket.create_connection((HOST, TCP_PORT)) as link,
+    ):
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         bus.subscribe(STEP, lambda message: ages["zenoh"].append(time.monotonic() - message.now))
         bus.answer("ready", str)
@@ -86,14 +94,21 @@ def listen() -> None:
         while head := stream.read(4):
             message = decode(PilotStep, stream.read(struct.unpack("<I", head)[0]))
             ages["tcp"].append(time.monotonic() - message.now)
-        print(" ".join(map(str, ages["zenoh"])), " ".join(map(str, ages["tcp"])), sep="\n", flush=True)
+        print(
+            " ".join(map(str, ages["zenoh"])), " ".join(map(str, ages["tcp"])), sep="\n", flush=True
+        )
 
 
 def transports() -> str:
     """Send steps to another process by the bus and by a bare socket in turn."""
     count = int(SECONDS * RATE_HZ)
-    with socket.create_server((HOST, TCP_PORT)) as server, ZenohBus(listen=f"tcp/{HOST}:{BUS_PORT}") as bus:
-        other = subprocess.Popen([sys.executable, __file__, "listen"], stdout=subprocess.PIPE, text=True)
+    with (
+        socket.create_server((HOST, TCP_PORT)) as server,
+        ZenohBus(listen=f"tcp/{HOST}:{BUS_PORT}") as bus,
+    ):
+        other = subprocess.Popen(
+            [sys.executable, __file__, "listen"], stdout=subprocess.PIPE, text=True
+        )
         link, _ = server.accept()
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         bus.ask("ready", timeout=10.0)
@@ -109,15 +124,20 @@ def transports() -> str:
         output, _ = other.communicate(timeout=20)
     zenoh, tcp = ([1e6 * float(age) for age in line.split()] for line in output.splitlines())
     rows = [
-        (name, f"{len(ages)} of {count}", *(f"{percentile(ages, share):.0f}" for share in (0.5, 0.99, 1.0)))
+        (
+            name,
+            f"{len(ages)} of {count}",
+            *(f"{percentile(ages, share):.0f}" for share in (0.5, 0.99, 1.0)),
+        )
         for name, ages in (("zenoh bus", zenoh), ("bare TCP socket", tcp))
     ]
     ratio = percentile(zenoh, 0.5) / percentile(tcp, 0.5)
     return (
         "### Bus: from publish to handler in another process\n\n"
         + table(("transport", "arrived", "p50 [us]", "p99 [us]", "max [us]"), rows)
-        + f"\n\nPilot steps of {len(encode(step(0, 0.0)))} bytes at {RATE_HZ:.0f} Hz over loopback, encoding and decoding "
-        f"included, in turn in the same run: the bus takes {ratio:.2f} times the bare socket at the median.\n"
+        + f"\n\nPilot steps of {len(encode(step(0, 0.0)))} bytes at {RATE_HZ:.0f} Hz over loopback,"
+        f" encoding and decoding included, in turn in the same run: the bus takes {ratio:.2f}"
+        " times the bare socket at the median.\n"
     )
 
 
@@ -134,7 +154,11 @@ def cost(work: Callable[[], object], repeats: int = 2000) -> float:
 
 def codec() -> str:
     """Encode and decode the messages of the bus."""
-    samples = (step(7, 1.0), VideoFrame(bytes(PICTURE_BYTES), True, 640, 360, 1, 1.0), LinkStatus(1.0))
+    samples = (
+        step(7, 1.0),
+        VideoFrame(bytes(PICTURE_BYTES), True, 640, 360, 1, 1.0),
+        LinkStatus(1.0),
+    )
     rows = []
     for sample in samples:
         data, pickled = encode(sample), pickle.dumps(sample)
@@ -146,11 +170,20 @@ def codec() -> str:
             cost(lambda pickled=pickled: pickle.loads(pickled)),
         )
         rows.append((kind.__name__, len(data), len(pickled), *(f"{value:.1f}" for value in times)))
-    headings = ("message", "CDR bytes", "pickle bytes", "encode [us]", "decode [us]", "pickle [us]", "unpickle [us]")
+    headings = (
+        "message",
+        "CDR bytes",
+        "pickle bytes",
+        "encode [us]",
+        "decode [us]",
+        "pickle [us]",
+        "unpickle [us]",
+    )
     return (
         "### Codec: CDR of ROS 2 types\n\n"
         + table(headings, rows)
-        + "\n\nAgainst Python's own pickle in the same run, which checks nothing and which no other program reads.\n"
+        + "\n\nAgainst Python's own pickle in the same run, which checks nothing and which no other"
+        " program reads.\n"
     )
 
 
@@ -167,9 +200,11 @@ def stop_path() -> str:
     return (
         "### STOP: cost of sending it\n\n"
         + table(
-            ("p50 [us]", "p99 [us]", "limit [us]"), [(f"{percentile(times, 0.5):.0f}", f"{percentile(times, 0.99):.0f}", 1000)]
+            ("p50 [us]", "p99 [us]", "limit [us]"),
+            [(f"{percentile(times, 0.5):.0f}", f"{percentile(times, 0.99):.0f}", 1000)],
         )
-        + "\n\nTime until `StopSender.send` returns, the first datagram being on its way, against the limit of 1 ms.\n"
+        + "\n\nTime until `StopSender.send` returns, the first datagram being on its way, against"
+        " the limit of 1 ms.\n"
     )
 
 
@@ -187,26 +222,39 @@ def recorder() -> str:
         size = (FilePath(folder) / "flight.mcap").stat().st_size / SECONDS / 1000.0
     share = 100.0 * (busy - idle)
     picture = sum(len(data) for data, _ in film) / len(film) / 1000.0
-    headings = ("recorder [%]", "budget of all processes [%]", "share of the budget [%]", "flight.mcap [kB/s]")
+    headings = (
+        "recorder [%]",
+        "budget of all processes [%]",
+        "share of the budget [%]",
+        "flight.mcap [kB/s]",
+    )
     return (
         "### Flight recorder: share of one core\n\n"
         + table(headings, [(f"{share:.1f}", 120, f"{share / 1.2:.1f}", f"{size:.0f}")])
-        + f"\n\n{RATE_HZ:.0f} steps and 30 pictures of {picture:.0f} kB a second for {SECONDS:.0f} s, less the same loop "
-        "without a recorder, against the goal of 1.2 cores for the whole demo.\n"
+        + f"\n\n{RATE_HZ:.0f} steps and 30 pictures of {picture:.0f} kB a second for {SECONDS:.0f}"
+        " s, less the same loop without a recorder, against the goal of 1.2 cores for the whole"
+        " demo.\n"
     )
 
 
 def _film() -> list[tuple[bytes, bool]]:
     """Return noisy H.264 pictures of 640 x 360 at about 3.6 Mbit/s, like those of the drone."""
     encoder: Any = av.CodecContext.create("libx264", "w")
-    encoder.width, encoder.height, encoder.pix_fmt, encoder.bit_rate = 640, 360, "yuv420p", 3_600_000
+    encoder.width, encoder.height, encoder.pix_fmt, encoder.bit_rate = (
+        640,
+        360,
+        "yuv420p",
+        3_600_000,
+    )
     encoder.time_base, encoder.framerate = Fraction(1, 30), Fraction(30)
     encoder.options = {"preset": "ultrafast", "tune": "zerolatency", "g": "30"}
     noise = np.random.default_rng(1)
     film = []
     for number in range(90):
         coarse = noise.integers(0, 255, (90, 160, 3), dtype=np.uint8)
-        frame = av.VideoFrame.from_ndarray(coarse.repeat(4, axis=0).repeat(4, axis=1), format="rgb24")
+        frame = av.VideoFrame.from_ndarray(
+            coarse.repeat(4, axis=0).repeat(4, axis=1), format="rgb24"
+        )
         frame.pts = number
         film += [(bytes(packet), packet.is_keyframe) for packet in encoder.encode(frame)]
     return film

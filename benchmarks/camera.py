@@ -1,4 +1,6 @@
-"""The drone's camera: what a picture costs, with which smoothing, and what the whole child takes at 30 pictures a second."""
+"""The drone's camera: what a picture costs, with which smoothing, and what the whole child takes at
+30 pictures a second.
+"""
 
 from __future__ import annotations
 
@@ -13,16 +15,16 @@ os.environ.setdefault("LP_NUM_THREADS", "0")
 
 import psutil
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose
 from housefly.room.files import load_room
 from housefly.room.mjcf import room_to_mjcf
-from housefly.twin.body import PICTURE, drone_body
-from housefly.twin.camera import CameraPicture, CameraProcess
-from housefly.twin.camera_encoder import Encoder
-from housefly.twin.camera_link import Request
-from housefly.twin.camera_view import SUPERSAMPLING, View
+from housefly.twin.ardrone.body import PICTURE, drone_body
+from housefly.twin.camera.camera import CameraPicture, CameraProcess
+from housefly.twin.camera.encoder import Encoder
+from housefly.twin.camera.link import Request
+from housefly.twin.camera.view import SUPERSAMPLING, View
 from housefly.twin.contracts import Camera
 
 RATE_HZ = 30.0
@@ -41,8 +43,13 @@ def pose(turn: float) -> Pose:
 
 def cost(supersampling: float, samples: int) -> tuple[float, float]:
     """Return processor time [s] of rendering and of encoding one picture."""
-    view, encoder = View(SCENE, *PICTURE, supersampling=supersampling, samples=samples), Encoder(*PICTURE, RATE_HZ)
-    requests = [Request(pose(n / PICTURES), True, Camera.FRONT, n / RATE_HZ) for n in range(PICTURES)]
+    view, encoder = (
+        View(SCENE, *PICTURE, supersampling=supersampling, samples=samples),
+        Encoder(*PICTURE, RATE_HZ),
+    )
+    requests = [
+        Request(pose(n / PICTURES), True, Camera.FRONT, n / RATE_HZ) for n in range(PICTURES)
+    ]
     encoder.encode(view.picture(requests[0]))
     rendering = encoding = 0.0
     for request in requests:
@@ -89,29 +96,46 @@ async def whole_child(name: str, flight: float) -> str:
     memory = child.memory_info().rss / 2**20
     camera.close()
     cuts = statistics.quantiles(delays, n=100)
-    rate, bits = len(pictures) / seconds, 8e-6 * sum(len(picture.data) for picture in pictures) / seconds
+    rate, bits = (
+        len(pictures) / seconds,
+        8e-6 * sum(len(picture.data) for picture in pictures) / seconds,
+    )
     return (
-        f"| {name} | {rate:.1f} of {RATE_HZ:.0f} | {share:.2f} | {1e3 * cuts[49]:.0f} ms / {1e3 * cuts[98]:.0f} ms "
-        f"| {bits:.2f} Mbit/s | {memory:.0f} MiB | {ready:.2f} s |"
+        f"| {name} | {rate:.1f} of {RATE_HZ:.0f} | {share:.2f} | {1e3 * cuts[49]:.0f} ms /"
+        f" {1e3 * cuts[98]:.0f} ms | {bits:.2f} Mbit/s | {memory:.0f} MiB | {ready:.2f} s |"
     )
 
 
 def main() -> None:
     print("### Camera picture, 640 x 360\n")
-    print("| smoothing | render | convert and encode | pictures/s possible | cores at 30/s |\n|---|---|---|---|---|")
-    variants = (("none", 1.0, 0), (f"rendered {SUPERSAMPLING:g} x larger (used)", SUPERSAMPLING, 0), ("MSAA 4", 1.0, 4))
+    print(
+        "| smoothing | render | convert and encode | pictures/s possible | cores at 30/s"
+        " |\n|---|---|---|---|---|"
+    )
+    variants = (
+        ("none", 1.0, 0),
+        (f"rendered {SUPERSAMPLING:g} x larger (used)", SUPERSAMPLING, 0),
+        ("MSAA 4", 1.0, 4),
+    )
     for name, supersampling, samples in variants:
         rendering, encoding = cost(supersampling, samples)
         both = rendering + encoding
         print(
-            f"| {name} | {1e3 * rendering:.1f} ms | {1e3 * encoding:.1f} ms | {1 / both:.0f} | {RATE_HZ * both:.2f} |", flush=True
+            f"| {name} | {1e3 * rendering:.1f} ms | {1e3 * encoding:.1f} ms | {1 / both:.0f} |"
+            f" {RATE_HZ * both:.2f} |",
+            flush=True,
         )
     print("\nProcessor time of one thread, the same flight through the room for each row.\n")
-    print("| drone | pictures/s | cores | request to picture p50 / p99 | stream | memory | start to first picture |")
+    print(
+        "| drone | pictures/s | cores | request to picture p50 / p99 | stream | memory | start to"
+        " first picture |"
+    )
     print("|---|---|---|---|---|---|---|")
     for name, flight in (("flies", 1.0), ("stands", 0.0)):
         print(asyncio.run(whole_child(name, flight)), flush=True)
-    print("\nThe child process as the twin runs it, rendering and encoding; the goal is 0.25 cores.")
+    print(
+        "\nThe child process as the twin runs it, rendering and encoding; the goal is 0.25 cores."
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""The campaign engine beside the same loop in scalar C (benchmarks/engine_in_c), compiled with -O3: same drones, same numbers."""
+"""The campaign engine beside the same loop in scalar C (benchmarks/engine_in_c), compiled with -O3:
+same drones, same numbers.
+"""
 
 from __future__ import annotations
 
@@ -15,21 +17,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from _run import table
-from housefly.behavior import nose, ride
-from housefly.config import Site
-from housefly.control import model
-from housefly.estimation import filter as kalman
-from housefly.estimation import height_yaw, horizon, intake, lagged_axis
-from housefly.experiments import airframe, loop, measure, random, tracking_noise
-from housefly.experiments.cases import CASE, cases
-from housefly.experiments.engine import fly_many
-from housefly.experiments.mission import Mission, Task
-from housefly.experiments.outcomes import OUTCOME
-from housefly.experiments.route import Route, route_of
+from housefly.config.site import Site
 from housefly.geometry import GRAVITY
+from housefly.lab.experiments import airframe, loop, measure, random, tracking_noise
+from housefly.lab.experiments.cases import CASE, cases
+from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.outcomes import OUTCOME
+from housefly.lab.experiments.route import Route, route_of
+from housefly.pilot.behavior import nose, ride
+from housefly.pilot.control import model
+from housefly.pilot.estimation import filter as kalman
+from housefly.pilot.estimation import height_yaw, horizon, intake, lagged_axis
 
 FOLDER = Path(__file__).parent / "engine_in_c"
-COMPILER = ("gcc", "-O3", "-march=native", "-ffp-contract=off", "-fno-math-errno", "-shared", "-fPIC")
+COMPILER = (
+    "gcc",
+    "-O3",
+    "-march=native",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-shared",
+    "-fPIC",
+)
 """No contraction and no fast mathematics: the numbers must be the same."""
 MISSION = Mission(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 GOAL, SHARE_GOAL, CLOSE = 40_000, 0.5, 1e-6
@@ -80,15 +90,24 @@ class CRoute(ctypes.Structure):
     """``Route`` of chain.h."""
 
     _fields_ = (
-        *((name, ctypes.c_void_p) for name in ("points", "marks", "speeds", "along", "headings", "cells", "line")),
+        *(
+            (name, ctypes.c_void_p)
+            for name in ("points", "marks", "speeds", "along", "headings", "cells", "line")
+        ),
         *((name, ctypes.c_int64) for name in ("corners", "waypoints", "ends")),
-        *((name, ctypes.c_double) for name in ("last_x", "last_y", "height", "yaw", "arrival_yaw", "settle", "duration")),
+        *(
+            (name, ctypes.c_double)
+            for name in ("last_x", "last_y", "height", "yaw", "arrival_yaw", "settle", "duration")
+        ),
     )
 
 
 def record(name: str, dtype: np.dtype[Any]) -> str:
     """Return a record of eight-byte numbers as a C struct."""
-    fields = " ".join(f"{'int64_t' if dtype[field] == np.int64 else 'double'} {field};" for field in dtype.names or ())
+    fields = " ".join(
+        f"{'int64_t' if dtype[field] == np.int64 else 'double'} {field};"
+        for field in dtype.names or ()
+    )
     return f"typedef struct {{ {fields} }} {name};"
 
 
@@ -111,10 +130,18 @@ def built(folder: Path) -> Any:
     """Compile the C code and return its ``fly_rows``."""
     (folder / "generated.h").write_text(header())
     library = folder / "engine.so"
-    subprocess.run([*COMPILER, f"-I{folder}", str(FOLDER / "flight.c"), "-o", str(library), "-lm"], check=True)
+    subprocess.run(
+        [*COMPILER, f"-I{folder}", str(FOLDER / "flight.c"), "-o", str(library), "-lm"], check=True
+    )
     fly_rows = ctypes.CDLL(str(library)).fly_rows
     fly_rows.restype = None
-    fly_rows.argtypes = [ctypes.c_void_p, *[ctypes.c_int64] * 2, ctypes.POINTER(CRoute), ctypes.c_int64, ctypes.c_void_p]
+    fly_rows.argtypes = [
+        ctypes.c_void_p,
+        *[ctypes.c_int64] * 2,
+        ctypes.POINTER(CRoute),
+        ctypes.c_int64,
+        ctypes.c_void_p,
+    ]
     return fly_rows
 
 
@@ -122,12 +149,30 @@ def c_route(route: Route) -> CRoute:
     """Return a route as the C code reads it; the arrays stay where they are."""
     way = route.way
     arrays = (*way, route.cells, route.line)
-    numbers = (route.last_x, route.last_y, route.height, route.yaw, route.arrival_yaw, route.settle, route.duration)
-    return CRoute(*(a.ctypes.data for a in arrays), len(way.points), len(route.cells), len(route.line), *numbers)
+    numbers = (
+        route.last_x,
+        route.last_y,
+        route.height,
+        route.yaw,
+        route.arrival_yaw,
+        route.settle,
+        route.duration,
+    )
+    return CRoute(
+        *(a.ctypes.data for a in arrays),
+        len(way.points),
+        len(route.cells),
+        len(route.line),
+        *numbers,
+    )
 
 
-def timed(fly: Callable[[], NDArray[Any]], clock: Callable[[], float] = time.process_time) -> tuple[float, NDArray[Any]]:
-    """Return the best time of some runs [s], of the processor unless another clock is given, and what came out."""
+def timed(
+    fly: Callable[[], NDArray[Any]], clock: Callable[[], float] = time.process_time
+) -> tuple[float, NDArray[Any]]:
+    """Return the best time of some runs [s], of the processor unless another clock is given, and
+    what came out.
+    """
     times: list[float] = []
     outcome = None
     for _ in range(REPEATS):
@@ -143,7 +188,10 @@ def furthest(ours: NDArray[Any], theirs: NDArray[Any]) -> float:
     pairs = ((ours[name], theirs[name]) for name in OUTCOME.names or ())
     if any((np.isnan(a) != np.isnan(b)).any() for a, b in pairs):
         return float("inf")
-    return max(float(np.nanmax(np.abs(ours[name] - theirs[name]), initial=0.0)) for name in OUTCOME.names or ())
+    return max(
+        float(np.nanmax(np.abs(ours[name] - theirs[name]), initial=0.0))
+        for name in OUTCOME.names or ()
+    )
 
 
 def main() -> None:
@@ -152,29 +200,56 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         fly_rows = built(Path(folder))
         for count, rate_hz in FLEETS:
-            fleet = cases(Site(), count, seed=np.arange(count), mocap_rate_hz=rate_hz, mocap_dropout=0.05)
+            fleet = cases(
+                Site(), count, seed=np.arange(count), mocap_rate_hz=rate_hz, mocap_dropout=0.05
+            )
             ring = len(loop.desk(fleet).spans)
             flown = np.zeros(count, OUTCOME)
             given = c_route(route)
 
-            def in_c(fleet: Any = fleet, ring: int = ring, flown: Any = flown, given: CRoute = given) -> NDArray[Any]:
-                fly_rows(fleet.ctypes.data, 0, len(fleet), ctypes.byref(given), ring, flown.ctypes.data)
+            def in_c(
+                fleet: Any = fleet, ring: int = ring, flown: Any = flown, given: CRoute = given
+            ) -> NDArray[Any]:
+                fly_rows(
+                    fleet.ctypes.data, 0, len(fleet), ctypes.byref(given), ring, flown.ctypes.data
+                )
                 return flown
 
             theirs_s, theirs = timed(in_c)
             ours_s, ours = timed(lambda fleet=fleet: fly_many(fleet, MISSION, threads=1))
-            two_s, _ = timed(lambda fleet=fleet: fly_many(fleet, MISSION, threads=2), time.perf_counter)
+            two_s, _ = timed(
+                lambda fleet=fleet: fly_many(fleet, MISSION, threads=2), time.perf_counter
+            )
             flight_s = float(ours["ended_at"].sum())
             worst = max(worst, furthest(ours, theirs))
             share, reached = theirs_s / ours_s, flight_s / ours_s
             rates = (f"{flight_s / seconds:,.0f}" for seconds in (ours_s, two_s, theirs_s))
-            rows.append((count, f"{rate_hz:.0f} Hz", *rates, f"{share:.2f}", f"{reached / GOAL:.2f}"))
-    print("### The campaign engine: drone-seconds per core-second, the whole loop in double precision\n")
-    print(table(("drones", "tracking", "ours", "ours, 2 threads, per second", "C -O3", "ours / C", "ours / goal (40 000)"), rows))
+            rows.append(
+                (count, f"{rate_hz:.0f} Hz", *rates, f"{share:.2f}", f"{reached / GOAL:.2f}")
+            )
     print(
-        f"\nMode default, pilot at 100 Hz, noise, jitter, 5 % of frames lost, {MISSION.duration:.0f} s each; best of "
-        f"{REPEATS}. Largest difference of any measure of any drone between ours and C: {worst:.1g} (limit {CLOSE:g}). "
-        f"C: `{' '.join(COMPILER[:4])}`."
+        "### The campaign engine: drone-seconds per core-second, the whole loop in double"
+        " precision\n"
+    )
+    print(
+        table(
+            (
+                "drones",
+                "tracking",
+                "ours",
+                "ours, 2 threads, per second",
+                "C -O3",
+                "ours / C",
+                "ours / goal (40 000)",
+            ),
+            rows,
+        )
+    )
+    print(
+        "\nMode default, pilot at 100 Hz, noise, jitter, 5 % of frames lost,"
+        f" {MISSION.duration:.0f} s each; best of {REPEATS}. Largest difference of any measure of"
+        f" any drone between ours and C: {worst:.1g} (limit {CLOSE:g}). C:"
+        f" `{' '.join(COMPILER[:4])}`."
     )
     if worst > CLOSE:
         sys.exit("the two engines do not fly the same flights")

@@ -1,4 +1,6 @@
-"""The first compile of everything, and the start of each command that uses compiled code once it is kept."""
+"""The first compile of everything, and the start of each command that uses compiled code once it is
+kept.
+"""
 
 from __future__ import annotations
 
@@ -18,15 +20,15 @@ FIRST_LIMIT, START_LIMIT = 60.0, 1.5
 CORES = 2
 STARTS = 5
 FLY_ONE = """
-from housefly.config import Site
-from housefly.experiments.cases import cases
-from housefly.experiments.engine import fly_many
-from housefly.experiments.mission import Mission, Task
+from housefly.config.site import Site
+from housefly.lab.experiments.cases import cases
+from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.mission import Mission, Task
 fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 3.0), threads=1)
 """
 STEP_A_PILOT = """
 from housefly.app.premises import open_premises, read_site
-from housefly.pilot import warm_up
+from housefly.pilot.pilot import warm_up
 premises = open_premises(read_site("bsen"))
 warm_up(premises.site, premises.room, premises.grid)
 """
@@ -45,7 +47,9 @@ COMMANDS: dict[str, list[str]] = {
 def timed(command: list[str], environment: dict[str, str]) -> float:
     """Return how long a command takes from start to end [s]."""
     start = time.perf_counter()
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment, cwd=ROOT)
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, env=environment, cwd=ROOT
+    )
     if done.returncode:
         sys.exit(f"{' '.join(command)} failed:\n{done.stdout}{done.stderr}")
     return time.perf_counter() - start
@@ -60,13 +64,25 @@ def main() -> None:
         for name, command in COMMANDS.items():
             timed(command, environment)
             took = [timed(command, environment) for _ in range(STARTS)]
-            rows.append((name, f"{statistics.median(took):.2f}", f"{max(took):.2f}", f"{max(took) / START_LIMIT:.2f}"))
+            rows.append(
+                (
+                    name,
+                    f"{statistics.median(took):.2f}",
+                    f"{max(took):.2f}",
+                    f"{max(took) / START_LIMIT:.2f}",
+                )
+            )
     print("### Compiling, and starting without it\n")
     print(
         f"First compile of control loop and campaign engine on {CORES} cores: {first:.1f} s, "
         f"{first / FIRST_LIMIT:.2f} of the limit ({FIRST_LIMIT:.0f} s).\n"
     )
-    print(table(("cached start, whole command", "median [s]", "longest [s]", "longest / limit (1.5 s)"), rows))
+    print(
+        table(
+            ("cached start, whole command", "median [s]", "longest [s]", "longest / limit (1.5 s)"),
+            rows,
+        )
+    )
     print(f"\n{STARTS} starts each, new processes.")
 
 

@@ -1,6 +1,8 @@
-"""From a click or key in real Chromium to the order on the bus and the STOP datagram at the pilot's side.
+"""From a click or key in real Chromium to the order on the bus and the STOP datagram at the pilot's
+side.
 
-The time begins with the browser's own time stamp of the input event and ends in the handler on the pilot's side, on one machine.
+The time begins with the browser's own time stamp of the input event and ends in the handler on the
+pilot's side, on one machine.
 """
 
 from __future__ import annotations
@@ -45,7 +47,9 @@ for (const kind of ["pointerdown", "click", "keydown"]) {
 
 @dataclass
 class Arrivals:
-    """When things arrived at the pilot's side, in milliseconds of the wall clock, which the browser shares."""
+    """When things arrived at the pilot's side, in milliseconds of the wall clock, which the browser
+    shares.
+    """
 
     orders: list[float] = field(default_factory=list)
     stops: list[float] = field(default_factory=list)
@@ -63,12 +67,25 @@ class Arrivals:
 def pictures() -> list[tuple[bytes, bool]]:
     """Return two seconds of 640 x 360 H.264, encoded beforehand: in flight another process encodes."""
     encoder = av.CodecContext.create("libx264", "w")
-    encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = 640, 360, "yuv420p", Fraction(1, 30)
-    encoder.options = {"preset": "ultrafast", "tune": "zerolatency", "x264-params": "keyint=30:annexb=1:repeat-headers=1"}
+    encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = (
+        640,
+        360,
+        "yuv420p",
+        Fraction(1, 30),
+    )
+    encoder.options = {
+        "preset": "ultrafast",
+        "tune": "zerolatency",
+        "x264-params": "keyint=30:annexb=1:repeat-headers=1",
+    }
     noise = np.random.default_rng(1).integers(0, 60, (360, 640, 3), np.uint8)
     moved = (np.roll(noise, 3 * number, axis=1) for number in range(60))
     frames = (av.VideoFrame.from_ndarray(picture, format="rgb24") for picture in moved)
-    return [(bytes(packet), bool(packet.is_keyframe)) for frame in frames for packet in encoder.encode(frame)]
+    return [
+        (bytes(packet), bool(packet.is_keyframe))
+        for frame in frames
+        for packet in encoder.encode(frame)
+    ]
 
 
 async def feed(bus: LocalBus) -> None:
@@ -78,7 +95,9 @@ async def feed(bus: LocalBus) -> None:
         await asyncio.sleep(1 / 30)
 
 
-async def measure(page: Page, kind: str, press: Callable[[], Awaitable[None]], arrived: list[float]) -> list[float]:
+async def measure(
+    page: Page, kind: str, press: Callable[[], Awaitable[None]], arrived: list[float]
+) -> list[float]:
     """Press again and again; return the delays [ms]."""
     await page.evaluate("window.stamps.length = 0")
     arrived.clear()
@@ -130,8 +149,12 @@ async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[flo
             box = await page.locator(selector).bounding_box()
             assert box is not None
             x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-            results.append((label, where, await measure(page, kind, partial(page.mouse.click, x, y), arrived)))
-        space = await measure(page, "keydown", partial(page.keyboard.press, "Space"), arrivals.stops)
+            results.append(
+                (label, where, await measure(page, kind, partial(page.mouse.click, x, y), arrived))
+            )
+        space = await measure(
+            page, "keydown", partial(page.keyboard.press, "Space"), arrivals.stops
+        )
         results.append(("STOP by Space → datagram at the pilot", where, space))
         await context.close()
         for task in tasks[1:]:
@@ -148,7 +171,9 @@ async def main() -> None:
     if path is None:
         sys.exit("Chromium is not installed")
     async with async_playwright() as playwright:
-        browser = await playwright.chromium.launch(executable_path=path, args=["--no-sandbox", "--disable-gpu"])
+        browser = await playwright.chromium.launch(
+            executable_path=path, args=["--no-sandbox", "--disable-gpu"]
+        )
         measured = [row for busy in (False, True) for row in await rows(browser, busy=busy)]
         await browser.close()
     print("### Console: from the hand to the pilot\n")
@@ -158,10 +183,13 @@ async def main() -> None:
         name, limit = LIMITS[label.split()[0]]
         at = {f"p{n}": float(np.percentile(delays, n)) for n in (50, 95, 99)}
         numbers = " | ".join(f"{value:.1f}" for value in (*at.values(), max(delays)))
-        print(f"| {label} | {where} | {numbers} | {name} < {limit:.0f} ms | {limit / at[name]:.1f} |")
+        print(
+            f"| {label} | {where} | {numbers} | {name} < {limit:.0f} ms | {limit / at[name]:.1f} |"
+        )
     print(
-        f"\n{PRESSES} presses each in headless Chromium on the same machine; time from the browser's stamp of the input event to "
-        "the handler on the pilot's side, against the limits that the console's design set before it was built."
+        f"\n{PRESSES} presses each in headless Chromium on the same machine; time from the"
+        " browser's stamp of the input event to the handler on the pilot's side, against the"
+        " limits that the console's design set before it was built."
     )
 
 

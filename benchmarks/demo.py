@@ -1,4 +1,6 @@
-"""Start-up time, processor share, memory and punctuality of the whole demo during one service, with a real browser watching."""
+"""Start-up time, processor share, memory and punctuality of the whole demo during one service, with
+a real browser watching.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,13 @@ from playwright.sync_api import Page, sync_playwright
 from _run import Running, bench_site, percentile, running, table
 from housefly.messages import OrderKind, Phase
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
 CPU_GOAL, START_GOAL_S = 1.2, 8.0
 
 
@@ -36,7 +44,9 @@ def processes(state: Running) -> dict[str, psutil.Process]:
 
 
 def picture_ages(page: Page) -> list[float]:
-    """Read the age of the picture off the console for ten seconds [ms]: tracking, drone and picture stand there in this order."""
+    """Read the age of the picture off the console for ten seconds [ms]: tracking, drone and picture
+    stand there in this order.
+    """
     shown = page.get_by_text(re.compile(r"Hz · \d+ ms")).nth(2)
     ages = []
     for _ in range(100):
@@ -60,38 +70,66 @@ def main() -> None:
         page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")
         page.wait_for_timeout(11_000)  # the window of the lateness figures must not hold the start
         parts = processes(state)
-        before, start = {name: seconds(process) for name, process in parts.items()}, time.monotonic()
+        before, start = (
+            {name: seconds(process) for name, process in parts.items()},
+            time.monotonic(),
+        )
         state.links.clear()
         state.order(OrderKind.SERVICE, "entrance")
         ages = picture_ages(page)
         state.wait_for(Phase.LOOKING, 90.0)
         state.wait_for(Phase.IDLE, 120.0)
         elapsed = time.monotonic() - start
-        shares = {name: (seconds(process) - before[name]) / elapsed for name, process in parts.items()}
+        shares = {
+            name: (seconds(process) - before[name]) / elapsed for name, process in parts.items()
+        }
         memory = {name: process.memory_full_info().uss / 2**20 for name, process in parts.items()}
         links = list(state.links)
         browser.close()
-    print(f"### The whole demo during one service ({elapsed:.0f} s), a browser watching the map and the video\n")
-    rows: list[list[object]] = [[name, f"{shares[name]:.2f}", f"{memory[name]:.0f}"] for name in sorted(shares)]
+    print(
+        f"### The whole demo during one service ({elapsed:.0f} s), a browser watching the map and"
+        " the video\n"
+    )
+    rows: list[list[object]] = [
+        [name, f"{shares[name]:.2f}", f"{memory[name]:.0f}"] for name in sorted(shares)
+    ]
     rows.append(["**all**", f"**{sum(shares.values()):.2f}**", f"**{sum(memory.values()):.0f}**"])
     print(table(["process", "cores", "memory of its own [MiB]"], rows))
     whole = sum(shares.values()) / CPU_GOAL
-    print(f"\nGoal: under {CPU_GOAL} cores in all; this is {whole:.2f} of it. The browser is not counted.\n")
+    print(
+        f"\nGoal: under {CPU_GOAL} cores in all; this is {whole:.2f} of it. The browser is not"
+        " counted.\n"
+    )
     late = [
         ("median", percentile([link.loop_p50_s for link in links], 0.5)),
         ("99th percentile (worst ten seconds)", max(link.loop_p99_s for link in links)),
         ("maximum", max(link.loop_max_s for link in links)),
     ]
-    print("Lateness of the pilot loop's ticks at 100 Hz, video and console on, as a share of its 10 ms period:\n")
-    print(table(["", "lateness [ms]", "share of the period"], [[n, f"{v * 1e3:.2f}", f"{v / 0.01:.2f}"] for n, v in late]))
+    print(
+        "Lateness of the pilot loop's ticks at 100 Hz, video and console on, as a share of its 10"
+        " ms period:\n"
+    )
+    print(
+        table(
+            ["", "lateness [ms]", "share of the period"],
+            [[n, f"{v * 1e3:.2f}", f"{v / 0.01:.2f}"] for n, v in late],
+        )
+    )
     print(f"\nTicks missed: {links[-1].missed_ticks - links[0].missed_ticks}.")
-    print(f"Pictures per second at the pilot: {percentile([link.video_rate_hz for link in links], 0.5):.0f}.")
+    print(
+        "Pictures per second at the pilot:"
+        f" {percentile([link.video_rate_hz for link in links], 0.5):.0f}."
+    )
     newest, oldest = percentile(ages, 0.5), percentile(ages, 0.99)
     print(
-        f"Age of the picture on the console since the pilot had it: p50 {newest:.0f} ms, p99 {oldest:.0f} ms (a period is 33 ms)."
+        f"Age of the picture on the console since the pilot had it: p50 {newest:.0f} ms, p99"
+        f" {oldest:.0f} ms (a period is 33 ms)."
     )
     share = state.ready_after / START_GOAL_S
-    print(f"Warm start to ready: {state.ready_after:.1f} s (goal: under {START_GOAL_S:.0f} s; {share:.2f} of it).")
+    print(
+        f"Warm start to ready: {state.ready_after:.1f} s (goal: under {START_GOAL_S:.0f} s;"
+        f" {share:.2f} of it)."
+    )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
-"""From a fresh clone to a flying room: `make demo` in a new folder until it says that it is ready, everything installed anew.
+"""From a fresh clone to a flying room: `make demo` in a new folder until it says that it is ready,
+everything installed anew.
 
-System packages that this machine has already are not installed again; on a bare Debian they add what their download takes.
+System packages that this machine has already are not installed again; on a bare Debian they add
+what their download takes.
 """
 
 from __future__ import annotations
@@ -23,7 +25,12 @@ def seconds_to_ready(folder: Path) -> float:
     """Run ``make demo`` until it is ready, end it with Ctrl-C, and return how long that took [s]."""
     start = time.monotonic()
     demo = subprocess.Popen(
-        ["make", "demo"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, process_group=0
+        ["make", "demo"],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        process_group=0,
     )
     assert demo.stdout is not None
     told = []
@@ -45,9 +52,15 @@ def main() -> None:
         subprocess.run(["git", "clone", "-q", str(REPOSITORY), str(clone)], check=True)
         fresh, warm = seconds_to_ready(clone), seconds_to_ready(clone)
     print("### From `git clone` to ready\n")
-    rows = [["first `make demo`: install, compile, start", fresh, GOAL_S], ["second `make demo`", warm, WARM_GOAL_S]]
+    rows = [
+        ["first `make demo`: install, compile, start", fresh, GOAL_S],
+        ["second `make demo`", warm, WARM_GOAL_S],
+    ]
     print(
-        table(["", "seconds", "goal [s]", "share of the goal"], [[n, f"{t:.1f}", f"{g:.0f}", f"{t / g:.2f}"] for n, t, g in rows])
+        table(
+            ["", "seconds", "goal [s]", "share of the goal"],
+            [[n, f"{t:.1f}", f"{g:.0f}", f"{t / g:.2f}"] for n, t, g in rows],
+        )
     )
 
 

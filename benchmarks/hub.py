@@ -1,4 +1,6 @@
-"""The room's memory beside a flight: what an answer takes, how fast news travel, and what all that costs the pilot."""
+"""The room's memory beside a flight: what an answer takes, how fast news travel, and what all that
+costs the pilot.
+"""
 
 from __future__ import annotations
 
@@ -17,12 +19,12 @@ import psutil
 
 from _run import Running, bench_site, percentile, running, table
 from housefly.app.runtime import meeting_place
-from housefly.asking.meeting_place import announced
-from housefly.bus.room_answers import SensorsAnswer
-from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Sensors
 from housefly.bus.topics import HUB_QUERY
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
+from housefly.hub.api.answers import SensorsAnswer
+from housefly.hub.api.questions import Sensors
+from housefly.hub.api.room_json import answer_from_json, question_to_json
+from housefly.hub.asking.discovery import announced
 from housefly.messages import LinkStatus, OrderKind, Phase
 
 ASKS = 2000
@@ -51,7 +53,12 @@ class Hover:
 
 def site_of(folder: Path, *, hub: bool) -> Site:
     """Return the demo with people and devices, and with a memory of its own or none."""
-    lively = {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
+    lively = {
+        "twin__scene": "bsen",
+        "mqtt__broker": "127.0.0.1",
+        "mqtt__start": True,
+        "mqtt__port": 0,
+    }
     site = bench_site("127.9.6.1", hub__enabled=hub, hub__store=str(folder / "room.db"), **lively)
     return changed(site, name=SITE)
 
@@ -59,12 +66,18 @@ def site_of(folder: Path, *, hub: bool) -> Site:
 def seat(*arguments: object) -> Any:
     """Run a seat in a process of its own and return what it says."""
     command = [sys.executable, str(SEAT), *map(str, arguments)]
-    return json.loads(subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=240).stdout)
+    return json.loads(
+        subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=240).stdout
+    )
 
 
 def processes(state: Running) -> dict[str, psutil.Process]:
     """Return pilot and hub."""
-    return {part.name: psutil.Process(state.launcher.pid(part.name)) for part in state.launcher.parts if part.name in _MEASURED}
+    return {
+        part.name: psutil.Process(state.launcher.pid(part.name))
+        for part in state.launcher.parts
+        if part.name in _MEASURED
+    }
 
 
 _MEASURED = ("pilot", "hub")
@@ -87,7 +100,9 @@ def hover(state: Running, found: Hover) -> None:
     time.sleep(HOVER_S)
     elapsed = time.monotonic() - begin
     found.links = list(state.links)
-    found.cores = {name: (seconds(process) - before[name]) / elapsed for name, process in parts.items()}
+    found.cores = {
+        name: (seconds(process) - before[name]) / elapsed for name, process in parts.items()
+    }
     for name, process in parts.items():
         used = process.memory_full_info()
         found.memory[name] = used.uss / 2**20, used.rss / 2**20
@@ -110,7 +125,11 @@ def question(state: Running, found: Hover) -> None:
     answer = answer_from_json(Sensors(), state.bus.ask(HUB_QUERY, question_to_json(Sensors())))
     assert isinstance(answer, SensorsAnswer)
     found.report = answer.memory
-    found.devices = sum(sensor.connected for sensor in answer.sensors if sensor.kind not in ("mocap", "drone", "mqtt"))
+    found.devices = sum(
+        sensor.connected
+        for sensor in answer.sensors
+        if sensor.kind not in ("mocap", "drone", "mqtt")
+    )
 
 
 def run(*, hub: bool) -> Hover:
@@ -133,15 +152,37 @@ def figures(values: Sequence[float]) -> list[str]:
 def asking(found: Hover) -> str:
     """Return how long answers took."""
     rows = [
-        ["`housefly.connect().where(...)`", len(found.connected), *figures(found.connected), "p99 2"],
+        [
+            "`housefly.connect().where(...)`",
+            len(found.connected),
+            *figures(found.connected),
+            "p99 2",
+        ],
         ["on the bus", len(found.bus["hub"]), *figures(found.bus["hub"]), ""],
-        ["(an echo on the same bus that does nothing, in turn)", len(found.bus["echo"]), *figures(found.bus["echo"]), ""],
+        [
+            "(an echo on the same bus that does nothing, in turn)",
+            len(found.bus["echo"]),
+            *figures(found.bus["echo"]),
+            "",
+        ],
         ["over HTTP, as from another machine", len(found.http), *figures(found.http), ""],
     ]
     times = found.bus
-    half, most = (percentile(times["hub"], share) / percentile(times["echo"], share) for share in (0.5, 0.99))
-    headings = ["where is X, asked from another process", "asked", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"]
-    words = f"On the bus the hub takes {half:.2f} times the echo at the median, {most:.2f} times at p99."
+    half, most = (
+        percentile(times["hub"], share) / percentile(times["echo"], share) for share in (0.5, 0.99)
+    )
+    headings = [
+        "where is X, asked from another process",
+        "asked",
+        "p50 [ms]",
+        "p99 [ms]",
+        "max [ms]",
+        "limit [ms]",
+    ]
+    words = (
+        f"On the bus the hub takes {half:.2f} times the echo at the median, {most:.2f} times at"
+        " p99."
+    )
     return f"{table(headings, rows)}\n\n{words}"
 
 
@@ -157,7 +198,9 @@ def travelling(ages: dict[str, list[float]]) -> str:
         ("frame captured -> ROOM_NEWS in another process (told 5 times a second)", "news", ""),
     )
     rows = [[words, len(ages[key]), *figures(ages[key]), limit] for words, key, limit in named]
-    return table(["Vicon at 100 Hz", "heard", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"], rows)
+    return table(
+        ["Vicon at 100 Hz", "heard", "p50 [ms]", "p99 [ms]", "max [ms]", "limit [ms]"], rows
+    )
 
 
 def punctuality(with_hub: Hover, without: Hover) -> str:
@@ -170,8 +213,22 @@ def punctuality(with_hub: Hover, without: Hover) -> str:
             max(link.loop_max_s for link in found.links),
         )
         missed = found.links[-1].missed_ticks - found.links[0].missed_ticks
-        rows.append([words, *(f"{1e3 * value:.2f}" for value in late), missed, f"{found.cores['pilot']:.2f}"])
-    headings = ["pilot loop", "p50 late [ms]", "p99 (worst ten seconds) [ms]", "max [ms]", "ticks missed", "pilot's cores"]
+        rows.append(
+            [
+                words,
+                *(f"{1e3 * value:.2f}" for value in late),
+                missed,
+                f"{found.cores['pilot']:.2f}",
+            ]
+        )
+    headings = [
+        "pilot loop",
+        "p50 late [ms]",
+        "p99 (worst ten seconds) [ms]",
+        "max [ms]",
+        "ticks missed",
+        "pilot's cores",
+    ]
     return table(headings, rows)
 
 
@@ -179,16 +236,25 @@ def main() -> None:
     """Print what was measured."""
     with_hub, without = run(hub=True), run(hub=False)
     print("### The room's memory beside a flight\n")
-    print(f"The lively demo (people, {with_hub.devices} devices over MQTT, console, video), the drone hovering.\n")
+    print(
+        f"The lively demo (people, {with_hub.devices} devices over MQTT, console, video), the drone"
+        " hovering.\n"
+    )
     print(asking(with_hub))
     print()
     print(travelling(with_hub.ages))
-    print("\nThe pilot steps on its own clock: a frame waits for the next tick, 5 ms on average, before anybody hears of a step.")
+    print(
+        "\nThe pilot steps on its own clock: a frame waits for the next tick, 5 ms on average,"
+        " before anybody hears of a step."
+    )
     print(f"\nTwo runs of {HOVER_S:.0f} s hovering, nobody asking:\n")
     print(punctuality(with_hub, without))
     own, whole = with_hub.memory["hub"]
     share = 100 * with_hub.cores["hub"]
-    print(f"\nThe hub takes {share:.0f} % of a core and {own:.0f} MiB of its own ({whole:.0f} MiB with what it shares).")
+    print(
+        f"\nThe hub takes {share:.0f} % of a core and {own:.0f} MiB of its own ({whole:.0f} MiB"
+        " with what it shares)."
+    )
     load = os.getloadavg()[1]
     print(f"Load of the machine meanwhile: {load:.1f} on {os.cpu_count()} cores;", end=" ")
     print("the echo and the run without the hub show what it does.")

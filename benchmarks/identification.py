@@ -1,4 +1,6 @@
-"""How often the intervals of housefly identify hold the truth: MuJoCo drones with hidden constants, stepped clock."""
+"""How often the intervals of housefly identify hold the truth: MuJoCo drones with hidden constants,
+stepped clock.
+"""
 
 from __future__ import annotations
 
@@ -11,15 +13,15 @@ import numpy as np
 from _run import table
 from housefly.app.identify_flight import Errand, fly_in_lock_step
 from housefly.app.premises import Premises, open_premises, read_site
-from housefly.identification.box import find_box
-from housefly.identification.maneuver import Maneuver
-from housefly.identification.pattern import blocks
-from housefly.identification.result import Limits, identify
-from housefly.identification.samples import samples_of
+from housefly.lab.identification.box import find_box
+from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.pattern import blocks
+from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
+from housefly.twin.ardrone.onboard_loops import RATE_POLE
+from housefly.twin.ardrone.onboard_sensors import PERIOD
 from housefly.twin.contracts import Stick
-from housefly.twin.onboard_loops import RATE_POLE
-from housefly.twin.sensors import PERIOD
 from housefly.twin.world import SimulatedWorld
 
 RUNS = int(sys.argv[1]) if len(sys.argv) > 1 else 100
@@ -56,20 +58,26 @@ class NotingWorld(SimulatedWorld):
 def mean_wait(steps: list[PilotStep], heard_at: list[float]) -> float:
     """Return how long a changed tilt waited for the driver's next datagram, on average [s]."""
     now = np.array([step.now for step in steps])
-    tilts = np.array([(step.outputs.command.setpoint.theta, step.outputs.command.setpoint.phi) for step in steps])
+    tilts = np.array(
+        [(step.outputs.command.setpoint.theta, step.outputs.command.setpoint.phi) for step in steps]
+    )
     changed = now[1:][np.abs(np.diff(tilts, axis=0)).max(axis=1) > JUMP]
     heard = np.array(heard_at)
     return float(np.mean(heard[np.searchsorted(heard, changed - 1e-6)] - changed))
 
 
 def residence(pole: float) -> float:
-    """Return how far a loop sampled once a period lags behind on average [s]; its error keeps a share after each period."""
+    """Return how far a loop sampled once a period lags behind on average [s]; its error keeps a
+    share after each period.
+    """
     kept = 1.0 - pole * PERIOD
     return 0.5 * PERIOD * (1.0 + kept) / (1.0 - kept)
 
 
 def delay_of(command_delay: float) -> float:
-    """Return the time from a datagram to the tilt [s]: the delay, the firmware's next period, and its inner rate loop."""
+    """Return the time from a datagram to the tilt [s]: the delay, the firmware's next period, and
+    its inner rate loop.
+    """
     return float(PERIOD * np.ceil(command_delay / PERIOD - 1e-9) + residence(RATE_POLE))
 
 
@@ -77,25 +85,34 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     """Fly and fit one drone; return truth, value, low and high of each constant, and the outcome."""
     tracking = {"twin__mocap_rate_hz": 30.0, "twin__mocap_dropout": 0.05, "twin__seed": seed}
     truth = hidden(seed)
-    believed, real = open_premises(read_site("bsen", **tracking)), open_premises(read_site("bsen", **tracking, **truth))
+    believed, real = (
+        open_premises(read_site("bsen", **tracking)),
+        open_premises(read_site("bsen", **tracking, **truth)),
+    )
     plan = blocks(REPEATS, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
     maneuver, world, steps = Maneuver(plan, box), NotingWorld(real), []
     outcome = fly_in_lock_step(believed, world, Errand(box, maneuver, 500.0), steps.append)
     if outcome != "completed":
         return {}, outcome
-    found = identify(samples_of(steps, tuple(maneuver.flown), "ardrone"), Limits(0.21, 0.7, 1.75), seed)
+    found = identify(
+        samples_of(steps, tuple(maneuver.flown), "ardrone"), Limits(0.21, 0.7, 1.75), seed
+    )
     lags = {
         "attitude_lag": truth["drone__attitude_lag"],
         "attitude_gain": truth["drone__attitude_gain"],
         "drag": truth["drone__drag"],
         "climb_lag": truth["drone__climb_lag"],
-        # Turning has no inner loop; the model gives it the delay of the tilt all the same, and what that is too long goes here.
+        # Turning has no inner loop; the model gives it the delay of the tilt all the same, and what
+        # that is too long goes here.
         "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(RATE_POLE)),
         "command_delay": delay_of(truth["twin__command_delay"]) + mean_wait(steps, world.heard_at),
     }
     found_by_key = ((key, value, found.constants[key]) for key, value in lags.items())
-    rows = {key: (value, interval.value, interval.low, interval.high) for key, value, interval in found_by_key}
+    rows = {
+        key: (value, interval.value, interval.low, interval.high)
+        for key, value, interval in found_by_key
+    }
     return rows, "; ".join(found.problems)
 
 
@@ -112,11 +129,33 @@ def main() -> None:
         held = np.mean((low <= truth) & (truth <= high))
         error = np.sqrt(np.mean((value - truth) ** 2))
         bias, half = np.mean(value - truth), np.mean(0.5 * (high - low))
-        cells.append((key, f"{100 * held:.0f} %", f"{held / 0.9:.2f}", f"{error:.3g}", f"{bias:.2g}", f"{half:.3g}"))
-    print(table(("constant", "held the truth", "over the goal (90 %)", "rms error", "bias", "mean half interval"), cells))
+        cells.append(
+            (
+                key,
+                f"{100 * held:.0f} %",
+                f"{held / 0.9:.2f}",
+                f"{error:.3g}",
+                f"{bias:.2g}",
+                f"{half:.3g}",
+            )
+        )
     print(
-        f"\n{len(flown)} flights of the simulated room (MuJoCo), {REPEATS} blocks of each kind, tracking at 30 Hz with 1 mm "
-        f"noise and 5 % loss; {refused} refused or given up. {time.monotonic() - start:.0f} s on two processes."
+        table(
+            (
+                "constant",
+                "held the truth",
+                "over the goal (90 %)",
+                "rms error",
+                "bias",
+                "mean half interval",
+            ),
+            cells,
+        )
+    )
+    print(
+        f"\n{len(flown)} flights of the simulated room (MuJoCo), {REPEATS} blocks of each kind,"
+        f" tracking at 30 Hz with 1 mm noise and 5 % loss; {refused} refused or given up."
+        f" {time.monotonic() - start:.0f} s on two processes."
     )
 
 

@@ -1,7 +1,10 @@
-"""From a Vicon packet, from STOP, and from a click in a browser to the AT command, over real sockets, with the real processes.
+"""From a Vicon packet, from STOP, and from a click in a browser to the AT command, over real
+sockets, with the real processes.
 
-The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT commands as an AR.Drone.
-A pose that steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive bit.
+The benchmark is the wall cameras and the drone: it publishes frames as a Vicon server and takes AT
+    commands as an AR.Drone.
+A pose that steps aside by 30 mm must change the commanded tilt; STOP must clear the progressive
+bit.
 """
 
 from __future__ import annotations
@@ -23,16 +26,22 @@ from housefly.app.runtime import Runtime, new_runtime
 from housefly.bus.stop import StopSender
 from housefly.bus.topics import ORDER
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import Order, OrderKind, Pose
-from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import MocapFrame, Stick
 from housefly.twin.kinematic import KinematicWorld
-from housefly.twin.vicon_server import ViconServer
+from housefly.twin.mocap.vicon_server import ViconServer
 
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
 STEP_ASIDE = 0.03
 """How far the pose jumps [m]: well inside the innovation gate."""
 CADENCE = 0.030
@@ -77,7 +86,9 @@ class Bench:
             now = time.monotonic()
             self.world.advance(max(0.0, now - start + wall - self.world.now))
             height = self.world.truth().pose.position[2] + 0.05
-            noise = 1e-6 * (number % 7)  # a place that stays the same to the last bit would count as frozen
+            noise = 1e-6 * (
+                number % 7
+            )  # a place that stays the same to the last bit would count as frozen
             pose = Pose((HOME[0] + self.offset, HOME[1] + noise, height))
             self.vicon.publish(MocapFrame(number, now - 0.01, now, ((self._body, pose),)))
             self.published_at = time.monotonic()
@@ -110,7 +121,9 @@ async def tracking_to_command(bench: Bench) -> list[float]:
             await asyncio.sleep(0)
         threshold = 0.005 + 3 * noise
         delays.append(
-            await bench.reaction(lambda s, v=level, t=threshold: abs(s.forward - v) > t, bench.published_at)  # type: ignore[misc]
+            await bench.reaction(
+                lambda s, v=level, t=threshold: abs(s.forward - v) > t, bench.published_at
+            )  # type: ignore[misc]
         )
     return delays
 
@@ -120,7 +133,9 @@ async def stop_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> list
     delays = []
     with StopSender("127.0.0.1", runtime.stop_port, runtime.secret) as sender:
         for trial in range(TRIALS // 2):
-            bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+            bus.publish(
+                ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+            )
             await asyncio.sleep(0.3 + 0.007 * (trial % 10))
             since = time.monotonic()
             sender.send()
@@ -135,7 +150,9 @@ async def pressed_at(page: Page, name: str) -> float:
     return epoch - time.time() + time.monotonic()
 
 
-async def clicks_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> tuple[list[float], list[float]]:
+async def clicks_to_command(
+    bench: Bench, runtime: Runtime, bus: ZenohBus
+) -> tuple[list[float], list[float]]:
     """Measure STOP clicked -> first hover command, and Land clicked -> first landing command."""
     stops, landings = [], []
     web = runtime.site().web
@@ -144,15 +161,20 @@ async def clicks_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> tu
         page = await browser.new_page(viewport={"width": 1280, "height": 800})
         await page.goto(f"http://{web.host}:{web.port}/?token={runtime.token}")
         await page.evaluate(
-            "addEventListener('pointerdown', () => { window.pressedAt = performance.timeOrigin + performance.now() }, true)"
+            "addEventListener('pointerdown', () => { window.pressedAt = performance.timeOrigin +"
+            " performance.now() }, true)"
         )
         for _ in range(CLICKS):
-            bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+            bus.publish(
+                ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+            )
             await asyncio.sleep(0.4)
             stops.append(await bench.reaction(lambda s: s.hover, await pressed_at(page, "STOP")))
         bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
         for _ in range(LANDINGS):
-            bus.publish(ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"))
+            bus.publish(
+                ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+            )
             await asyncio.sleep(4.0)
             bench.world.landings.clear()
             since = await pressed_at(page, "Land")
@@ -177,7 +199,9 @@ async def measure() -> list[tuple[str, list[float]]]:
             missing = await asyncio.to_thread(ready.wait, 60.0)
             if missing:
                 raise SystemExit(missing)
-            bus.publish(ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"))
+            bus.publish(
+                ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+            )
             await asyncio.sleep(8.0)
             tracking = await tracking_to_command(bench)
             stop = await stop_to_command(bench, runtime, bus)
@@ -199,9 +223,19 @@ def main() -> None:
     rows = []
     for name, values in asyncio.run(measure()):
         figures = [percentile(values, share) for share in (0.5, 0.99, 1.0)]
-        rows.append([name, len(values), *(f"{v * 1e3:.1f}" for v in figures), f"{figures[0] / CADENCE:.2f}"])
-    print(table(["", "trials", "p50 [ms]", "p99 [ms]", "max [ms]", "p50 over the 30 ms command period"], rows))
-    print("\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP and Land do not wait.")
+        rows.append(
+            [name, len(values), *(f"{v * 1e3:.1f}" for v in figures), f"{figures[0] / CADENCE:.2f}"]
+        )
+    print(
+        table(
+            ["", "trials", "p50 [ms]", "p99 [ms]", "max [ms]", "p50 over the 30 ms command period"],
+            rows,
+        )
+    )
+    print(
+        "\nA setpoint waits for the next slot of the drone's 30 ms command stream; STOP and Land do"
+        " not wait."
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""How many seconds of flight the simulated world gives per second of one core, beside bare physics of the same scene."""
+"""How many seconds of flight the simulated world gives per second of one core, beside bare physics
+of the same scene.
+"""
 
 from __future__ import annotations
 
@@ -7,12 +9,12 @@ from collections.abc import Callable
 
 import mujoco
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.room.files import load_room
 from housefly.room.model import Room
+from housefly.twin.ardrone.onboard_sensors import PERIOD
 from housefly.twin.contracts import Stick
 from housefly.twin.physics import SUBSTEPS, Physics
-from housefly.twin.sensors import PERIOD
 from housefly.twin.world import SimulatedWorld
 
 SECONDS = 20.0
@@ -20,7 +22,9 @@ STEP = 0.01
 
 
 def per_second(fly: Callable[[], None]) -> float:
-    """Return drone-seconds per second of processor time; the best of three, for other work on the machine only slows."""
+    """Return drone-seconds per second of processor time; the best of three, for other work on the
+    machine only slows.
+    """
     best = float("inf")
     for _ in range(3):
         start = time.process_time()
@@ -54,15 +58,19 @@ def advance(world: SimulatedWorld, seconds: float) -> None:
 def main() -> None:
     room = load_room("bsen")
     rows = [("bare `mj_step`, no firmware, no tracking", bare_physics(room))]
-    rows += [(f"whole world, tracking at {rate:.0f} Hz", whole_world(room, rate)) for rate in (10.0, 100.0)]
+    rows += [
+        (f"whole world, tracking at {rate:.0f} Hz", whole_world(room, rate))
+        for rate in (10.0, 100.0)
+    ]
     print("### Lock-step world\n")
     print("| B-sen, 400 Hz physics | drone-seconds per core-second | share of bare physics |")
     print("|---|---|---|")
     for name, figure in rows:
         print(f"| {name} | {figure:.0f} | {figure / rows[0][1]:.0%} |")
     print(
-        "\nThe simulated world (200 Hz firmware, sensors, battery, 18 cameras' rays) in flight on one core against MuJoCo alone "
-        "on the same model in the same run; goal: at least 50 times real time."
+        "\nThe simulated world (200 Hz firmware, sensors, battery, 18 cameras' rays) in flight on"
+        " one core against MuJoCo alone on the same model in the same run; goal: at least 50 times"
+        " real time."
     )
 
 

@@ -9,13 +9,13 @@ from math import sqrt
 import numpy as np
 
 from _run import table
-from housefly.config import Site
-from housefly.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, cases
-from housefly.experiments.engine import fly_many
-from housefly.experiments.mission import SETTLE, Mission, Task
-from housefly.tuning.advice import Question, advise
-from housefly.tuning.loop import Loop
-from housefly.tuning.margins import delay_margin, gain_margin
+from housefly.config.site import Site
+from housefly.lab.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, cases
+from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.mission import SETTLE, Mission, Task
+from housefly.lab.tuning.advice import Question, advise
+from housefly.lab.tuning.loop import Loop
+from housefly.lab.tuning.margins import delay_margin, gain_margin
 
 STEP = 0.02
 TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))
@@ -38,7 +38,9 @@ def settles(loop: Loop, **truth: float) -> bool:
 def edge(loop: Loop, column: str, inside: float, outside: float) -> float:
     while outside - inside > 0.003 * outside:
         middle = 0.5 * (inside + outside)
-        inside, outside = (middle, outside) if settles(loop, **{column: middle}) else (inside, middle)
+        inside, outside = (
+            (middle, outside) if settles(loop, **{column: middle}) else (inside, middle)
+        )
     return 0.5 * (inside + outside)
 
 
@@ -50,7 +52,9 @@ def main() -> None:
                 loop = Loop(4.0, 4.0, lag, 0.06, tracking_hz=rate, latency=latency, paper=paper)
                 gain, delay = gain_margin(loop), delay_margin(loop)
                 flown_gain = edge(loop, "gain", 1.0, 1.6 * gain)
-                flown_delay = edge(loop, "delay", loop.delay, min(0.5, loop.delay + 1.6 * delay)) - loop.delay
+                flown_delay = (
+                    edge(loop, "delay", loop.delay, min(0.5, loop.delay + 1.6 * delay)) - loop.delay
+                )
                 ratios = gain / flown_gain, delay / flown_delay
                 worst = max(worst, *(abs(ratio - 1.0) for ratio in ratios))
                 rows.append(
@@ -61,11 +65,20 @@ def main() -> None:
                     )
                 )  # fmt: skip
     print("### Margins: predicted and flown\n")
-    headings = ("filter of mode", "lambda [1/s]", "tracking", "gain margin", "ratio", "delay margin [ms]", "ratio")
+    headings = (
+        "filter of mode",
+        "lambda [1/s]",
+        "tracking",
+        "gain margin",
+        "ratio",
+        "delay margin [ms]",
+        "ratio",
+    )
     print(table(headings, rows))
     print(
-        f"\nalpha = beta = 4, command delay 60 ms; predicted by the matrix of the sampled loop / found by bisection over "
-        f"flights of the nonlinear batch engine. Largest difference {100 * worst:.1f} % (limit: 5 %)."
+        "\nalpha = beta = 4, command delay 60 ms; predicted by the matrix of the sampled loop /"
+        " found by bisection over flights of the nonlinear batch engine. Largest difference"
+        f" {100 * worst:.1f} % (limit: 5 %)."
     )
     start = time.process_time()
     advice = advise(Question(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))

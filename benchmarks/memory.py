@@ -1,4 +1,6 @@
-"""Whether anything grows: half an hour of the room's memory, and of the stepped world with its pilot, as fast as they go."""
+"""Whether anything grows: half an hour of the room's memory, and of the stepped world with its
+pilot, as fast as they go.
+"""
 
 from __future__ import annotations
 
@@ -16,19 +18,19 @@ import psutil
 
 from _run import table
 from housefly.app.premises import open_premises, read_site
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.hub.memory import RoomMemory
 from housefly.hub.newsroom import PERIOD, Newsroom
 from housefly.hub.present import Present
 from housefly.hub.situation_desk import SituationDesk
+from housefly.hub.store.opening import open_store
 from housefly.hub.things_of_room import things_of
 from housefly.messages import Happening, Inputs, Observation, Order, OrderKind
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 from housefly.room.files import load_room
-from housefly.store.opening import open_store
-from housefly.twin.devices import Devices
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.people import load_scene
+from housefly.twin.sensors.devices import Devices
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.devices import Delivered, Placement, decode
 
@@ -54,7 +56,16 @@ def frame(at: float) -> list[Observation]:
     for number, name in enumerate(NAMES):
         angle = 0.5 * (at % 1e5) + number
         turned = (math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2))
-        found.append(Observation(name, "vicon", at, at, (7 + 3 * math.cos(angle), 3 + 2 * math.sin(angle), 1.0), turned))
+        found.append(
+            Observation(
+                name,
+                "vicon",
+                at,
+                at,
+                (7 + 3 * math.cos(angle), 3 + 2 * math.sin(angle), 1.0),
+                turned,
+            )
+        )
     return found
 
 
@@ -93,7 +104,10 @@ class Room:
 
     def _said(self, since: float) -> Iterator[Observation | Happening]:
         for message in self._devices.messages(since, self.now):
-            reading = decode(Delivered(message.address, message.channel, message.payload, self.now), self._placement)
+            reading = decode(
+                Delivered(message.address, message.channel, message.payload, self.now),
+                self._placement,
+            )
             yield from reading.observations
             yield from reading.happenings
 
@@ -103,7 +117,10 @@ def hub() -> list[float]:
     with tempfile.TemporaryDirectory() as folder:
         room = Room(read_site("bsen"), Path(folder) / "room.db")
         used = sampled(room.tick)
-        print(f"{room.taken:,} taken, {room.told:,} news, store: {room.memory.writer.report()}", file=sys.stderr)
+        print(
+            f"{room.taken:,} taken, {room.told:,} news, store: {room.memory.writer.report()}",
+            file=sys.stderr,
+        )
         assert not room.memory.writer.dropped()
         room.memory.close()
     return used
@@ -124,8 +141,14 @@ class Flight:
         self._room.advance(1 / RATE)
         if number % round(BATTERY_EVERY * RATE) == 0:
             self._world._battery.charge = 1.0
-        orders = (Order(OrderKind.TAKE_OFF, issued_at=self._room.now, sender="benchmark"),) if number == RATE else ()
-        outputs = self._pilot.step(self._room.now, Inputs(self._room.sightings(), self._room.telemetry(), orders))
+        orders = (
+            (Order(OrderKind.TAKE_OFF, issued_at=self._room.now, sender="benchmark"),)
+            if number == RATE
+            else ()
+        )
+        outputs = self._pilot.step(
+            self._room.now, Inputs(self._room.sightings(), self._room.telemetry(), orders)
+        )
         self._room.send(outputs.command)
         self.airborne += self._world.truth().pose.position[2] > 0.5
 
@@ -149,9 +172,13 @@ def sampled(tick: Callable[[int], None]) -> list[float]:
 
 
 def measured(part: str) -> tuple[list[float], float]:
-    """Run a part in a process of its own; return its memory by minute [MiB] and how long that took [s]."""
+    """Run a part in a process of its own; return its memory by minute [MiB] and how long that took
+    [s].
+    """
     begin = time.monotonic()
-    output = subprocess.run([sys.executable, __file__, part], stdout=subprocess.PIPE, check=True, timeout=600).stdout
+    output = subprocess.run(
+        [sys.executable, __file__, part], stdout=subprocess.PIPE, check=True, timeout=600
+    ).stdout
     return json.loads(output), time.monotonic() - begin
 
 
@@ -164,7 +191,14 @@ def row(words: str, part: str) -> list[object]:
     slope = sum((minute - middle) * value for minute, value in enumerate(settled)) / spread
     growth = 100 * (settled[-1] / settled[0] - 1)
     shown = [f"{value:.1f}" for value in (used[0], settled[0], used[-1])]
-    return [words, *shown, f"{1024 * slope:+.1f}", f"{growth:+.2f} %", f"{100 * GROWTH_LIMIT:.0f} %", f"{took:.0f}"]
+    return [
+        words,
+        *shown,
+        f"{1024 * slope:+.1f}",
+        f"{growth:+.2f} %",
+        f"{100 * GROWTH_LIMIT:.0f} %",
+        f"{took:.0f}",
+    ]
 
 
 def main() -> None:
@@ -173,12 +207,22 @@ def main() -> None:
         row("hub: memory, situations, news, store", "hub"),
         row("stepped world with people, and its pilot, hovering", "flight"),
     ]
-    headings = ["RSS [MiB]", "first", f"minute {SETTLED}", f"minute {MINUTES}", "slope [KiB/min]", "growth", "limit", "took [s]"]
+    headings = [
+        "RSS [MiB]",
+        "first",
+        f"minute {SETTLED}",
+        f"minute {MINUTES}",
+        "slope [KiB/min]",
+        "growth",
+        "limit",
+        "took [s]",
+    ]
     print(f"### Memory over {MINUTES} simulated minutes\n")
     print(table(headings, rows))
     print(
-        f"\n{THINGS} things at {RATE} Hz and the devices of the twin's scene, stamped with simulated time and fed as fast as "
-        f"they are taken; slope and growth from minute {SETTLED} on. Each part in a process of its own, sampled each minute."
+        f"\n{THINGS} things at {RATE} Hz and the devices of the twin's scene, stamped with"
+        f" simulated time and fed as fast as they are taken; slope and growth from minute {SETTLED}"
+        " on. Each part in a process of its own, sampled each minute."
     )
 
 

@@ -11,12 +11,12 @@ import numpy as np
 from _run import percentile, table
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.premises import Premises, open_premises, read_site
-from housefly.behavior.lookout import BRAKING
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
-from housefly.navigator import RoomNavigator
 from housefly.perception.watcher import Watcher
+from housefly.pilot.behavior.lookout import BRAKING
+from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
 from housefly.twin.movable import Movable
@@ -55,7 +55,10 @@ class Stop:
         speed = hypot(vx, vy)
         self.track.append((world.now, (x, y), speed))
         if not self.put_at and x < 8.0 and speed > 0.45:
-            self.place, self.put_at = (x + vx / speed * self.ahead, y + vy / speed * self.ahead), world.now
+            self.place, self.put_at = (
+                (x + vx / speed * self.ahead, y + vy / speed * self.ahead),
+                world.now,
+            )
             world.put("chair", self.place)
         if self.put_at:
             self.closest = min(self.closest, hypot(x - self.place[0], y - self.place[1]) - CHAIR)
@@ -70,7 +73,9 @@ class Stop:
 
     def measure(self) -> None:
         """Work out the way to rest."""
-        after = [(now, place, speed) for now, place, speed in self.track if now >= self.told_at - 1e-6]
+        after = [
+            (now, place, speed) for now, place, speed in self.track if now >= self.told_at - 1e-6
+        ]
         _, self.start, self.speed = after[0]
         self.rest_at, place, _ = next(row for row in after if row[2] < 0.1)
         self.way = hypot(place[0] - self.start[0], place[1] - self.start[1])
@@ -79,7 +84,9 @@ class Stop:
 def stops() -> list[Stop]:
     done = []
     for seed in SEEDS:
-        premises = open_premises(changed(read_site("bsen"), lasers=LASERS, twin__visitor_present=False, twin__seed=seed))
+        premises = open_premises(
+            changed(read_site("bsen"), lasers=LASERS, twin__visitor_present=False, twin__seed=seed)
+        )
         for ahead in DISTANCES:
             stop = Stop(ahead)
             order = Order(OrderKind.GO, "entrance")
@@ -91,7 +98,10 @@ def stops() -> list[Stop]:
 
 
 def milliseconds(times: list[float]) -> str:
-    return f"{1e3 * percentile(times, 0.5):.2f} / {1e3 * percentile(times, 0.99):.2f} / {1e3 * max(times):.2f} ms"
+    return (
+        f"{1e3 * percentile(times, 0.5):.2f} / {1e3 * percentile(times, 0.99):.2f} /"
+        f" {1e3 * max(times):.2f} ms"
+    )
 
 
 def timed(action: object, count: int) -> list[float]:
@@ -118,7 +128,9 @@ def perception(premises: Premises) -> list[float]:
 
 
 def planning(premises: Premises, count: int) -> tuple[list[float], list[float], list[float]]:
-    """Return times of hearing, of the look along the path, and of map and plan, among so many moving obstacles."""
+    """Return times of hearing, of the look along the path, and of map and plan, among so many
+    moving obstacles.
+    """
     random = np.random.default_rng(1)
     navigator = RoomNavigator(premises.site, premises.room, premises.grid)
     start, goal = premises.room.home, premises.room.place("entrance").viewpoint
@@ -158,7 +170,11 @@ def main() -> None:
                     f"one stopping distance + 0.3 s: {min(allowed):.2f} m",
                 ],
                 ["time from told to rest", *both([s.rest_at - s.told_at for s in done], "s"), ""],
-                ["from rest to a new way", *both([max(0.0, s.detour_at - s.rest_at) for s in done], "s"), "0.3 s"],
+                [
+                    "from rest to a new way",
+                    *both([max(0.0, s.detour_at - s.rest_at) for s in done], "s"),
+                    "0.3 s",
+                ],
                 [
                     "closest to the chair",
                     f"{percentile([s.closest for s in done], 0.5):.2f} m",
@@ -178,8 +194,8 @@ def main() -> None:
     print()
     print(table(["cost", "median / 99 % / worst"], rows))
     print(
-        f"\n{len(done)} flights in lock step at 0.5 m/s, a chair of radius {CHAIR} m put {min(DISTANCES)} to {max(DISTANCES)} m "
-        "ahead, two simulated UST-10LX, 30 ms latency."
+        f"\n{len(done)} flights in lock step at 0.5 m/s, a chair of radius {CHAIR} m put"
+        f" {min(DISTANCES)} to {max(DISTANCES)} m ahead, two simulated UST-10LX, 30 ms latency."
     )
 
 

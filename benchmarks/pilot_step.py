@@ -7,11 +7,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from housefly.config import Mode, Site, changed
-from housefly.control.model import Body, Constants, body_step
+from housefly.config.site import Mode, Site, changed
 from housefly.geometry import quaternion_from_euler
-from housefly.messages import Action, DroneStatus, Inputs, Order, OrderKind, Outputs, Pose, Sighting, Telemetry
-from housefly.pilot import Pilot, warm_up
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Inputs,
+    Order,
+    OrderKind,
+    Outputs,
+    Pose,
+    Sighting,
+    Telemetry,
+)
+from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.pilot.pilot import Pilot, warm_up
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
@@ -42,7 +52,11 @@ def flight(mode: Mode, rate_hz: float) -> Timing:
         body = moved(body, outputs)
         ordered = tick == 50
         orders = (Order(OrderKind.GO, "entrance", issued_at=now),) if ordered else ()
-        inputs = Inputs(sightings(site, body, now, tick, rate_hz, random), Telemetry(now, DroneStatus.FLYING, 0.9), orders)
+        inputs = Inputs(
+            sightings(site, body, now, tick, rate_hz, random),
+            Telemetry(now, DroneStatus.FLYING, 0.9),
+            orders,
+        )
         start = time.perf_counter()
         outputs = pilot.step(now, inputs)
         spent = time.perf_counter() - start
@@ -59,7 +73,9 @@ def moved(body: Body, outputs: Outputs | None) -> Body:
     return body_step(body, s.theta, s.phi, s.vz, s.yaw_rate, (0.0, 0.0), Constants(), PERIOD)
 
 
-def sightings(site: Site, body: Body, now: float, tick: int, rate_hz: float, random: np.random.Generator) -> tuple[Sighting, ...]:
+def sightings(
+    site: Site, body: Body, now: float, tick: int, rate_hz: float, random: np.random.Generator
+) -> tuple[Sighting, ...]:
     """Return what the tracking system sees in this period."""
     if tick % round(1.0 / (rate_hz * PERIOD)):
         return ()
@@ -71,17 +87,25 @@ def sightings(site: Site, body: Body, now: float, tick: int, rate_hz: float, ran
 def main() -> None:
     """Print the section."""
     print("### One step of the pilot\n")
-    print("| mode, tracking | p50 | p99 | share of the 10 ms period (p50) | step that plans the way |")
+    print(
+        "| mode, tracking | p50 | p99 | share of the 10 ms period (p50) | step that plans the way |"
+    )
     print("|---|---|---|---|---|")
     modes: tuple[Mode, ...] = ("default", "paper")
     for mode in modes:
         for rate_hz in (100.0, 10.0):
             timing = flight(mode, rate_hz)
             p50, p99 = np.percentile(timing.steps, [50, 99])
-            cells = (f"{mode}, {rate_hz:.0f} Hz", f"{1e6 * p50:.0f} us", f"{1e6 * p99:.0f} us", f"{100.0 * p50 / PERIOD:.1f} %")
+            cells = (
+                f"{mode}, {rate_hz:.0f} Hz",
+                f"{1e6 * p50:.0f} us",
+                f"{1e6 * p99:.0f} us",
+                f"{100.0 * p50 / PERIOD:.1f} %",
+            )
             print(f"| {' | '.join(cells)} | {1e3 * timing.order:.1f} ms |")
     print(
-        f"\nWall time of `Pilot.step` over {SECONDS:.0f} s of flight in B-sen at 100 steps per second, beside the loop's period."
+        f"\nWall time of `Pilot.step` over {SECONDS:.0f} s of flight in B-sen at 100 steps per"
+        " second, beside the loop's period."
     )
 
 

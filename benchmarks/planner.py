@@ -12,8 +12,8 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra as scipy_dijkstra
 
-from housefly.config import changed, load_site
-from housefly.planning.dijkstra import shortest_path
+from housefly.config.site import changed, load_site
+from housefly.pilot.planning.dijkstra import shortest_path
 from housefly.room.bsen import bsen
 from housefly.room.grid import Cell, build_grid
 
@@ -44,7 +44,10 @@ def far_queries(free: Free) -> list[Query]:
     """Return the farthest of many random pairs of cells that have a way between them."""
     random = np.random.default_rng(1)
     cells = np.argwhere(free)
-    pairs = [tuple(tuple(int(v) for v in cells[k]) for k in random.integers(len(cells), size=2)) for _ in range(60)]
+    pairs = [
+        tuple(tuple(int(v) for v in cells[k]) for k in random.integers(len(cells), size=2))
+        for _ in range(60)
+    ]
     pairs.sort(key=lambda pair: -abs(pair[0][0] - pair[1][0]) - abs(pair[0][1] - pair[1][1]))
     found = (pair for pair in pairs if shortest_path(free, pair[0], pair[1]))
     return [query for query, _ in zip(found, range(QUERIES), strict=False)]  # type: ignore[misc]
@@ -60,7 +63,9 @@ def matrix(free: Free) -> object:
     return coo_array((np.ones(rows.size), (rows, columns)), shape=(free.size, free.size)).tocsr()
 
 
-def median_ms(solve: Callable[[Query], int], queries: list[Query], repeats: int) -> tuple[float, list[int]]:
+def median_ms(
+    solve: Callable[[Query], int], queries: list[Query], repeats: int
+) -> tuple[float, list[int]]:
     times, lengths = [], []
     for query in queries:
         best = float("inf")
@@ -84,7 +89,11 @@ def row(name: str, free: Free) -> str:
 
     def scipys(query: Query) -> int:
         (i, j), (k, m) = query
-        return int(scipy_dijkstra(graph, indices=i * free.shape[1] + j, unweighted=True)[k * free.shape[1] + m])
+        return int(
+            scipy_dijkstra(graph, indices=i * free.shape[1] + j, unweighted=True)[
+                k * free.shape[1] + m
+            ]
+        )
 
     def networkxs(query: Query) -> int:
         return int(nx.dijkstra_path_length(network, *query))
@@ -117,9 +126,10 @@ def main() -> None:
         print(row(name, free))
     print()
     print(
-        f"Median over the {QUERIES} farthest of 60 random queries (networkx on large maps: 3) of one shortest path with 4 moves "
-        "of unit cost, path included for Housefly, distances only for the others; their graphs are built beforehand, ours is the "
-        "grid itself. All lengths are equal."
+        f"Median over the {QUERIES} farthest of 60 random queries (networkx on large maps: 3) of"
+        " one shortest path with 4 moves of unit cost, path included for Housefly, distances only"
+        " for the others; their graphs are built beforehand, ours is the grid itself. All lengths"
+        " are equal."
     )
 
 

@@ -1,7 +1,8 @@
 """Runs every benchmark and writes docs/results.md.
 
-``make bench`` runs them all; ``python benchmarks/run.py planner bus`` runs some and keeps the other sections as they are.
-Each benchmark is a script that prints Markdown. Machines differ and are shared: trust the ratios within one run.
+``make bench`` runs them all; ``python benchmarks/run.py planner bus`` runs some and keeps the other
+sections as they are. Each benchmark is a script that prints Markdown. Machines differ and are
+shared: trust the ratios within one run.
 """
 
 from __future__ import annotations
@@ -26,7 +27,11 @@ not the absolute figures, and run `make bench` on yours.
 
 def names() -> list[str]:
     """Return the benchmarks in alphabetical order."""
-    return sorted(path.stem for path in FOLDER.glob("*.py") if path.stem != "run" and not path.stem.startswith("_"))
+    return sorted(
+        path.stem
+        for path in FOLDER.glob("*.py")
+        if path.stem != "run" and not path.stem.startswith("_")
+    )
 
 
 def measure(name: str) -> str:
@@ -34,7 +39,11 @@ def measure(name: str) -> str:
     print(f"{name} ...", flush=True)
     start = time.monotonic()
     done = subprocess.run(
-        [sys.executable, str(FOLDER / f"{name}.py")], capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+        [sys.executable, str(FOLDER / f"{name}.py")],
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
     )
     if done.returncode:
         sys.exit(f"{name} failed:\n{done.stdout}\n{done.stderr}")
@@ -45,10 +54,18 @@ def measure(name: str) -> str:
 def machine() -> str:
     """Return one line about this machine."""
     cpu = next(
-        (line.split(":")[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if "model name" in line), "?"
+        (
+            line.split(":")[1].strip()
+            for line in Path("/proc/cpuinfo").read_text().splitlines()
+            if "model name" in line
+        ),
+        "?",
     )
     cores = len(os.sched_getaffinity(0))
-    return f"Measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python {platform.python_version()}, no GPU."
+    return (
+        f"Measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python"
+        f" {platform.python_version()}, no GPU."
+    )
 
 
 def kept_sections() -> dict[str, str]:
@@ -64,7 +81,9 @@ def main() -> None:
     wanted = sys.argv[1:] or names()
     unknown = set(wanted) - set(names())
     if unknown:
-        sys.exit(f"no benchmark called {', '.join(sorted(unknown))}; there are: {', '.join(names())}")
+        sys.exit(
+            f"no benchmark called {', '.join(sorted(unknown))}; there are: {', '.join(names())}"
+        )
     sections = kept_sections() if sys.argv[1:] else {}
     for name in wanted:
         sections[name] = measure(name)

@@ -1,4 +1,6 @@
-"""The whole service in lock step with the twin: mode default against mode paper, at tracking rates from 100 to 10 Hz."""
+"""The whole service in lock step with the twin: mode default against mode paper, at tracking rates
+from 100 to 10 Hz.
+"""
 
 from __future__ import annotations
 
@@ -28,8 +30,15 @@ def fly(premises: Premises) -> tuple[Summary, float]:
 
 def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
     """Fly one case with every seed and return its row."""
-    changes = {"twin__mocap_rate_hz": rate, "twin__mocap_latency": latency, "twin__mocap_dropout": loss}
-    flown = [fly(open_premises(read_site("bsen", mode=mode, twin__seed=seed, **changes))) for seed in SEEDS]
+    changes = {
+        "twin__mocap_rate_hz": rate,
+        "twin__mocap_latency": latency,
+        "twin__mocap_dropout": loss,
+    }
+    flown = [
+        fly(open_premises(read_site("bsen", mode=mode, twin__seed=seed, **changes)))
+        for seed in SEEDS
+    ]
     summaries = [summary for summary, _ in flown]
     done = sum(summary.outcome == "completed" for summary in summaries)
 
@@ -53,13 +62,19 @@ def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
 
 def main() -> None:
     """Print the table."""
-    print("### The service: home to the entrance and back, with pilot, firmware, physics and tracking, stepped clock\n")
+    print(
+        "### The service: home to the entrance and back, with pilot, firmware, physics and"
+        " tracking, stepped clock\n"
+    )
     headings = [
         "mode", "tracking: rate, latency, loss", "completed", "duration [s]", "rms off the path [mm]", "largest [mm]",
         "off the goal [mm]", "landed off the pad [mm]", "state switches per s", "flight seconds per core-second",
     ]  # fmt: skip
     print(table(headings, [row(mode, *case) for case in CASES for mode in ("default", "paper")]))
-    print(f"\nMeans over seeds {', '.join(map(str, SEEDS))}. Errors are of the measured place against the planned path.")
+    print(
+        f"\nMeans over seeds {', '.join(map(str, SEEDS))}. Errors are of the measured place against"
+        " the planned path."
+    )
 
 
 if __name__ == "__main__":

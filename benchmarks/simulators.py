@@ -1,7 +1,7 @@
 """Two simulators of the field flying their own position loops, beside ours, on one core.
 
-The peers are installed into environments of their own by ``python benchmarks/simulators.py --install`` (about 2 GB); without
-them the benchmark says so and prints ours alone.
+The peers are installed into environments of their own by ``python benchmarks/simulators.py
+--install`` (about 2 GB); without them the benchmark says so and prints ours alone.
 """
 
 from __future__ import annotations
@@ -16,16 +16,21 @@ from pathlib import Path
 import numpy as np
 
 from _run import table
-from housefly.config import Site
-from housefly.experiments.cases import cases
-from housefly.experiments.engine import fly_many
-from housefly.experiments.mission import Mission, Task
+from housefly.config.site import Site
+from housefly.lab.experiments.cases import cases
+from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.mission import Mission, Task
 
 HERE = Path(__file__).resolve().parent
 PEERS = {"rotorpy": "rotorpy==3.0.0", "crazyflow": "crazyflow==0.4.0"}
 COUNTS = {"rotorpy": ((1, 10.0),), "crazyflow": ((1, 5.0), (100, 2.0), (10_000, 0.2))}
 """Drones and how long they fly [s]: the slower, the shorter."""
-ALONE = {"OMP_NUM_THREADS": "1", "XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false", "JAX_PLATFORMS": "cpu", "MPLBACKEND": "agg"}
+ALONE = {
+    "OMP_NUM_THREADS": "1",
+    "XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false",
+    "JAX_PLATFORMS": "cpu",
+    "MPLBACKEND": "agg",
+}
 MISSION = Mission(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 
 
@@ -43,7 +48,9 @@ def install() -> None:
 def peer_rate(peer: str, count: int, seconds: float) -> float:
     """Return drone-seconds per core-second of a peer."""
     command = [str(python_of(peer)), str(HERE / f"_peer_{peer}.py"), str(count), str(seconds)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **ALONE})
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, env={**os.environ, **ALONE}
+    )
     if done.returncode:
         sys.exit(f"{peer} failed:\n{done.stderr}")
     return float(done.stdout.split()[-1])
@@ -72,13 +79,17 @@ def main() -> None:
     print("### Simulators: drone-seconds per core-second with a position loop, one core\n")
     print(table(("simulator", "drones", "drone-seconds per core-second", "ours / theirs"), rows))
     print(
-        "\nNot the same work: ours is the reduced-order drone with lag, drag, delays, late noisy tracking, filter, acceptor, "
-        "control and gate at 100 Hz; rotorpy integrates a rigid body under its SE(3) controller with its motion capture at "
-        "100 Hz; crazyflow integrates a rigid body at 500 Hz under its position controller at 100 Hz with the true state. "
-        "This is what one core does for a campaign of missions."
+        "\nNot the same work: ours is the reduced-order drone with lag, drag, delays, late noisy"
+        " tracking, filter, acceptor, control and gate at 100 Hz; rotorpy integrates a rigid body"
+        " under its SE(3) controller with its motion capture at 100 Hz; crazyflow integrates a"
+        " rigid body at 500 Hz under its position controller at 100 Hz with the true state. This is"
+        " what one core does for a campaign of missions."
     )
     if missing:
-        print(f"\nNot installed, so not measured: {', '.join(missing)} (`python benchmarks/simulators.py --install`).")
+        print(
+            f"\nNot installed, so not measured: {', '.join(missing)} (`python"
+            " benchmarks/simulators.py --install`)."
+        )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Whether any process grows: half an hour of the lively demo in real time, a browser watching, a service every three minutes.
+"""Whether any process grows: half an hour of the lively demo in real time, a browser watching, a
+service every three minutes.
 
 ``python benchmarks/soak.py [MINUTES]``; memory.py shows in five minutes what needs no wires.
 """
@@ -33,7 +34,9 @@ FLAGS = ["--no-sandbox", "--disable-gpu"]
 
 def processes(state: Running) -> dict[str, psutil.Process]:
     """Return every process of the run by what it is."""
-    found = {part.name: psutil.Process(state.launcher.pid(part.name)) for part in state.launcher.parts}
+    found = {
+        part.name: psutil.Process(state.launcher.pid(part.name)) for part in state.launcher.parts
+    }
     for child in found["twin"].children(recursive=True):
         found["twin's camera"] = child
     return found
@@ -76,7 +79,9 @@ def soak(state: Running, count: int) -> tuple[dict[str, list[list[float]]], int]
 
 
 def rows_of(samples: dict[str, list[list[float]]]) -> list[list[object]]:
-    """Return a table row a process: its median of some minutes, and the line through all that are settled."""
+    """Return a table row a process: its median of some minutes, and the line through all that are
+    settled.
+    """
     rows: list[list[object]] = []
     for name, by_minute in samples.items():
         medians = [float(np.median(values)) for values in by_minute]
@@ -84,7 +89,14 @@ def rows_of(samples: dict[str, list[list[float]]]) -> list[list[object]]:
         slope = float(np.polyfit(np.arange(len(settled)), settled, 1)[0])
         growth = slope * len(settled) / settled[0]
         cells = (medians[0], medians[SETTLED], medians[-1])
-        rows.append([name, *(f"{value:.1f}" for value in cells), f"{1024 * slope:+.1f}", f"{100 * growth:+.1f} %"])
+        rows.append(
+            [
+                name,
+                *(f"{value:.1f}" for value in cells),
+                f"{1024 * slope:+.1f}",
+                f"{100 * growth:+.1f} %",
+            ]
+        )
     return rows
 
 
@@ -92,8 +104,15 @@ def main() -> None:
     """Print what each process holds over time."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else MINUTES
     if count <= SETTLED + 1:
-        sys.exit(f"give more than {SETTLED + 1} minutes: what a process holds settles for {SETTLED}")
-    lively = {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
+        sys.exit(
+            f"give more than {SETTLED + 1} minutes: what a process holds settles for {SETTLED}"
+        )
+    lively = {
+        "twin__scene": "bsen",
+        "mqtt__broker": "127.0.0.1",
+        "mqtt__start": True,
+        "mqtt__port": 0,
+    }
     with tempfile.TemporaryDirectory() as folder:
         site = bench_site("127.9.8.1", hub__store=str(Path(folder) / "room.db"), **lively)
         with running(site) as state, sync_playwright() as play:
@@ -106,13 +125,24 @@ def main() -> None:
             restarts = sum(state.launcher.restarts(part.name) for part in state.launcher.parts)
             browser.close()
     print(f"### Memory of every process over {count} minutes of real time\n")
-    headings = ["of its own [MiB]", "minute 1", f"minute {SETTLED + 1}", f"minute {count}", "slope [KiB/min]", "growth"]
+    headings = [
+        "of its own [MiB]",
+        "minute 1",
+        f"minute {SETTLED + 1}",
+        f"minute {count}",
+        "slope [KiB/min]",
+        "growth",
+    ]
     print(table(headings, rows_of(samples)))
     print(
-        f"\nThe lively demo with a browser on the console, {services} services flown, {restarts} processes started again.",
+        f"\nThe lively demo with a browser on the console, {services} services flown, {restarts}"
+        " processes started again.",
         end=" ",
     )
-    print(f"Medians of a minute; slope and growth from minute {SETTLED + 1} on; limit {100 * GROWTH_LIMIT:.0f} %.")
+    print(
+        f"Medians of a minute; slope and growth from minute {SETTLED + 1} on; limit"
+        f" {100 * GROWTH_LIMIT:.0f} %."
+    )
 
 
 if __name__ == "__main__":

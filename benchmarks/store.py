@@ -1,4 +1,6 @@
-"""The room's memory: writing, "where is X" and the way of X, beside the limits that we set ourselves."""
+"""The room's memory: writing, "where is X" and the way of X, beside the limits that we set
+ourselves.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +15,12 @@ import time
 from pathlib import Path
 
 from _run import percentile, table
+from housefly.hub.store.opening import open_store
+from housefly.hub.store.sql_store import SqlStore
+from housefly.hub.store.writer import Writer
+from housefly.hub.things.thing import Kind, Thing
+from housefly.hub.things.world import World
 from housefly.messages import Observation
-from housefly.store.opening import open_store
-from housefly.store.sql_store import SqlStore
-from housefly.store.writer import Writer
-from housefly.things.thing import Kind, Thing
-from housefly.things.world import World
 
 SECONDS = 30.0
 THINGS, RATE = 20, 100.0
@@ -26,8 +28,8 @@ HOUR, DAY = 3600.0, 86_400.0
 FULL_RATE, THIN_RATE = 100.0, 10.0
 READER = """
 import sys, time
-from housefly.store.history import where_was
-from housefly.store.opening import open_store
+from housefly.hub.store.history import where_was
+from housefly.hub.store.opening import open_store
 store = open_store(sys.argv[1])
 end = time.monotonic() + float(sys.argv[2])
 while time.monotonic() < end:
@@ -42,7 +44,14 @@ def sample(number: int, at: float) -> Observation:
     """Return a thing that walks in a circle, as a motion capture system sees it."""
     angle = 0.5 * at + number
     turned = (math.cos(angle / 2), 0.0, 0.0, math.sin(angle / 2))
-    return Observation(f"thing-{number}", "vicon", at, at + 0.004, (3 * math.cos(angle), 3 * math.sin(angle), 1.0), turned)
+    return Observation(
+        f"thing-{number}",
+        "vicon",
+        at,
+        at + 0.004,
+        (3 * math.cos(angle), 3 * math.sin(angle), 1.0),
+        turned,
+    )
 
 
 def tell(writer: Writer, seconds: float) -> int:
@@ -85,7 +94,9 @@ def writing(folder: Path) -> list[list[object]]:
     share = (cpu() - used) / SECONDS - making
     assert writer.flush()
     lost = writer.dropped()
-    reader = subprocess.Popen([sys.executable, "-c", READER, str(address), "5"], stdout=subprocess.PIPE, text=True)
+    reader = subprocess.Popen(
+        [sys.executable, "-c", READER, str(address), "5"], stdout=subprocess.PIPE, text=True
+    )
     tell(writer, 7.0)
     assert reader.stdout is not None
     answers = [line.split() for line in reader.stdout]
@@ -94,12 +105,26 @@ def writing(folder: Path) -> list[list[object]]:
     assert all(found == "True" for _, found in answers)
     asked = [float(ms) for ms, _ in answers]
     store = open_store(address)
-    kept = next(iter(store._database.query("SELECT count(*) FROM sighting WHERE captured_at < ?", (time.time(),))))[0]
+    kept = next(
+        iter(
+            store._database.query(
+                "SELECT count(*) FROM sighting WHERE captured_at < ?", (time.time(),)
+            )
+        )
+    )[0]
     store.close()
     size = address.stat().st_size / kept
     return [
-        ["2000 samples/s for 30 s: share of a core, samples made elsewhere", f"{100 * share:.1f} %", "10 %"],
-        ["rows told, dropped", f"{told:,}, {lost.poses + lost.events}".replace(",", " ", 1), "0 dropped"],
+        [
+            "2000 samples/s for 30 s: share of a core, samples made elsewhere",
+            f"{100 * share:.1f} %",
+            "10 %",
+        ],
+        [
+            "rows told, dropped",
+            f"{told:,}, {lost.poses + lost.events}".replace(",", " ", 1),
+            "0 dropped",
+        ],
         ["size of a row in the file", f"{size:.0f} B", ""],
         [
             f"where is X, fused, from another process meanwhile ({len(asked)} questions): p50",
@@ -114,7 +139,13 @@ def writing(folder: Path) -> list[list[object]]:
 def asking() -> list[list[object]]:
     """Ask a world of 1000 things, four sources each telling as it goes."""
     world = World(
-        Thing(f"thing-{k}", f"thing number {k}", Kind.OBJECT, (f"alias {k}",), inside=f"thing-{k // 10}" if k >= 10 else "")
+        Thing(
+            f"thing-{k}",
+            f"thing number {k}",
+            Kind.OBJECT,
+            (f"alias {k}",),
+            inside=f"thing-{k // 10}" if k >= 10 else "",
+        )
         for k in range(1000)
     )
     size = (0.01, 0.0, 0.0, 0.01, 0.0, 0.01)
@@ -123,14 +154,20 @@ def asking() -> list[list[object]]:
         now, number = 0.001 * k, (k * 7919) % 1000
         begin = time.perf_counter()
         point = (float(number), 0.0, 0.0) if number % 3 else None
-        world.told(Observation(f"thing-{number}", f"source-{k % 4}", now, now, point, covariance=size))
+        world.told(
+            Observation(f"thing-{number}", f"source-{k % 4}", now, now, point, covariance=size)
+        )
         told.append(1e6 * (time.perf_counter() - begin))
         begin = time.perf_counter()
         found = world.where(world.find(f"Thing Number {(k * 104_729) % 1000}").id)
         times.append(1e6 * (time.perf_counter() - begin))
         assert found
     return [
-        ["where is X, by its name, in process, 1000 things of 4 sources: p50", f"{percentile(times, 0.5):.1f} us", ""],
+        [
+            "where is X, by its name, in process, 1000 things of 4 sources: p50",
+            f"{percentile(times, 0.5):.1f} us",
+            "",
+        ],
         ["p99", f"{percentile(times, 0.99):.1f} us", "100 us"],
         ["telling the world model of a sample: p50", f"{percentile(told, 0.5):.1f} us", ""],
         ["p99", f"{percentile(told, 0.99):.1f} us", ""],
@@ -169,7 +206,9 @@ def remembering(folder: Path) -> list[list[object]]:
         rows.append([f"the way of X, {words}: {count} points", f"{took:.3f} s", "0.3 s"])
     begin = time.perf_counter()
     assert len(store.seen(DAY / 2)) == THINGS
-    rows.append(["where was everything at noon", f"{1e3 * (time.perf_counter() - begin):.2f} ms", ""])
+    rows.append(
+        ["where was everything at noon", f"{1e3 * (time.perf_counter() - begin):.2f} ms", ""]
+    )
     slowest, steps = 0.0, 0
     while steps < 60:
         begin = time.perf_counter()
@@ -192,7 +231,10 @@ def main() -> None:
     print()
     print(table(["what", "measured", "limit"], rows))
     print()
-    print("20 things, each with position and orientation. The day is generated in bulk: 23 hours at 10 Hz, the last at 100 Hz.")
+    print(
+        "20 things, each with position and orientation. The day is generated in bulk: 23 hours at"
+        " 10 Hz, the last at 100 Hz."
+    )
 
 
 if __name__ == "__main__":

@@ -1,4 +1,6 @@
-"""Tracking latency over the loopback: from the server's publish to our client's sink, with the genuine SDK client as peer."""
+"""Tracking latency over the loopback: from the server's publish to our client's sink, with the
+genuine SDK client as peer.
+"""
 
 from __future__ import annotations
 
@@ -9,16 +11,18 @@ import subprocess
 import sys
 import time
 
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.messages import Pose, Sighting
 from housefly.tracking.vicon import ViconTracker
 from housefly.twin.contracts import MocapFrame
-from housefly.twin.vicon_server import ViconServer
+from housefly.twin.mocap.vicon_server import ViconServer
 
 ADDRESS, PORT = "127.77.1.1", 8010
 SECONDS = 5.0
 EPOCH_STEP = 500.0
-"""The publish time travels as x [m] within this period [s], so that it stays within the client's kilometre."""
+"""The publish time travels as x [m] within this period [s], so that it stays within the client's
+kilometre.
+"""
 
 
 def stamp() -> float:
@@ -70,7 +74,9 @@ def measured(reader: str, rate_hz: float) -> list[float]:
         assert server.stdout is not None
         server.stdout.readline()
         try:
-            output = subprocess.run([*here, reader], stdout=subprocess.PIPE, check=True, timeout=60).stdout
+            output = subprocess.run(
+                [*here, reader], stdout=subprocess.PIPE, check=True, timeout=60
+            ).stdout
         finally:
             server.kill()
     return [float(delay) for delay in json.loads(output)]
@@ -84,8 +90,13 @@ def main() -> None:
             delays = sorted(measured(reader, rate_hz))
             cuts = statistics.quantiles(delays, n=100)
             row = f"{1e3 * cuts[49]:.2f} ms | {1e3 * cuts[98]:.2f} ms | {1e3 * delays[-1]:.2f} ms"
-            print(f"| {name} | {rate_hz:.0f} Hz | {len(delays) / SECONDS:.1f} | {row} |", flush=True)
-    print("\nFrom `publish` in the server's process to the pose in the reader's process, loopback, two bodies, same run.")
+            print(
+                f"| {name} | {rate_hz:.0f} Hz | {len(delays) / SECONDS:.1f} | {row} |", flush=True
+            )
+    print(
+        "\nFrom `publish` in the server's process to the pose in the reader's process, loopback,"
+        " two bodies, same run."
+    )
 
 
 if __name__ == "__main__":

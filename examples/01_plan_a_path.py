@@ -1,11 +1,13 @@
 """Plan a path in B-sen.
 
-Learns: a site names a room, the room becomes an occupancy grid, the planner answers with a path or with a reason.
-Prints: the way from the pad to the entrance, and why there is none into the sofa, with the nearest place that works.
+Learns: a site names a room, the room becomes an occupancy grid, the planner answers with a path or
+    with a reason.
+Prints: the way from the pad to the entrance, and why there is none into the sofa, with the nearest
+    place that works.
 """
 
 from housefly.app.premises import open_premises, read_site
-from housefly.planning.planner import plan
+from housefly.pilot.planning.planner import plan
 from housefly.room.grid import inflation
 
 premises = open_premises(read_site("bsen"))
@@ -13,9 +15,14 @@ room, grid = premises.room, premises.grid
 print(f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution} m")
 print(f"the drone's middle keeps {inflation(premises.site):.2f} m from everything")
 
-answer = plan(grid, room.home, room.place("entrance").viewpoint, premises.site.limits.speed, shortcut=True)
+answer = plan(
+    grid, room.home, room.place("entrance").viewpoint, premises.site.limits.speed, shortcut=True
+)
 assert answer.path is not None
-print(f"to the entrance: {answer.path.length:.2f} m, {answer.duration:.0f} s, clearance {answer.path.clearance:.2f} m")
+print(
+    f"to the entrance: {answer.path.length:.2f} m, {answer.duration:.0f} s, clearance"
+    f" {answer.path.clearance:.2f} m"
+)
 print(" -> ".join(f"({x:.2f}, {y:.2f})" for x, y in answer.path.waypoints))
 
 refused = plan(grid, room.home, (12.2, 2.5), premises.site.limits.speed)

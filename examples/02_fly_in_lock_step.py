@@ -1,6 +1,7 @@
 """Fly the whole service on a stepped clock.
 
-Learns: the pilot is one pure step; the simulated room moves only when it is told to, so a minute of flight takes seconds.
+Learns: the pilot is one pure step; the simulated room moves only when it is told to, so a minute of
+    flight takes seconds.
 Prints: each phase of the errand with the world's time and the drone's place, then the outcome.
 """
 

@@ -1,13 +1,14 @@
 """Take the motion capture away for three seconds in mid-flight.
 
-Learns: the last gate watches the age of the pose. Older than 0.25 s: the drone holds itself. Older than 2 s: it lands, and a
+Learns: the last gate watches the age of the pose. Older than 0.25 s: the drone holds itself. Older
+    than 2 s: it lands, and a
 landing once begun is kept although the tracking comes back.
 Prints: each change of the gate's verdict with its reason, and every event that people are told.
 """
 
 from housefly.app.premises import open_premises, read_site
 from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 
@@ -32,6 +33,9 @@ while room.now < 40.0:
         print(f"{room.now:6.2f} s  event     {event.text}")
     if outputs.safety is not mode:
         mode = outputs.safety
-        print(f"{room.now:6.2f} s  verdict   {mode.value}: {outputs.command.action.value}; {outputs.reason or 'all is well'}")
+        print(
+            f"{room.now:6.2f} s  verdict   {mode.value}: {outputs.command.action.value};"
+            f" {outputs.reason or 'all is well'}"
+        )
     if ordered and outputs.phase is Phase.IDLE and room.now > LOST_TO:
         break

@@ -1,15 +1,17 @@
 """Fly the drone by hand, over its real wire.
 
-Learns: our AR.Drone driver does not know whether a drone or the twin answers. Here the twin serves the real ports on a loopback
-address of its own; put a real drone's address in its place and leave the twin out, and the rest stays the same.
-Prints: what the drone says of itself, twice a second, while it takes off, flies forward for a second, and lands.
+Learns: our AR.Drone driver does not know whether a drone or the twin answers. Here the twin serves
+    the real ports on a loopback
+address of its own; put a real drone's address in its place and leave the twin out, and the rest
+stays the same. Prints: what the drone says of itself, twice a second, while it takes off, flies
+forward for a second, and lands.
 """
 
 import asyncio
 import sys
 
 from housefly.app.premises import open_premises, read_site
-from housefly.config import DroneConfig, LimitsConfig, changed
+from housefly.config.site import DroneConfig, LimitsConfig, changed
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import Action, Command, DroneStatus, Setpoint
 from housefly.twin.process import run_twin
@@ -29,13 +31,20 @@ async def command(drone: ArDrone, wanted: Command, seconds: float) -> None:
         told = drone.telemetry
         if tick % 10 == 0 and told is not None:
             forward = told.velocity[0]
-            print(f"{told.status.value:<10} {told.height:5.2f} m high, {forward:5.2f} m/s forward, battery {told.battery:.0%}")
+            print(
+                f"{told.status.value:<10} {told.height:5.2f} m high, {forward:5.2f} m/s forward,"
+                f" battery {told.battery:.0%}"
+            )
         await asyncio.sleep(0.05)
 
 
 async def main() -> None:
     """Start the twin, fly, land."""
-    premises = open_premises(changed(read_site("bsen"), drone__address=ADDRESS, tracking__address=ADDRESS, twin__video=False))
+    premises = open_premises(
+        changed(
+            read_site("bsen"), drone__address=ADDRESS, tracking__address=ADDRESS, twin__video=False
+        )
+    )
     twin = asyncio.create_task(run_twin(premises.site, premises.room))
     drone = ArDrone(DroneConfig(address=ADDRESS, has_video=False), LimitsConfig())
     await drone.connect()

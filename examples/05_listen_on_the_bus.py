@@ -1,7 +1,9 @@
 """Listen to a running Housefly from another process.
 
-Learns: pilot, twin and console are processes that meet on a bus; whoever knows its address may listen, ask and order.
-Prints: the topics, the answer to a planning question, then one line a second of the pilot's steps, a hundred a second.
+Learns: pilot, twin and console are processes that meet on a bus; whoever knows its address may
+    listen, ask and order.
+Prints: the topics, the answer to a planning question, then one line a second of the pilot's steps,
+    a hundred a second.
 """
 
 import sys
@@ -18,7 +20,13 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import PilotStep
 
 ADDRESS = sys.argv[1] if len(sys.argv) > 1 else "127.44.0.5"
-site = read_site("bsen", drone__address=ADDRESS, drone__has_video=False, tracking__address=ADDRESS, twin__video=False)
+site = read_site(
+    "bsen",
+    drone__address=ADDRESS,
+    drone__has_video=False,
+    tracking__address=ADDRESS,
+    twin__video=False,
+)
 heard = 0
 enough = threading.Event()
 
@@ -37,7 +45,10 @@ def on_step(step: PilotStep) -> None:
 
 with tempfile.TemporaryDirectory() as folder:
     runtime = new_runtime(site, Path(folder))
-    with Launcher(runtime, Path(folder), parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
+    with (
+        Launcher(runtime, Path(folder), parts_of(runtime, web=False)),
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
         print("topics:", ", ".join(topic.key for topic in TOPICS))
         print("plan to the entrance:", bus.ask(PLAN_QUERY, '{"place": "entrance"}')[:100], "...")

@@ -1,8 +1,10 @@
 """Record a flight and read it with nothing of ours.
 
-Learns: a flight is one MCAP file with standard ROS 2 types, so Foxglove, PlotJuggler and the mcap library read it
+Learns: a flight is one MCAP file with standard ROS 2 types, so Foxglove, PlotJuggler and the mcap
+    library read it
 (package mcap-ros2-support; `make setup-dev` installs it).
-Prints: topics with their types and counts, then the highest point and the end of the flight from /odom, read by strangers' code.
+Prints: topics with their types and counts, then the highest point and the end of the flight from
+    /odom, read by strangers' code.
 """
 
 import tempfile
@@ -19,9 +21,14 @@ from housefly.record.recorder import FlightRecorder
 with tempfile.TemporaryDirectory() as folder:
     premises = open_premises(read_site("bsen"))
     recorder = FlightRecorder(Path(folder), premises.site, premises.room, premises.grid)
-    outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.step)
+    outcome = fly_lockstep(
+        premises, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.step
+    )
     flight = recorder.finish(outcome)
-    print(f"{flight.outcome}; files: {', '.join(sorted(path.name for path in Path(folder).iterdir()))}")
+    print(
+        f"{flight.outcome}; files:"
+        f" {', '.join(sorted(path.name for path in Path(folder).iterdir()))}"
+    )
 
     with (Path(folder) / "flight.mcap").open("rb") as stream:
         reader = make_reader(stream, decoder_factories=[DecoderFactory()])
@@ -30,5 +37,11 @@ with tempfile.TemporaryDirectory() as folder:
         for channel in summary.channels.values():
             count = summary.statistics.channel_message_counts[channel.id]
             print(f"  {channel.topic:<22} {summary.schemas[channel.schema_id].name:<30} {count:6d}")
-        places = [message.pose.pose.position for *_, message in reader.iter_decoded_messages(topics=["/odom"])]
-    print(f"highest point {max(place.z for place in places):.2f} m, landed at ({places[-1].x:.2f}, {places[-1].y:.2f}) m")
+        places = [
+            message.pose.pose.position
+            for *_, message in reader.iter_decoded_messages(topics=["/odom"])
+        ]
+    print(
+        f"highest point {max(place.z for place in places):.2f} m, landed at ({places[-1].x:.2f},"
+        f" {places[-1].y:.2f}) m"
+    )

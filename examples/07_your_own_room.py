@@ -1,6 +1,7 @@
 """Make a room of a ROS map and fly in it.
 
-Learns: a picture and four lines of YAML, as ROS mapping tools write them, are enough; walls are extruded, home and places chosen.
+Learns: a picture and four lines of YAML, as ROS mapping tools write them, are enough; walls are
+    extruded, home and places chosen.
 Prints: the imported room as text, and the outcome of a service in it. The same from the shell:
 
     housefly room import map.yaml --out myroom
@@ -27,7 +28,9 @@ with tempfile.TemporaryDirectory() as folder:
     picture[:55, 78:82] = WALL
     Image.fromarray(picture).save(Path(folder) / "map.png")
     lines = ("image: map.png", "resolution: 0.05", "origin: [0.0, 0.0, 0.0]", "negate: 0")
-    (Path(folder) / "map.yaml").write_text("\n".join((*lines, "occupied_thresh: 0.65", "free_thresh: 0.196")))
+    (Path(folder) / "map.yaml").write_text(
+        "\n".join((*lines, "occupied_thresh: 0.65", "free_thresh: 0.196"))
+    )
 
     out = Path(folder) / "myroom"
     room = import_ros_map(Path(folder) / "map.yaml", out)
@@ -35,5 +38,7 @@ with tempfile.TemporaryDirectory() as folder:
     print(text_map(premises.room, premises.grid))
 
     place = next(place.name for place in room.places if place.name != "home")
-    outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, place=place, look_s=1.0), lambda step: None)
+    outcome = fly_lockstep(
+        premises, Order(OrderKind.SERVICE, place=place, look_s=1.0), lambda step: None
+    )
     print(f"to {place!r} and back: {outcome}")

@@ -1,36 +1,53 @@
 """Learn the constants of a drone that nobody told us about.
 
-Learns: the simulated drone has hidden constants, the pilot believes others; small steps in a checked box tell what it is like.
-Prints: the box, then each constant with its 95 % interval beside what the pilot believed and what is true.
+Learns: the simulated drone has hidden constants, the pilot believes others; small steps in a
+    checked box tell what it is like.
+Prints: the box, then each constant with its 95 % interval beside what the pilot believed and what
+    is true.
 """
 
 from housefly.app.identify_flight import Errand, fly_in_lock_step
 from housefly.app.premises import open_premises, read_site
-from housefly.identification.box import find_box
-from housefly.identification.maneuver import Maneuver
-from housefly.identification.pattern import blocks
-from housefly.identification.result import Limits, identify
-from housefly.identification.samples import samples_of
+from housefly.lab.identification.box import find_box
+from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.pattern import blocks
+from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
 from housefly.twin.world import SimulatedWorld
 
 tracking = {"twin__mocap_rate_hz": 30.0, "twin__seed": 3}
-hidden = {"drone__attitude_lag": 5.5, "drone__attitude_gain": 0.92, "drone__drag": 0.4, "drone__climb_lag": 2.0}
+hidden = {
+    "drone__attitude_lag": 5.5,
+    "drone__attitude_gain": 0.92,
+    "drone__drag": 0.4,
+    "drone__climb_lag": 2.0,
+}
 believed = open_premises(read_site("bsen", **tracking))
 real = open_premises(read_site("bsen", **tracking, **hidden))
 
 plan = blocks(6, believed.site.limits.tilt_max)
 box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
-print(f"{len(plan)} blocks in a box of {2 * box.reach:.1f} m around ({box.centre[0]:.1f}, {box.centre[1]:.1f})")
+print(
+    f"{len(plan)} blocks in a box of {2 * box.reach:.1f} m around ({box.centre[0]:.1f},"
+    f" {box.centre[1]:.1f})"
+)
 
 maneuver = Maneuver(plan, box)
 steps: list[PilotStep] = []
-print(fly_in_lock_step(believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append))
+print(
+    fly_in_lock_step(
+        believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append
+    )
+)
 
 limits = believed.site.limits
 bounds = Limits(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
 found = identify(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), bounds)
 for key, interval in found.constants.items():
     was, true = getattr(believed.site.drone, key), getattr(real.site.drone, key)
-    print(f"{key:<14} {interval.value:6.3f} ({interval.low:.3f} to {interval.high:.3f}); believed {was}, true {true}")
+    print(
+        f"{key:<14} {interval.value:6.3f} ({interval.low:.3f} to {interval.high:.3f}); believed"
+        f" {was}, true {true}"
+    )
 print("; ".join(found.problems) or "the profile may be written")

@@ -1,6 +1,7 @@
 """Add a sensor of your own: light sensors that send a line of text over UDP.
 
-Learns: what a sensor driver owes the room, in four members; how a bad line is counted and named instead of believed.
+Learns: what a sensor driver owes the room, in four members; how a bad line is counted and named
+    instead of believed.
 Prints: each observation as the room would hear it, then how the driver and its two lamps do.
 """
 
@@ -20,7 +21,9 @@ SILENT = 5.0
 
 
 def decode(line: bytes) -> tuple[str, float]:
-    """Return name and illuminance [lx] of a line like ``desk-lamp 320.5``; raises WireError that names what is wrong."""
+    """Return name and illuminance [lx] of a line like ``desk-lamp 320.5``; raises WireError that
+    names what is wrong.
+    """
     try:
         name, number = line.decode("ascii").split()
         lux = float(number)
@@ -41,7 +44,9 @@ class LightSensors(asyncio.DatagramProtocol):
     async def run(self, sink: Sink) -> None:
         """Listen until cancelled."""
         self._sink = sink
-        transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(lambda: self, ("127.0.0.1", self._port))
+        transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
+            lambda: self, ("127.0.0.1", self._port)
+        )
         try:
             await asyncio.Event().wait()
         finally:
@@ -57,7 +62,11 @@ class LightSensors(asyncio.DatagramProtocol):
             self.problem = str(error)
             return
         self._lamps.setdefault(name, Pulse()).beat(time.monotonic())
-        self._sink(Observation(name, name, captured_at=now, received_at=now, facts=(("illuminance_lx", lux),)))
+        self._sink(
+            Observation(
+                name, name, captured_at=now, received_at=now, facts=(("illuminance_lx", lux),)
+            )
+        )
 
     @property
     def connected(self) -> bool:
@@ -68,10 +77,21 @@ class LightSensors(asyncio.DatagramProtocol):
         """Return how the port and each lamp do."""
         now, lost = time.monotonic(), tuple(self._lost.items())
         port = SensorHealth(
-            "light", "udp", f"Light sensors on UDP {self._port}", self.connected, problem=self.problem, counts=lost
+            "light",
+            "udp",
+            f"Light sensors on UDP {self._port}",
+            self.connected,
+            problem=self.problem,
+            counts=lost,
         )
         lamps = [(name, pulse.rate_hz(now), pulse.age(now)) for name, pulse in self._lamps.items()]
-        return (port, *(SensorHealth(name, "light", f"Light {name}", age < SILENT, rate, age) for name, rate, age in lamps))
+        return (
+            port,
+            *(
+                SensorHealth(name, "light", f"Light {name}", age < SILENT, rate, age)
+                for name, rate, age in lamps
+            ),
+        )
 
 
 async def main() -> None:
@@ -83,12 +103,19 @@ async def main() -> None:
     listening = asyncio.create_task(sensors.run(print))
     await asyncio.sleep(0.1)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as lamps:
-        for line in ("desk-lamp 320.5", "window 12000", "desk-lamp -7", "desk-lamp 321.0", "window 11950"):
+        for line in (
+            "desk-lamp 320.5",
+            "window 12000",
+            "desk-lamp -7",
+            "desk-lamp 321.0",
+            "window 11950",
+        ):
             lamps.sendto(line.encode(), ("127.0.0.1", port))
             await asyncio.sleep(0.2)
     for row in sensors.health():
         print(
-            f"{row.title}: {row.rate_hz:.1f} Hz, {dict(row.counts) or 'nothing lost'}{', ' + row.problem if row.problem else ''}"
+            f"{row.title}: {row.rate_hz:.1f} Hz,"
+            f" {dict(row.counts) or 'nothing lost'}{', ' + row.problem if row.problem else ''}"
         )
     listening.cancel()
     await asyncio.gather(listening, return_exceptions=True)

@@ -1,6 +1,8 @@
-"""Let somebody live in the simulated room for two minutes, then ask where things are and what happened.
+"""Let somebody live in the simulated room for two minutes, then ask where things are and what
+happened.
 
-Learns: devices speak MQTT payloads; what they tell becomes observations; detectors make situations of them; the memory answers.
+Learns: devices speak MQTT payloads; what they tell becomes observations; detectors make situations
+    of them; the memory answers.
 Prints: what is remembered of the cup, where it is now and where it was, and who was at the door.
 """
 
@@ -9,23 +11,29 @@ import time
 from pathlib import Path
 
 from housefly.app.premises import open_premises, read_site
-from housefly.bus.room_questions import Contents, Events, Where
 from housefly.hub.answers import Answers
+from housefly.hub.api.questions import Contents, Events, Where
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
 from housefly.hub.situation_desk import SituationDesk
+from housefly.hub.store.opening import open_store
+from housefly.hub.things.catalogue import load_catalogue
 from housefly.hub.things_of_room import things_of
 from housefly.sites import __file__ as sites
-from housefly.store.opening import open_store
-from housefly.things.catalogue import load_catalogue
-from housefly.twin.devices import Devices
 from housefly.twin.people import load_scene
+from housefly.twin.sensors.devices import Devices
 from housefly.wires.devices import Delivered, Placement, decode
 
 premises = open_premises(read_site("bsen"))
-things = (*things_of(premises.site, premises.room), *load_catalogue(Path(sites).with_name("bsen_things.toml")))
+things = (
+    *things_of(premises.site, premises.room),
+    *load_catalogue(Path(sites).with_name("bsen_things.toml")),
+)
 scene = load_scene("bsen")
-devices, tags = Devices(scene, "bsen"), Placement(things={thing.tag: thing.name for thing in scene.script.things})
+devices, tags = (
+    Devices(scene, "bsen"),
+    Placement(things={thing.tag: thing.name for thing in scene.script.things}),
+)
 
 with tempfile.TemporaryDirectory() as folder:
     memory = RoomMemory(things, lambda: open_store(Path(folder) / "room.db"))
@@ -35,7 +43,9 @@ with tempfile.TemporaryDirectory() as folder:
     for tick in range(round(scene.length / 0.05)):
         now = begin + 0.05 * tick
         for message in devices.messages(0.05 * tick, now):
-            reading = decode(Delivered(message.address, message.channel, message.payload, now), tags)
+            reading = decode(
+                Delivered(message.address, message.channel, message.payload, now), tags
+            )
             for item in (*reading.observations, *reading.happenings):
                 memory.take(item)
         desk.step(now)
@@ -43,11 +53,18 @@ with tempfile.TemporaryDirectory() as folder:
     answers = Answers(memory, present, lambda: begin + scene.length)
     print("now: ", answers.answer(Where("cup")).words)
     print("then:", answers.answer(Where("cup", at=begin + 45.0)).words)
-    print("in the cabinet:", ", ".join(thing.name for thing in answers.answer(Contents("cabinet")).things))
+    print(
+        "in the cabinet:",
+        ", ".join(thing.name for thing in answers.answer(Contents("cabinet")).things),
+    )
     for event in answers.answer(Events(thing="cup")).events:
-        print(f"  {event.at - begin:5.1f} s  cup: {event.kind}{' by ' + event.cause if event.cause else ''}  [{event.source}]")
+        print(
+            f"  {event.at - begin:5.1f} s  cup:"
+            f" {event.kind}{' by ' + event.cause if event.cause else ''}  [{event.source}]"
+        )
     for event in answers.answer(Events(kind="someone at the entrance")).events:
         print(
-            f"  {event.at - begin:5.1f} s  {event.kind}, {100 * event.confidence:.0f} % sure: {event.facts.get('evidence', '')}"
+            f"  {event.at - begin:5.1f} s  {event.kind}, {100 * event.confidence:.0f} % sure:"
+            f" {event.facts.get('evidence', '')}"
         )
     memory.close()

@@ -1,6 +1,8 @@
-"""Takes the pictures of the ROOM screen: plays B-sen's scene over a broker of its own until the cup is in the cabinet.
+"""Takes the pictures of the ROOM screen: plays B-sen's scene over a broker of its own until the cup
+is in the cabinet.
 
-``python scripts/room_screenshots.py`` writes docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.
+``python scripts/room_screenshots.py`` writes
+docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.
 """
 
 from __future__ import annotations
@@ -59,9 +61,15 @@ def free_port() -> int:
 def write_site(folder: Path) -> Path:
     """Write B-sen with its scene, in which the cup is in the refrigerator at first."""
     scene = (FOLDER / "bsen_scene.toml").read_text()
-    (folder / "scene.toml").write_text(scene.replace('inside = "cabinet"', 'inside = "refrigerator"', 1))
+    (folder / "scene.toml").write_text(
+        scene.replace('inside = "cabinet"', 'inside = "refrigerator"', 1)
+    )
     (folder / "things.toml").write_text(THINGS)
-    site = (FOLDER / "bsen.toml").read_text().replace("[twin]\n", f'[twin]\nscene = "{folder}/scene.toml"\n', 1)
+    site = (
+        (FOLDER / "bsen.toml")
+        .read_text()
+        .replace("[twin]\n", f'[twin]\nscene = "{folder}/scene.toml"\n', 1)
+    )
     file = folder / "site.toml"
     file.write_text(site + MORE.format(folder=folder, web=free_port()))
     return file
@@ -123,7 +131,9 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name, sync_playwright() as play:
         folder = Path(name)
         log = folder / "run.log"
-        run = housefly("run", "--site", str(write_site(folder)), stdout=log.open("w"), stderr=subprocess.STDOUT)
+        run = housefly(
+            "run", "--site", str(write_site(folder)), stdout=log.open("w"), stderr=subprocess.STDOUT
+        )
         try:
             browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
             visit(browser.new_page(viewport=DESKTOP), address_in(log))

@@ -1,4 +1,5 @@
-"""Takes the pictures of the README: flies one service in a running demo of its own and photographs console, room and report.
+"""Takes the pictures of the README: flies one service in a running demo of its own and photographs
+console, room and report.
 
 ``python scripts/screenshots.py`` writes docs/images/*.png.
 """
@@ -18,12 +19,20 @@ from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
 
 
 def housefly(*arguments: str, **options: object) -> subprocess.Popen[str]:
     """Start a command of Housefly."""
-    return subprocess.Popen([sys.executable, "-m", "housefly.cli", *arguments], text=True, **options)  # type: ignore[call-overload,no-any-return]
+    return subprocess.Popen(
+        [sys.executable, "-m", "housefly.cli", *arguments], text=True, **options
+    )  # type: ignore[call-overload,no-any-return]
 
 
 def address_in(log: Path) -> str:
@@ -85,7 +94,15 @@ def fly(browser: Browser, address: str) -> None:
 
 def photograph_report(browser: Browser, folder: Path) -> None:
     """Fly in lock step and photograph the report."""
-    housefly("fly", "entrance", "--headless", "--lockstep", "--out", str(folder), stdout=subprocess.DEVNULL).wait()
+    housefly(
+        "fly",
+        "entrance",
+        "--headless",
+        "--lockstep",
+        "--out",
+        str(folder),
+        stdout=subprocess.DEVNULL,
+    ).wait()
     page = browser.new_page(viewport={"width": 1100, "height": 1300})
     page.goto((folder / "report.html").as_uri())
     page.screenshot(path=IMAGES / "report.png")
@@ -106,9 +123,18 @@ def main() -> None:
             demo.wait(60)
         photograph_report(browser, Path(folder) / "flight")
         browser.close()
-    housefly("plan", "--to", "entrance", "--png", str(IMAGES / "room.png"), stdout=subprocess.DEVNULL).wait()
     housefly(
-        "plan", "--to", "entrance", "--mode", "paper", "--png", str(IMAGES / "room-paper.png"), stdout=subprocess.DEVNULL
+        "plan", "--to", "entrance", "--png", str(IMAGES / "room.png"), stdout=subprocess.DEVNULL
+    ).wait()
+    housefly(
+        "plan",
+        "--to",
+        "entrance",
+        "--mode",
+        "paper",
+        "--png",
+        str(IMAGES / "room-paper.png"),
+        stdout=subprocess.DEVNULL,
     ).wait()
     print("room.png\nroom-paper.png")
 

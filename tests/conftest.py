@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-settings.register_profile("housefly", deadline=None)  # the first call of a compiled function compiles it
+settings.register_profile(
+    "housefly", deadline=None
+)  # the first call of a compiled function compiles it
 settings.load_profile("housefly")
 
 _counter = itertools.count(1)

@@ -1,4 +1,6 @@
-"""What the documents say is true: commands parse, files and functions exist, links resolve, numbers are the code's."""
+"""What the documents say is true: commands parse, files and functions exist, links resolve, numbers
+are the code's.
+"""
 
 from __future__ import annotations
 
@@ -11,13 +13,15 @@ from pathlib import Path
 
 import pytest
 
-from housefly.behavior.acceptor import describe
 from housefly.cli import EPILOG, build_parser
-from housefly.config import Site
-from housefly.safety.rules import RULES
+from housefly.config.site import Site
+from housefly.pilot.behavior.acceptor import describe
+from housefly.pilot.safety.rules import RULES
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "examples").glob("*.md")])
+PAGES = sorted(
+    [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *(ROOT / "examples").glob("*.md")]
+)
 SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
 REFERENCE = re.compile(r"`([\w/.]+\.py)(?:::([\w.]+))?`")
 COMMAND = re.compile(r"(?:^|\s)(?:\.venv/bin/)?housefly (?=[a-z-])(.*)$")
@@ -34,7 +38,9 @@ def code_of(text: str) -> list[str]:
     """Return the lines of code blocks and the code spans of a page."""
     blocks = re.findall(r"^```.*?\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
     prose = re.sub(r"^```.*?^```", "", text, flags=re.MULTILINE | re.DOTALL)
-    return [line for block in blocks for line in block.splitlines()] + re.findall(r"`([^`\n]+)`", prose)
+    return [line for block in blocks for line in block.splitlines()] + re.findall(
+        r"`([^`\n]+)`", prose
+    )
 
 
 def commands_in(path: Path) -> list[str]:
@@ -45,12 +51,20 @@ def commands_in(path: Path) -> list[str]:
 
 
 def all_commands() -> list[tuple[str, str]]:
-    epilog = [(name, line.split("housefly ", 1)[1].split("  ")[0]) for name in ("cli.py",) for line in EPILOG.splitlines()[1:]]
-    return [(name_of(path), command) for path in (*PAGES, *SCRIPTS) for command in commands_in(path)] + epilog
+    epilog = [
+        (name, line.split("housefly ", 1)[1].split("  ")[0])
+        for name in ("cli.py",)
+        for line in EPILOG.splitlines()[1:]
+    ]
+    return [
+        (name_of(path), command) for path in (*PAGES, *SCRIPTS) for command in commands_in(path)
+    ] + epilog
 
 
 @pytest.mark.parametrize(("page", "command"), all_commands())
-def test_every_command_in_the_documents_is_one(page: str, command: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_every_command_in_the_documents_is_one(
+    page: str, command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     try:
         options = build_parser().parse_args(shlex.split(command))
     except SystemExit as end:
@@ -70,9 +84,15 @@ def names_in(path: Path) -> frozenset[str]:
         if isinstance(node, FUNCTIONS | ast.ClassDef):
             names.add(node.name)
         if isinstance(node, ast.ClassDef):
-            names |= {f"{node.name}.{item.name}" for item in node.body if isinstance(item, FUNCTIONS)}
+            names |= {
+                f"{node.name}.{item.name}" for item in node.body if isinstance(item, FUNCTIONS)
+            }
         if isinstance(node, ast.Assign | ast.AnnAssign):
-            names |= {item.id for item in ast.walk(node) if isinstance(item, ast.Name) and isinstance(item.ctx, ast.Store)}
+            names |= {
+                item.id
+                for item in ast.walk(node)
+                if isinstance(item, ast.Name) and isinstance(item.ctx, ast.Store)
+            }
     return frozenset(names)
 
 
@@ -84,7 +104,9 @@ def file_of(reference: str) -> Path | None:
 
 def all_references() -> list[tuple[str, str, str]]:
     found = {
-        (page, *match.groups(default="")) for page in PAGES for match in REFERENCE.finditer(page.read_text(encoding="utf-8"))
+        (page, *match.groups(default=""))
+        for page in PAGES
+        for match in REFERENCE.finditer(page.read_text(encoding="utf-8"))
     }
     return sorted((name_of(page), file, name) for page, file, name in found)
 
@@ -98,10 +120,18 @@ def test_every_file_function_and_test_that_is_named_exists(page: str, file: str,
 
 def test_every_equation_and_trap_has_a_test() -> None:
     paper = (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| ([^|]+) \|.*`[\w/]*test_\w+\.py::test_\w+` \|$", paper, flags=re.MULTILINE)
+    rows = re.findall(
+        r"^\| ([^|]+) \|.*`[\w/]*test_\w+\.py::test_\w+` \|$", paper, flags=re.MULTILINE
+    )
     assert [int(row) for row in rows if row.isdigit()] == list(range(1, 21))
-    ranges = [(int(first), int(last or first)) for row in rows for first, last in re.findall(r"\((\d+)\)(?:-\((\d+)\))?", row)]
-    assert {number for first, last in ranges for number in range(first, last + 1)} >= set(range(1, 26))
+    ranges = [
+        (int(first), int(last or first))
+        for row in rows
+        for first, last in re.findall(r"\((\d+)\)(?:-\((\d+)\))?", row)
+    ]
+    assert {number for first, last in ranges for number in range(first, last + 1)} >= set(
+        range(1, 26)
+    )
 
 
 def test_the_acceptor_is_described_as_it_is() -> None:
@@ -110,11 +140,15 @@ def test_the_acceptor_is_described_as_it_is() -> None:
 
 def test_every_rule_of_the_last_gate_is_explained() -> None:
     safety = (ROOT / "docs" / "safety.md").read_text(encoding="utf-8")
-    assert re.findall(r"^\| `(\w+)` \|", safety, flags=re.MULTILINE) == [rule.code for rule in RULES]
+    assert re.findall(r"^\| `(\w+)` \|", safety, flags=re.MULTILINE) == [
+        rule.code for rule in RULES
+    ]
 
 
 def stated_values() -> list[tuple[str, str, str]]:
-    """Return page, key and text of every table row that gives configuration keys or constants and then a number."""
+    """Return page, key and text of every table row that gives configuration keys or constants and
+    then a number.
+    """
     rows = []
     for page in PAGES:
         if page.name == "site.md":
@@ -136,8 +170,14 @@ def constant_of(name: str) -> float | None:
     file, _, constant = name.partition("::")
     path = file_of(file) if constant else None
     for node in ast.parse(path.read_text(encoding="utf-8")).body if path else []:
-        if isinstance(node, ast.Assign) and [ast.unparse(target) for target in node.targets] == [constant]:
-            return float(ast.literal_eval(node.value)) if isinstance(node.value, ast.Constant) else None
+        if isinstance(node, ast.Assign) and [ast.unparse(target) for target in node.targets] == [
+            constant
+        ]:
+            return (
+                float(ast.literal_eval(node.value))
+                if isinstance(node.value, ast.Constant)
+                else None
+            )
     return None
 
 
@@ -153,7 +193,12 @@ def test_the_tables_state_numbers_at_all() -> None:
 
 
 @pytest.mark.parametrize(
-    ("page", "target"), [(name_of(page), target) for page in PAGES for target in LINK.findall(page.read_text(encoding="utf-8"))]
+    ("page", "target"),
+    [
+        (name_of(page), target)
+        for page in PAGES
+        for target in LINK.findall(page.read_text(encoding="utf-8"))
+    ],
 )
 def test_every_relative_link_leads_somewhere(page: str, target: str) -> None:
     if "://" in target or target.startswith("#"):

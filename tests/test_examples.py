@@ -15,7 +15,11 @@ SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
 def run(name: str, *arguments: str, timeout: float = 100.0) -> str:
     done = subprocess.run(
-        [sys.executable, str(FOLDER / name), *arguments], capture_output=True, text=True, timeout=timeout, check=False
+        [sys.executable, str(FOLDER / name), *arguments],
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -31,26 +35,45 @@ def assert_in_order(output: str, *words: str) -> None:
 
 def test_a_path_is_planned_and_a_bad_goal_is_refused_in_words() -> None:
     output = run("01_plan_a_path.py")
-    assert_in_order(output, "150 x 80 cells", "to the entrance:", "into the sofa: the goal", "nearest place that works: (")
+    assert_in_order(
+        output,
+        "150 x 80 cells",
+        "to the entrance:",
+        "into the sofa: the goal",
+        "nearest place that works: (",
+    )
 
 
 @pytest.mark.slow
 def test_the_service_is_flown_in_lock_step() -> None:
     output = run("02_fly_in_lock_step.py")
-    assert_in_order(output, "taking off", "flying to goal", "looking", "returning", "landing", "idle", "completed")
+    assert_in_order(
+        output,
+        "taking off",
+        "flying to goal",
+        "looking",
+        "returning",
+        "landing",
+        "idle",
+        "completed",
+    )
 
 
 @pytest.mark.slow
 def test_lost_tracking_means_hover_then_landing() -> None:
     output = run("03_lost_tracking.py")
-    assert_in_order(output, "level: hover", "land: land; tracking lost for 2.0 s", "landed", "all is well")
+    assert_in_order(
+        output, "level: hover", "land: land; tracking lost for 2.0 s", "landed", "all is well"
+    )
 
 
 @pytest.mark.wire
 @pytest.mark.slow
 def test_the_drone_is_driven_over_the_wire(loopback: str) -> None:
     output = run("04_drive_the_drone_yourself.py", loopback)
-    assert_in_order(output, f"drone at {loopback}", "taking off", "flying", "landing", "0 malformed")
+    assert_in_order(
+        output, f"drone at {loopback}", "taking off", "flying", "landing", "0 malformed"
+    )
 
 
 @pytest.mark.wire
@@ -63,7 +86,9 @@ def test_a_listener_hears_steps_and_gets_a_plan(loopback: str) -> None:
 @pytest.mark.slow
 def test_a_recording_is_read_by_the_mcap_library() -> None:
     output = run("06_read_a_recording.py")
-    assert_in_order(output, "completed; files: flight.mcap", "nav_msgs/msg/OccupancyGrid", "highest point 1.")
+    assert_in_order(
+        output, "completed; files: flight.mcap", "nav_msgs/msg/OccupancyGrid", "highest point 1."
+    )
 
 
 @pytest.mark.slow
@@ -75,13 +100,27 @@ def test_a_room_of_ones_own_is_flown_in() -> None:
 @pytest.mark.slow
 def test_a_thousand_drones_are_flown_and_read() -> None:
     output = run("08_fly_a_thousand.py")
-    assert_in_order(output, "20 points x 50 seeds = 1000 drones", "1000 rows", "mode default", "mode paper", "cm off the path")
+    assert_in_order(
+        output,
+        "20 points x 50 seeds = 1000 drones",
+        "1000 rows",
+        "mode default",
+        "mode paper",
+        "cm off the path",
+    )
 
 
 @pytest.mark.slow
 def test_hidden_constants_are_identified() -> None:
     output = run("09_identify_your_drone.py")
-    assert_in_order(output, "24 blocks in a box", "completed", "attitude_lag", "true 5.5", "the profile may be written")
+    assert_in_order(
+        output,
+        "24 blocks in a box",
+        "completed",
+        "attitude_lag",
+        "true 5.5",
+        "the profile may be written",
+    )
 
 
 @pytest.mark.slow
@@ -93,21 +132,35 @@ def test_gains_are_chosen_for_a_slow_tracking_system() -> None:
 @pytest.mark.wire
 def test_a_sensor_of_ones_own_is_heard() -> None:
     output = run("11_add_a_sensor.py")
-    assert_in_order(output, "('illuminance_lx', 320.5)", "'malformed': 1", "desk-lamp is -7", "Light window", "nothing lost")
+    assert_in_order(
+        output,
+        "('illuminance_lx', 320.5)",
+        "'malformed': 1",
+        "desk-lamp is -7",
+        "Light window",
+        "nothing lost",
+    )
 
 
 @pytest.mark.slow
 def test_the_room_is_asked_what_happened_in_it() -> None:
     output = run("12_ask_the_room.py")
     assert_in_order(
-        output, "now:  the cup: in the cabinet", "then: the cup: with the resident", "in the cabinet: the cup, the book"
+        output,
+        "now:  the cup: in the cabinet",
+        "then: the cup: with the resident",
+        "in the cabinet: the cup, the book",
     )
-    assert_in_order(output, "object taken by person-1", "object put by person-1", "someone at the entrance")
+    assert_in_order(
+        output, "object taken by person-1", "object put by person-1", "someone at the entrance"
+    )
 
 
 def test_every_script_of_the_course_says_what_it_teaches_and_is_tested_and_listed() -> None:
     contents, tests = (FOLDER / "README.md").read_text(), Path(__file__).read_text()
-    assert [name[:2] for name in SCRIPTS] == [f"{number:02}" for number in range(1, len(SCRIPTS) + 1)]
+    assert [name[:2] for name in SCRIPTS] == [
+        f"{number:02}" for number in range(1, len(SCRIPTS) + 1)
+    ]
     for name in SCRIPTS:
         docstring = ast.get_docstring(ast.parse((FOLDER / name).read_text())) or ""
         assert "Learns: " in docstring and "Prints: " in docstring, name

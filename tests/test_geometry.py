@@ -31,13 +31,17 @@ def test_minus_pi_wraps_to_pi() -> None:
 
 
 @given(st.floats(-3, 3), halves, st.floats(-3, 3))
-def test_euler_angles_survive_the_way_through_a_quaternion(phi: float, theta: float, psi: float) -> None:
+def test_euler_angles_survive_the_way_through_a_quaternion(
+    phi: float, theta: float, psi: float
+) -> None:
     back = euler_from_quaternion(quaternion_from_euler(phi, theta, psi))
     assert all(isclose(a, b, abs_tol=1e-9) for a, b in zip(back, (phi, theta, psi), strict=True))
 
 
 @given(st.floats(-3, 3), halves, st.floats(-3, 3), vectors)
-def test_a_rotation_keeps_lengths(phi: float, theta: float, psi: float, v: tuple[float, float, float]) -> None:
+def test_a_rotation_keeps_lengths(
+    phi: float, theta: float, psi: float, v: tuple[float, float, float]
+) -> None:
     turned = rotate(quaternion_from_euler(phi, theta, psi), v)
     assert isclose(sum(c * c for c in turned), sum(c * c for c in v), abs_tol=1e-6)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from housefly.asking.client import RoomClient
+    from housefly.hub.asking.client import RoomClient
 
 
 def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
@@ -19,8 +19,8 @@ def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
     Raises:
         LinkError: no room is running here.
     """
-    from housefly.asking.client import RoomClient
-    from housefly.asking.meeting_place import find
+    from housefly.hub.asking.client import RoomClient
+    from housefly.hub.asking.discovery import find
 
     if address:
         return RoomClient(address, key)

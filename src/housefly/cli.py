@@ -56,19 +56,31 @@ Actions = argparse._SubParsersAction  # the type that add_subparsers returns has
 
 
 def _add_site(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--site", default="bsen", metavar="SITE", help="site file, folder, or shipped site (default: bsen)")
-    parser.add_argument("--mode", choices=("default", "paper"), help="fly the paper's own chain, or the mended one")
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="site file, folder, or shipped site (default: bsen)",
+    )
+    parser.add_argument(
+        "--mode", choices=("default", "paper"), help="fly the paper's own chain, or the mended one"
+    )
 
 
 def _add_console(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
-    parser.add_argument("--record", metavar="DIR", help="record everything that is flown into this folder")
+    parser.add_argument(
+        "--record", metavar="DIR", help="record everything that is flown into this folder"
+    )
 
 
 def _add_simulation(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
     parser.add_argument(
-        "--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking (default: 100)"
+        "--mocap-rate",
+        type=float,
+        metavar="HZ",
+        help="frames per second of the simulated tracking (default: 100)",
     )
 
 
@@ -76,14 +88,18 @@ def _add_demo(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "demo",
         help="everything: simulated room, pilot, console",
-        description="Start the simulated room, the pilot and the console; print the console's address; say when it is ready. "
-        "Ctrl-C lands the drone first.",
+        description=(
+            "Start the simulated room, the pilot and the console; print the console's address; say"
+            " when it is ready. Ctrl-C lands the drone first."
+        ),
     )
     _add_site(parser)
     _add_console(parser)
     _add_simulation(parser)
     parser.add_argument(
-        "--lively", action="store_true", help="somebody lives there: people and things move, devices speak over MQTT (mosquitto)"
+        "--lively",
+        action="store_true",
+        help="somebody lives there: people and things move, devices speak over MQTT (mosquitto)",
     )
     parser.set_defaults(run=commands.demo)
 
@@ -92,7 +108,10 @@ def _add_run(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "run",
         help="fly what a site file describes, real hardware included",
-        description="Start what a site needs: pilot and console always, the simulated room only where the site enables it.",
+        description=(
+            "Start what a site needs: pilot and console always, the simulated room only where the"
+            " site enables it."
+        ),
     )
     _add_site(parser)
     _add_console(parser)
@@ -103,16 +122,27 @@ def _add_fly(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "fly",
         help="fly one whole service: take off, go, look, come home, land",
-        description="Fly to a named place, look, come home and land. Exit code 0 only if all of it happened. "
-        "The folder given by --out holds summary.json, flight.mcap, video.mp4 and report.html.",
+        description=(
+            "Fly to a named place, look, come home and land. Exit code 0 only if all of it"
+            " happened. The folder given by --out holds summary.json, flight.mcap, video.mp4 and"
+            " report.html."
+        ),
     )
     parser.add_argument("place", help="a named place (housefly room show lists them)")
     _add_site(parser)
     parser.add_argument("--headless", action="store_true", help="without the console")
-    parser.add_argument("--lockstep", action="store_true", help="stepped clock, no wires: as fast as the machine can")
+    parser.add_argument(
+        "--lockstep",
+        action="store_true",
+        help="stepped clock, no wires: as fast as the machine can",
+    )
     _add_simulation(parser)
-    parser.add_argument("--look", type=float, default=5.0, metavar="S", help="how long to look (default: 5 s)")
-    parser.add_argument("--out", metavar="DIR", help="where to write the record (default: flights/<time>)")
+    parser.add_argument(
+        "--look", type=float, default=5.0, metavar="S", help="how long to look (default: 5 s)"
+    )
+    parser.add_argument(
+        "--out", metavar="DIR", help="where to write the record (default: flights/<time>)"
+    )
     parser.set_defaults(run=commands.fly)
 
 
@@ -122,7 +152,9 @@ def _add_plan(actions: Actions[argparse.ArgumentParser]) -> None:
         help="plan a path without flying it",
         description="Plan a path between two points (x,y in metres) or named places, and draw it.",
     )
-    parser.add_argument("--from", dest="start", default="home", metavar="X,Y|PLACE", help="start (default: home)")
+    parser.add_argument(
+        "--from", dest="start", default="home", metavar="X,Y|PLACE", help="start (default: home)"
+    )
     parser.add_argument("--to", dest="goal", required=True, metavar="X,Y|PLACE", help="goal")
     _add_site(parser)
     parser.add_argument("--png", metavar="FILE", help="draw the room with the path")
@@ -139,7 +171,10 @@ def _add_room(actions: Actions[argparse.ArgumentParser]) -> None:
     load = inner.add_parser(
         "import",
         help="make a room of a ROS map (pgm or png, and yaml)",
-        description="Extrude the walls of a ROS map and write room.toml and site.toml, ready for housefly run --site DIR.",
+        description=(
+            "Extrude the walls of a ROS map and write room.toml and site.toml, ready for housefly"
+            " run --site DIR."
+        ),
     )
     load.add_argument("map", metavar="MAP.yaml", help="the map's YAML file")
     load.add_argument("--out", required=True, metavar="DIR", help="folder to write")
@@ -150,16 +185,22 @@ def _add_replay(actions: Actions[argparse.ArgumentParser]) -> None:
     parser = actions.add_parser(
         "replay",
         help="give a recording to a fresh pilot and compare every command",
-        description="Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command is the same, "
-        "bit for bit.",
+        description=(
+            "Feed the inputs of a recorded flight to a fresh pilot. Exit code 0 when every command"
+            " is the same, bit for bit."
+        ),
     )
     parser.add_argument("recording", metavar="DIR|flight.mcap", help="a recorded flight")
-    parser.add_argument("--site", metavar="SITE", help="site to fly it with (default: the one recorded beside it)")
+    parser.add_argument(
+        "--site", metavar="SITE", help="site to fly it with (default: the one recorded beside it)"
+    )
     parser.set_defaults(run=commands.replay)
 
 
 def _add_doctor(actions: Actions[argparse.ArgumentParser]) -> None:
-    parser = actions.add_parser("doctor", help="say what this machine lacks and the line that mends it")
+    parser = actions.add_parser(
+        "doctor", help="say what this machine lacks and the line that mends it"
+    )
     _add_site(parser)
     parser.set_defaults(run=commands.doctor)
 

@@ -1,7 +1,8 @@
 """How the numeric steps are compiled, and the scalar helpers that all of them share.
 
-Compiled functions take and return plain floats and tuples, so the live pilot and a campaign over thousands of drones call the
-same code. They are cached on disk and release the interpreter lock. No ``fastmath``: the same inputs must give the same bits.
+Compiled functions take and return plain floats and tuples, so the live pilot and a campaign over
+thousands of drones call the same code. They are cached on disk and release the interpreter lock. No
+``fastmath``: the same inputs must give the same bits.
 """
 
 from __future__ import annotations
@@ -21,27 +22,36 @@ from numba import config, njit
 Function = TypeVar("Function", bound=Callable[..., Any])
 
 HERE = Path(__file__).parent
-FOLDERS = ("estimation", "behavior", "control", "safety", "experiments")
+FOLDERS = ("pilot", "lab/experiments")
 """Where compiled functions live, and the files beside this one."""
 
 
 def _version() -> str:
     """Return a name for the present state of every source that holds compiled functions."""
-    sources = [HERE / "numeric.py", HERE / "geometry.py", *(file for name in FOLDERS for file in (HERE / name).glob("*.py"))]
+    sources = [
+        HERE / "numeric.py",
+        HERE / "geometry.py",
+        *(file for name in FOLDERS for file in (HERE / name).rglob("*.py")),
+    ]
     stamps = ((str(file), file.stat().st_mtime_ns, file.stat().st_size) for file in sorted(sources))
     return sha256(repr(tuple(stamps)).encode()).hexdigest()[:16]
 
 
 CACHE = HERE / "__pycache__" / f"compiled-{_version()}"
-"""Where compiled code is kept, unless NUMBA_CACHE_DIR names another place or this one cannot be written to."""
+"""Where compiled code is kept, unless NUMBA_CACHE_DIR names another place or this one cannot be
+written to.
+"""
 FORGOTTEN_AFTER = 86400.0
-"""Compiled code of sources that have changed since is kept this long, for programs that still run [s]."""
+"""Compiled code of sources that have changed since is kept this long, for programs that still run
+[s].
+"""
 
 
 def _keep_by_version() -> None:
     """Keep compiled code apart by the state of all sources, and throw old code away.
 
-    The compiler's own check looks at a function's own file only, so a caller would keep the old code of what it calls.
+    The compiler's own check looks at a function's own file only, so a caller would keep the old
+    code of what it calls.
     """
     if "NUMBA_CACHE_DIR" in os.environ or not os.access(HERE, os.W_OK):
         return
@@ -52,14 +62,22 @@ def _keep_by_version() -> None:
 
 
 _keep_by_version()
-OPTIONS: dict[str, Any] = {"cache": True, "nogil": True, "forceinline": True, "error_model": "numpy", "_nrt": False}
+OPTIONS: dict[str, Any] = {
+    "cache": True,
+    "nogil": True,
+    "forceinline": True,
+    "error_model": "numpy",
+    "_nrt": False,
+}
 
 
 def compiled(function: Function) -> Function:
-    """Compile a numeric function that makes no array or list, and keep its type; ``function.py_func`` is the plain one.
+    """Compile a numeric function that makes no array or list, and keep its type;
+    ``function.py_func`` is the plain one.
 
-    It is put into its callers whole. Without the counting of references, which such a function does not need, the loop over many
-    drones is four times as fast; and a division by zero gives infinity or nan in place of an exception.
+    It is put into its callers whole. Without the counting of references, which such a function does
+    not need, the loop over many drones is four times as fast; and a division by zero gives infinity
+    or nan in place of an exception.
     """
     return cast(Function, njit(**OPTIONS)(function))
 

@@ -59,7 +59,14 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
         file = tmp_path / f"site{number}.toml"
         flag = "true" if video else "false"
         text = SITE.format(
-            mode=mode, model=model, address=address, video=flag, rate=rate, seed=seed, port=free_port(), tracking=tracking
+            mode=mode,
+            model=model,
+            address=address,
+            video=flag,
+            rate=rate,
+            seed=seed,
+            port=free_port(),
+            tracking=tracking,
         )
         file.write_text(text)
         return file

@@ -1,4 +1,6 @@
-"""A simulated person puts the cup into the cabinet; the console's ROOM screen says so, and where it was before."""
+"""A simulated person puts the cup into the cabinet; the console's ROOM screen says so, and where it
+was before.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,13 @@ from playwright.sync_api import Page, expect, sync_playwright
 
 pytestmark = [pytest.mark.wire, pytest.mark.browser, pytest.mark.slow]
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
 
 SCENE = """
 name = "A cup is tidied away"
@@ -139,7 +147,9 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(f"{address}#room")
     answer, past = page.locator(".find .answer"), page.locator(".past-banner")
-    expect(page.locator(".thing-mark[data-thing='person-1']")).to_contain_text("the resident", timeout=15_000)
+    expect(page.locator(".thing-mark[data-thing='person-1']")).to_contain_text(
+        "the resident", timeout=15_000
+    )
     page.get_by_role("combobox", name="Where is").fill("mug")
     page.keyboard.press("Enter")
     expect(answer).to_contain_text("in refrigerator")
@@ -147,7 +157,9 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     expect(answer).to_contain_text("in the cabinet", timeout=45_000)
     expect(page.locator(".thing-mark[data-thing='cabinet']")).to_contain_text("in it: the cup")
     expect(page.locator(".happened")).to_contain_text("Object put: the cup (the cabinet)")
-    expect(page.locator(".sensors li").filter(has_text="cabinet")).to_have_attribute("data-health", "well")
+    expect(page.locator(".sensors li").filter(has_text="cabinet")).to_have_attribute(
+        "data-health", "well"
+    )
     expect(past).to_have_count(0)
 
     page.get_by_role("slider", name="Time shown").fill(str(-round(time.time() - before)))

@@ -1,4 +1,6 @@
-"""A person's whole service, by clicks in real Chromium, on the real processes; and what happens when processes die meanwhile."""
+"""A person's whole service, by clicks in real Chromium, on the real processes; and what happens
+when processes die meanwhile.
+"""
 
 import os
 import re
@@ -18,7 +20,13 @@ from playwright.sync_api import Locator, Page, expect, sync_playwright
 
 pytestmark = [pytest.mark.wire, pytest.mark.browser, pytest.mark.slow]
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--no-first-run",
+]
 
 
 class Demo:
@@ -96,7 +104,9 @@ def send_to_the_entrance(page: Page) -> None:
 
 
 @pytest.mark.timeout(240)
-def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(demo: Demo, page: Page) -> None:
+def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(
+    demo: Demo, page: Page
+) -> None:
     hosts: set[str] = set()
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(demo.url)
@@ -114,7 +124,9 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(dem
 
 
 @pytest.mark.timeout(240)
-def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_back(demo: Demo, page: Page) -> None:
+def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_back(
+    demo: Demo, page: Page
+) -> None:
     page.goto(demo.url)
     expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
     send_to_the_entrance(page)
@@ -131,7 +143,9 @@ def test_the_flight_goes_on_when_console_and_camera_are_killed_and_both_come_bac
 
 
 @pytest.mark.timeout(240)
-def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_nothing(demo: Demo, page: Page) -> None:
+def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_nothing(
+    demo: Demo, page: Page
+) -> None:
     page.goto(demo.url)
     expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
     send_to_the_entrance(page)

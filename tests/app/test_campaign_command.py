@@ -32,12 +32,26 @@ LARGE = SMALL.replace("seeds = 20", "seeds = 2000").replace("duration_s = 5", "d
 
 
 def command(folder: Path, *words: str, code: str = "from housefly.cli import main") -> list[str]:
-    return [sys.executable, "-c", f"import sys; {code}; sys.exit(main(sys.argv[1:]))", "campaign", str(folder / "a.toml"), *words]
+    return [
+        sys.executable,
+        "-c",
+        f"import sys; {code}; sys.exit(main(sys.argv[1:]))",
+        "campaign",
+        str(folder / "a.toml"),
+        *words,
+    ]
 
 
-def run(folder: Path, *words: str, code: str = "from housefly.cli import main") -> subprocess.CompletedProcess[str]:
+def run(
+    folder: Path, *words: str, code: str = "from housefly.cli import main"
+) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        command(folder, *words, code=code), capture_output=True, text=True, cwd=folder, timeout=100, check=False
+        command(folder, *words, code=code),
+        capture_output=True,
+        text=True,
+        cwd=folder,
+        timeout=100,
+        check=False,
     )
 
 
@@ -77,10 +91,14 @@ def test_a_dry_run_says_how_long_and_writes_nothing(tmp_path: Path) -> None:
     assert [file.name for file in tmp_path.iterdir()] == ["a.toml"]
 
 
-def test_ctrl_c_keeps_what_has_landed_and_the_next_run_ends_with_the_same_bytes(tmp_path: Path) -> None:
+def test_ctrl_c_keeps_what_has_landed_and_the_next_run_ends_with_the_same_bytes(
+    tmp_path: Path,
+) -> None:
     write(tmp_path, LARGE)
     parts = tmp_path / "stopped" / "parts"
-    with subprocess.Popen(command(tmp_path, "--out", "stopped"), stdout=subprocess.PIPE, text=True, cwd=tmp_path) as flying:
+    with subprocess.Popen(
+        command(tmp_path, "--out", "stopped"), stdout=subprocess.PIPE, text=True, cwd=tmp_path
+    ) as flying:
         deadline = time.monotonic() + 60.0
         while len(list(parts.glob("*.parquet")) if parts.is_dir() else ()) < 2:
             assert time.monotonic() < deadline and flying.poll() is None
@@ -100,14 +118,20 @@ def test_ctrl_c_keeps_what_has_landed_and_the_next_run_ends_with_the_same_bytes(
     ("text", "words", "told"),
     [
         (SMALL.replace("lag =", "lagg ="), (), "draw.lagg: is no column"),
-        (SMALL.replace("[10, 100]", "[0, 100]"), (), "grid.mocap_rate_hz: is 0; allowed: a number from 1 to 400 Hz"),
+        (
+            SMALL.replace("[10, 100]", "[0, 100]"),
+            (),
+            "grid.mocap_rate_hz: is 0; allowed: a number from 1 to 400 Hz",
+        ),
         (SMALL.replace("seeds = 20", 'seeds = 20\nsite = "nowhere"'), (), "no file 'nowhere'"),
         (SMALL, ("--threads", "0"), "--threads: is 0; allowed: a number from 1 to 1024"),
         (SMALL, ("--out", "a.toml/b"), "a.toml/b cannot be written"),
         (SMALL, ("--cluster", "tcp://127.0.0.1:9"), "no scheduler answers at tcp://127.0.0.1:9"),
     ],
 )
-def test_what_is_wrong_is_told_in_one_line(tmp_path: Path, text: str, words: tuple[str, ...], told: str) -> None:
+def test_what_is_wrong_is_told_in_one_line(
+    tmp_path: Path, text: str, words: tuple[str, ...], told: str
+) -> None:
     write(tmp_path, text)
     done = run(tmp_path, *words)
     assert done.returncode == 2
@@ -115,10 +139,19 @@ def test_what_is_wrong_is_told_in_one_line(tmp_path: Path, text: str, words: tup
     assert len(done.stderr.splitlines()) == 1
 
 
-@pytest.mark.parametrize(("part", "extra"), [("pyarrow", "lab"), ("scipy", "lab"), ("distributed", "cluster")])
-def test_a_missing_part_is_named_with_what_installs_it(tmp_path: Path, part: str, extra: str) -> None:
+@pytest.mark.parametrize(
+    ("part", "extra"), [("pyarrow", "lab"), ("scipy", "lab"), ("distributed", "cluster")]
+)
+def test_a_missing_part_is_named_with_what_installs_it(
+    tmp_path: Path, part: str, extra: str
+) -> None:
     write(tmp_path)
     words = ("--cluster", "tcp://127.0.0.1:9") if part == "distributed" else ()
-    done = run(tmp_path, *words, code=f"sys.modules[{part!r}] = None; from housefly.cli import main")
+    done = run(
+        tmp_path, *words, code=f"sys.modules[{part!r}] = None; from housefly.cli import main"
+    )
     assert done.returncode == 2
-    assert done.stderr.startswith(f"housefly: {part} (") and f"pip install 'housefly[{extra}]'" in done.stderr
+    assert (
+        done.stderr.startswith(f"housefly: {part} (")
+        and f"pip install 'housefly[{extra}]'" in done.stderr
+    )

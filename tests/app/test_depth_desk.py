@@ -19,7 +19,7 @@ from housefly.bus.codec import decode, encode
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import DEPTH, OBSTACLE, STEP
 from housefly.clock import RealClock, SteppedClock
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.messages import (
     Action,
@@ -41,11 +41,15 @@ ALONG_X = (0.5, -0.5, 0.5, -0.5)
 
 
 def board(at: float, seed: int = 0) -> DepthImage:
-    """An image of an upright board, 0.6 m wide, two metres before a camera that measures nothing else."""
+    """An image of an upright board, 0.6 m wide, two metres before a camera that measures nothing
+    else.
+    """
     metres = np.zeros((120, 160))
     metres[30:100, 60:100] = 2.0 + np.random.default_rng(seed).normal(0.0, 0.005, (70, 40))
     data = (1000.0 * metres).astype("<u2").tobytes()
-    return DepthImage("depth-1", at, 160, 120, data, 130.0, 130.0, 80.0, 60.0, Pose((5.0, 3.0, 1.1), ALONG_X))
+    return DepthImage(
+        "depth-1", at, 160, 120, data, 130.0, 130.0, 80.0, 60.0, Pose((5.0, 3.0, 1.1), ALONG_X)
+    )
 
 
 def problems(desk: DepthDesk) -> list[str]:
@@ -90,7 +94,10 @@ async def test_the_looker_takes_in_images_without_any_scanner_and_leaves_out_the
     for place, told in (((7.0, 3.0), False), ((2.0, 3.0), True)):
         estimate = Estimate(0.0, (*place, 1.1), (0.0, 0.0, 0.0), 0.0, 0.0, 0.0)
         await asyncio.sleep(0.01)
-        bus.publish(STEP, PilotStep(0, 0.0, Inputs(telemetry=flying), Outputs(Command(Action.FLY), estimate)))
+        bus.publish(
+            STEP,
+            PilotStep(0, 0.0, Inputs(telemetry=flying), Outputs(Command(Action.FLY), estimate)),
+        )
         for n in range(4):
             await asyncio.sleep(0.1)
             bus.publish(DEPTH, board(RealClock().now(), n + 10 * told))

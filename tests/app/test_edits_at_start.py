@@ -8,14 +8,16 @@ import pytest
 
 from housefly.app.premises import open_premises, read_site, with_newest_edits
 from housefly.app.runtime import new_runtime
-from housefly.config import Site, changed
-from housefly.config_edits import Edits, NoFlyZone, PlaceEdit
+from housefly.config.edits import Edits, NoFlyZone, PlaceEdit
+from housefly.config.site import Site, changed
+from housefly.config.state import edits_folder
 from housefly.errors import ConfigError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.grid import Cell
-from housefly.state import edits_folder
 
-CORNER = PlaceEdit(name="corner", title="Reading corner", viewpoint=(6.0, 4.25), look_at=(5.0, 5.0, 1.0))
+CORNER = PlaceEdit(
+    name="corner", title="Reading corner", viewpoint=(6.0, 4.25), look_at=(5.0, 5.0, 1.0)
+)
 WET = NoFlyZone(rectangle=(5.0, 3.0, 6.0, 4.0), reason="wet floor")
 
 
@@ -39,19 +41,25 @@ def test_nobody_else_is_influenced_by_what_the_machine_has_saved(site: Site) -> 
 
 
 @pytest.mark.parametrize("change", [{"hub__edits": False}, {"mode": "paper"}])
-def test_edits_are_switched_off_and_never_apply_to_the_paper(site: Site, change: dict[str, object]) -> None:
+def test_edits_are_switched_off_and_never_apply_to_the_paper(
+    site: Site, change: dict[str, object]
+) -> None:
     EditVersions(edits_folder(site)).save(Edits(removed=("bed",)), 0)
     other = changed(site, **change)
     assert with_newest_edits(other) == (other, "")
 
 
-def test_edits_that_do_not_fit_the_room_any_more_stop_the_start_and_say_what_to_do(site: Site) -> None:
+def test_edits_that_do_not_fit_the_room_any_more_stop_the_start_and_say_what_to_do(
+    site: Site,
+) -> None:
     EditVersions(edits_folder(site)).save(Edits(removed=("cellar",)), 0)
     with pytest.raises(ConfigError, match=r"no place called 'cellar'.*hub.edits = false"):
         with_newest_edits(site)
 
 
-def test_what_was_undone_does_not_come_back_with_a_site_that_was_recorded_with_it(site: Site) -> None:
+def test_what_was_undone_does_not_come_back_with_a_site_that_was_recorded_with_it(
+    site: Site,
+) -> None:
     versions = EditVersions(edits_folder(site))
     recorded = changed(site, edits=versions.save(Edits(removed=("bed",)), 0).edits)
     versions.undo(1)
@@ -75,6 +83,8 @@ def test_a_damaged_version_is_told_at_the_start(site: Site) -> None:
         ("postgresql://x@y/z", "/state/housefly/b-sen/edits"),
     ],
 )
-def test_edits_are_beside_the_rooms_memory(monkeypatch: pytest.MonkeyPatch, store: str, folder: str) -> None:
+def test_edits_are_beside_the_rooms_memory(
+    monkeypatch: pytest.MonkeyPatch, store: str, folder: str
+) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", "/state")
     assert edits_folder(changed(Site(), hub__store=store)) == Path(folder)

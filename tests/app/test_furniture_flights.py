@@ -1,4 +1,6 @@
-"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or the room's own shelf carried elsewhere."""
+"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or the room's own
+shelf carried elsewhere.
+"""
 
 from __future__ import annotations
 
@@ -9,15 +11,22 @@ import pytest
 
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.premises import Premises, open_premises, read_site
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.geometry import Vec2
 from housefly.messages import Event, Order, OrderKind, PilotStep
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
 
-SHELF = {"name": "shelf", "body": "shelf", "model": "smart shelf", "length": 0.5, "width": 0.35, "top": 1.0}
+SHELF = {
+    "name": "shelf",
+    "body": "shelf",
+    "model": "smart shelf",
+    "length": 0.5,
+    "width": 0.35,
+    "top": 1.0,
+}
 SHELF_PLACE = (11.5, 4.2)
 CHAIR = {"name": "chair", "body": "chair", "length": 0.5, "width": 0.5, "top": 1.5}
 HULL = half_diagonal(0.517, 0.451)
@@ -27,7 +36,9 @@ ASIDE = (13.5, 4.2)
 
 
 def premises(tracked: bool = True) -> Premises:
-    site = changed(read_site("bsen"), furniture=[CHAIR] if tracked else [], twin__visitor_present=False)
+    site = changed(
+        read_site("bsen"), furniture=[CHAIR] if tracked else [], twin__visitor_present=False
+    )
     return open_premises(site)
 
 
@@ -90,14 +101,18 @@ def test_without_markers_the_drone_flies_into_the_chair(on_the_way: Vec2) -> Non
 
 
 @pytest.mark.slow
-def test_a_chair_that_was_carried_away_before_the_order_leaves_its_place_free(on_the_way: Vec2) -> None:
+def test_a_chair_that_was_carried_away_before_the_order_leaves_its_place_free(
+    on_the_way: Vec2,
+) -> None:
     free = fly(Story(ASIDE)).paths()
     assert fly(Story(on_the_way, moved_at=0.3, moved_to=ASIDE)).paths() == free
     assert fly(Story(on_the_way)).paths() != free
 
 
 @pytest.mark.slow
-def test_a_chair_that_is_put_in_the_way_in_flight_is_told_by_its_name_and_not_touched(on_the_way: Vec2) -> None:
+def test_a_chair_that_is_put_in_the_way_in_flight_is_told_by_its_name_and_not_touched(
+    on_the_way: Vec2,
+) -> None:
     story = fly(Story(ASIDE, moved_at=9.0, moved_to=on_the_way))
     told = [event.text for event in story.events if event.code in ("detour", "way_blocked")]
     assert told and all("chair" in text for text in told)
@@ -151,4 +166,7 @@ def test_the_rooms_own_shelf_put_on_the_way_is_gone_around(on_the_way: Vec2) -> 
     fly_with_shelf(story, GO)
     entrance = premises().room.place("entrance").viewpoint
     assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
-    assert story.contacts == 0 and min(hypot(x - on_the_way[0], y - on_the_way[1]) for x, y in story.way) > HULL
+    assert (
+        story.contacts == 0
+        and min(hypot(x - on_the_way[0], y - on_the_way[1]) for x, y in story.way) > HULL
+    )

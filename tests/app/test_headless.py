@@ -13,7 +13,11 @@ def steady_after(seen: list[bool], body: str = "ardrone") -> list[bool]:
     for number, is_seen in enumerate(seen):
         now = 5.0 + 0.01 * number
         sightings = (Sighting(body, Pose((1.0, 1.0, 0.1)), now - 0.02, now),) if is_seen else ()
-        found.append(steadiness.after(PilotStep(number, now, Inputs(sightings), Outputs(Command(Action.IDLE)))))
+        found.append(
+            steadiness.after(
+                PilotStep(number, now, Inputs(sightings), Outputs(Command(Action.IDLE)))
+            )
+        )
     return found
 
 

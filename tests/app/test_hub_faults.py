@@ -1,4 +1,6 @@
-"""What befalls the room's memory in mid-flight never reaches the pilot, and nothing that was kept is lost."""
+"""What befalls the room's memory in mid-flight never reaches the pilot, and nothing that was kept
+is lost.
+"""
 
 from __future__ import annotations
 
@@ -21,17 +23,17 @@ from housefly.app.launcher import Launcher, parts_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.app.service_watch import ServiceWatch
-from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Question, Sensors, Trajectory, Where
 from housefly.bus.stop import StopSender
 from housefly.bus.topics import HUB_QUERY, ORDER, STEP
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import changed, load_site
+from housefly.config.site import changed, load_site
 from housefly.errors import LinkError
 from housefly.geometry import Vec3, distance
+from housefly.hub.api.questions import Question, Sensors, Trajectory, Where
+from housefly.hub.api.room_json import answer_from_json, question_to_json
+from housefly.hub.store.changes import STILL
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
-from housefly.store.changes import STILL
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow, pytest.mark.timeout(180)]
 
@@ -42,7 +44,9 @@ PLACE = "tv"
 
 @dataclass
 class Flight:
-    """One run, who sits on its bus, and what was heard of the drone: Unix time of capture [s] and place [m]."""
+    """One run, who sits on its bus, and what was heard of the drone: Unix time of capture [s] and
+    place [m].
+    """
 
     runtime: Runtime
     launcher: Launcher
@@ -62,7 +66,9 @@ class Flight:
             self.done.set()
 
     def order(self, kind: OrderKind, place: str = "") -> None:
-        self.bus.publish(ORDER, Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test"))
+        self.bus.publish(
+            ORDER, Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test")
+        )
 
     def send(self) -> None:
         """Order the service and wait until the drone is on its way."""
@@ -76,7 +82,9 @@ class Flight:
         return self.watch.outcome
 
     def ask(self, question: Question, timeout: float = 2.0) -> Any:
-        return answer_from_json(question, self.bus.ask(HUB_QUERY, question_to_json(question), timeout))
+        return answer_from_json(
+            question, self.bus.ask(HUB_QUERY, question_to_json(question), timeout)
+        )
 
     def age(self) -> float:
         """Return how long ago the hub's drone was seen [s]; much when nobody answers."""
@@ -101,7 +109,9 @@ def until(holds: Callable[[], bool], timeout: float) -> bool:
 
 
 def is_kept(rows: tuple[tuple[float, float, float, float], ...], at: float, place: Vec3) -> bool:
-    """Tell whether the last row at or before a time, or just after it, has the place; what stands still is kept once."""
+    """Tell whether the last row at or before a time, or just after it, has the place; what stands
+    still is kept once.
+    """
     last = bisect_right(rows, at + 1e-3, key=lambda row: row[0])
     return last > 0 and distance(rows[last - 1][1:], place) <= STILL
 
@@ -115,13 +125,20 @@ def share_kept(flight: Flight, since: float, until: float) -> float:
 
 @contextmanager
 def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
-    """Run a site without a console, wait until the memory sees the drone, send it on its way; the block begins in mid-flight."""
+    """Run a site without a console, wait until the memory sees the drone, send it on its way; the
+    block begins in mid-flight.
+    """
     site = changed(load_site(site_file), hub__store=str(folder / "room.db"))
     home = load_room(site.room.model).home
     runtime = new_runtime(site, folder)
-    with Launcher(runtime, folder, parts_of(runtime, web=False)) as launcher, ZenohBus(connect=runtime.bus) as bus:
+    with (
+        Launcher(runtime, folder, parts_of(runtime, web=False)) as launcher,
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
-        flight = Flight(runtime, launcher, bus, ServiceWatch(time.monotonic(), home, 120.0, grace=90.0))
+        flight = Flight(
+            runtime, launcher, bus, ServiceWatch(time.monotonic(), home, 120.0, grace=90.0)
+        )
         bus.subscribe(STEP, flight.heard)
         assert until(lambda: flight.age() < 1.0, 20.0), (folder / "hub.log").read_text()
         flight.send()
@@ -135,7 +152,9 @@ def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and
         since, old, killed_at = flight.seen[0][0], flight.launcher.pid("hub"), time.time()
         os.kill(old, signal.SIGKILL)
         assert until(lambda: flight.launcher.pid("hub") != old, 10.0)
-        assert until(lambda: flight.age() < 1.0, 20.0), "the new hub does not say where the drone is"
+        assert until(lambda: flight.age() < 1.0, 20.0), (
+            "the new hub does not say where the drone is"
+        )
         assert flight.ask(Where(DRONE)).position is not None
         assert killed_at - since > 4.0
         assert share_kept(flight, since + 1.0, killed_at - 1.0) >= 0.99
@@ -144,7 +163,9 @@ def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and
         assert flight.launcher.restarts("pilot") == 0
 
 
-def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(tmp_path: Path, write_site: Any) -> None:
+def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(
+    tmp_path: Path, write_site: Any
+) -> None:
     with flying(write_site(), tmp_path) as flight:
         hub, begin = flight.launcher.pid("hub"), time.time()
         hard = resource.prlimit(hub, resource.RLIMIT_FSIZE)[1]
@@ -160,7 +181,9 @@ def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(tmp_
         assert flight.launcher.restarts("hub") == 0
 
 
-def test_a_hub_that_stands_still_disturbs_neither_the_flight_nor_stop(tmp_path: Path, write_site: Any) -> None:
+def test_a_hub_that_stands_still_disturbs_neither_the_flight_nor_stop(
+    tmp_path: Path, write_site: Any
+) -> None:
     with flying(write_site(), tmp_path) as flight:
         hub = psutil.Process(flight.launcher.pid("hub"))
         hub.suspend()

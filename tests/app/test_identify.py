@@ -1,4 +1,6 @@
-"""``housefly identify``: whole flights with hidden constants, refits, refusals, faults in the middle of a step."""
+"""``housefly identify``: whole flights with hidden constants, refits, refusals, faults in the
+middle of a step.
+"""
 
 from __future__ import annotations
 
@@ -13,26 +15,30 @@ import pytest
 from housefly.app.identify_flight import Errand, fly_in_lock_step
 from housefly.app.premises import Premises, open_premises, read_site
 from housefly.cli import main
-from housefly.config import load_site
+from housefly.config.profile import load_profile
+from housefly.config.site import load_site
 from housefly.errors import ConfigError
-from housefly.identification.box import Box, find_box
-from housefly.identification.maneuver import Maneuver
-from housefly.identification.pattern import blocks
-from housefly.identification.result import Limits, identify
-from housefly.identification.samples import samples_of
+from housefly.lab.identification.box import Box, find_box
+from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.pattern import blocks
+from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.samples import samples_of
 from housefly.messages import Action, DroneStatus, PilotStep, SafetyMode
-from housefly.profile import load_profile
-from housefly.safety.gate import Gate, Verdict
+from housefly.pilot.safety.gate import Gate, Verdict
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
 
 
-def flight(believed: Premises, real: Premises, repeats: int = 6) -> tuple[str, list[PilotStep], Maneuver, Box]:
+def flight(
+    believed: Premises, real: Premises, repeats: int = 6
+) -> tuple[str, list[PilotStep], Maneuver, Box]:
     plan = blocks(repeats, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.62, believed.site.map.flight_height)
     maneuver, steps = Maneuver(plan, box), []
-    outcome = fly_in_lock_step(believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append)
+    outcome = fly_in_lock_step(
+        believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append
+    )
     return outcome, steps, maneuver, box
 
 
@@ -43,16 +49,29 @@ def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first()
     box = Box((x - 0.4, y + 0.3), reach=0.62, height=premises.site.map.flight_height)
     maneuver = Maneuver(blocks(4, premises.site.limits.tilt_max)[:2], box)
     world, steps = SimulatedWorld(premises.site, premises.room), []
-    assert fly_in_lock_step(premises, world, Errand(box, maneuver, 60.0), steps.append) == "completed"
+    assert (
+        fly_in_lock_step(premises, world, Errand(box, maneuver, 60.0), steps.append) == "completed"
+    )
     assert maneuver.done == 2
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 2])
 def test_the_hidden_constants_of_a_simulated_drone_are_found(seed: int) -> None:
-    hidden = {"drone__attitude_lag": 5.0 + seed, "drone__attitude_gain": 0.9, "drone__drag": 0.4, "drone__climb_lag": 2.0}
-    believed = open_premises(read_site("bsen", twin__mocap_rate_hz=30, twin__seed=seed, twin__mocap_dropout=0.05))
-    real = open_premises(read_site("bsen", twin__mocap_rate_hz=30, twin__seed=seed, twin__mocap_dropout=0.05, **hidden))
+    hidden = {
+        "drone__attitude_lag": 5.0 + seed,
+        "drone__attitude_gain": 0.9,
+        "drone__drag": 0.4,
+        "drone__climb_lag": 2.0,
+    }
+    believed = open_premises(
+        read_site("bsen", twin__mocap_rate_hz=30, twin__seed=seed, twin__mocap_dropout=0.05)
+    )
+    real = open_premises(
+        read_site(
+            "bsen", twin__mocap_rate_hz=30, twin__seed=seed, twin__mocap_dropout=0.05, **hidden
+        )
+    )
     outcome, steps, maneuver, box = flight(believed, real)
     assert outcome == "completed"
     inside = [box.holds(step.outputs.estimate.position) for step in steps for own in maneuver.flown[:1]
@@ -91,18 +110,26 @@ def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("fault", "words"), [("mocap", "tracking was lost"), ("stop", "interrupted in the middle of a step")])
+@pytest.mark.parametrize(
+    ("fault", "words"),
+    [("mocap", "tracking was lost"), ("stop", "interrupted in the middle of a step")],
+)
 def test_a_fault_in_the_middle_of_a_step_ends_the_test_and_lands_the_drone(
     fault: str, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     premises = open_premises(read_site("bsen", twin__mocap_rate_hz=30))
     outcome, steps, maneuver = broken_flight(premises, fault, monkeypatch)
     assert words in outcome
-    assert steps[-1].inputs.telemetry is not None and steps[-1].inputs.telemetry.status is DroneStatus.LANDED
+    assert (
+        steps[-1].inputs.telemetry is not None
+        and steps[-1].inputs.telemetry.status is DroneStatus.LANDED
+    )
     assert len(maneuver.flown) == 1
 
 
-def broken_flight(premises: Premises, fault: str, monkeypatch: pytest.MonkeyPatch) -> tuple[str, list[PilotStep], Maneuver]:
+def broken_flight(
+    premises: Premises, fault: str, monkeypatch: pytest.MonkeyPatch
+) -> tuple[str, list[PilotStep], Maneuver]:
     from housefly.messages import Order, OrderKind
     from housefly.twin.lockstep import LockstepRoom
 
@@ -132,18 +159,24 @@ def broken_flight(premises: Premises, fault: str, monkeypatch: pytest.MonkeyPatc
 
     monkeypatch.setattr(LockstepRoom, "sightings", unseen)
     monkeypatch.setattr(Errand, "after", stopped)
-    outcome = fly_in_lock_step(premises, SimulatedWorld(premises.site, premises.room), errand, steps.append)
+    outcome = fly_in_lock_step(
+        premises, SimulatedWorld(premises.site, premises.room), errand, steps.append
+    )
     return outcome, steps, maneuver
 
 
 def test_what_a_maneuver_asks_goes_through_the_last_gate(monkeypatch: pytest.MonkeyPatch) -> None:
     premises = open_premises(read_site("bsen"))
-    monkeypatch.setattr("housefly.identification.pattern.Block.asked", lambda self, elapsed: 3.0)
+    monkeypatch.setattr(
+        "housefly.lab.identification.pattern.Block.asked", lambda self, elapsed: 3.0
+    )
     biggest: list[float] = []
     for judge in (Gate.judge, lambda self, command, facts: Verdict(command, SafetyMode.NOMINAL)):
         monkeypatch.setattr(Gate, "judge", judge)
         _, steps, _, _ = flight(premises, premises, repeats=1)
-        flown = [step.outputs.command for step in steps if step.outputs.command.action is Action.FLY]
+        flown = [
+            step.outputs.command for step in steps if step.outputs.command.action is Action.FLY
+        ]
         biggest.append(max(abs(command.setpoint.theta) for command in flown))
     assert biggest[0] == pytest.approx(0.21)
     assert biggest[1] == pytest.approx(3.0)
@@ -159,7 +192,9 @@ def test_what_a_maneuver_asks_goes_through_the_last_gate(monkeypatch: pytest.Mon
         (["--from", "/nowhere"], "/nowhere"),
     ],
 )
-def test_bad_options_are_named(arguments: list[str], words: str, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_bad_options_are_named(
+    arguments: list[str], words: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
     assert main(["identify", "--lockstep", "--out", str(tmp_path / "x"), *arguments]) == 2
     assert words in capsys.readouterr().err
 
@@ -167,7 +202,10 @@ def test_bad_options_are_named(arguments: list[str], words: str, capsys: pytest.
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("[constants]\nattitude_lag = 500.0\n", "constants.attitude_lag: is 500.0; allowed: a number from 0.5 to 50 1/s"),
+        (
+            "[constants]\nattitude_lag = 500.0\n",
+            "constants.attitude_lag: is 500.0; allowed: a number from 0.5 to 50 1/s",
+        ),
         ("[constants]\nspin = 1.0\n", "constants.spin: is no constant of a drone"),
         ("x = 1\n", "this is no drone profile"),
         ("x = ", "cannot be parsed"),

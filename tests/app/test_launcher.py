@@ -48,7 +48,11 @@ def test_no_process_outlives_a_launcher_that_was_killed(tmp_path: Path, write_si
 def test_a_killed_part_is_started_again_and_said(tmp_path: Path, write_site: Any) -> None:
     process = start(write_site(), tmp_path / "log")
     try:
-        twin = next(child for child in children_of(process) if "housefly.twin.process" in " ".join(child.cmdline()))
+        twin = next(
+            child
+            for child in children_of(process)
+            if "housefly.twin.process" in " ".join(child.cmdline())
+        )
         twin.kill()
         deadline = time.monotonic() + 20.0
         while "twin died and was started again" not in (tmp_path / "log").read_text():

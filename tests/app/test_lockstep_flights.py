@@ -10,7 +10,19 @@ from housefly.cli import main
 
 
 def fly(out: Path, *arguments: str) -> dict[str, object]:
-    code = main(["fly", "entrance", "--headless", "--lockstep", "--look", "2", "--out", str(out), *arguments])
+    code = main(
+        [
+            "fly",
+            "entrance",
+            "--headless",
+            "--lockstep",
+            "--look",
+            "2",
+            "--out",
+            str(out),
+            *arguments,
+        ]
+    )
     summary: dict[str, object] = json.loads((out / "summary.json").read_text())
     assert (code == 0) == (summary["outcome"] == "completed")
     return summary
@@ -19,7 +31,9 @@ def fly(out: Path, *arguments: str) -> dict[str, object]:
 @pytest.mark.slow
 @pytest.mark.parametrize("rate", [100, 30, 10])
 @pytest.mark.parametrize("seed", [1, 2])
-def test_the_service_is_completed_at_every_tracking_rate(tmp_path: Path, rate: int, seed: int) -> None:
+def test_the_service_is_completed_at_every_tracking_rate(
+    tmp_path: Path, rate: int, seed: int
+) -> None:
     summary = fly(tmp_path, "--mocap-rate", str(rate), "--seed", str(seed))
     assert summary["outcome"] == "completed"
     assert summary["seed"] == seed
@@ -32,13 +46,17 @@ def test_the_service_is_completed_at_every_tracking_rate(tmp_path: Path, rate: i
 
 @pytest.mark.slow
 def test_the_same_seed_gives_the_same_flight_and_another_seed_another(tmp_path: Path) -> None:
-    first, again, other = (fly(tmp_path / name, "--seed", seed) for name, seed in (("a", "3"), ("b", "3"), ("c", "4")))
+    first, again, other = (
+        fly(tmp_path / name, "--seed", seed) for name, seed in (("a", "3"), ("b", "3"), ("c", "4"))
+    )
     assert first == again
     assert first != other
 
 
 @pytest.mark.slow
-def test_a_replay_of_the_recording_gives_the_same_commands(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_replay_of_the_recording_gives_the_same_commands(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     fly(tmp_path)
     assert main(["replay", str(tmp_path)]) == 0
     assert "bit for bit" in capsys.readouterr().out
@@ -67,16 +85,34 @@ def test_the_paper_mode_flies_the_service_too(tmp_path: Path) -> None:
     assert summary["outcome"] == "completed"
 
 
-def test_an_unknown_place_is_refused_with_the_known_ones(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_unknown_place_is_refused_with_the_known_ones(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["fly", "cellar", "--headless", "--lockstep", "--out", str(tmp_path)]) == 2
     assert "entrance" in capsys.readouterr().err
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["small_house", "turtlebot3"])
-def test_strangers_maps_are_imported_and_flown(tmp_path: Path, shared_data: Path, name: str) -> None:
+def test_strangers_maps_are_imported_and_flown(
+    tmp_path: Path, shared_data: Path, name: str
+) -> None:
     map_file = shared_data / "rooms" / name / "map.yaml"
     assert main(["room", "import", str(map_file), "--out", str(tmp_path / "room")]) == 0
     out = tmp_path / "out"
-    assert main(["fly", "far", "--headless", "--lockstep", "--site", str(tmp_path / "room"), "--out", str(out)]) == 0
+    assert (
+        main(
+            [
+                "fly",
+                "far",
+                "--headless",
+                "--lockstep",
+                "--site",
+                str(tmp_path / "room"),
+                "--out",
+                str(out),
+            ]
+        )
+        == 0
+    )
     assert json.loads((out / "summary.json").read_text())["outcome"] == "completed"

@@ -17,19 +17,19 @@ from housefly.app.premises import Premises, open_premises, read_site
 from housefly.app.replaying import verify_recording
 from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
-from housefly.bus.room_answers import SensorAnswer, SensorsAnswer
-from housefly.bus.room_json import answer_from_json, question_to_json
-from housefly.bus.room_questions import Sensors
 from housefly.bus.topics import HUB_QUERY, OBSTACLE, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.errors import ConfigError
+from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
+from housefly.hub.api.questions import Sensors
+from housefly.hub.api.room_json import answer_from_json, question_to_json
 from housefly.messages import Obstacle, Order, OrderKind
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import replay
-from housefly.twin.laser_feed import LaserFeed
 from housefly.twin.movable import Movable
+from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.world import SimulatedWorld
 
 
@@ -39,7 +39,9 @@ def premises(address: str = "127.0.0.1", **changes: object) -> Premises:
 
 
 def eye_of(bus: ZenohBus) -> SensorAnswer:
-    answer = answer_from_json(Sensors(), bus.ask(HUB_QUERY, question_to_json(Sensors()), timeout=20.0))
+    answer = answer_from_json(
+        Sensors(), bus.ask(HUB_QUERY, question_to_json(Sensors()), timeout=20.0)
+    )
     assert isinstance(answer, SensorsAnswer)
     return next(sensor for sensor in answer.sensors if sensor.sensor == "eye")
 
@@ -51,7 +53,9 @@ async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
 
 
 @pytest.mark.wire
-async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_is_taken_away(loopback: str) -> None:
+async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_is_taken_away(
+    loopback: str,
+) -> None:
     here = premises(loopback, twin__visitor_present=False)
     world = SimulatedWorld(here.site, here.room, movables=(Movable("chair"),))
     feed, bus = LaserFeed(here.site, world), LocalBus()
@@ -90,17 +94,32 @@ DEPTH_CAMERA = {"name": "eye", "x": 4.0, "y": 4.2, "z": 1.1, "yaw": 3.14}
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("sensors", "title"),
-    [({"lasers": [LASER]}, "Laser scanner eye"), ({"depth_cameras": [DEPTH_CAMERA]}, "Depth camera eye")],
+    [
+        ({"lasers": [LASER]}, "Laser scanner eye"),
+        ({"depth_cameras": [DEPTH_CAMERA]}, "Depth camera eye"),
+    ],
     ids=["scanner", "depth camera"],
 )
 def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_the_sensor_does(
     tmp_path: Path, loopback: str, sensors: dict[str, list[dict[str, object]]], title: str
 ) -> None:
-    served = {kind: [{**one, "address": loopback} if kind == "lasers" else one for one in some] for kind, some in sensors.items()}
-    site = read_site("bsen", drone__address=loopback, tracking__address=loopback, twin__video=False, drone__has_video=False)
+    served = {
+        kind: [{**one, "address": loopback} if kind == "lasers" else one for one in some]
+        for kind, some in sensors.items()
+    }
+    site = read_site(
+        "bsen",
+        drone__address=loopback,
+        tracking__address=loopback,
+        twin__video=False,
+        drone__has_video=False,
+    )
     runtime = new_runtime(changed(site, hub__store=str(tmp_path / "room.db"), **served), tmp_path)
     heard: list[Obstacle] = []
-    with Launcher(runtime, tmp_path, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
+    with (
+        Launcher(runtime, tmp_path, parts_of(runtime, web=False)),
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
         bus.subscribe(STEP, lambda step: heard.extend(step.inputs.obstacles))
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
@@ -146,7 +165,9 @@ def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: P
         if abs(world.now - 8.0) < 0.006:
             world.put("chair", (6.8, 2.8))
 
-    fly_lockstep(here, Order(OrderKind.GO, "entrance"), recorder.step, 30.0, (Movable("chair"),), put)
+    fly_lockstep(
+        here, Order(OrderKind.GO, "entrance"), recorder.step, 30.0, (Movable("chair"),), put
+    )
     recorder.finish("completed")
     assert not recorder.problems
     steps = list(replay(tmp_path))

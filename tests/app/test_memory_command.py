@@ -19,7 +19,9 @@ def _own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.slow
-def test_b_sens_own_dump_is_read_asked_and_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_b_sens_own_dump_is_read_asked_and_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert main(["memory", "import-tms", str(DUMP)]) == 0
     assert "things" in capsys.readouterr().out
     assert main(["where", "ardrone"]) == 0

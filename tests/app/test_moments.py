@@ -45,4 +45,8 @@ def test_any_words_are_a_time_or_refused_with_what_is_allowed(words: str) -> Non
 
 
 def test_a_time_of_day_is_never_in_the_future() -> None:
-    assert all(moment(f"{hour}:{minute:02}", NOW, "--at") <= NOW for hour in range(24) for minute in (0, 29, 30, 31, 59))
+    assert all(
+        moment(f"{hour}:{minute:02}", NOW, "--at") <= NOW
+        for hour in range(24)
+        for minute in (0, 29, 30, 31, 59)
+    )

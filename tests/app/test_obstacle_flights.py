@@ -1,4 +1,6 @@
-"""Whole flights in the simulated B-sen: a chair is put in the way, two scanners see it, perception tells the pilot."""
+"""Whole flights in the simulated B-sen: a chair is put in the way, two scanners see it, perception
+tells the pilot.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +12,10 @@ import pytest
 
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.premises import open_premises, read_site
-from housefly.behavior.lookout import BRAKING
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Event, Order, OrderKind, PilotStep
+from housefly.pilot.behavior.lookout import BRAKING
 from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
@@ -50,11 +52,16 @@ class Story:
         self.steps.append((world.now, (x, y), speed))
         self.contacts = max(self.contacts, truth.contacts)
         if self.place is None and x < 8.0 and speed > 0.45:
-            self.place, self.put_at = (x + vx / speed * self.ahead, y + vy / speed * self.ahead), world.now
+            self.place, self.put_at = (
+                (x + vx / speed * self.ahead, y + vy / speed * self.ahead),
+                world.now,
+            )
             world.put("chair", self.place)
         if self.place is not None and z > 0.5:
             if world.now - self.put_at < self.away_after:
-                self.closest = min(self.closest, hypot(x - self.place[0], y - self.place[1]) - self.radius)
+                self.closest = min(
+                    self.closest, hypot(x - self.place[0], y - self.place[1]) - self.radius
+                )
             else:
                 world.put("chair", None)
 
@@ -67,7 +74,9 @@ Fly = Callable[..., Story]
 
 @pytest.fixture
 def fly() -> Fly:
-    def make(story: Story, seeing: bool = True, give_up_after: float = 120.0, **sensors: object) -> Story:
+    def make(
+        story: Story, seeing: bool = True, give_up_after: float = 120.0, **sensors: object
+    ) -> Story:
         sensors = sensors or {"lasers": list(LASERS) if seeing else []}
         site = changed(read_site("bsen"), **sensors, twin__visitor_present=False)
         chair = Movable("chair", story.radius)
@@ -76,7 +85,9 @@ def fly() -> Fly:
             story.events.extend(step.outputs.events)
 
         premises = open_premises(site)
-        story.outcome = fly_lockstep(premises, SERVICE, on_step, give_up_after, (chair,), story.world)
+        story.outcome = fly_lockstep(
+            premises, SERVICE, on_step, give_up_after, (chair,), story.world
+        )
         return story
 
     return make
@@ -84,11 +95,17 @@ def fly() -> Fly:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("ahead", [1.1, 2.0])
-def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(fly: Fly, ahead: float) -> None:
+def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(
+    fly: Fly, ahead: float
+) -> None:
     story = fly(Story(ahead))
     assert story.outcome == "completed"
     assert story.closest > HULL and story.contacts == 0
-    seen = min(story.told("way_blocked"), story.told("detour")) if ahead < 1.5 else story.told("detour")
+    seen = (
+        min(story.told("way_blocked"), story.told("detour"))
+        if ahead < 1.5
+        else story.told("detour")
+    )
     assert seen - story.put_at < 0.2
 
 
@@ -106,7 +123,10 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
     at = story.told("way_blocked")
     start, speed = next((place, speed) for now, place, speed in story.steps if now >= at - 1e-6)
     stop = next(place for now, place, s in story.steps if now > at and s < 0.1)
-    assert hypot(stop[0] - start[0], stop[1] - start[1]) < stopping_distance(speed, BRAKING, 0.1) + 0.3 * speed
+    assert (
+        hypot(stop[0] - start[0], stop[1] - start[1])
+        < stopping_distance(speed, BRAKING, 0.1) + 0.3 * speed
+    )
     standing = next(now for now, _, s in story.steps if now > at and s < 0.1)
     assert story.told("detour") - standing < 0.3
 
@@ -128,5 +148,8 @@ def test_without_scanners_the_drone_flies_into_the_chair(fly: Fly) -> None:
 
 @pytest.mark.slow
 def test_scanners_that_see_nothing_new_change_nothing(fly: Fly) -> None:
-    looking, blind = (fly(Story(1.0, away_after=-1.0), seeing=seeing, give_up_after=20.0) for seeing in (True, False))
+    looking, blind = (
+        fly(Story(1.0, away_after=-1.0), seeing=seeing, give_up_after=20.0)
+        for seeing in (True, False)
+    )
     assert looking.steps == blind.steps and not looking.told("detour") > 0

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from housefly.app.obstacle_intake import TOLD_FOR, ObstacleIntake
 from housefly.clock import SteppedClock
 from housefly.messages import Obstacle
-from housefly.planning.obstacles import MOST, fault_of
+from housefly.pilot.planning.obstacles import MOST, fault_of
 
 EXTENT = (0.0, 0.0, 10.0, 5.0)
 
@@ -24,7 +24,8 @@ def intake() -> tuple[ObstacleIntake, SteppedClock]:
 anything = st.builds(
     Obstacle,
     id=st.text(max_size=3),
-    position=st.tuples(st.floats(), st.floats()) | st.tuples(st.floats(0.0, 10.0), st.floats(0.0, 5.0)),
+    position=st.tuples(st.floats(), st.floats())
+    | st.tuples(st.floats(0.0, 10.0), st.floats(0.0, 5.0)),
     radius=st.floats() | st.floats(0.0, 1.0),
     seen_at=st.floats() | st.floats(8.0, 10.0),
     confidence=st.floats() | st.floats(0.0, 1.0),

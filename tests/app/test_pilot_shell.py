@@ -19,7 +19,9 @@ from housefly.messages import PilotStep, Sighting, TrackedFrame
 pytestmark = pytest.mark.wire
 
 
-def test_frames_are_told_as_they_come_and_not_at_the_next_step(tmp_path: Path, write_site: Any) -> None:
+def test_frames_are_told_as_they_come_and_not_at_the_next_step(
+    tmp_path: Path, write_site: Any
+) -> None:
     told: list[Sighting] = []
     stepped: list[Sighting] = []
     waited: list[float] = []
@@ -37,7 +39,10 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(tmp_path: Path, w
 
     site = read_site(str(write_site()), hub__enabled=False)
     runtime = new_runtime(site, tmp_path)
-    with Launcher(runtime, tmp_path, parts_of(runtime, web=False)), ZenohBus(connect=runtime.bus) as bus:
+    with (
+        Launcher(runtime, tmp_path, parts_of(runtime, web=False)),
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
         subscriptions = [bus.subscribe(FRAME, on_frame), bus.subscribe(STEP, on_step)]
         assert enough.wait(30.0)

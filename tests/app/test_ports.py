@@ -5,7 +5,7 @@ import pytest
 
 from housefly.app.ports import needs_of, refuse_taken_ports
 from housefly.cli import main
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.errors import LinkError
 
 
@@ -27,7 +27,9 @@ def test_free_ports_are_no_obstacle(loopback: str) -> None:
         (8080, socket.SOCK_STREAM, "TCP 8080"),
     ],
 )
-def test_a_taken_port_is_refused_before_anything_starts(loopback: str, port: int, kind: socket.SocketKind, words: str) -> None:
+def test_a_taken_port_is_refused_before_anything_starts(
+    loopback: str, port: int, kind: socket.SocketKind, words: str
+) -> None:
     with socket.socket(socket.AF_INET, kind) as other:
         other.bind((loopback, port))
         if kind is socket.SOCK_STREAM:
@@ -58,7 +60,9 @@ def test_each_tracking_system_needs_its_own_ports(
 
 
 def test_real_hardware_needs_no_ports_but_the_consoles(loopback: str) -> None:
-    names = {need.name for need in needs_of(changed(site_at(loopback), twin__enabled=False), web=True)}
+    names = {
+        need.name for need in needs_of(changed(site_at(loopback), twin__enabled=False), web=True)
+    }
     assert names == {"console"}
 
 
@@ -69,7 +73,20 @@ def test_the_command_says_which_port_and_what_to_change(
     file.write_text(f'[drone]\naddress = "{loopback}"\n[tracking]\naddress = "{loopback}"\n')
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
         other.bind((loopback, 5554))
-        assert main(["fly", "entrance", "--headless", "--site", str(file), "--out", str(tmp_path / "out")]) == 2
+        assert (
+            main(
+                [
+                    "fly",
+                    "entrance",
+                    "--headless",
+                    "--site",
+                    str(file),
+                    "--out",
+                    str(tmp_path / "out"),
+                ]
+            )
+            == 2
+        )
     told = capsys.readouterr().err
     assert "UDP 5554" in told
     assert "drone.address" in told

@@ -12,7 +12,18 @@ from PIL import Image
 from housefly.app.console_camera import ConsoleCamera
 from housefly.cli import main
 
-FIGURES = ("fig07", "fig10", "fig11", "fig12", "fig13", "fig15", "fig16", "fig17", "stability_by_rate", "distance_by_rate")
+FIGURES = (
+    "fig07",
+    "fig10",
+    "fig11",
+    "fig12",
+    "fig13",
+    "fig15",
+    "fig16",
+    "fig17",
+    "stability_by_rate",
+    "distance_by_rate",
+)
 
 
 @pytest.fixture(scope="module")
@@ -66,7 +77,9 @@ def test_one_service_is_flown_over_real_wires_and_photographed(tmp_path: Path) -
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox", "--disable-gpu"])
+        browser = play.chromium.launch(
+            executable_path=shutil.which("chromium"), args=["--no-sandbox", "--disable-gpu"]
+        )
         for width in (1280, 390):
             page = browser.new_page(viewport={"width": width, "height": 844})
             page.goto((tmp_path / "reproduction.html").as_uri())

@@ -22,7 +22,9 @@ def test_where_answers_from_the_memory_and_says_so(capsys: pytest.CaptureFixture
     assert "sofa: at (11.75, 2.60, 0.31) m" in out
 
 
-def test_a_thing_that_nobody_knows_is_refused_with_a_suggestion(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_thing_that_nobody_knows_is_refused_with_a_suggestion(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     assert main(["where", "soffa"]) == 2
     assert "sofa" in capsys.readouterr().err
 

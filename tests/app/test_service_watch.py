@@ -61,13 +61,22 @@ def test_it_is_not_over_while_the_drone_is_in_the_air() -> None:
 
 def test_an_early_landing_gives_the_last_trouble_as_its_reason() -> None:
     trouble = Event(2.0, Severity.FAULT, "pose_lost", "no pose for 2 s: landing")
-    steps = [step(0, Phase.TAKING_OFF, DroneStatus.TAKING_OFF), step(2, Phase.LANDING, DroneStatus.LANDING, trouble)]
-    assert watched(*steps, step(5, Phase.IDLE, DroneStatus.LANDED)).outcome == "no pose for 2 s: landing"
+    steps = [
+        step(0, Phase.TAKING_OFF, DroneStatus.TAKING_OFF),
+        step(2, Phase.LANDING, DroneStatus.LANDING, trouble),
+    ]
+    assert (
+        watched(*steps, step(5, Phase.IDLE, DroneStatus.LANDED)).outcome
+        == "no pose for 2 s: landing"
+    )
 
 
 def test_a_refused_order_ends_with_the_refusal() -> None:
     refusal = Event(0.1, Severity.WARNING, "refused", "battery too low")
-    steps = [step(0.1, Phase.IDLE, DroneStatus.LANDED, refusal), step(4.0, Phase.IDLE, DroneStatus.LANDED)]
+    steps = [
+        step(0.1, Phase.IDLE, DroneStatus.LANDED, refusal),
+        step(4.0, Phase.IDLE, DroneStatus.LANDED),
+    ]
     assert watched(*steps).outcome == "battery too low"
 
 
@@ -81,9 +90,14 @@ def test_it_gives_up_in_time_and_remembers_the_worst() -> None:
 
 
 def test_a_motor_cut_ends_the_watch_at_once() -> None:
-    assert watched(step(1, Phase.OUTBOUND, DroneStatus.FLYING, safety=SafetyMode.CUT)).outcome == "motors were cut"
+    assert (
+        watched(step(1, Phase.OUTBOUND, DroneStatus.FLYING, safety=SafetyMode.CUT)).outcome
+        == "motors were cut"
+    )
 
 
 def test_a_landing_far_from_the_pad_is_not_a_completed_service() -> None:
-    outcome = watched(*whole_service(), step(9, Phase.IDLE, DroneStatus.LANDED, at=(4.0, 2.0))).outcome
+    outcome = watched(
+        *whole_service(), step(9, Phase.IDLE, DroneStatus.LANDED, at=(4.0, 2.0))
+    ).outcome
     assert outcome == "landed 3.0 m from the pad"

@@ -19,8 +19,21 @@ pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
 
 def start(site: Path, out: Path, *arguments: str) -> subprocess.Popen[str]:
-    command = [sys.executable, "-m", "housefly.cli", "fly", *arguments, "--headless", "--site", str(site), "--out", str(out)]
-    return subprocess.Popen([*command, "--look", "2"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    command = [
+        sys.executable,
+        "-m",
+        "housefly.cli",
+        "fly",
+        *arguments,
+        "--headless",
+        "--site",
+        str(site),
+        "--out",
+        str(out),
+    ]
+    return subprocess.Popen(
+        [*command, "--look", "2"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
 
 
 def summary_of(out: Path) -> dict[str, Any]:
@@ -29,13 +42,19 @@ def summary_of(out: Path) -> dict[str, Any]:
 
 
 def stalled(out: Path) -> float:
-    """Return how long the simulated drone stood still because the machine gave it no processor [s], as the twin says itself."""
+    """Return how long the simulated drone stood still because the machine gave it no processor [s],
+    as the twin says itself.
+    """
     found = re.findall(r"([0-9.]+) s lost to stalls", (out / "logs" / "twin.log").read_text())
     return float(found[-1]) if found else 0.0
 
 
-def assert_flown(flight: subprocess.Popen[str], again: Callable[[], subprocess.Popen[str]], out: Path) -> None:
-    """Wait for a flight to succeed; one whose drone stood still for longer than the pilot may accept is flown once more."""
+def assert_flown(
+    flight: subprocess.Popen[str], again: Callable[[], subprocess.Popen[str]], out: Path
+) -> None:
+    """Wait for a flight to succeed; one whose drone stood still for longer than the pilot may
+    accept is flown once more.
+    """
     output = flight.communicate(timeout=300)[0]
     if flight.returncode != 0 and stalled(out) > 0.5:
         flight = again()
@@ -44,7 +63,9 @@ def assert_flown(flight: subprocess.Popen[str], again: Callable[[], subprocess.P
 
 
 @pytest.mark.timeout(600)
-def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: Path, write_site: Any) -> None:
+def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(
+    tmp_path: Path, write_site: Any
+) -> None:
     sites = {rate: write_site(rate=rate, video=rate == 100) for rate in (100, 30, 10)}
     flights = {rate: start(site, tmp_path / str(rate), "entrance") for rate, site in sites.items()}
     for rate, flight in flights.items():
@@ -63,7 +84,9 @@ def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(tmp_path: 
 
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("tracking", ["natnet", "vrpn"])
-def test_the_drone_flies_by_other_tracking_systems(tmp_path: Path, write_site: Any, tracking: str) -> None:
+def test_the_drone_flies_by_other_tracking_systems(
+    tmp_path: Path, write_site: Any, tracking: str
+) -> None:
     out = tmp_path / "out"
     site = write_site(tracking=tracking)
     assert_flown(start(site, out, "sofa"), partial(start, site, out, "sofa"), out)
@@ -87,12 +110,17 @@ def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
 
 
 @pytest.mark.timeout(300)
-def test_a_recording_made_over_the_wires_replays_bit_for_bit(tmp_path: Path, write_site: Any) -> None:
+def test_a_recording_made_over_the_wires_replays_bit_for_bit(
+    tmp_path: Path, write_site: Any
+) -> None:
     out = tmp_path / "out"
     flight = start(write_site(rate=30), out, "sofa")
     assert flight.wait(timeout=200) == 0
     replayed = subprocess.run(
-        [sys.executable, "-m", "housefly.cli", "replay", str(out)], capture_output=True, text=True, check=False
+        [sys.executable, "-m", "housefly.cli", "replay", str(out)],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert replayed.returncode == 0, replayed.stdout
 
@@ -101,7 +129,10 @@ def test_a_recording_made_over_the_wires_replays_bit_for_bit(tmp_path: Path, wri
 def test_the_imported_aws_house_flies(tmp_path: Path, write_site: Any, shared_data: Path) -> None:
     house, out = tmp_path / "house", tmp_path / "out"
     map_file = str(shared_data / "rooms" / "small_house" / "map.yaml")
-    subprocess.run([sys.executable, "-m", "housefly.cli", "room", "import", map_file, "--out", str(house)], check=True)
+    subprocess.run(
+        [sys.executable, "-m", "housefly.cli", "room", "import", map_file, "--out", str(house)],
+        check=True,
+    )
     site = write_site(model=str(house))
     assert_flown(start(site, out, "far"), partial(start, site, out, "far"), out)
     assert summary_of(out)["outcome"] == "completed"

@@ -70,7 +70,10 @@ MESSAGES = [topic.type for topic in TOPICS]
 EXAMPLE = PilotStep(
     7,
     2.0,
-    Inputs((Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 1.98, 1.99),), Telemetry(1.9, messages.DroneStatus.FLYING, 0.5)),
+    Inputs(
+        (Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 1.98, 1.99),),
+        Telemetry(1.9, messages.DroneStatus.FLYING, 0.5),
+    ),
     Outputs(
         Command(Action.FLY, Setpoint(0.1, -0.2, 0.3, 0.4)),
         Estimate(2.0, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3), 0.5, 0.02, 0.01),
@@ -87,7 +90,9 @@ def test_every_valid_message_comes_back_bit_for_bit(kind: type[Any]) -> None:
     def check(message: Any) -> None:
         decoded = decode(kind, encode(message))
         assert decoded == message
-        assert repr(decoded) == repr(message), "equal values may differ in the sign of zero or in type"
+        assert repr(decoded) == repr(message), (
+            "equal values may differ in the sign of zero or in type"
+        )
 
     check()
 
@@ -100,7 +105,12 @@ def test_not_a_number_survives() -> None:
 @pytest.mark.parametrize("kind", MESSAGES, ids=lambda kind: kind.__name__)
 def test_garbage_is_a_wire_error_and_nothing_else(kind: type[Any]) -> None:
     @settings(max_examples=200, deadline=None)
-    @given(st.one_of(st.binary(max_size=300), st.binary(max_size=300).map(lambda tail: b"\x00\x01\x00\x00" + tail)))
+    @given(
+        st.one_of(
+            st.binary(max_size=300),
+            st.binary(max_size=300).map(lambda tail: b"\x00\x01\x00\x00" + tail),
+        )
+    )
     def check(data: bytes) -> None:
         with contextlib.suppress(WireError):
             decode(kind, data)
@@ -159,7 +169,11 @@ def test_the_texts_name_every_field_and_every_enum_member_in_order() -> None:
         constants, wire_fields = type_store().fielddefs[ros_name(name)]
         assert [field for field, _ in wire_fields] == [field.name for field in fields(kind)]
         hints = typing.get_type_hints(kind)
-        enums = [(field.name, hints[field.name]) for field in fields(kind) if isinstance(hints[field.name], type(Enum))]
+        enums = [
+            (field.name, hints[field.name])
+            for field in fields(kind)
+            if isinstance(hints[field.name], type(Enum))
+        ]
         expected = [f"{field.upper()}_{member.name}" for field, enum in enums for member in enum]
         assert [constant for constant, _, _ in constants] == expected
         seen += 1
@@ -182,4 +196,6 @@ def test_an_independent_reader_finds_the_same_end_of_every_step(step: PilotStep)
     readers = generate_dynamic(ros_name("PilotStep"), definition(ros_name("PilotStep")))
     read = readers[ros_name("PilotStep")](encode(step))
     assert read.outputs.reason == step.outputs.reason
-    assert [event.text for event in read.outputs.events] == [event.text for event in step.outputs.events]
+    assert [event.text for event in read.outputs.events] == [
+        event.text for event in step.outputs.events
+    ]

@@ -119,7 +119,9 @@ async def test_a_datagram_from_another_time_is_ignored(room: Room, age_s: float)
 
 async def test_garbage_is_ignored(room: Room) -> None:
     good = signed_stop(time.monotonic_ns())
-    damaged = [good[:index] + bytes([good[index] ^ 1]) + good[index + 1 :] for index in range(len(good))]
+    damaged = [
+        good[:index] + bytes([good[index] ^ 1]) + good[index + 1 :] for index in range(len(good))
+    ]
     await throw(room, b"", b"STOP", good[:-1], good + b"x", bytes(60_000), *damaged)
     assert room.stops == 0
     assert room.listener.ignored == 5 + len(damaged)
@@ -133,7 +135,12 @@ def test_a_datagram_without_the_secret_is_never_verified(data: bytes) -> None:
 
 
 async def test_an_acknowledgement_cannot_be_sent_back_as_a_stop(room: Room) -> None:
-    await throw(room, module._Token(time.monotonic_ns(), b"12345678").signed(module._ACKNOWLEDGED, SECRET.encode()))
+    await throw(
+        room,
+        module._Token(time.monotonic_ns(), b"12345678").signed(
+            module._ACKNOWLEDGED, SECRET.encode()
+        ),
+    )
     assert room.stops == 0
 
 
@@ -142,7 +149,9 @@ async def test_another_process_stops_us(room: Room) -> None:
     code += "\nwith StopSender(host, int(port), secret) as sender: outcome = sender.send()"
     code += "\nprint(outcome.done() and outcome.result())"
     arguments = [*map(str, room.listener.address), SECRET]
-    process = await asyncio.create_subprocess_exec(sys.executable, "-c", code, *arguments, stdout=subprocess.PIPE)
+    process = await asyncio.create_subprocess_exec(
+        sys.executable, "-c", code, *arguments, stdout=subprocess.PIPE
+    )
     output, _ = await process.communicate()
     assert output.strip() == b"True"
     assert room.stops == 1

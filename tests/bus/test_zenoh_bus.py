@@ -18,7 +18,17 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError, WireError
-from housefly.messages import Action, Command, Inputs, LinkStatus, Order, OrderKind, Outputs, PilotStep, VideoFrame
+from housefly.messages import (
+    Action,
+    Command,
+    Inputs,
+    LinkStatus,
+    Order,
+    OrderKind,
+    Outputs,
+    PilotStep,
+    VideoFrame,
+)
 
 pytestmark = pytest.mark.wire
 
@@ -41,7 +51,9 @@ for line in sys.stdin:
 
 
 class Child:
-    """Another process on the bus: it answers ``who/NAME``, reports each order as a LINK, and sends orders when told."""
+    """Another process on the bus: it answers ``who/NAME``, reports each order as a LINK, and sends
+    orders when told.
+    """
 
     def __init__(self, name: str, **options: Any) -> None:
         self.process = subprocess.Popen(
@@ -101,7 +113,9 @@ def step(number: int) -> PilotStep:
     return PilotStep(number, 0.01 * number, Inputs(), Outputs(Command(Action.IDLE)))
 
 
-def test_a_message_crosses_to_another_process_and_back(endpoint: str, child: Callable[..., Child]) -> None:
+def test_a_message_crosses_to_another_process_and_back(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     with ZenohBus(listen=endpoint) as bus:
         heard: list[LinkStatus] = []
         bus.subscribe(LINK, heard.append)
@@ -112,7 +126,9 @@ def test_a_message_crosses_to_another_process_and_back(endpoint: str, child: Cal
         assert heard == [LinkStatus(1.5, notes=("other", "entrance"))]
 
 
-def test_three_processes_hear_each_other_through_the_one_that_listens(endpoint: str, child: Callable[..., Child]) -> None:
+def test_three_processes_hear_each_other_through_the_one_that_listens(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     child("pilot", listen=endpoint)
     web = child("web", connect=endpoint)
     with ZenohBus(connect=endpoint) as bus:
@@ -125,7 +141,9 @@ def test_three_processes_hear_each_other_through_the_one_that_listens(endpoint: 
         assert orders == [Order(OrderKind.GO, "sofa", sender="web")]
 
 
-def test_a_member_may_come_before_the_one_that_listens(endpoint: str, child: Callable[..., Child]) -> None:
+def test_a_member_may_come_before_the_one_that_listens(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     with ZenohBus(connect=endpoint) as bus:
         with pytest.raises(LinkError, match="nobody answered"):
             bus.ask("who/pilot", timeout=0.2)
@@ -133,7 +151,9 @@ def test_a_member_may_come_before_the_one_that_listens(endpoint: str, child: Cal
         assert bus.ask("who/pilot", timeout=10.0).startswith("pilot")
 
 
-def test_orders_arrive_again_after_the_listener_was_killed_and_restarted(endpoint: str, child: Callable[..., Child]) -> None:
+def test_orders_arrive_again_after_the_listener_was_killed_and_restarted(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     with ZenohBus(connect=endpoint) as bus:
         heard: list[LinkStatus] = []
         bus.subscribe(LINK, heard.append)
@@ -146,7 +166,9 @@ def test_orders_arrive_again_after_the_listener_was_killed_and_restarted(endpoin
             pilot.process.wait()
 
 
-def test_the_listener_goes_on_when_a_member_is_killed_and_a_new_one_comes(endpoint: str, child: Callable[..., Child]) -> None:
+def test_the_listener_goes_on_when_a_member_is_killed_and_a_new_one_comes(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     with ZenohBus(listen=endpoint) as bus:
         for _ in range(2):
             web = child("web", connect=endpoint)
@@ -157,7 +179,9 @@ def test_the_listener_goes_on_when_a_member_is_killed_and_a_new_one_comes(endpoi
                 bus.publish(STEP, step(number))
 
 
-def test_a_stopped_member_does_not_hold_up_the_sender(endpoint: str, child: Callable[..., Child]) -> None:
+def test_a_stopped_member_does_not_hold_up_the_sender(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     picture = VideoFrame(bytes(100_000), True, 640, 360, 1, 0.0)
     with ZenohBus(listen=endpoint) as bus:
         heard: list[VideoFrame] = []
@@ -243,7 +267,9 @@ def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str
         assert heard == [float(number) for number in range(1000)]
 
 
-def test_a_handler_that_fails_hears_the_next_message(endpoint: str, caplog: pytest.LogCaptureFixture) -> None:
+def test_a_handler_that_fails_hears_the_next_message(
+    endpoint: str, caplog: pytest.LogCaptureFixture
+) -> None:
     heard: list[str] = []
 
     def handler(order: Order) -> None:
@@ -270,7 +296,10 @@ def test_a_failed_query_is_a_link_error_in_words(endpoint: str) -> None:
 
 
 def test_namespaces_keep_two_rooms_apart(endpoint: str) -> None:
-    with ZenohBus(listen=endpoint, namespace="one") as bus, ZenohBus(connect=endpoint, namespace="two") as other:
+    with (
+        ZenohBus(listen=endpoint, namespace="one") as bus,
+        ZenohBus(connect=endpoint, namespace="two") as other,
+    ):
         bus.answer("who", lambda _: "one")
         with pytest.raises(LinkError, match="nobody"):
             other.ask("who", timeout=0.3)
@@ -311,7 +340,9 @@ def test_a_closed_subscription_is_silent_also_when_its_own_handler_closes_it(end
         assert len(heard) == 1
 
 
-def test_a_process_that_forgets_to_close_still_exits(endpoint: str, child: Callable[..., Child]) -> None:
+def test_a_process_that_forgets_to_close_still_exits(
+    endpoint: str, child: Callable[..., Child]
+) -> None:
     with ZenohBus(listen=endpoint) as bus:
         web = child("web", connect=endpoint)
         assert bus.ask("who/web", timeout=10.0)

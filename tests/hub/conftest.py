@@ -10,14 +10,19 @@ from typing import Any
 
 import pytest
 
-from housefly.bus.room_json import answer_from_json, answer_to_json, question_from_json, question_to_json
-from housefly.bus.room_questions import Question
 from housefly.hub.answers import Answers
+from housefly.hub.api.questions import Question
+from housefly.hub.api.room_json import (
+    answer_from_json,
+    answer_to_json,
+    question_from_json,
+    question_to_json,
+)
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
+from housefly.hub.store.opening import open_store
+from housefly.hub.things.thing import Kind, Thing
 from housefly.messages import Observation
-from housefly.store.opening import open_store
-from housefly.things.thing import Kind, Thing
 
 NOON = float(round(time.time()))
 """Of today, because the store throws away what is older than two weeks."""
@@ -47,13 +52,18 @@ class House:
         self.present = Present(self.memory.writer.report)
         self.answers = Answers(self.memory, self.present, lambda: self.now)
 
-    def see(self, thing: str, ago: float, position: Any = None, inside: str = "", source: str = "vicon") -> None:
+    def see(
+        self, thing: str, ago: float, position: Any = None, inside: str = "", source: str = "vicon"
+    ) -> None:
         at = self.now - ago
         self.memory.take(Observation(thing, source, at, at, position, inside=inside))
 
     def ask(self, question: Question) -> Any:
         """Ask over JSON, as the bus does."""
-        return answer_from_json(question, answer_to_json(self.answers.answer(question_from_json(question_to_json(question)))))
+        return answer_from_json(
+            question,
+            answer_to_json(self.answers.answer(question_from_json(question_to_json(question)))),
+        )
 
 
 @pytest.fixture

@@ -4,9 +4,18 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.bus.room_json import question_from_json, refusal_to_json
-from housefly.bus.room_questions import Catalogue, Contents, Events, Near, Picture, Sensors, Trajectory, Where
 from housefly.errors import ThingError, WireError
+from housefly.hub.api.questions import (
+    Catalogue,
+    Contents,
+    Events,
+    Near,
+    Picture,
+    Sensors,
+    Trajectory,
+    Where,
+)
+from housefly.hub.api.room_json import question_from_json, refusal_to_json
 from housefly.messages import Happening
 from housefly.sensors.contracts import SensorHealth
 
@@ -48,7 +57,10 @@ def test_what_is_in_it_and_near_it(house) -> None:
     house.see("drone", 1.0, (11.0, 4.2, 1.0))
     assert [placed.thing for placed in house.ask(Contents("kitchen")).things] == ["cabinet", "cup"]
     near = house.ask(Near(1.0, thing="drone")).things
-    assert [(placed.thing, round(placed.distance, 2)) for placed in near] == [("cabinet", 0.64), ("cup", 0.64)]
+    assert [(placed.thing, round(placed.distance, 2)) for placed in near] == [
+        ("cabinet", 0.64),
+        ("cup", 0.64),
+    ]
     assert house.ask(Near(0.1, x=1.0, y=1.0)).things == ()
 
 
@@ -64,10 +76,19 @@ def test_the_way_of_a_thing_between_two_times(house) -> None:
 
 
 def test_what_happened_is_listed_by_thing_kind_and_time(house, noon: float) -> None:
-    for ago, kind, thing in ((90.0, "door opened", "cabinet"), (60.0, "bell pressed", "drone"), (30.0, "door closed", "cabinet")):
+    for ago, kind, thing in (
+        (90.0, "door opened", "cabinet"),
+        (60.0, "bell pressed", "drone"),
+        (30.0, "door closed", "cabinet"),
+    ):
         house.memory.take(Happening(kind, thing, noon - ago, "test", "somebody"))
-    assert [event.kind for event in house.ask(Events(thing="cabinet")).events] == ["door opened", "door closed"]
-    assert [event.kind for event in house.ask(Events(since=noon - 70.0, until=noon - 50.0)).events] == ["bell pressed"]
+    assert [event.kind for event in house.ask(Events(thing="cabinet")).events] == [
+        "door opened",
+        "door closed",
+    ]
+    assert [
+        event.kind for event in house.ask(Events(since=noon - 70.0, until=noon - 50.0)).events
+    ] == ["bell pressed"]
     assert [event.kind for event in house.ask(Events(limit=1)).events] == ["door closed"]
 
 
@@ -81,7 +102,9 @@ def test_a_picture_of_the_past_holds_what_was_known_then(house) -> None:
 
 
 def test_sensors_that_were_never_heard_have_no_age(house) -> None:
-    house.present.watch(lambda: (SensorHealth("door", "door", "Door", False, problem="never heard"),))
+    house.present.watch(
+        lambda: (SensorHealth("door", "door", "Door", False, problem="never heard"),)
+    )
     (sensor,) = house.ask(Sensors()).sensors
     assert (sensor.age, sensor.problem) == (None, "never heard")
 

@@ -10,11 +10,11 @@ from math import inf, nan
 
 import pytest
 
-from housefly.asking.client import RoomClient
-from housefly.asking.line import Line
-from housefly.bus.room_json import question_to_json
-from housefly.bus.room_questions import Where
 from housefly.errors import LinkError, ThingError, WireError
+from housefly.hub.api.questions import Where
+from housefly.hub.api.room_json import question_to_json
+from housefly.hub.asking.client import RoomClient
+from housefly.hub.asking.line import Line
 from housefly.hub.counter import LONGEST, MOST, Counter
 
 pytestmark = pytest.mark.wire
@@ -51,7 +51,9 @@ def test_every_question_has_its_answer_in_order(port: int) -> None:
     line.close()
 
 
-@pytest.mark.parametrize("first", [b"another key\n", b"\n", b"", KEY.encode()[:-1] + b"\n", b"x" * 200_000])
+@pytest.mark.parametrize(
+    "first", [b"another key\n", b"\n", b"", KEY.encode()[:-1] + b"\n", b"x" * 200_000]
+)
 def test_without_the_key_nothing_is_answered(port: int, first: bytes) -> None:
     try:
         answer = said(port, first, b'"a question"\n')
@@ -103,14 +105,17 @@ def test_the_hub_and_the_client_speak_the_same(house) -> None:
     house.see("cup", 60.0, (1.0, 2.0, 3.0))
 
     def answer(text: str) -> str:
-        from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
+        from housefly.hub.api.room_json import answer_to_json, question_from_json, refusal_to_json
 
         try:
             return answer_to_json(house.answers.answer(question_from_json(text)))
         except (ThingError, WireError) as error:
             return refusal_to_json(error)
 
-    with closing(Counter(answer, KEY, number)), RoomClient("http://127.0.0.1:9", KEY, port=number) as room:
+    with (
+        closing(Counter(answer, KEY, number)),
+        RoomClient("http://127.0.0.1:9", KEY, port=number) as room,
+    ):
         assert room.where("cup").position == (1.0, 2.0, 3.0)
         with pytest.raises(ThingError, match="nothing is called 'cap'"):
             room.where("cap")
@@ -120,6 +125,9 @@ def test_the_hub_and_the_client_speak_the_same(house) -> None:
             with pytest.raises(WireError, match="finite"):
                 room.near("cup", number)
         assert room.where("cup").position == (1.0, 2.0, 3.0)
-    with RoomClient("http://127.0.0.1:9", KEY, port=number) as room, pytest.raises(LinkError, match="does not answer"):
+    with (
+        RoomClient("http://127.0.0.1:9", KEY, port=number) as room,
+        pytest.raises(LinkError, match="does not answer"),
+    ):
         room.where("cup")
     assert question_to_json(Where("cup")).count("\n") == 0

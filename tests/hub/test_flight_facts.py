@@ -25,7 +25,11 @@ ZERO = 1_000_000.0
 
 
 def step(sequence: int, phase: Phase = Phase.IDLE, **inputs: object) -> PilotStep:
-    outputs = Outputs(Command(Action.IDLE), Estimate(2.0, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.1), phase=phase)
+    outputs = Outputs(
+        Command(Action.IDLE),
+        Estimate(2.0, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0), 0.0, 0.0, 0.1),
+        phase=phase,
+    )
     return PilotStep(sequence, 2.0, Inputs(**inputs), outputs)  # type: ignore[arg-type]
 
 
@@ -35,18 +39,30 @@ def told(facts: FlightFacts, *steps: PilotStep) -> list[Observation | Happening]
 
 def test_every_sighting_is_an_observation_in_unix_time() -> None:
     sighting = Sighting("ardrone", Pose((1.0, 2.0, 3.0)), 1.9, 1.95)
-    (seen,) = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=(sighting,)))
-    assert (seen.thing, seen.source, seen.captured_at, seen.position) == ("ardrone", "vicon", ZERO + 1.9, (1.0, 2.0, 3.0))
+    (seen,) = told(
+        FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=(sighting,))
+    )
+    assert (seen.thing, seen.source, seen.captured_at, seen.position) == (
+        "ardrone",
+        "vicon",
+        ZERO + 1.9,
+        (1.0, 2.0, 3.0),
+    )
 
 
 def test_tracked_furniture_is_called_by_its_id_and_other_bodies_by_their_names() -> None:
-    sightings = tuple(Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95) for body in ("Chair 3", "somebody"))
+    sightings = tuple(
+        Sighting(body, Pose((1.0, 2.0, 3.0)), 1.9, 1.95) for body in ("Chair 3", "somebody")
+    )
     seen = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), step(1, sightings=sightings))
     assert [observation.thing for observation in seen] == ["chair", "somebody"]
 
 
 def test_the_pilots_own_belief_comes_ten_times_a_second_with_its_variance() -> None:
-    believed = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), *(step(number) for number in range(30)))
+    believed = told(
+        FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}),
+        *(step(number) for number in range(30)),
+    )
     assert len(believed) == 3
     assert believed[0].covariance == (0.1**2, 0.0, 0.0, 0.1**2, 0.0, 0.1**2)
 
@@ -69,6 +85,15 @@ def test_a_flight_begins_and_ends_once_and_says_who_asked() -> None:
 
 
 def test_what_the_pilot_says_to_people_is_remembered() -> None:
-    outputs = Outputs(Command(Action.IDLE), events=(Event(1.5, Severity.WARNING, "tracking_lost", "tracking lost"),))
-    (event,) = told(FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), PilotStep(1, 2.0, Inputs(), outputs))
-    assert (event.kind, event.at, dict(event.facts)["code"]) == ("tracking lost", ZERO + 1.5, "tracking_lost")
+    outputs = Outputs(
+        Command(Action.IDLE),
+        events=(Event(1.5, Severity.WARNING, "tracking_lost", "tracking lost"),),
+    )
+    (event,) = told(
+        FlightFacts("ardrone", "vicon", {"Chair 3": "chair"}), PilotStep(1, 2.0, Inputs(), outputs)
+    )
+    assert (event.kind, event.at, dict(event.facts)["code"]) == (
+        "tracking lost",
+        ZERO + 1.5,
+        "tracking_lost",
+    )

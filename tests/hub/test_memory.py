@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from housefly.bus.room_questions import Where
+from housefly.hub.api.questions import Where
+from housefly.hub.store.backlog import Dropped
+from housefly.hub.things.thing import Kind, Thing
 from housefly.messages import Happening, Observation
-from housefly.store.backlog import Dropped
-from housefly.things.thing import Kind, Thing
 
 
 def test_after_a_restart_it_knows_what_it_knew(house) -> None:
@@ -45,7 +45,15 @@ def test_two_threads_may_tell_and_ask_at_once(house) -> None:
 
     def tell() -> None:
         for number in range(2000):
-            house.memory.take(Observation("drone", "vicon", house.now + number * 0.01, house.now, (float(number), 0.0, 1.0)))
+            house.memory.take(
+                Observation(
+                    "drone",
+                    "vicon",
+                    house.now + number * 0.01,
+                    house.now,
+                    (float(number), 0.0, 1.0),
+                )
+            )
 
     teller = Thread(target=tell)
     teller.start()
@@ -78,8 +86,8 @@ import sys, threading, time
 from housefly.errors import StoreError
 from housefly.hub.memory import RoomMemory
 from housefly.messages import Happening
-from housefly.store.opening import open_store
-from housefly.things.thing import Thing
+from housefly.hub.store.opening import open_store
+from housefly.hub.things.thing import Thing
 
 def ask(memory):
     try:
@@ -107,6 +115,13 @@ print(len(refused))
 
 
 @pytest.mark.slow
-def test_leaving_while_somebody_asks_for_the_past_refuses_the_next_question_in_words(tmp_path: Path) -> None:
-    left = subprocess.run([sys.executable, "-c", LEAVING, str(tmp_path / "room.db")], capture_output=True, text=True, check=False)
+def test_leaving_while_somebody_asks_for_the_past_refuses_the_next_question_in_words(
+    tmp_path: Path,
+) -> None:
+    left = subprocess.run(
+        [sys.executable, "-c", LEAVING, str(tmp_path / "room.db")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert (left.returncode, left.stdout.strip()) == (0, "300"), left.stderr

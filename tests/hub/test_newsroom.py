@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from housefly.bus.room_answers import Holding
+from housefly.hub.api.answers import Holding
 from housefly.hub.newsroom import MOST_EVENTS, Newsroom
 from housefly.messages import Happening
 
@@ -29,7 +29,10 @@ def test_what_is_in_a_thing_that_moved_moved_too(house) -> None:
     house.see("cabinet", 1.0, (3.0, 3.0, 0.6))
     told = news_of(newsroom)
     assert told is not None
-    assert {thing["thing"]: thing["position"] for thing in told["things"]} == {"cabinet": [3.0, 3.0, 0.6], "cup": [3.0, 3.0, 0.6]}
+    assert {thing["thing"]: thing["position"] for thing in told["things"]} == {
+        "cabinet": [3.0, 3.0, 0.6],
+        "cup": [3.0, 3.0, 0.6],
+    }
 
 
 def test_a_situation_that_begins_and_ends_is_news(house) -> None:

@@ -11,7 +11,7 @@ import pytest
 from housefly.app.premises import read_site
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import STEP
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
 from housefly.hub.process import Hub
 from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
 
@@ -22,7 +22,9 @@ def step(sequence: int, now: float, *sightings: Sighting) -> PilotStep:
     return PilotStep(sequence, now, Inputs(sightings), Outputs(Command(Action.IDLE)))
 
 
-async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_around_it(tmp_path: Path) -> None:
+async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_around_it(
+    tmp_path: Path,
+) -> None:
     site = read_site("bsen", furniture=(CHAIR,), hub__store=str(tmp_path / "room.db"))
     bus = LocalBus()
     hub = Hub(site, tmp_path, bus.join())
@@ -37,6 +39,11 @@ async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_aroun
     running.cancel()
     await asyncio.gather(running, return_exceptions=True)
     hub.close()
-    assert (shown.obstacle, shown.x, shown.y, shown.source) == ("tracking/chair", 6.0, 3.0, "tracking")
+    assert (shown.obstacle, shown.x, shown.y, shown.source) == (
+        "tracking/chair",
+        6.0,
+        3.0,
+        "tracking",
+    )
     assert shown.radius == pytest.approx(0.354, abs=0.01)
     assert (shown.length, shown.width, shown.yaw) == (0.5, 0.5, 0.0)

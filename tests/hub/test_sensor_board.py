@@ -6,7 +6,7 @@ from math import inf
 
 from housefly.app.premises import read_site
 from housefly.clock import SteppedClock
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.hub.sensor_board import SILENT, UNHEARD, SensorBoard
 from housefly.messages import SensorReport
 

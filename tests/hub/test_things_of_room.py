@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from housefly.app.premises import open_premises, read_site
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
+from housefly.hub.things.thing import Kind
+from housefly.hub.things.world import World
 from housefly.hub.things_of_room import things_of
-from housefly.things.thing import Kind
-from housefly.things.world import World
 
 
 def test_b_sen_brings_its_furniture_places_cameras_drone_and_visitor() -> None:
@@ -29,4 +29,8 @@ def test_tracked_furniture_is_the_thing_of_the_room_model_or_one_of_its_own() ->
     premises = open_premises(read_site("bsen", furniture=(sofa, cart)))
     world = World(things_of(premises.site, premises.room))
     assert world.find("Sofa 1") == world.find("the big sofa") == world.thing("sofa")
-    assert (world.find("Cart").id, world.find("Cart").name, world.find("Cart").kind) == ("tea-cart", "tea cart", Kind.FURNITURE)
+    assert (world.find("Cart").id, world.find("Cart").name, world.find("Cart").kind) == (
+        "tea-cart",
+        "tea cart",
+        Kind.FURNITURE,
+    )

@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 from housefly.clock import Rate, RealClock
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import wrap_angle
 from housefly.room.files import load_room
-from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.contracts import Flight, Truth, World
 from housefly.twin.real_time import RealTime
 from housefly.twin.world import SimulatedWorld
@@ -78,7 +78,10 @@ async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
     server = ArDroneServer(world, loopback)
     await server.start()
     flying = Twin(world, server, loopback)
-    tasks = [asyncio.create_task(coroutine) for coroutine in (RealTime(world, RealClock()).run(), _film(flying, pictures))]
+    tasks = [
+        asyncio.create_task(coroutine)
+        for coroutine in (RealTime(world, RealClock()).run(), _film(flying, pictures))
+    ]
     try:
         yield flying
     finally:
@@ -96,7 +99,9 @@ async def _film(twin: Twin, pictures: list[Picture]) -> None:
         number += 1
         twin.trail.append(twin.world.truth())
         known = pictures[number % len(pictures)]
-        twin.server.publish(Picture(number, known.data, known.keyframe, known.width, known.height, twin.world.now))
+        twin.server.publish(
+            Picture(number, known.data, known.keyframe, known.width, known.height, twin.world.now)
+        )
 
 
 @pytest.fixture(scope="session")
@@ -105,7 +110,11 @@ def pictures() -> list[Picture]:
     encoder = av.CodecContext.create("libx264", "w")
     encoder.width, encoder.height, encoder.pix_fmt = 640, 360, "yuv420p"
     encoder.time_base = Fraction(1, 30)
-    encoder.options = {"preset": "ultrafast", "tune": "zerolatency", "x264-params": "keyint=15:min-keyint=15:scenecut=0"}
+    encoder.options = {
+        "preset": "ultrafast",
+        "tune": "zerolatency",
+        "x264-params": "keyint=15:min-keyint=15:scenecut=0",
+    }
     made: list[Picture] = []
     for number in range(30):
         image = np.zeros((360, 640, 3), np.uint8)
@@ -120,14 +129,24 @@ def run_node() -> RunNode:
     """Return a function that runs a script of this folder and reads its lines of JSON."""
     node = shutil.which("node")
     if node is None or not (HERE / "node_modules").is_dir():
-        pytest.skip("node, or the packages of tests/peers, are not installed: npm ci --prefix tests/peers")
+        pytest.skip(
+            "node, or the packages of tests/peers, are not installed: npm ci --prefix tests/peers"
+        )
 
     async def run(script: str, *arguments: str, text: str = "") -> list[Any]:
         process = await asyncio.create_subprocess_exec(
-            node, script, *arguments, cwd=HERE, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, stderr=-1
+            node,
+            script,
+            *arguments,
+            cwd=HERE,
+            stdin=asyncio.subprocess.PIPE,
+            stdout=asyncio.subprocess.PIPE,
+            stderr=-1,
         )
         try:
-            output, complaints = await asyncio.wait_for(process.communicate(text.encode()), NODE_TIMEOUT)
+            output, complaints = await asyncio.wait_for(
+                process.communicate(text.encode()), NODE_TIMEOUT
+            )
         finally:
             if process.returncode is None:
                 process.kill()

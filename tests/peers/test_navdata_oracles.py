@@ -13,9 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from pyardrone.navdata import NavData
 
-from housefly.twin.ardrone_link import Link
-from housefly.twin.ardrone_navdata import NavdataWriter
-from housefly.twin.ardrone_options import MAJOR
+from housefly.twin.ardrone.link import Link
+from housefly.twin.ardrone.navdata import NavdataWriter
+from housefly.twin.ardrone.options import MAJOR
 from housefly.twin.contracts import Flight, Onboard
 
 HERE = Path(__file__).resolve().parent
@@ -71,7 +71,9 @@ def test_pyardrone_reads_every_packet(onboard, demo):
 @settings(max_examples=5, deadline=None)
 @given(st.lists(st.tuples(onboards, st.booleans()), min_size=20, max_size=40))
 def test_node_ar_drone_reads_every_packet(cases):
-    for (onboard, demo), read in zip(cases, node_reads([packet(*case) for case in cases]), strict=True):
+    for (onboard, demo), read in zip(
+        cases, node_reads([packet(*case) for case in cases]), strict=True
+    ):
         assert "error" not in read
         assert read["droneState"]["emergencyLanding"] == (onboard.flight is Flight.EMERGENCY)
         assert read["droneState"]["lowBattery"] == onboard.low_battery
@@ -80,14 +82,26 @@ def test_node_ar_drone_reads_every_packet(cases):
         assert read["demo"]["altitude"] == pytest.approx(onboard.height, abs=1e-3)
         assert read["demo"]["velocity"]["x"] == pytest.approx(1e3 * onboard.velocity[0], abs=0.1)
         if not demo:
-            assert read["physMeasures"]["gyroscopes"]["z"] == pytest.approx(-degrees(onboard.angular_rate[2]), rel=1e-4, abs=1e-3)
+            assert read["physMeasures"]["gyroscopes"]["z"] == pytest.approx(
+                -degrees(onboard.angular_rate[2]), rel=1e-4, abs=1e-3
+            )
             assert read["pwm"]["motors"] == [round(255 * duty) for duty in onboard.motors]
 
 
 def node_reads(packets: list[bytes]) -> list[dict]:
     node = shutil.which("node")
     if node is None or not (HERE / "node_modules").is_dir():
-        pytest.skip("node, or the packages of tests/peers, are not installed: npm ci --prefix tests/peers")
+        pytest.skip(
+            "node, or the packages of tests/peers, are not installed: npm ci --prefix tests/peers"
+        )
     lines = "\n".join(data.hex() for data in packets)
-    done = subprocess.run([node, "navdata.js"], cwd=HERE, input=lines, capture_output=True, text=True, timeout=30, check=True)
+    done = subprocess.run(
+        [node, "navdata.js"],
+        cwd=HERE,
+        input=lines,
+        capture_output=True,
+        text=True,
+        timeout=30,
+        check=True,
+    )
     return [json.loads(line) for line in done.stdout.splitlines()]

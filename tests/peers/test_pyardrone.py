@@ -14,7 +14,9 @@ from housefly.twin.contracts import Flight
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
 
-def wait_until(holds: Callable[[], bool], meanwhile: Callable[[], None], patience: float = 15.0) -> None:
+def wait_until(
+    holds: Callable[[], bool], meanwhile: Callable[[], None], patience: float = 15.0
+) -> None:
     deadline = time.monotonic() + patience
     while not holds():
         assert time.monotonic() < deadline, "gave up waiting"
@@ -38,7 +40,10 @@ def choose_navdata(drone: ARDrone, demo: bool) -> None:
     drone.send(at.CTRL(at.CTRL.mode.ACK_CONTROL_MODE))
     wanted = "vision_detect" if demo else "kalman_pressure"
     configure = at.CONFIG("general:navdata_demo", "TRUE" if demo else "FALSE")
-    wait_until(lambda: drone.navdata_ready.is_set() and hasattr(drone.navdata, wanted), lambda: drone.send(configure))
+    wait_until(
+        lambda: drone.navdata_ready.is_set() and hasattr(drone.navdata, wanted),
+        lambda: drone.send(configure),
+    )
 
 
 async def test_bootstrap_demo_and_full_packets_pass_its_parser(twin, drone):
@@ -59,7 +64,9 @@ async def test_bootstrap_demo_and_full_packets_pass_its_parser(twin, drone):
 
 
 async def test_it_takes_off_moves_and_lands(twin, drone):
-    await asyncio.to_thread(fly, drone, lambda: min(twin.displacement[0], -twin.displacement[1]) > 0.15)
+    await asyncio.to_thread(
+        fly, drone, lambda: min(twin.displacement[0], -twin.displacement[1]) > 0.15
+    )
 
     assert listens(drone)
     assert twin.flight is Flight.LANDED

@@ -9,7 +9,7 @@ from math import inf, pi
 import numpy as np
 import pytest
 
-from housefly.config_laser import LaserConfig
+from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
 from housefly.messages import Scan
 from housefly.perception.background import expected_ranges
@@ -33,7 +33,15 @@ def hall() -> Room:
         Solid("pillar", "pillar", Shape.CYLINDER, (7.0, 4.5, 1.3), (0.4, 0.4, 2.6)),
         Solid("cupboard", "cupboard", Shape.BOX, (4.0, 5.6, 0.9), (1.2, 0.6, 1.8), 0.2),
     )
-    return Room("hall", (0.0, 0.0, 10.0, 6.0), 2.6, solids, (Place("home", (2.0, 2.0), (3.0, 2.0, 1.0)),), (), (2.0, 2.0))
+    return Room(
+        "hall",
+        (0.0, 0.0, 10.0, 6.0),
+        2.6,
+        solids,
+        (Place("home", (2.0, 2.0), (3.0, 2.0, 1.0)),),
+        (),
+        (2.0, 2.0),
+    )
 
 
 def scanners() -> tuple[LaserConfig, ...]:
@@ -64,13 +72,25 @@ class Hall:
 
     def scan(self, number: int = 0) -> Scan:
         laser = self.configs[number]
-        people = tuple(Solid(n, n, Shape.CYLINDER, (*at, 1.0), (2 * r, 2 * r, 2.0)) for n, (at, r) in self.things.items())
+        people = tuple(
+            Solid(n, n, Shape.CYLINDER, (*at, 1.0), (2 * r, 2 * r, 2.0))
+            for n, (at, r) in self.things.items()
+        )
         ranges = expected_ranges(self.room.solids + people, laser, FIRST, STEP, BEAMS)
         ranges = ranges + self.random.normal(0.0, self.noise, BEAMS)
         ranges[self.random.random(BEAMS) < self.loss] = inf
-        return Scan(laser.name, self.now - 0.03, self.now, FIRST, STEP, tuple(np.maximum(ranges, 0.0).tolist()))
+        return Scan(
+            laser.name,
+            self.now - 0.03,
+            self.now,
+            FIRST,
+            STEP,
+            tuple(np.maximum(ranges, 0.0).tolist()),
+        )
 
-    def look(self, scans: int = 1, moving: Callable[[float], dict[str, tuple[Vec2, float]]] | None = None) -> Seen:
+    def look(
+        self, scans: int = 1, moving: Callable[[float], dict[str, tuple[Vec2, float]]] | None = None
+    ) -> Seen:
         for _ in range(scans):
             self.now += PERIOD
             if moving is not None:

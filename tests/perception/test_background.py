@@ -1,4 +1,6 @@
-"""The room as a scanner would see it, against points that are walked along each beam, and against the simulated scanner."""
+"""The room as a scanner would see it, against points that are walked along each beam, and against
+the simulated scanner.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.app.premises import open_premises, read_site
-from housefly.config import changed
+from housefly.config.site import changed
 from housefly.perception.background import HALF_THICKNESS, expected_ranges
 from housefly.perception.clusters import foreground
 from housefly.room.distance import clearance_field, footprints
@@ -33,11 +35,17 @@ def test_a_beam_ends_where_the_room_begins(make_hall: Callable[..., Any], turn: 
 
 
 def test_the_twins_scanner_sees_the_room_as_the_background_says() -> None:
-    site = changed(read_site("bsen"), twin__visitor_present=False, lasers=[{"name": "one", "x": 6.0, "y": 3.0, "z": 1.1}])
+    site = changed(
+        read_site("bsen"),
+        twin__visitor_present=False,
+        lasers=[{"name": "one", "x": 6.0, "y": 3.0, "z": 1.1}],
+    )
     premises = open_premises(site)
     measured = np.array(SimulatedWorld(site, premises.room).scan("one")) / 1000.0
     laser = site.lasers[0]
-    expected = expected_ranges(premises.room.solids, laser, UST_10LX.first_angle, UST_10LX.step, UST_10LX.beams)
+    expected = expected_ranges(
+        premises.room.solids, laser, UST_10LX.first_angle, UST_10LX.step, UST_10LX.beams
+    )
     reached = measured < 30.0
     assert np.quantile(np.abs(measured - expected)[reached], 0.9) < 0.04
     assert not foreground(np.where(reached, measured, np.inf), expected).any()

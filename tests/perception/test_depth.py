@@ -36,8 +36,15 @@ def test_the_camera_of_these_tests_looks_where_it_should(yaw: float) -> None:
     assert rotate(q, (0.0, 1.0, 0.0)) == pytest.approx((0.0, 0.0, -1.0), abs=1e-9)
 
 
-@given(yaw=st.floats(-pi, pi), depth=st.floats(0.5, 7.0), x=st.floats(-2.0, 2.0), y=st.floats(-2.0, 2.0))
-def test_a_wall_before_the_camera_is_found_where_it_is(yaw: float, depth: float, x: float, y: float) -> None:
+@given(
+    yaw=st.floats(-pi, pi),
+    depth=st.floats(0.5, 7.0),
+    x=st.floats(-2.0, 2.0),
+    y=st.floats(-2.0, 2.0),
+)
+def test_a_wall_before_the_camera_is_found_where_it_is(
+    yaw: float, depth: float, x: float, y: float
+) -> None:
     points = points_of(np.full(SHAPE, depth), CAMERA, Pose((x, y, 1.1), looking(yaw)))
     ahead = (points[:, 0] - x) * np.cos(yaw) + (points[:, 1] - y) * np.sin(yaw)
     assert np.allclose(ahead, depth, atol=1e-9)
@@ -50,7 +57,9 @@ def test_a_wall_before_the_camera_is_found_where_it_is(yaw: float, depth: float,
 def test_what_is_below_or_above_the_flight_does_not_count() -> None:
     pose = Pose((0.0, 0.0, 0.3), looking(0.0))
     depth = np.full(SHAPE, 1.0)
-    assert not occupied_cells(points_of(depth[40:80], Intrinsics(200.0, 200.0, 79.5, 19.5), pose), grid(), BAND).any()
+    assert not occupied_cells(
+        points_of(depth[40:80], Intrinsics(200.0, 200.0, 79.5, 19.5), pose), grid(), BAND
+    ).any()
 
 
 @given(st.sampled_from([np.nan, np.inf, -np.inf, 0.0, -3.0, 1e9]))

@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.app.premises import open_premises, read_site
-from housefly.config_depth import DepthCameraConfig
+from housefly.config.depth import DepthCameraConfig
 from housefly.geometry import quaternion_from_euler, rotate
 from housefly.messages import DepthImage, Pose
 from housefly.perception.depth_checks import FROZEN
@@ -26,11 +26,15 @@ from housefly.room.model import Room, Shape, Solid
 BAND = (0.85, 1.35)
 CAMERA = DepthCameraConfig(name="depth-1", rate_hz=10.0)
 BOX = Solid("box", "box", Shape.BOX, (4.0, 2.5, 0.75), (0.5, 0.4, 1.5), 0.3)
-ONCE = settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+ONCE = settings(
+    max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 
 
 def looking(yaw: float, down: float = 0.0) -> tuple[float, float, float, float]:
-    """Orientation of a camera that looks along a heading and down [rad]: z forward, x right, y down."""
+    """Orientation of a camera that looks along a heading and down [rad]: z forward, x right, y
+    down.
+    """
     a, b, c, d = quaternion_from_euler(0.0, down, yaw)
     w, x, y, z = 0.5, -0.5, 0.5, -0.5
     return (
@@ -61,11 +65,20 @@ def entry(solid: Solid, start: Floats, ways: Floats) -> Floats:
 def render(room: Room, pose: Pose, size: tuple[int, int], focal: float) -> Floats:
     """The depth image [m] of a room with floor and ceiling, shape (height, width)."""
     v, u = np.mgrid[: size[1], : size[0]].reshape(2, -1)
-    local = np.stack([(u - size[0] / 2) / focal, (v - size[1] / 2) / focal, np.ones(u.size)], axis=1)
-    axes = np.array([rotate(pose.orientation, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))])
+    local = np.stack(
+        [(u - size[0] / 2) / focal, (v - size[1] / 2) / focal, np.ones(u.size)], axis=1
+    )
+    axes = np.array(
+        [
+            rotate(pose.orientation, axis)
+            for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        ]
+    )
     start, ways = np.array(pose.position), local @ axes
     with np.errstate(divide="ignore", invalid="ignore"):
-        floor = np.where(ways[:, 2] < 0.0, -start[2] / ways[:, 2], (room.height - start[2]) / ways[:, 2])
+        floor = np.where(
+            ways[:, 2] < 0.0, -start[2] / ways[:, 2], (room.height - start[2]) / ways[:, 2]
+        )
     depth = np.where(np.isfinite(floor), floor, inf)
     for solid in room.solids:
         depth = np.minimum(depth, entry(solid, start, ways))
@@ -91,12 +104,20 @@ class Scene:
 
     def image(self) -> DepthImage:
         focal = 0.8 * self.size[0]
-        depth = render(replace(self.room, solids=self.room.solids + self.things), self.pose, self.size, focal)
+        depth = render(
+            replace(self.room, solids=self.room.solids + self.things), self.pose, self.size, focal
+        )
         depth = depth + self.random.normal(0.0, self.noise, depth.shape)
         depth[self.random.random(depth.shape) < 0.02] = 0.0
-        data = np.where(np.isfinite(depth), np.clip(1000.0 * depth, 0.0, 65535.0), 0.0).astype("<u2").tobytes()
+        data = (
+            np.where(np.isfinite(depth), np.clip(1000.0 * depth, 0.0, 65535.0), 0.0)
+            .astype("<u2")
+            .tobytes()
+        )
         middle = (self.size[0] / 2, self.size[1] / 2)
-        return DepthImage("depth-1", self.now - 0.03, *self.size, data, focal, focal, *middle, self.pose)
+        return DepthImage(
+            "depth-1", self.now - 0.03, *self.size, data, focal, focal, *middle, self.pose
+        )
 
     def look(self, images: int = 1) -> Seen:
         for _ in range(images):
@@ -115,7 +136,12 @@ def test_a_box_that_no_map_shows_is_one_obstacle_at_its_place(scene: Scene) -> N
     (box,) = scene.look(8).obstacles
     assert hypot(box.position[0] - 4.0, box.position[1] - 2.5) < 0.12
     assert 0.2 < box.radius < 0.4
-    assert box.velocity == (0.0, 0.0) and box.confidence == 1.0 and box.source == "depth" and box.id == "depth-1-1"
+    assert (
+        box.velocity == (0.0, 0.0)
+        and box.confidence == 1.0
+        and box.source == "depth"
+        and box.id == "depth-1-1"
+    )
 
 
 def test_an_empty_room_has_no_ghosts(scene: Scene) -> None:
@@ -134,19 +160,25 @@ def test_the_empty_b_sen_has_no_ghosts_wherever_the_camera_looks(x: float, yaw: 
 
 @ONCE
 @given(x=st.floats(2.5, 5.0), y=st.floats(1.5, 3.5), turn=st.floats(-pi, pi))
-def test_a_box_is_found_wherever_the_camera_can_see_it(scene: Scene, x: float, y: float, turn: float) -> None:
+def test_a_box_is_found_wherever_the_camera_can_see_it(
+    scene: Scene, x: float, y: float, turn: float
+) -> None:
     here = Scene(scene.room, scene.pose, (replace(BOX, position=(x, y, 0.75), yaw=turn),))
     (box,) = here.look(6).obstacles
     assert hypot(box.position[0] - x, box.position[1] - y) < 0.2
 
 
-def test_a_box_is_believed_after_three_images_and_told_gone_after_three_more_without_it(scene: Scene) -> None:
+def test_a_box_is_believed_after_three_images_and_told_gone_after_three_more_without_it(
+    scene: Scene,
+) -> None:
     scene.things = (BOX,)
     assert [len(scene.look().obstacles) for _ in range(BIRTH)] == [0] * (BIRTH - 1) + [1]
     scene.look(5)
     scene.things = ()
     told = [scene.look().obstacles for _ in range(DEATH + 1)]
-    assert [[o.confidence > 0.0 for o in obstacles] for obstacles in told] == [[True]] * (DEATH - 1) + [[False], []]
+    assert [[o.confidence > 0.0 for o in obstacles] for obstacles in told] == [[True]] * (
+        DEATH - 1
+    ) + [[False], []]
 
 
 def test_what_lies_lower_than_the_drone_flies_is_no_obstacle(scene: Scene) -> None:
@@ -194,10 +226,15 @@ def test_images_that_cannot_be_are_refused_in_words_and_change_nothing(scene: Sc
 def test_a_camera_that_stands_still_or_is_covered_is_told_and_shows_nothing(scene: Scene) -> None:
     scene.things = (BOX,)
     frozen = scene.image()
-    answers = [scene.watcher.step(replace(frozen, captured_at=10.0 + 0.1 * n), 10.0 + 0.1 * n) for n in range(7)]
+    answers = [
+        scene.watcher.step(replace(frozen, captured_at=10.0 + 0.1 * n), 10.0 + 0.1 * n)
+        for n in range(7)
+    ]
     assert [bool(answer.problem) for answer in answers] == [False] * FROZEN + [True] * (7 - FROZEN)
     assert "stands still" in answers[-1].problem and not answers[-1].obstacles
-    covered = scene.watcher.step(replace(frozen, captured_at=12.0, data=bytes(len(frozen.data))), 12.0)
+    covered = scene.watcher.step(
+        replace(frozen, captured_at=12.0, data=bytes(len(frozen.data))), 12.0
+    )
     assert "cover" in covered.problem and not covered.obstacles
 
 
@@ -213,7 +250,11 @@ IMAGES = st.builds(
     fy=NUMBERS,
     cx=NUMBERS,
     cy=NUMBERS,
-    pose=st.builds(Pose, st.tuples(NUMBERS, NUMBERS, NUMBERS), st.sampled_from([looking(0.3), (1.0, 0.0, 0.0, 0.0), (nan,) * 4])),
+    pose=st.builds(
+        Pose,
+        st.tuples(NUMBERS, NUMBERS, NUMBERS),
+        st.sampled_from([looking(0.3), (1.0, 0.0, 0.0, 0.0), (nan,) * 4]),
+    ),
 )
 NOISE = st.builds(
     lambda at, seed: DepthImage(
@@ -232,12 +273,16 @@ NOISE = st.builds(
 
 @ONCE
 @given(st.lists(IMAGES | NOISE, max_size=6))
-def test_any_images_are_survived_and_what_comes_out_is_finite(scene: Scene, garbage: list[DepthImage]) -> None:
+def test_any_images_are_survived_and_what_comes_out_is_finite(
+    scene: Scene, garbage: list[DepthImage]
+) -> None:
     for image in garbage:
         for o in scene.watcher.step(image, 10.0, Own((1.0, 1.0), 0.5)).obstacles:
             assert all(np.isfinite([*o.position, o.radius, *o.size, *o.velocity]))
 
 
 def test_the_same_images_give_the_same_obstacles(make_hall: Callable[..., Any]) -> None:
-    one, two = (Scene(make_hall().room, Pose((0.6, 1.0, 2.2), looking(0.4, 0.3)), (BOX,)) for _ in range(2))
+    one, two = (
+        Scene(make_hall().room, Pose((0.6, 1.0, 2.2), looking(0.4, 0.3)), (BOX,)) for _ in range(2)
+    )
     assert [one.look() for _ in range(5)] == [two.look() for _ in range(5)]

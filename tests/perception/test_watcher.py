@@ -33,8 +33,15 @@ def test_an_empty_room_has_no_ghosts(make_hall: Make, lasers: tuple[int, ...]) -
 
 
 @once
-@given(x=st.floats(1.0, 6.0), y=st.floats(1.0, 4.0), radius=st.floats(0.12, 0.4), seed=st.integers(0, 99))
-def test_a_thing_that_stands_is_found_where_it_is(make_hall: Make, x: float, y: float, radius: float, seed: int) -> None:
+@given(
+    x=st.floats(1.0, 6.0),
+    y=st.floats(1.0, 4.0),
+    radius=st.floats(0.12, 0.4),
+    seed=st.integers(0, 99),
+)
+def test_a_thing_that_stands_is_found_where_it_is(
+    make_hall: Make, x: float, y: float, radius: float, seed: int
+) -> None:
     hall = make_hall(seed=seed)
     hall.things = {"chair": ((x, y), radius)}
     seen = hall.look(40)
@@ -44,7 +51,9 @@ def test_a_thing_that_stands_is_found_where_it_is(make_hall: Make, x: float, y: 
     assert chair.velocity == (0.0, 0.0) and chair.confidence == 1.0
 
 
-def test_a_thing_is_believed_after_three_scans_and_told_gone_after_three_more_without_it(make_hall: Make) -> None:
+def test_a_thing_is_believed_after_three_scans_and_told_gone_after_three_more_without_it(
+    make_hall: Make,
+) -> None:
     hall = make_hall()
     hall.look(5)
     hall.things = {"chair": ((3.0, 2.0), 0.25)}
@@ -52,10 +61,14 @@ def test_a_thing_is_believed_after_three_scans_and_told_gone_after_three_more_wi
     hall.look(20)
     hall.things = {}
     told = [hall.look().obstacles for _ in range(DEATH + 1)]
-    assert [[o.confidence > 0.0 for o in obstacles] for obstacles in told] == [[True]] * (DEATH - 1) + [[False], []]
+    assert [[o.confidence > 0.0 for o in obstacles] for obstacles in told] == [[True]] * (
+        DEATH - 1
+    ) + [[False], []]
 
 
-def test_somebody_who_walks_is_followed_with_their_velocity_and_is_a_person(make_hall: Make) -> None:
+def test_somebody_who_walks_is_followed_with_their_velocity_and_is_a_person(
+    make_hall: Make,
+) -> None:
     hall = make_hall()
     errors = []
 
@@ -79,10 +92,16 @@ def test_two_people_who_cross_keep_their_names(make_hall: Make) -> None:
 
     def crossing(at: float) -> dict[str, Any]:
         t = at - 10.0
-        return {"anna": ((2.0 + 0.7 * t, 2.0 + 0.1 * t), 0.22), "ben": ((6.5 - 0.7 * t, 3.2 - 0.1 * t), 0.22)}
+        return {
+            "anna": ((2.0 + 0.7 * t, 2.0 + 0.1 * t), 0.22),
+            "ben": ((6.5 - 0.7 * t, 3.2 - 0.1 * t), 0.22),
+        }
 
     hall.look(20, crossing)
-    names = {o.id: min(("anna", "ben"), key=lambda n, o=o: error(o, hall.things[n][0])) for o in hall.seen.obstacles}
+    names = {
+        o.id: min(("anna", "ben"), key=lambda n, o=o: error(o, hall.things[n][0]))
+        for o in hall.seen.obstacles
+    }
     assert sorted(names.values()) == ["anna", "ben"]
     hall.look(200, crossing)
     assert {o.id for o in hall.seen.obstacles} == set(names)
@@ -143,11 +162,16 @@ def test_a_scanner_that_stands_still_or_is_covered_is_told(make_hall: Make) -> N
     hall = make_hall()
     frozen = hall.scan()
     problems = [
-        hall.watcher.step(replace(frozen, captured_at=hall.now + 0.025 * n), hall.now + 0.025 * n).problem for n in range(6)
+        hall.watcher.step(
+            replace(frozen, captured_at=hall.now + 0.025 * n), hall.now + 0.025 * n
+        ).problem
+        for n in range(6)
     ]
     assert [bool(problem) for problem in problems] == [False] * 3 + [True] * 3
     assert "stands still" in problems[-1]
-    covered = replace(frozen, captured_at=hall.now + 1.0, ranges=tuple(np.linspace(0.03, 0.08, BEAMS).tolist()))
+    covered = replace(
+        frozen, captured_at=hall.now + 1.0, ranges=tuple(np.linspace(0.03, 0.08, BEAMS).tolist())
+    )
     assert "covers" in hall.watcher.step(covered, hall.now + 1.0).problem
 
 
@@ -165,7 +189,9 @@ scans = st.builds(
 
 @once
 @given(st.lists(scans, max_size=8))
-def test_any_scans_are_survived_and_what_comes_out_is_finite(make_hall: Make, garbage: list[Scan]) -> None:
+def test_any_scans_are_survived_and_what_comes_out_is_finite(
+    make_hall: Make, garbage: list[Scan]
+) -> None:
     hall = make_hall()
     for scan in garbage:
         for o in hall.watcher.step(scan, 10.0, Own((1.0, 1.0), 0.5)).obstacles:

@@ -1,4 +1,6 @@
-"""A closed loop for the pilot: the reduced-order drone with a small firmware, and a stamped, noisy, lossy tracking system."""
+"""A closed loop for the pilot: the reduced-order drone with a small firmware, and a stamped, noisy,
+lossy tracking system.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +13,7 @@ from math import cos, hypot, sin
 import numpy as np
 import pytest
 
-from housefly.config import Site, changed
-from housefly.control.model import Body, Constants, body_step
+from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3, distance, quaternion_from_euler
 from housefly.messages import (
     Action,
@@ -30,7 +31,8 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
-from housefly.pilot import Pilot
+from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.pilot.pilot import Pilot
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Place, Room, Shape, Solid
 
@@ -62,7 +64,9 @@ def make_grid(resolution: float, keep: float) -> OccupancyGrid:
 
 @dataclass
 class Tracking:
-    """How the tracking system misbehaves: rate [Hz], latency [s], noise [m], share of lost frames, gaps (from, to) [s]."""
+    """How the tracking system misbehaves: rate [Hz], latency [s], noise [m], share of lost frames,
+    gaps (from, to) [s].
+    """
 
     rate_hz: float = 100.0
     latency: float = 0.02
@@ -153,7 +157,9 @@ class Flight:
             self.body = Body(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * TICK), psi=b.psi)
             return
         else:
-            climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(self.status, 0.0)
+            climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(
+                self.status, 0.0
+            )
             flow = self.random.normal(0.0, 0.02, 2).tolist()
             c, s = cos(b.psi), sin(b.psi)
             ax, ay = -0.8 * (b.vx + flow[0]) - wind[0], -0.8 * (b.vy + flow[1]) - wind[1]
@@ -193,7 +199,9 @@ class Flight:
         if self.talks and round(self.now / TICK) % 5 == 0:
             self.heard = Telemetry(self.now, self.status, self.battery)
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
-        self.outputs = self.pilot.step(self.now, Inputs(self._look(), self.heard, orders, self.around(self)))
+        self.outputs = self.pilot.step(
+            self.now, Inputs(self._look(), self.heard, orders, self.around(self))
+        )
         self.pending.append((self.now + self.delay, self.outputs.command))
         self.events.extend(self.outputs.events)
         if not self.phases or self.phases[-1] is not self.outputs.phase:
@@ -224,7 +232,10 @@ class Flight:
             outputs = self.step()
             if done(outputs):
                 return outputs
-        raise AssertionError(f"did not happen within {limit} s; phase {outputs.phase}, events {[e.text for e in self.events]}")
+        raise AssertionError(
+            f"did not happen within {limit} s; phase {outputs.phase}, events"
+            f" {[e.text for e in self.events]}"
+        )
 
     def service(self, limit: float = 150.0) -> Score:
         """Fly the whole service and return its score."""
@@ -266,13 +277,19 @@ def from_segment(p: Vec2, a: Vec2, b: Vec2) -> float:
     """Distance of a point from a segment [m]."""
     dx, dy = b[0] - a[0], b[1] - a[1]
     length = dx * dx + dy * dy
-    share = 0.0 if length == 0.0 else min(1.0, max(0.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length))
+    share = (
+        0.0
+        if length == 0.0
+        else min(1.0, max(0.0, ((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / length))
+    )
     return hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy)
 
 
 @pytest.fixture
 def fly() -> Callable[..., Flight]:
-    """Return a maker of flights: ``fly(mode="paper", rate_hz=30, loss=0.2, ...)``; other names are dotted keys of the site."""
+    """Return a maker of flights: ``fly(mode="paper", rate_hz=30, loss=0.2, ...)``; other names are
+    dotted keys of the site.
+    """
 
     def make(
         mode: str = "default",
@@ -283,6 +300,13 @@ def fly() -> Callable[..., Flight]:
         tracking: dict[str, object] | None = None,
         **keys: object,
     ) -> Flight:
-        return Flight(changed(Site(), mode=mode, **keys), Tracking(**(tracking or {})), constants, wind, delay, seed)  # type: ignore[arg-type]
+        return Flight(
+            changed(Site(), mode=mode, **keys),
+            Tracking(**(tracking or {})),
+            constants,
+            wind,
+            delay,
+            seed,
+        )  # type: ignore[arg-type]
 
     return make

@@ -8,8 +8,17 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.geometry import quaternion_from_euler
-from housefly.messages import Action, DroneStatus, Inputs, Order, OrderKind, Pose, Sighting, Telemetry
-from housefly.pilot import Pilot, warm_up
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Inputs,
+    Order,
+    OrderKind,
+    Pose,
+    Sighting,
+    Telemetry,
+)
+from housefly.pilot.pilot import Pilot, warm_up
 
 Fly = Callable[..., Any]
 unit = st.floats(0.0, 1.0)
@@ -25,7 +34,12 @@ ticks = st.tuples(
     st.floats(-0.02, 0.3),
     st.none() | st.tuples(poses, st.floats(-0.02, 0.2)),
     st.none() | st.tuples(statuses, st.floats(0.0, 1.0)),
-    st.none() | st.tuples(st.sampled_from(OrderKind), st.sampled_from(["", "entrance", "home", "moon"]), st.floats(0.0, 1.0)),
+    st.none()
+    | st.tuples(
+        st.sampled_from(OrderKind),
+        st.sampled_from(["", "entrance", "home", "moon"]),
+        st.floats(0.0, 1.0),
+    ),
 )
 
 
@@ -42,7 +56,9 @@ def stream(series: list[Any]) -> list[tuple[float, Inputs]]:
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(mode=st.sampled_from(["default", "paper"]), series=st.lists(ticks, min_size=1, max_size=30))
-def test_any_input_gives_a_lawful_command_and_the_same_input_the_same_outputs(fly: Fly, mode: str, series: list[Any]) -> None:
+def test_any_input_gives_a_lawful_command_and_the_same_input_the_same_outputs(
+    fly: Fly, mode: str, series: list[Any]
+) -> None:
     flight = fly(mode=mode)
     one, two = (Pilot(flight.site, flight.room, flight.grid) for _ in range(2))
     limits = flight.site.limits
@@ -53,7 +69,12 @@ def test_any_input_gives_a_lawful_command_and_the_same_input_the_same_outputs(fl
         assert all(isfinite(value) for value in (s.theta, s.phi, s.vz, s.yaw_rate))
         assert max(abs(s.theta), abs(s.phi)) <= limits.tilt_max
         assert abs(s.vz) <= limits.vertical_speed_max and abs(s.yaw_rate) <= limits.yaw_rate_max
-        assert outputs.command.action is Action.FLY or (s.theta, s.phi, s.vz, s.yaw_rate) == (0.0, 0.0, 0.0, 0.0)
+        assert outputs.command.action is Action.FLY or (s.theta, s.phi, s.vz, s.yaw_rate) == (
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        )
 
 
 def test_a_recorded_flight_replayed_gives_the_same_commands_bit_for_bit(fly: Fly) -> None:

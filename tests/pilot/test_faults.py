@@ -9,7 +9,7 @@ import pytest
 
 from housefly.geometry import distance
 from housefly.messages import Action, Command, DroneStatus, OrderKind, Phase, SafetyMode
-from housefly.safety.gate import Verdict
+from housefly.pilot.safety.gate import Verdict
 
 Fly = Callable[..., Any]
 
@@ -24,7 +24,9 @@ def landed(flight: Any, limit: float = 15.0) -> None:
     flight.until(lambda o: o.phase is Phase.IDLE and flight.status is DroneStatus.LANDED, limit)
 
 
-def test_tracking_older_than_a_quarter_second_means_hover_and_it_goes_on_by_itself(fly: Fly) -> None:
+def test_tracking_older_than_a_quarter_second_means_hover_and_it_goes_on_by_itself(
+    fly: Fly,
+) -> None:
     flight = cruising(fly())
     lost = flight.now
     flight.tracking.gaps = ((lost, lost + 1.0),)
@@ -38,7 +40,9 @@ def test_tracking_older_than_a_quarter_second_means_hover_and_it_goes_on_by_itse
     assert flight.until(lambda o: o.phase is Phase.HOLDING).goal_name == "entrance"
 
 
-def test_tracking_older_than_two_seconds_lands_and_nothing_moves_without_a_fresh_order(fly: Fly) -> None:
+def test_tracking_older_than_two_seconds_lands_and_nothing_moves_without_a_fresh_order(
+    fly: Fly,
+) -> None:
     flight = cruising(fly())
     lost = flight.now
     flight.tracking.gaps = ((lost, lost + 2.5),)
@@ -81,7 +85,8 @@ def test_a_spike_of_the_tracking_moves_nothing(fly: Fly) -> None:
     here = (flight.body.x, flight.body.y)
     look = flight._look
     flight._look = lambda: tuple(
-        replace(s, pose=replace(s.pose, position=(s.pose.position[0] + 1.0, *s.pose.position[1:]))) for s in look()
+        replace(s, pose=replace(s.pose, position=(s.pose.position[0] + 1.0, *s.pose.position[1:])))
+        for s in look()
     )
     flight.run(0.05)
     flight._look = look
@@ -95,7 +100,8 @@ def test_a_tracking_system_that_jumps_for_good_is_told_and_ends_in_a_landing(fly
     here = (flight.body.x, flight.body.y)
     look = flight._look
     flight._look = lambda: tuple(
-        replace(s, pose=replace(s.pose, position=(s.pose.position[0] + 1.5, *s.pose.position[1:]))) for s in look()
+        replace(s, pose=replace(s.pose, position=(s.pose.position[0] + 1.5, *s.pose.position[1:])))
+        for s in look()
     )
     landed(flight)
     assert flight.told("tracking_refused") and flight.told("tracking_lost")
@@ -108,7 +114,9 @@ def test_poses_that_are_not_numbers_count_as_no_tracking(fly: Fly) -> None:
     flight = fly()
     flight.take_off()
     look = flight._look
-    flight._look = lambda: tuple(replace(s, pose=replace(s.pose, position=(nan, 0.0, 1.0))) for s in look())
+    flight._look = lambda: tuple(
+        replace(s, pose=replace(s.pose, position=(nan, 0.0, 1.0))) for s in look()
+    )
     landed(flight)
     assert flight.told("tracking_lost")
 
@@ -151,7 +159,9 @@ def test_a_drone_that_lands_by_itself_or_cuts_out_ends_the_errand_in_words(fly: 
     assert outputs.safety is SafetyMode.CUT and tumbled.told("emergency")
 
 
-@pytest.mark.parametrize("moment", [Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING])
+@pytest.mark.parametrize(
+    "moment", [Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING]
+)
 def test_stop_takes_effect_in_the_same_step_in_every_phase(fly: Fly, moment: Phase) -> None:
     flight = fly()
     flight.run(0.5)
@@ -167,4 +177,11 @@ def test_a_fault_free_flight_reports_no_fault(fly: Fly) -> None:
     flight = fly(tracking={"rate_hz": 10.0, "latency": 0.05, "loss": 0.3})
     flight.service()
     codes = {event.code for event in flight.events}
-    assert not codes & {"tracking_lost", "tracking_refused", "outside_fence", "not_finite", "telemetry_lost", "overdue"}
+    assert not codes & {
+        "tracking_lost",
+        "tracking_refused",
+        "outside_fence",
+        "not_finite",
+        "telemetry_lost",
+        "overdue",
+    }

@@ -1,4 +1,6 @@
-"""What stands in the way although no map shows it: the drone stops before it, goes around it, waits for it, comes home."""
+"""What stands in the way although no map shows it: the drone stops before it, goes around it, waits
+for it, comes home.
+"""
 
 from __future__ import annotations
 
@@ -12,13 +14,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly import navigator
-from housefly.behavior.lookout import BRAKING
-from housefly.behavior.progress import WAIT_PATIENCE
 from housefly.geometry import stopping_distance
 from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
-from housefly.pilot import Pilot, warm_up
-from housefly.planning import live
-from housefly.planning.obstacles import FREED_AFTER
+from housefly.pilot.behavior.lookout import BRAKING
+from housefly.pilot.behavior.progress import WAIT_PATIENCE
+from housefly.pilot.pilot import Pilot, warm_up
+from housefly.pilot.planning import live
+from housefly.pilot.planning.obstacles import FREED_AFTER
 from housefly.room.distance import half_diagonal
 
 Fly = Callable[..., Any]
@@ -44,10 +46,21 @@ class Chair:
         vx, vy = self.velocity
         age = flight.now - self.since
         here = (x + vx * age, y + vy * age)
-        self.closest = min(self.closest, hypot(flight.body.x - here[0], flight.body.y - here[1]) - self.radius)
+        self.closest = min(
+            self.closest, hypot(flight.body.x - here[0], flight.body.y - here[1]) - self.radius
+        )
         if round(flight.now * 100) % 10:
             return ()
-        return (Obstacle("chair", here, self.radius, velocity=self.velocity, seen_at=flight.now, source="laser"),)
+        return (
+            Obstacle(
+                "chair",
+                here,
+                self.radius,
+                velocity=self.velocity,
+                seen_at=flight.now,
+                source="laser",
+            ),
+        )
 
 
 def ahead(flight: Any, metres: float) -> tuple[float, float]:
@@ -68,9 +81,12 @@ def arrive(flight: Any, limit: float = 90.0) -> Outputs:
 
 
 @pytest.mark.parametrize(
-    ("mode", "metres"), [("default", 1.0), ("default", 1.2), ("default", 1.6), ("default", 2.5), ("paper", 2.5)]
+    ("mode", "metres"),
+    [("default", 1.0), ("default", 1.2), ("default", 1.6), ("default", 2.5), ("paper", 2.5)],
 )
-def test_a_chair_put_on_the_path_is_never_touched_and_the_drone_arrives(fly: Fly, mode: str, metres: float) -> None:
+def test_a_chair_put_on_the_path_is_never_touched_and_the_drone_arrives(
+    fly: Fly, mode: str, metres: float
+) -> None:
     flight = underway(fly, mode=mode)
     chair = Chair(ahead(flight, metres))
     flight.around = chair.seen
@@ -81,7 +97,9 @@ def test_a_chair_put_on_the_path_is_never_touched_and_the_drone_arrives(fly: Fly
     assert flight.told("way_blocked") == (metres < 1.5)
 
 
-def test_it_stops_within_one_stopping_distance_and_three_tenths_and_has_a_new_way_three_tenths_later(fly: Fly) -> None:
+def test_it_stops_within_one_stopping_distance_and_three_tenths_and_has_a_new_way_three_tenths_later(
+    fly: Fly,
+) -> None:
     flight = underway(fly)
     chair = Chair(ahead(flight, 1.1))
     flight.around = chair.seen
@@ -108,7 +126,9 @@ def test_without_looking_it_flies_through_the_place_of_the_chair(fly: Fly) -> No
     assert chair.closest < 0.0
 
 
-def test_a_chair_that_fills_the_only_way_is_waited_for_in_words_and_flown_past_when_taken_away(fly: Fly) -> None:
+def test_a_chair_that_fills_the_only_way_is_waited_for_in_words_and_flown_past_when_taken_away(
+    fly: Fly,
+) -> None:
     flight = underway(fly)
     chair = Chair((6.0, 3.5), radius=1.2)
     flight.around = chair.seen
@@ -131,7 +151,9 @@ def test_a_source_that_says_that_a_thing_is_gone_frees_its_place_at_once(fly: Fl
     flight = underway(fly)
     flight.around = Chair((6.0, 3.5), radius=1.2).seen
     flight.until(lambda o: flight.told("no_way"), 10.0)
-    flight.around = lambda f: (Obstacle("chair", (6.0, 3.5), 1.2, confidence=0.0, seen_at=f.now, source="laser"),)
+    flight.around = lambda f: (
+        Obstacle("chair", (6.0, 3.5), 1.2, confidence=0.0, seen_at=f.now, source="laser"),
+    )
     flight.until(lambda o: o.path is not None, 0.4)
 
 
@@ -207,12 +229,18 @@ def test_what_is_not_believable_is_refused_once_and_changes_nothing(fly: Fly) ->
     assert sum(event.code == "obstacle_refused" for event in noisy.events) == len(bad)
 
 
-def test_warming_up_makes_a_map_with_obstacles_and_looks_along_a_path(fly: Fly, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_warming_up_makes_a_map_with_obstacles_and_looks_along_a_path(
+    fly: Fly, monkeypatch: pytest.MonkeyPatch
+) -> None:
     compiled = set()
     for function in (live.live_grid, live.first_block):
 
         def noted(*arguments: Any, function: Any = function) -> Any:
-            compiled.update({function.__name__} if any(isinstance(a, np.ndarray) and len(a) for a in arguments) else ())
+            compiled.update(
+                {function.__name__}
+                if any(isinstance(a, np.ndarray) and len(a) for a in arguments)
+                else ()
+            )
             return function(*arguments)
 
         monkeypatch.setattr(navigator, function.__name__, noted)
@@ -241,7 +269,9 @@ obstacles = st.builds(
 
 @settings(max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(series=st.lists(st.lists(obstacles, max_size=3), min_size=1, max_size=10))
-def test_any_obstacles_give_the_same_outputs_twice_and_never_an_error(fly: Fly, series: list[list[Obstacle]]) -> None:
+def test_any_obstacles_give_the_same_outputs_twice_and_never_an_error(
+    fly: Fly, series: list[list[Obstacle]]
+) -> None:
     flight = fly()
     flight.depart()
     one, two = (Pilot(flight.site, flight.room, flight.grid) for _ in range(2))
@@ -253,7 +283,9 @@ def test_any_obstacles_give_the_same_outputs_twice_and_never_an_error(fly: Fly, 
         assert one.step(now, inputs) == two.step(now, inputs)
 
 
-put = st.tuples(st.floats(1.0, 20.0), st.floats(0.5, 12.0), st.floats(0.5, 4.5), st.floats(0.1, 0.5))
+put = st.tuples(
+    st.floats(1.0, 20.0), st.floats(0.5, 12.0), st.floats(0.5, 4.5), st.floats(0.1, 0.5)
+)
 
 
 @pytest.mark.slow

@@ -13,7 +13,9 @@ Fly = Callable[..., Any]
 
 
 def refused(flight: Any) -> str:
-    return next((event.text for event in reversed(flight.events) if event.code == "order_refused"), "")
+    return next(
+        (event.text for event in reversed(flight.events) if event.code == "order_refused"), ""
+    )
 
 
 def test_take_off_is_asked_until_the_drone_says_that_it_flies_then_it_holds(fly: Fly) -> None:
@@ -34,7 +36,9 @@ def test_a_drone_that_never_takes_off_is_given_up_in_time(fly: Fly) -> None:
     flight = fly(delay=1e9)
     flight.run(0.5)
     flight.step(flight.order(OrderKind.TAKE_OFF))
-    flight.until(lambda o: o.phase is not Phase.TAKING_OFF, flight.site.limits.take_off_timeout + 0.5)
+    flight.until(
+        lambda o: o.phase is not Phase.TAKING_OFF, flight.site.limits.take_off_timeout + 0.5
+    )
     assert flight.told("overdue")
     assert flight.run(0.1).phase is Phase.IDLE
 
@@ -140,7 +144,9 @@ def test_the_motors_are_cut_once_and_only_reset_leaves_the_emergency(fly: Fly) -
         (Order(OrderKind.HOVER), "on the ground"),
     ],
 )
-def test_an_order_that_cannot_be_done_is_refused_in_words_and_nothing_moves(fly: Fly, order: Order, word: str) -> None:
+def test_an_order_that_cannot_be_done_is_refused_in_words_and_nothing_moves(
+    fly: Fly, order: Order, word: str
+) -> None:
     flight = fly()
     flight.run(0.5)
     outputs = flight.step(Order(order.kind, order.place, order.goal, issued_at=flight.now))
@@ -167,7 +173,9 @@ def test_nothing_moves_before_the_drone_and_the_tracking_were_heard(fly: Fly) ->
     flight = fly()
     flight.heard, flight.talks = None, False
     flight.run(0.2)
-    assert flight.step(flight.order(OrderKind.SERVICE, place="entrance")).command.action is Action.IDLE
+    assert (
+        flight.step(flight.order(OrderKind.SERVICE, place="entrance")).command.action is Action.IDLE
+    )
     assert "does not answer" in refused(flight)
 
 
@@ -182,12 +190,16 @@ def test_a_pilot_that_starts_with_the_drone_in_the_air_holds_it_and_says_so(fly:
 
 
 @pytest.mark.parametrize(("kind", "phase"), list(product(OrderKind, Phase)))
-def test_every_order_in_every_phase_leaves_the_pilot_sane(fly: Fly, kind: OrderKind, phase: Phase) -> None:
+def test_every_order_in_every_phase_leaves_the_pilot_sane(
+    fly: Fly, kind: OrderKind, phase: Phase
+) -> None:
     flight = fly()
     flight.run(0.5)
     if phase is not Phase.IDLE:
         goal = {"goal": (3.0, 2.5), "look_s": 3.0}
-        flight.step(flight.order(OrderKind.GO if phase is Phase.HOLDING else OrderKind.SERVICE, **goal))
+        flight.step(
+            flight.order(OrderKind.GO if phase is Phase.HOLDING else OrderKind.SERVICE, **goal)
+        )
         flight.until(lambda o: o.phase is phase)
     flight.step(flight.order(kind, goal=(3.5, 3.0)))
     flight.step(flight.order(OrderKind.RESUME))
@@ -195,4 +207,6 @@ def test_every_order_in_every_phase_leaves_the_pilot_sane(fly: Fly, kind: OrderK
     flight.step(flight.order(OrderKind.LAND))
     outputs = flight.until(lambda o: o.phase is Phase.IDLE, 15.0)
     assert outputs.command.action in (Action.IDLE, Action.CUT)
-    assert kind is OrderKind.CUT or not any(event.severity is Severity.FAULT for event in flight.events)
+    assert kind is OrderKind.CUT or not any(
+        event.severity is Severity.FAULT for event in flight.events
+    )

@@ -5,19 +5,36 @@ from typing import Any
 
 import pytest
 
-from housefly.control.model import Constants
 from housefly.geometry import heading_to, wrap_angle
 from housefly.messages import Action, Behavior, DroneStatus, OrderKind, Phase, SafetyMode, Severity
+from housefly.pilot.control.model import Constants
 
-SERVICE = [Phase.IDLE, Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING, Phase.IDLE]
+SERVICE = [
+    Phase.IDLE,
+    Phase.TAKING_OFF,
+    Phase.OUTBOUND,
+    Phase.LOOKING,
+    Phase.RETURNING,
+    Phase.LANDING,
+    Phase.IDLE,
+]
 Fly = Callable[..., Any]
 
 
 @pytest.mark.parametrize(
     ("rate_hz", "latency", "loss"),
-    [(100.0, 0.02, 0.0), (100.0, 0.05, 0.2), (30.0, 0.03, 0.0), (30.0, 0.05, 0.2), (10.0, 0.02, 0.0), (10.0, 0.05, 0.2)],
+    [
+        (100.0, 0.02, 0.0),
+        (100.0, 0.05, 0.2),
+        (30.0, 0.03, 0.0),
+        (30.0, 0.05, 0.2),
+        (10.0, 0.02, 0.0),
+        (10.0, 0.05, 0.2),
+    ],
 )
-def test_the_whole_service_is_flown_close_to_the_path(fly: Fly, rate_hz: float, latency: float, loss: float) -> None:
+def test_the_whole_service_is_flown_close_to_the_path(
+    fly: Fly, rate_hz: float, latency: float, loss: float
+) -> None:
     flight = fly(tracking={"rate_hz": rate_hz, "latency": latency, "loss": loss})
     score = flight.service()
     assert flight.phases[1 - len(SERVICE) - 1 :] == SERVICE
@@ -29,7 +46,11 @@ def test_the_whole_service_is_flown_close_to_the_path(fly: Fly, rate_hz: float, 
 @pytest.mark.parametrize("rate_hz", [100.0, 10.0])
 @pytest.mark.parametrize(
     ("constants", "delay"),
-    [(Constants(lag=5.0), 0.1), (Constants(lag=10.0, gain=1.2), 0.04), (Constants(gain=0.8, drag=0.3), 0.06)],
+    [
+        (Constants(lag=5.0), 0.1),
+        (Constants(lag=10.0, gain=1.2), 0.04),
+        (Constants(gain=0.8, drag=0.3), 0.06),
+    ],
 )
 def test_a_drone_that_differs_from_its_profile_is_still_flown_well(
     fly: Fly, rate_hz: float, constants: Constants, delay: float
@@ -45,7 +66,9 @@ def test_a_steady_draught_moves_neither_the_path_nor_the_landing(fly: Fly) -> No
     assert flight.home_error < 0.1
 
 
-def test_the_drone_faces_the_visitor_while_it_looks_and_the_pads_way_when_it_lands(fly: Fly) -> None:
+def test_the_drone_faces_the_visitor_while_it_looks_and_the_pads_way_when_it_lands(
+    fly: Fly,
+) -> None:
     flight = fly()
     flight.run(0.5)
     flight.step(flight.order(OrderKind.SERVICE, place="entrance", look_s=2.0))
@@ -61,7 +84,11 @@ def test_the_phases_name_the_goal_and_carry_the_path(fly: Fly) -> None:
     flight = fly()
     flight.run(0.5)
     outputs = flight.step(flight.order(OrderKind.GO, place="entrance"))
-    assert outputs.phase is Phase.TAKING_OFF and outputs.path is not None and outputs.goal_name == "entrance"
+    assert (
+        outputs.phase is Phase.TAKING_OFF
+        and outputs.path is not None
+        and outputs.goal_name == "entrance"
+    )
     outputs = flight.until(lambda o: o.phase is Phase.HOLDING)
     assert outputs.path.waypoints[-1] == (10.75, 1.25)
     assert outputs.reference is not None and outputs.estimate is not None
@@ -96,7 +123,9 @@ def test_mode_paper_commands_one_axis_at_a_time_and_mode_default_all(fly: Fly) -
     outputs = flight.depart()
     while outputs.phase is Phase.OUTBOUND:
         s = outputs.command.setpoint
-        for value, free in zip((s.theta, s.phi, s.vz, s.yaw_rate), allowed[outputs.behavior], strict=True):
+        for value, free in zip(
+            (s.theta, s.phi, s.vz, s.yaw_rate), allowed[outputs.behavior], strict=True
+        ):
             assert value == 0.0 or free
         assert (outputs.command.action is Action.HOVER) == (outputs.behavior is Behavior.HOVER)
         outputs = flight.step()
@@ -117,7 +146,9 @@ def test_mode_default_holds_its_place_while_it_turns_and_mode_paper_drifts(fly: 
     assert moved["paper"] > 3.0 * moved["default"]
 
 
-def test_half_a_second_without_tracking_is_flown_through_and_five_seconds_end_in_a_landing(fly: Fly) -> None:
+def test_half_a_second_without_tracking_is_flown_through_and_five_seconds_end_in_a_landing(
+    fly: Fly,
+) -> None:
     short = fly(tracking={"gaps": ((15.0, 15.5),)}, wind=(0.1, 0.0))
     score = short.service()
     assert short.told("tracking_old") and short.told("safety_clear")
@@ -126,7 +157,9 @@ def test_half_a_second_without_tracking_is_flown_through_and_five_seconds_end_in
     long = fly(tracking={"gaps": ((15.0, 20.0),)})
     long.run(0.5)
     long.step(long.order(OrderKind.SERVICE, place="entrance"))
-    long.until(lambda o: long.status is DroneStatus.LANDED and o.phase is Phase.IDLE and long.now > 5.0)
+    long.until(
+        lambda o: long.status is DroneStatus.LANDED and o.phase is Phase.IDLE and long.now > 5.0
+    )
     assert long.told("tracking_lost")
     assert Phase.RETURNING not in long.phases
     assert long.run(5.0).phase is Phase.IDLE

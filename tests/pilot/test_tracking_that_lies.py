@@ -1,6 +1,8 @@
-"""A tracking system that tells untruths with fresh stamps; docs/safety.md names what is noticed and what is not.
+"""A tracking system that tells untruths with fresh stamps; docs/safety.md names what is noticed and
+what is not.
 
-A test that is expected to fail turns the suite red when somebody closes its gap: then change the page too.
+A test that is expected to fail turns the suite red when somebody closes its gap: then change the
+    page too.
 """
 
 from __future__ import annotations
@@ -28,7 +30,12 @@ def test_frozen_poses_with_fresh_stamps_count_as_no_tracking(fly: Fly) -> None:
     flight.depart(6.0)
     here = (flight.body.x, flight.body.y)
     pose = Pose((*here, flight.body.z))
-    lie(flight, lambda sighting: replace(sighting, pose=replace(pose, orientation=sighting.pose.orientation)))
+    lie(
+        flight,
+        lambda sighting: replace(
+            sighting, pose=replace(pose, orientation=sighting.pose.orientation)
+        ),
+    )
     flight.run(3.0)
     assert hypot(flight.body.x - here[0], flight.body.y - here[1]) < 0.6
     assert flight.outputs.reason
@@ -42,7 +49,10 @@ def test_a_drift_of_two_centimetres_a_second_is_noticed(fly: Fly) -> None:
 
     def drifted(sighting: Sighting) -> Sighting:
         x, y, z = sighting.pose.position
-        return replace(sighting, pose=replace(sighting.pose, position=(x, y + 0.02 * (sighting.captured_at - start), z)))
+        return replace(
+            sighting,
+            pose=replace(sighting.pose, position=(x, y + 0.02 * (sighting.captured_at - start), z)),
+        )
 
     lie(flight, drifted)
     flight.run(30.0)

@@ -11,7 +11,7 @@ import av
 import numpy as np
 import pytest
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import (
     Action,
@@ -53,7 +53,11 @@ PHASES = (
 )
 OUT = Path(((1.0, 1.0), (5.0, 1.0), (5.0, 3.0)), 6.0, 0.6)
 BACK = Path(tuple(reversed(OUT.waypoints)), 6.0, 0.6)
-STATUS = {Phase.TAKING_OFF: DroneStatus.TAKING_OFF, Phase.LANDING: DroneStatus.LANDING, Phase.IDLE: DroneStatus.LANDED}
+STATUS = {
+    Phase.TAKING_OFF: DroneStatus.TAKING_OFF,
+    Phase.LANDING: DroneStatus.LANDING,
+    Phase.IDLE: DroneStatus.LANDED,
+}
 
 
 def along(path: Path, share: float) -> tuple[float, float]:
@@ -82,8 +86,20 @@ def room() -> Room:
     )
     table = Solid("table", "table", Shape.BOX, (3.0, 2.6, 0.6), (1.4, 0.7, 1.2), yaw=0.3)
     lamp = Solid("lamp", "lamp", Shape.CYLINDER, (0.6, 3.4, 0.9), (0.4, 0.4, 1.8))
-    places = (Place("home", (1.0, 1.0), (2.0, 1.0, 1.0)), Place("entrance", (5.0, 3.0), (6.0, 3.0, 1.2), "Entrance"))
-    return Room("small room", (0.0, 0.0, 6.0, 4.0), 2.5, (*walls, table, lamp), places, (), (1.0, 1.0), visitor=(5.7, 3.0))
+    places = (
+        Place("home", (1.0, 1.0), (2.0, 1.0, 1.0)),
+        Place("entrance", (5.0, 3.0), (6.0, 3.0, 1.2), "Entrance"),
+    )
+    return Room(
+        "small room",
+        (0.0, 0.0, 6.0, 4.0),
+        2.5,
+        (*walls, table, lamp),
+        places,
+        (),
+        (1.0, 1.0),
+        visitor=(5.7, 3.0),
+    )
 
 
 @pytest.fixture(scope="session")
@@ -94,7 +110,11 @@ def grid(room: Room, site: Site) -> OccupancyGrid:
 def step_at(sequence: int, now: float, phase: Phase, share: float) -> PilotStep:
     path = {Phase.OUTBOUND: OUT, Phase.LOOKING: OUT, Phase.RETURNING: BACK}.get(phase)
     x, y = along(path, 1.0 if phase is Phase.LOOKING else share) if path else (1.0, 1.0)
-    height = {Phase.IDLE: 0.1, Phase.TAKING_OFF: 0.1 + 0.9 * share, Phase.LANDING: 1.0 - 0.9 * share}.get(phase, 1.0)
+    height = {
+        Phase.IDLE: 0.1,
+        Phase.TAKING_OFF: 0.1 + 0.9 * share,
+        Phase.LANDING: 1.0 - 0.9 * share,
+    }.get(phase, 1.0)
     pose = Pose((x, y + OFFSET, height), quaternion_from_euler(0.0, 0.0, 0.1 * share))
     status = STATUS.get(phase, DroneStatus.FLYING)
     started = phase is Phase.TAKING_OFF and share == 0.0
@@ -107,18 +127,36 @@ def step_at(sequence: int, now: float, phase: Phase, share: float) -> PilotStep:
                 Sighting("visitor", Pose((5.7, 3.0, 0.0)), now - 0.02, now),
             ),
             telemetry=Telemetry(now - 0.005, status, 0.9 - 0.004 * now, height=height),
-            orders=(Order(OrderKind.SERVICE, "entrance", issued_at=now, sender="test"),) if started else (),
+            orders=(
+                (Order(OrderKind.SERVICE, "entrance", issued_at=now, sender="test"),)
+                if started
+                else ()
+            ),
         ),
         Outputs(
-            command=Command(Action.FLY, Setpoint(0.1 * sin(now), 0.05 * sin(2 * now), 0.0, 0.2 * sin(now))),
+            command=Command(
+                Action.FLY, Setpoint(0.1 * sin(now), 0.05 * sin(2 * now), 0.0, 0.2 * sin(now))
+            ),
             estimate=Estimate(now, pose.position, (0.5, 0.0, 0.0), pose.yaw, 0.02, 0.004),
             reference=Reference((x, y, 1.0), (0.5, 0.0, 0.0), 0.0) if path else None,
-            behavior=Behavior.PATH_TRACKING if phase in (Phase.OUTBOUND, Phase.RETURNING) else Behavior.HOVER,
+            behavior=(
+                Behavior.PATH_TRACKING
+                if phase in (Phase.OUTBOUND, Phase.RETURNING)
+                else Behavior.HOVER
+            ),
             phase=phase,
-            safety=SafetyMode.LEVEL if phase is Phase.RETURNING and 0.4 < share < 0.45 else SafetyMode.NOMINAL,
+            safety=(
+                SafetyMode.LEVEL
+                if phase is Phase.RETURNING and 0.4 < share < 0.45
+                else SafetyMode.NOMINAL
+            ),
             goal_name="entrance" if phase in (Phase.OUTBOUND, Phase.LOOKING) else "",
             path=path,
-            events=(Event(now, Severity.INFO, "take-off", "taking off for <entrance> & back"),) if started else (),
+            events=(
+                (Event(now, Severity.INFO, "take-off", "taking off for <entrance> & back"),)
+                if started
+                else ()
+            ),
         ),
     )
 

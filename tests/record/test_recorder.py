@@ -21,7 +21,7 @@ import pytest
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
-from housefly.config import Site, load_site
+from housefly.config.site import Site, load_site
 from housefly.errors import RecordingError
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record.recorder import FlightRecorder
@@ -80,9 +80,19 @@ def test_an_independent_reader_finds_standard_topics(
     found = messages(recording[0])
     counts = {topic: len(values) for topic, values in found.items()}
     steps = len(flight)
-    assert counts["/housefly/step"] == counts["/sighting/ardrone"] == counts["/sighting/visitor"] == steps
+    assert (
+        counts["/housefly/step"]
+        == counts["/sighting/ardrone"]
+        == counts["/sighting/visitor"]
+        == steps
+    )
     assert counts["/odom"] == counts["/cmd_vel"] == counts["/battery"] == steps
-    assert (counts["/map"], counts["/housefly/link"], counts["/events"], counts["/video"]) == (1, 1, 1, len(pictures))
+    assert (counts["/map"], counts["/housefly/link"], counts["/events"], counts["/video"]) == (
+        1,
+        1,
+        1,
+        len(pictures),
+    )
     assert counts["/path"] == 3, "out, back, and none at the end"
 
 
@@ -91,25 +101,40 @@ def test_the_standard_messages_say_what_the_steps_said(
 ) -> None:
     found = messages(recording[0])
     step = flight[400]
-    pose, odometry, command = found["/sighting/ardrone"][400], found["/odom"][400], found["/cmd_vel"][400]
+    pose, odometry, command = (
+        found["/sighting/ardrone"][400],
+        found["/odom"][400],
+        found["/cmd_vel"][400],
+    )
     seen, estimate = step.inputs.sightings[0], step.outputs.estimate
     assert estimate is not None
-    assert (pose.pose.position.x, pose.pose.position.z) == (seen.pose.position[0], seen.pose.position[2])
+    assert (pose.pose.position.x, pose.pose.position.z) == (
+        seen.pose.position[0],
+        seen.pose.position[2],
+    )
     assert pose.pose.orientation.w == seen.pose.orientation[0]
-    assert pose.header.stamp.sec + 1e-9 * pose.header.stamp.nanosec == pytest.approx(seen.captured_at, abs=1e-8)
+    assert pose.header.stamp.sec + 1e-9 * pose.header.stamp.nanosec == pytest.approx(
+        seen.captured_at, abs=1e-8
+    )
     assert odometry.header.frame_id == "world"
     assert odometry.pose.pose.position.y == estimate.position[1]
-    assert odometry.twist.twist.linear.y < 0, "flying along x while looking a little to the left is flying to the right"
+    assert odometry.twist.twist.linear.y < 0, (
+        "flying along x while looking a little to the left is flying to the right"
+    )
     assert command.twist.linear.y == -step.outputs.command.setpoint.phi
     occupancy = found["/map"][0]
     assert (occupancy.info.width, occupancy.info.height) == grid.cells.shape
     column, row = 30, 26
-    assert (occupancy.data[row * occupancy.info.width + column] == 100) == (grid.cells[column, row] == Cell.OCCUPIED)
+    assert (occupancy.data[row * occupancy.info.width + column] == 100) == (
+        grid.cells[column, row] == Cell.OCCUPIED
+    )
     assert found["/events"][0].level == 20
     assert found["/video"][0].format == "h264"
 
 
-def test_the_film_plays_with_every_picture_at_its_time(recording: tuple[Path, Summary], pictures: tuple[VideoFrame, ...]) -> None:
+def test_the_film_plays_with_every_picture_at_its_time(
+    recording: tuple[Path, Summary], pictures: tuple[VideoFrame, ...]
+) -> None:
     with av.open(str(recording[0] / "video.mp4")) as film:
         shown = [(frame.time, frame.width, frame.height) for frame in film.decode(video=0)]
     assert len(shown) == len(pictures)
@@ -129,7 +154,12 @@ def test_finishing_twice_gives_the_same_summary_and_later_messages_are_ignored(
     first = recorder.finish("nothing flown")
     recorder.step(flight[0])
     assert recorder.finish("something else") is first
-    assert (first.outcome, first.duration_s, first.rms_error_m, first.steps) == ("nothing flown", None, None, 0)
+    assert (first.outcome, first.duration_s, first.rms_error_m, first.steps) == (
+        "nothing flown",
+        None,
+        None,
+        0,
+    )
     assert first.problems == ()
 
 
@@ -156,7 +186,9 @@ def test_many_threads_may_record_at_once(
 
 @pytest.fixture
 def small_disk() -> Iterator[Callable[[int], None]]:
-    """Return a function that lets no file of this process grow beyond a size [bytes] until the test ends."""
+    """Return a function that lets no file of this process grow beyond a size [bytes] until the test
+    ends.
+    """
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     yield lambda size: resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     resource.setrlimit(resource.RLIMIT_FSIZE, before)
@@ -186,7 +218,9 @@ def test_a_disk_that_fills_up_in_flight_is_reported_and_not_raised(
     assert 0 < len(readable) == summary.steps < len(flight)
 
 
-def test_a_disk_that_is_full_before_the_flight_is_refused(tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid) -> None:
+def test_a_disk_that_is_full_before_the_flight_is_refused(
+    tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid
+) -> None:
     if not Path("/dev/full").exists():
         pytest.skip("this system has no /dev/full")
     (tmp_path / "flight.mcap").symlink_to("/dev/full")
@@ -280,7 +314,13 @@ def test_after_a_crash_all_but_the_last_second_is_readable(
     pictures: tuple[VideoFrame, ...],
 ) -> None:
     (tmp_path / "flight.pickle").write_bytes(pickle.dumps((site, room, grid, flight, pictures)))
-    arguments = [sys.executable, "-c", CRASH, str(tmp_path / "flight.pickle"), str(tmp_path / "out")]
+    arguments = [
+        sys.executable,
+        "-c",
+        CRASH,
+        str(tmp_path / "flight.pickle"),
+        str(tmp_path / "out"),
+    ]
     with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "recorded\n"

@@ -46,17 +46,25 @@ class Parrot:
         return replace(step.outputs, command=Command(step.outputs.command.action, nearly))
 
 
-def test_a_recording_gives_back_every_step_bit_for_bit(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+def test_a_recording_gives_back_every_step_bit_for_bit(
+    recording: Path, flight: tuple[PilotStep, ...]
+) -> None:
     assert repr(tuple(replay(recording))) == repr(flight)
 
 
-def test_the_folder_of_a_flight_stands_for_its_recording(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+def test_the_folder_of_a_flight_stands_for_its_recording(
+    recording: Path, flight: tuple[PilotStep, ...]
+) -> None:
     assert len(list(replay(recording.parent))) == len(flight)
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(share=st.floats(0.0, 1.0))
-def test_a_recording_that_was_cut_short_gives_what_is_readable(recording: Path, share: float) -> None:
+def test_a_recording_that_was_cut_short_gives_what_is_readable(
+    recording: Path, share: float
+) -> None:
     whole = recording.read_bytes()
     flight = tuple(replay(recording))
     cut = recording.with_name("cut.mcap")
@@ -66,9 +74,13 @@ def test_a_recording_that_was_cut_short_gives_what_is_readable(recording: Path, 
     assert len(readable) >= (share - 0.2) * len(flight)
 
 
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(data=st.data())
-def test_a_damaged_recording_is_a_recording_error_and_nothing_else(recording: Path, data: st.DataObject) -> None:
+def test_a_damaged_recording_is_a_recording_error_and_nothing_else(
+    recording: Path, data: st.DataObject
+) -> None:
     flight = tuple(replay(recording))
     damaged = bytearray(recording.read_bytes())
     for _ in range(data.draw(st.integers(1, 5))):
@@ -98,19 +110,27 @@ def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
     with (tmp_path / "flight.mcap").open("wb") as file:
         writer = Writer(file)
         writer.start(profile="ros2")
-        schema = writer.register_schema("housefly_msgs/msg/PilotStep", "ros2msg", b"int64 sequence\n")
-        writer.add_message(writer.register_channel(STEP_TOPIC, "cdr", schema), 0, b"\x00\x01\x00\x00", 0)
+        schema = writer.register_schema(
+            "housefly_msgs/msg/PilotStep", "ros2msg", b"int64 sequence\n"
+        )
+        writer.add_message(
+            writer.register_channel(STEP_TOPIC, "cdr", schema), 0, b"\x00\x01\x00\x00", 0
+        )
         writer.finish()
     with pytest.raises(RecordingError, match="other message definitions"):
         list(replay(tmp_path))
 
 
-def test_a_pilot_that_decides_the_same_is_verified(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+def test_a_pilot_that_decides_the_same_is_verified(
+    recording: Path, flight: tuple[PilotStep, ...]
+) -> None:
     verdict = verify(recording, lambda: Parrot(flight))
     assert (verdict.steps, verdict.missing, verdict.difference) == (len(flight), 0, None)
 
 
-def test_even_the_sign_of_a_zero_counts_as_another_command(recording: Path, flight: tuple[PilotStep, ...]) -> None:
+def test_even_the_sign_of_a_zero_counts_as_another_command(
+    recording: Path, flight: tuple[PilotStep, ...]
+) -> None:
     verdict = verify(recording, lambda: Parrot(flight, differ_at=400))
     assert verdict.steps == 400
     assert verdict.difference is not None

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import sync_playwright
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import PilotStep
 from housefly.record.report import write_report
 from housefly.record.series import collect
@@ -24,7 +24,11 @@ CHROMIUM = Path("/usr/bin/chromium")
 
 @pytest.fixture(scope="module")
 def report(
-    tmp_path_factory: pytest.TempPathFactory, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+    tmp_path_factory: pytest.TempPathFactory,
+    site: Site,
+    room: Room,
+    grid: OccupancyGrid,
+    flight: tuple[PilotStep, ...],
 ) -> Path:
     path = tmp_path_factory.mktemp("report") / "report.html"
     series = collect(flight, "ardrone")
@@ -40,7 +44,11 @@ class Addresses(HTMLParser):
         self.found: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.found += [value or "" for name, value in attrs if name in ("src", "href", "xlink:href", "srcset", "data")]
+        self.found += [
+            value or ""
+            for name, value in attrs
+            if name in ("src", "href", "xlink:href", "srcset", "data")
+        ]
 
 
 def test_the_report_asks_for_nothing_from_elsewhere(report: Path) -> None:
@@ -56,7 +64,15 @@ def test_the_report_asks_for_nothing_from_elsewhere(report: Path) -> None:
 def test_the_report_shows_every_plot_and_number(report: Path) -> None:
     text = report.read_text()
     assert text.count('role="img"') == text.count("</svg>") == 5
-    for words in ("completed", "small room", "path error, rms", "landing error", "23.0 <small>s", "Entrance", "pathTracking"):
+    for words in (
+        "completed",
+        "small room",
+        "path error, rms",
+        "landing error",
+        "23.0 <small>s",
+        "Entrance",
+        "pathTracking",
+    ):
         assert words in text
 
 
@@ -76,14 +92,23 @@ def test_ids_of_the_plots_do_not_collide(report: Path) -> None:
     plots = re.findall(r"<svg.*?</svg>", report.read_text(), flags=re.DOTALL)
     used = [set(re.findall(r'<(?:clipPath|path) id="([^"]+)"', plot)) for plot in plots]
     shared = [names & others for index, names in enumerate(used) for others in used[index + 1 :]]
-    assert not any(name.startswith("p") for names in shared for name in names), "clip paths are per plot"
+    assert not any(name.startswith("p") for names in shared for name in names), (
+        "clip paths are per plot"
+    )
 
 
 def test_a_recording_without_a_single_step_still_has_a_report(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid
 ) -> None:
     empty = collect((), "ardrone")
-    write_report(tmp_path / "report.html", empty, summarize(empty, "the pilot did not start", site, room, grid), site, room, grid)
+    write_report(
+        tmp_path / "report.html",
+        empty,
+        summarize(empty, "the pilot did not start", site, room, grid),
+        site,
+        room,
+        grid,
+    )
     text = (tmp_path / "report.html").read_text()
     assert "the pilot did not start" in text
     assert "Nothing was reported" in text
@@ -102,7 +127,9 @@ def browser() -> Iterator[Any]:
 @pytest.mark.browser
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [1280, 390])
-def test_a_browser_shows_the_report_without_errors_or_requests(report: Path, browser: Any, scheme: str, width: int) -> None:
+def test_a_browser_shows_the_report_without_errors_or_requests(
+    report: Path, browser: Any, scheme: str, width: int
+) -> None:
     page = browser.new_page(color_scheme=scheme, viewport={"width": width, "height": 800})
     requests: list[str] = []
     problems: list[str] = []
@@ -112,10 +139,16 @@ def test_a_browser_shows_the_report_without_errors_or_requests(report: Path, bro
     assert requests == [report.as_uri()]
     assert problems == []
     assert page.locator("svg").count() == 5
-    assert page.evaluate("document.documentElement.scrollWidth") <= width, "only the plots scroll sideways"
-    paper, ink = page.evaluate("[getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]")
+    assert page.evaluate("document.documentElement.scrollWidth") <= width, (
+        "only the plots scroll sideways"
+    )
+    paper, ink = page.evaluate(
+        "[getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]"
+    )
     brightness = [sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (paper, ink)]
     assert (brightness[0] > brightness[1]) == (scheme == "light")
-    line = page.locator("svg path[style*='--accent']").first.evaluate("node => getComputedStyle(node).stroke")
+    line = page.locator("svg path[style*='--accent']").first.evaluate(
+        "node => getComputedStyle(node).stroke"
+    )
     assert line in ("rgb(11, 102, 216)", "rgb(88, 166, 255)")
     page.close()

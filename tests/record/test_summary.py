@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.messages import DroneStatus, Inputs, Path, Phase, PilotStep, SafetyMode
 from housefly.record.series import collect
 from housefly.record.summary import Summary, distance_to_path, summarize
@@ -31,7 +31,8 @@ def summary(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep
 
 def test_a_drone_that_flies_beside_its_path_has_that_error(summary: Summary) -> None:
     assert summary.max_error_m == pytest.approx(0.05)
-    # On the leg along y, a third of the way, the offset lies on the path itself, except beyond its end.
+    # On the leg along y, a third of the way, the offset lies on the path itself, except beyond its
+    # end.
     assert summary.rms_error_m == pytest.approx(0.05 * sqrt(2 / 3), rel=0.02)
     assert summary.arrival_error_m == pytest.approx(0.05)
     assert summary.landed_error_m == pytest.approx(0.05)
@@ -51,10 +52,16 @@ def test_lengths_times_and_rates_are_those_of_the_flight(summary: Summary) -> No
 def test_clearance_is_that_of_the_map_less_half_the_hull(
     summary: Summary, site: Site, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
-    flying = [step for step in flight if step.inputs.telemetry and step.inputs.telemetry.status is not DroneStatus.LANDED]
+    flying = [
+        step
+        for step in flight
+        if step.inputs.telemetry and step.inputs.telemetry.status is not DroneStatus.LANDED
+    ]
     seen = [step.inputs.sightings[0].pose.position for step in flying]
     nearest = min(grid.clearance_at((x, y)) for x, y, _ in seen)
-    assert summary.min_clearance_m == pytest.approx(nearest - hypot(site.drone.hull_length, site.drone.hull_width) / 2)
+    assert summary.min_clearance_m == pytest.approx(
+        nearest - hypot(site.drone.hull_length, site.drone.hull_width) / 2
+    )
 
 
 def test_events_carry_the_time_since_the_start(summary: Summary) -> None:
@@ -68,11 +75,27 @@ def test_the_json_holds_every_key_that_was_promised(summary: Summary) -> None:
     assert set(promised.split()) <= set(json.loads(summary.to_json()))
 
 
-def test_what_was_not_measured_is_none(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> None:
-    blind = tuple(replace(step, inputs=Inputs(), outputs=replace(step.outputs, estimate=None, path=None)) for step in flight)
+def test_what_was_not_measured_is_none(
+    site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+) -> None:
+    blind = tuple(
+        replace(step, inputs=Inputs(), outputs=replace(step.outputs, estimate=None, path=None))
+        for step in flight
+    )
     summary = summarize(collect(blind, "ardrone"), "lost", site, room, grid)
-    measured = [summary.rms_error_m, summary.max_error_m, summary.arrival_error_m, summary.landed_error_m, summary.battery_used]
-    measured += [summary.min_clearance_m, summary.mocap_rate_hz, summary.path_length_m, summary.flown_length_m]
+    measured = [
+        summary.rms_error_m,
+        summary.max_error_m,
+        summary.arrival_error_m,
+        summary.landed_error_m,
+        summary.battery_used,
+    ]
+    measured += [
+        summary.min_clearance_m,
+        summary.mocap_rate_hz,
+        summary.path_length_m,
+        summary.flown_length_m,
+    ]
     assert measured == [None] * 9
     assert summary.duration_s == pytest.approx(23.0, abs=0.03)
 
@@ -81,7 +104,10 @@ def test_a_drone_that_is_still_in_the_air_has_no_landing_error(
     site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
     in_the_air = [step for step in flight if step.outputs.phase is not Phase.IDLE][:-10]
-    assert summarize(collect(in_the_air, "ardrone"), "cut off", site, room, grid).landed_error_m is None
+    assert (
+        summarize(collect(in_the_air, "ardrone"), "cut off", site, room, grid).landed_error_m
+        is None
+    )
 
 
 def test_real_hardware_has_no_seed(site: Site, room: Room, grid: OccupancyGrid) -> None:
@@ -89,12 +115,19 @@ def test_real_hardware_has_no_seed(site: Site, room: Room, grid: OccupancyGrid) 
     assert summarize(collect((), "ardrone"), "nothing flown", hardware, room, grid).seed is None
 
 
-def test_only_the_drone_itself_counts(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> None:
-    assert summarize(collect(flight, "somebody else"), "completed", site, room, grid).mocap_rate_hz is None
+def test_only_the_drone_itself_counts(
+    site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+) -> None:
+    assert (
+        summarize(collect(flight, "somebody else"), "completed", site, room, grid).mocap_rate_hz
+        is None
+    )
 
 
 @given(PATH, st.lists(POINT, min_size=1, max_size=5))
-def test_the_distance_to_a_path_is_the_smallest_over_its_points(path: Path, points: list[tuple[float, float]]) -> None:
+def test_the_distance_to_a_path_is_the_smallest_over_its_points(
+    path: Path, points: list[tuple[float, float]]
+) -> None:
     corners = np.array(path.waypoints)
     shares = np.linspace(0.0, 1.0, 400)[:, None]
     legs = list(pairwise(corners)) or [(corners[0], corners[0])]

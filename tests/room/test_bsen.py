@@ -11,9 +11,9 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from housefly.config import Mode, changed, load_site
+from housefly.config.site import Mode, changed, load_site
 from housefly.geometry import rotate
-from housefly.planning.planner import plan
+from housefly.pilot.planning.planner import plan
 from housefly.room.bsen import bsen
 from housefly.room.coverage import seen_by, tracked
 from housefly.room.distance import clearance_field, footprints
@@ -22,9 +22,12 @@ from housefly.room.reach import flood, reachable
 
 SITES = Path(__file__).parents[2] / "src" / "housefly" / "sites"
 
-# Where the robot model's collision shape is not where its mesh is, the mesh counts: footprint low x, low y, high x, high y,
-# in the mesh's own frame [m].
-MESHES = {"refrigerator": (-0.572, -0.004, -0.008, 0.476), "intelingent_shelf": (-0.297, 0.0, 0.0, 0.457)}
+# Where the robot model's collision shape is not where its mesh is, the mesh counts: footprint low
+# x, low y, high x, high y, in the mesh's own frame [m].
+MESHES = {
+    "refrigerator": (-0.572, -0.004, -0.008, 0.476),
+    "intelingent_shelf": (-0.297, 0.0, 0.0, 0.457),
+}
 OURS = {
     "kitchen": "kitchen",
     "meeting_table": "meeting table",
@@ -51,7 +54,9 @@ def their_footprints(urdf: Path) -> dict[str, Box]:
     for joint in root.findall("joint"):
         child, origin = joint.find("child"), joint.find("origin")
         if child is not None and origin is not None:
-            poses[child.get("link")] = [float(v) for v in f"{origin.get('xyz')} {origin.get('rpy')}".split()]
+            poses[child.get("link")] = [
+                float(v) for v in f"{origin.get('xyz')} {origin.get('rpy')}".split()
+            ]
     found: dict[str, Box] = {}
     for link in root.findall("link"):
         name = (link.get("name") or "").removesuffix("_link")
@@ -60,7 +65,9 @@ def their_footprints(urdf: Path) -> dict[str, Box]:
         x, y, _, _, _, yaw = poses[f"{name}_link"]
         low_x, low_y, high_x, high_y = MESHES.get(name) or collision_rectangle(link)
         turn = np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]])
-        corners = np.array([(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y)]) @ turn.T + (x, y)
+        corners = np.array(
+            [(low_x, low_y), (high_x, low_y), (high_x, high_y), (low_x, high_y)]
+        ) @ turn.T + (x, y)
         found[name] = (*corners.min(axis=0), *corners.max(axis=0))
     return found
 
@@ -82,7 +89,10 @@ def our_footprint(thing: str) -> Box:
     for solid in bsen().solids:
         if solid.thing == thing:
             c, s = abs(np.cos(solid.yaw)), abs(np.sin(solid.yaw))
-            a, b = (c * solid.size[0] + s * solid.size[1]) / 2, (s * solid.size[0] + c * solid.size[1]) / 2
+            a, b = (
+                (c * solid.size[0] + s * solid.size[1]) / 2,
+                (s * solid.size[0] + c * solid.size[1]) / 2,
+            )
             x, y, _ = solid.position
             corners.append((x - a, y - b, x + a, y + b))
     low, high = np.min(corners, axis=0), np.max(corners, axis=0)
@@ -96,12 +106,16 @@ def overlap(a: Box, b: Box) -> float:
     return width * height / area
 
 
-def test_the_furniture_stands_where_bsens_own_model_puts_it(shared_data: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_furniture_stands_where_bsens_own_model_puts_it(
+    shared_data: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     theirs = their_footprints(shared_data / "rooms" / "bsen" / "all_components.urdf")
     scores = {name: overlap(box, our_footprint(OURS[name])) for name, box in theirs.items()}
     with capsys.disabled():
         print("\noverlap with B-sen's furniture poses (intersection over union):")
-        print("  " + ", ".join(f"{OURS[name]} {score:.2f}" for name, score in sorted(scores.items())))
+        print(
+            "  " + ", ".join(f"{OURS[name]} {score:.2f}" for name, score in sorted(scores.items()))
+        )
     assert set(scores) == set(OURS)
     assert min(scores.values()) > 0.8
     assert np.mean(list(scores.values())) > 0.9
@@ -110,15 +124,24 @@ def test_the_furniture_stands_where_bsens_own_model_puts_it(shared_data: Path, c
 BUILDING = {"wall", "window", "entrance door", "room door"}
 
 
-def test_the_floor_plan_agrees_with_bsens_own_grid(shared_data: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The grid shows the furniture of another year than the poses do, which we follow: so the walls must agree closely."""
+def test_the_floor_plan_agrees_with_bsens_own_grid(
+    shared_data: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The grid shows the furniture of another year than the poses do, which we follow: so the walls
+    must agree closely.
+    """
     with (shared_data / "rooms" / "bsen" / "bsen_room.csv").open() as file:
         rows = list(csv.reader(file))[1:]
     theirs = np.array([[int(float(cell)) for cell in row if cell] for row in rows]) == 1
     xs, ys = np.arange(theirs.shape[0]) * 0.1, np.arange(theirs.shape[1]) * 0.1
     # Robots on wheels made that grid: to them a carpet is an obstacle.
-    solids = [replace(solid, collides=solid.collides or solid.thing == "carpet") for solid in bsen().solids]
-    walls = clearance_field(footprints([s for s in solids if s.thing in BUILDING], 0.0, 2.0), xs, ys, 20.0)
+    solids = [
+        replace(solid, collides=solid.collides or solid.thing == "carpet")
+        for solid in bsen().solids
+    ]
+    walls = clearance_field(
+        footprints([s for s in solids if s.thing in BUILDING], 0.0, 2.0), xs, ys, 20.0
+    )
     everything = clearance_field(footprints(solids, 0.0, 2.0), xs, ys, 20.0)
     floor = reachable(walls, xs, ys, 0.1, bsen().home) & (walls >= 0.05)
     their_walls = np.asarray(flood(np.pad(theirs, 1, constant_values=True), 0, 0))[1:-1, 1:-1]
@@ -126,8 +149,14 @@ def test_the_floor_plan_agrees_with_bsens_own_grid(shared_data: Path, capsys: py
     all_agrees = float(((~floor | (everything < 0.05)) == theirs).mean())
     inside = float((floor & ~theirs).sum() / (~theirs).sum())
     with capsys.disabled():
-        print(f"\noverlap with B-sen's 0.1 m grid: {100 * plan_agrees:.1f} % of cells agree on the floor plan,")
-        print(f"  {100 * all_agrees:.1f} % with the furniture; {100 * inside:.1f} % of its free cells lie on our floor")
+        print(
+            f"\noverlap with B-sen's 0.1 m grid: {100 * plan_agrees:.1f} % of cells agree on the"
+            " floor plan,"
+        )
+        print(
+            f"  {100 * all_agrees:.1f} % with the furniture; {100 * inside:.1f} % of its free cells"
+            " lie on our floor"
+        )
     assert plan_agrees > 0.94
     assert inside > 0.96
     assert all_agrees > 0.84
@@ -143,12 +172,19 @@ def test_the_cameras_are_those_of_the_calibration(shared_data: Path) -> None:
         x, y, z, w = (float(v) for v in orientation.split())
         dot = np.dot(camera.orientation, (w, -x, -y, -z))
         assert abs(dot) == pytest.approx(1.0, abs=1e-4)
-        assert np.linalg.norm(np.array(camera.position) - np.array([float(v) / 1000 for v in position.split()])) < 0.35
+        assert (
+            np.linalg.norm(
+                np.array(camera.position) - np.array([float(v) / 1000 for v in position.split()])
+            )
+            < 0.35
+        )
 
 
 def test_all_cameras_look_down_into_the_room_and_hang_level() -> None:
     for camera in bsen().cameras:
-        ahead, down, right = (rotate(camera.orientation, axis) for axis in ((0.0, 0, 1.0), (0, 1.0, 0), (1.0, 0, 0)))
+        ahead, down, right = (
+            rotate(camera.orientation, axis) for axis in ((0.0, 0, 1.0), (0, 1.0, 0), (1.0, 0, 0))
+        )
         assert -0.85 < ahead[2] < -0.35
         assert abs(down[2]) > 0.5
         assert abs(right[2]) < 0.25
@@ -162,12 +198,23 @@ def test_the_way_to_the_entrance_is_tracked_and_ends_before_the_visitor(mode: Mo
     room = bsen()
     grid = build_grid(room, site)
     entrance = room.place("entrance")
-    answer = plan(grid, room.home, entrance.viewpoint, 0.5, every_cell=site.mode == "paper", shortcut=site.mode == "default")
+    answer = plan(
+        grid,
+        room.home,
+        entrance.viewpoint,
+        0.5,
+        every_cell=site.mode == "paper",
+        shortcut=site.mode == "default",
+    )
     assert answer.path is not None, answer.reason
     assert 8.0 <= answer.path.length <= 12.0
     assert len(answer.path.waypoints) >= 4, "the way has turns"
     assert answer.path.clearance >= 0.45
-    points = [(a + (b - a) * k / 20) for a, b in zip(*_ends(answer.path.waypoints), strict=True) for k in range(21)]
+    points = [
+        (a + (b - a) * k / 20)
+        for a, b in zip(*_ends(answer.path.waypoints), strict=True)
+        for k in range(21)
+    ]
     seen = seen_by(room, np.array([(x, y, site.map.flight_height) for x, y in points])).sum(axis=1)
     assert seen.min() >= 4
     visitor = np.array(room.visitor)

@@ -17,7 +17,15 @@ ALONG_X = (0.5, -0.5, 0.5, -0.5)
 
 def room_with(*solids: Solid, reach: float = 10.0) -> Room:
     camera = TrackingCamera("eye", (0.0, 0.0, 1.0), ALONG_X, (pi / 2, pi / 3), reach)
-    return Room("r", (-1.0, -9.0, 9.0, 9.0), 3.0, solids, (Place("home", (1, 0), (2, 0, 1)),), (camera,), (1.0, 0.0))
+    return Room(
+        "r",
+        (-1.0, -9.0, 9.0, 9.0),
+        3.0,
+        solids,
+        (Place("home", (1, 0), (2, 0, 1)),),
+        (camera,),
+        (1.0, 0.0),
+    )
 
 
 def test_the_camera_looks_along_its_own_z() -> None:
@@ -38,7 +46,9 @@ def test_the_camera_looks_along_its_own_z() -> None:
         ((10.1, 0.0, 1.0), False),
     ],
 )
-def test_field_of_view_and_reach_bound_what_is_seen(point: tuple[float, float, float], seen: bool) -> None:
+def test_field_of_view_and_reach_bound_what_is_seen(
+    point: tuple[float, float, float], seen: bool
+) -> None:
     assert seen_by(room_with(), np.array([point])).tolist() == [[seen]]
 
 

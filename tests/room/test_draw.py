@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from housefly.config import changed, load_site
+from housefly.config.site import changed, load_site
 from housefly.errors import RoomError
 from housefly.room.bsen import bsen
 from housefly.room.draw import draw_room, text_map
@@ -21,8 +21,17 @@ SITE = load_site(Path(__file__).parents[2] / "src" / "housefly" / "sites" / "bse
 def test_the_picture_changes_when_a_route_is_drawn(mode: str, tmp_path: Path) -> None:
     grid = build_grid(bsen(), changed(SITE, mode=mode))
     draw_room(bsen(), grid, tmp_path / "plain.png")
-    draw_room(bsen(), grid, tmp_path / "route.png", route=((10.5, 1.2), (3.0, 4.2)), trail=((10.5, 1.3), (3.0, 4.3)))
-    plain, route = (np.asarray(Image.open(tmp_path / f"{name}.png").convert("RGB"), dtype=int) for name in ("plain", "route"))
+    draw_room(
+        bsen(),
+        grid,
+        tmp_path / "route.png",
+        route=((10.5, 1.2), (3.0, 4.2)),
+        trail=((10.5, 1.3), (3.0, 4.3)),
+    )
+    plain, route = (
+        np.asarray(Image.open(tmp_path / f"{name}.png").convert("RGB"), dtype=int)
+        for name in ("plain", "route")
+    )
     assert plain.shape[1] > 800
     assert plain.std() > 20
     # The legend has one more entry, so only the map's part of the picture is compared.

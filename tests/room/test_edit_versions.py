@@ -8,13 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from housefly.config_edits import Edits, NoFlyZone
+from housefly.config.edits import Edits, NoFlyZone
 from housefly.errors import EditsError, StaleEdits
 from housefly.room.edit_versions import EditVersions, Version
 
 
 def edits(k: int) -> Edits:
-    return Edits(zones=(NoFlyZone(rectangle=(0.0, 0.0, 1.0 + k, 1.0), reason=f"number {k}"),)) if k else Edits()
+    return (
+        Edits(zones=(NoFlyZone(rectangle=(0.0, 0.0, 1.0 + k, 1.0), reason=f"number {k}"),))
+        if k
+        else Edits()
+    )
 
 
 @pytest.fixture
@@ -48,20 +52,35 @@ def test_undo_goes_back_step_by_step_and_forgets_nothing(versions: EditVersions)
     assert len(list(versions.folder.iterdir())) == 6
 
 
-def test_a_file_torn_in_mid_write_is_moved_aside_and_the_version_before_counts(versions: EditVersions) -> None:
+def test_a_file_torn_in_mid_write_is_moved_aside_and_the_version_before_counts(
+    versions: EditVersions,
+) -> None:
     first = versions.save(edits(1), 0)
     versions.save(edits(2), 1)
     whole = (versions.folder / "0002.json").read_bytes()
     (versions.folder / "0002.json").write_bytes(whole[: len(whole) // 2])
     assert versions.newest() == first
-    assert "0002.json" in versions.problem and "is damaged" in versions.problem and "0002.json.damaged" in versions.problem
-    assert (versions.folder / "0002.json.damaged").read_bytes() == whole[: len(whole) // 2], "nothing is deleted"
+    assert (
+        "0002.json" in versions.problem
+        and "is damaged" in versions.problem
+        and "0002.json.damaged" in versions.problem
+    )
+    assert (versions.folder / "0002.json.damaged").read_bytes() == whole[: len(whole) // 2], (
+        "nothing is deleted"
+    )
     assert versions.save(edits(3), 1).number == 3, "its number is not used again"
     assert versions.newest().edits == edits(3)
 
 
 @pytest.mark.parametrize(
-    "damage", [b"", b"\xff\xfe", b"[]", b'{"version": 1}', b'{"edits": {}, "equals": 9, "saved_at": 0, "by": ""}']
+    "damage",
+    [
+        b"",
+        b"\xff\xfe",
+        b"[]",
+        b'{"version": 1}',
+        b'{"edits": {}, "equals": 9, "saved_at": 0, "by": ""}',
+    ],
 )
 def test_no_damage_stops_anybody(versions: EditVersions, damage: bytes) -> None:
     versions.folder.mkdir()

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.config import Site, VirtualObstacle, changed
+from housefly.config.site import Site, VirtualObstacle, changed
 from housefly.room.bsen import bsen
 from housefly.room.distance import clearance_field, covered_shares, footprints
 from housefly.room.grid import Cell, build_grid, inflation
@@ -20,10 +20,14 @@ HOME = (0.5, 0.5)
 
 
 def room_of(*solids: Solid) -> Room:
-    return Room("test", (0.0, 0.0, 6.0, 4.0), 2.5, solids, (Place("home", HOME, (1.0, 0.5, 1.0)),), (), HOME)
+    return Room(
+        "test", (0.0, 0.0, 6.0, 4.0), 2.5, solids, (Place("home", HOME, (1.0, 0.5, 1.0)),), (), HOME
+    )
 
 
-def solid(shape: Shape, x: float, y: float, length: float, width: float, yaw: float, name: str = "thing") -> Solid:
+def solid(
+    shape: Shape, x: float, y: float, length: float, width: float, yaw: float, name: str = "thing"
+) -> Solid:
     size = (length, length, 2.5) if shape is Shape.CYLINDER else (length, width, 2.5)
     return Solid(name, name, shape, (x, y, 1.25), size, yaw)
 
@@ -61,7 +65,9 @@ def edge_points(item: Solid) -> np.ndarray:
 
 @settings(max_examples=60, deadline=None)
 @given(shapes, st.floats(0.0, 6.0), st.floats(0.0, 4.0))
-def test_clearance_is_the_distance_to_the_nearest_edge_point(item: Solid, x: float, y: float) -> None:
+def test_clearance_is_the_distance_to_the_nearest_edge_point(
+    item: Solid, x: float, y: float
+) -> None:
     field = clearance_field(footprints([item], 0.8, 1.4), np.array([x]), np.array([y]), 100.0)[0, 0]
     if inside(item, x, y):
         assert field == pytest.approx(0.0, abs=1e-9)
@@ -79,7 +85,13 @@ def test_covered_share_is_that_of_many_sample_points(items: list[Solid], edge: f
     shares = covered_shares(rows, xs, ys, edge, clearance_field(rows, xs, ys, 10.0))
     offsets = (np.arange(24) + 0.5) / 24 * edge - edge / 2
     for i, x in enumerate(xs):
-        brute = np.mean([any(inside(item, x + u, ys[0] + v) for item in items) for u in offsets for v in offsets])
+        brute = np.mean(
+            [
+                any(inside(item, x + u, ys[0] + v) for item in items)
+                for u in offsets
+                for v in offsets
+            ]
+        )
         assert shares[i, 0] == pytest.approx(brute, abs=0.13)
 
 
@@ -149,7 +161,9 @@ def test_the_grid_is_read_only() -> None:
         grid.cells[0, 0] = 0
 
 
-@pytest.mark.parametrize("point", [(float("nan"), 0.0), (float("inf"), 0.0), (-5.0, 2.0), (99.0, 2.0)])
+@pytest.mark.parametrize(
+    "point", [(float("nan"), 0.0), (float("inf"), 0.0), (-5.0, 2.0), (99.0, 2.0)]
+)
 def test_points_off_the_map_are_outside(point: tuple[float, float]) -> None:
     grid = build_grid(bsen(), Site())
     assert grid.kind(grid.cell_of(point)) is Cell.OUTSIDE

@@ -10,14 +10,15 @@ import mujoco
 import numpy as np
 import pytest
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.room.bsen import bsen
 from housefly.room.grid import Cell, build_grid
 from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Shape
 
 PROBE = (
-    '<body name="probe" mocap="true"><geom name="probe" type="cylinder" size="0.001 0.25" contype="0" conaffinity="0"/></body>'
+    '<body name="probe" mocap="true"><geom name="probe" type="cylinder" size="0.001 0.25"'
+    ' contype="0" conaffinity="0"/></body>'
 )
 
 
@@ -33,7 +34,9 @@ def test_every_solid_is_a_geom_of_its_place_size_and_turn(model: mujoco.MjModel)
         size = half if solid.shape is Shape.BOX else [half[0], half[2]]
         assert geom.pos == pytest.approx(solid.position, abs=1e-5)
         assert geom.size[: len(size)] == pytest.approx(size, abs=1e-5)
-        assert abs(geom.quat @ np.array([cos(solid.yaw / 2), 0, 0, sin(solid.yaw / 2)])) == pytest.approx(1.0, abs=1e-6)
+        assert abs(
+            geom.quat @ np.array([cos(solid.yaw / 2), 0, 0, sin(solid.yaw / 2)])
+        ) == pytest.approx(1.0, abs=1e-6)
         assert bool(geom.contype[0]) == solid.collides
 
 
@@ -49,7 +52,9 @@ def test_clearance_agrees_with_the_distances_that_mujoco_measures(model: mujoco.
     site = Site()
     grid = build_grid(bsen(), site)
     data = mujoco.MjData(model)
-    band = [s for s in bsen().solids if s.collides and abs(s.position[2] - 1.1) < s.size[2] / 2 + 0.25]
+    band = [
+        s for s in bsen().solids if s.collides and abs(s.position[2] - 1.1) < s.size[2] / 2 + 0.25
+    ]
     geoms = [model.geom(solid.name).id for solid in band]
     probe = model.geom("probe").id
     random = np.random.default_rng(5)
@@ -58,7 +63,9 @@ def test_clearance_agrees_with_the_distances_that_mujoco_measures(model: mujoco.
         x, y = grid.centre_of((int(i), int(j)))
         data.mocap_pos[model.body("probe").mocapid[0]] = (x, y, site.map.flight_height)
         mujoco.mj_kinematics(model, data)
-        measured = min(mujoco.mj_geomDistance(model, data, probe, geom, 20.0, None) for geom in geoms)
+        measured = min(
+            mujoco.mj_geomDistance(model, data, probe, geom, 20.0, None) for geom in geoms
+        )
         assert grid.clearance[i, j] == pytest.approx(measured + 0.001, abs=0.01)
 
 
@@ -89,7 +96,9 @@ numpy.save(sys.argv[1], numpy.array(pictures))
 """
 
 
-def test_the_picture_from_the_entrance_shows_the_visitor(tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_the_picture_from_the_entrance_shows_the_visitor(
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
     target = tmp_path_factory.mktemp("picture") / "door.npy"
     for renderer in ("egl", "osmesa"):
         done = subprocess.run(

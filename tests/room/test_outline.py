@@ -25,7 +25,9 @@ def test_a_box_keeps_its_area_and_its_middle_however_it_is_turned(place, size, y
     corners = outline(Solid("box", "box", Shape.BOX, place, size, yaw))
     assert len(corners) == 4
     assert area(corners) == pytest.approx(size[0] * size[1], abs=1e-9)
-    assert (sum(x for x, _ in corners) / 4, sum(y for _, y in corners) / 4) == pytest.approx(place[:2], abs=1e-9)
+    assert (sum(x for x, _ in corners) / 4, sum(y for _, y in corners) / 4) == pytest.approx(
+        place[:2], abs=1e-9
+    )
 
 
 @given(places, st.floats(0.01, 5.0), st.floats(-pi, pi))

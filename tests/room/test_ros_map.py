@@ -1,4 +1,6 @@
-"""ROS maps as rooms: the shipped ones fly, generated ones keep their walls, bad ones are refused with a remedy."""
+"""ROS maps as rooms: the shipped ones fly, generated ones keep their walls, bad ones are refused
+with a remedy.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from housefly.config import load_site
+from housefly.config.site import load_site
 from housefly.errors import RoomError
-from housefly.planning.planner import plan
+from housefly.pilot.planning.planner import plan
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 from housefly.room.mjcf import room_to_mjcf
@@ -36,12 +38,16 @@ def write_map(folder: Path, pixels: np.ndarray, suffix: str = "pgm", **keys: obj
         **keys,
     }
     path = folder / "map.yaml"
-    path.write_text("".join(f"{key}: {value}\n" for key, value in values.items() if value is not None))
+    path.write_text(
+        "".join(f"{key}: {value}\n" for key, value in values.items() if value is not None)
+    )
     return path
 
 
 def hall() -> np.ndarray:
-    """Return a hall of 8 m x 4 m with a pillar, walls one pixel thick, unknown around, one side open to the unknown."""
+    """Return a hall of 8 m x 4 m with a pillar, walls one pixel thick, unknown around, one side
+    open to the unknown.
+    """
     pixels = np.full((100, 180), UNKNOWN)
     pixels[10:90, 10:170] = FREE
     for edge in (np.s_[10, 10:170], np.s_[89, 10:170], np.s_[10:90, 10]):
@@ -51,14 +57,19 @@ def hall() -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", ["small_house", "turtlebot3"])
-def test_the_maps_of_others_become_rooms_with_a_way_to_every_place(name: str, shared_data: Path, tmp_path: Path) -> None:
+def test_the_maps_of_others_become_rooms_with_a_way_to_every_place(
+    name: str, shared_data: Path, tmp_path: Path
+) -> None:
     room = import_ros_map(shared_data / "rooms" / name / "map.yaml", tmp_path)
     site = load_site(tmp_path / "site.toml")
     assert load_room(site.room.model, tmp_path) == room
     assert len(room.places) >= 4
     assert len(room.solids) < 1500
     grid = build_grid(room, site)
-    answers = {place.name: plan(grid, room.home, place.viewpoint, site.limits.speed, shortcut=True) for place in room.places}
+    answers = {
+        place.name: plan(grid, room.home, place.viewpoint, site.limits.speed, shortcut=True)
+        for place in room.places
+    }
     assert {name: answer.reason for name, answer in answers.items() if answer.path is None} == {}
     assert max(answer.path.length for answer in answers.values() if answer.path) > 3.0
     assert mujoco.MjModel.from_xml_string(room_to_mjcf(room)).ngeom > len(room.solids)
@@ -114,7 +125,9 @@ def test_the_picture_is_turned_so_that_y_points_to_its_top(tmp_path: Path) -> No
         ({"negate": 1}, "negate"),
     ],
 )
-def test_a_bad_map_is_refused_with_words(keys: dict[str, object], words: str, tmp_path: Path) -> None:
+def test_a_bad_map_is_refused_with_words(
+    keys: dict[str, object], words: str, tmp_path: Path
+) -> None:
     pixels = np.full((60, 60), FREE) if "negate" in keys else hall()
     with pytest.raises(RoomError, match=words):
         import_ros_map(write_map(tmp_path, pixels, **keys), tmp_path / "out")

@@ -1,4 +1,6 @@
-"""Furniture of the room model that carries markers: taken out of the room, known by where it stood, refused when not there."""
+"""Furniture of the room model that carries markers: taken out of the room, known by where it stood,
+refused when not there.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +11,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.app.premises import open_premises
-from housefly.config import Site, changed
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
+from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.room.bsen import bsen
 from housefly.room.grid import Cell, build_grid
 from housefly.room.tracked import body_pose_of, footprint_of, stand_of, untracked
 
-SHELF = FurnitureConfig(name="shelf", body="Shelf 1", model="smart shelf", length=0.5, width=0.35, top=1.0)
+SHELF = FurnitureConfig(
+    name="shelf", body="Shelf 1", model="smart shelf", length=0.5, width=0.35, top=1.0
+)
 AT = (11.5, 4.2)
 
 
@@ -32,7 +36,9 @@ def test_a_room_whose_furniture_nobody_tracks_is_the_same_room() -> None:
 
 def test_what_is_tracked_leaves_the_room_and_nothing_else_does() -> None:
     left = untracked(bsen(), site(SHELF))
-    assert {solid.thing for solid in bsen().solids} - {solid.thing for solid in left.solids} == {"smart shelf"}
+    assert {solid.thing for solid in bsen().solids} - {solid.thing for solid in left.solids} == {
+        "smart shelf"
+    }
     before, after = (build_grid(room, Site()) for room in (bsen(), left))
     cell = before.cell_of(AT)
     assert before.kind(cell) is Cell.OCCUPIED and after.kind(cell) is Cell.FREE
@@ -41,7 +47,9 @@ def test_what_is_tracked_leaves_the_room_and_nothing_else_does() -> None:
 
 def test_one_of_many_is_named_by_how_its_solids_are_called() -> None:
     chair = FurnitureConfig(name="chair", body="Chair 1", model="meeting chair north", top=1.0)
-    gone = {solid.name for solid in bsen().solids} - {solid.name for solid in untracked(bsen(), site(chair)).solids}
+    gone = {solid.name for solid in bsen().solids} - {
+        solid.name for solid in untracked(bsen(), site(chair)).solids
+    }
     assert gone and all(name.startswith("meeting chair north ") for name in gone)
 
 
@@ -55,8 +63,12 @@ def test_where_it_stands_is_the_rectangle_around_it_as_the_site_file_turns_it() 
     assert (shelf.bottom, shelf.top) == pytest.approx((0.0, 0.89), abs=0.02)
 
 
-@given(x=st.floats(-2.0, 2.0), y=st.floats(-2.0, 2.0), turn=st.floats(-pi, pi), yaw=st.floats(-pi, pi))
-def test_a_body_put_where_a_footprint_wants_it_has_that_footprint(x: float, y: float, turn: float, yaw: float) -> None:
+@given(
+    x=st.floats(-2.0, 2.0), y=st.floats(-2.0, 2.0), turn=st.floats(-pi, pi), yaw=st.floats(-pi, pi)
+)
+def test_a_body_put_where_a_footprint_wants_it_has_that_footprint(
+    x: float, y: float, turn: float, yaw: float
+) -> None:
     piece = FurnitureConfig(name="shelf", body="Shelf 1", x=x, y=y, yaw=turn)
     middle, found = footprint_of(piece, body_pose_of(piece, AT, yaw))
     assert middle == pytest.approx(AT) and cos(found - yaw) == pytest.approx(1.0)
@@ -73,7 +85,9 @@ def test_a_body_put_where_a_footprint_wants_it_has_that_footprint(x: float, y: f
         ({"bottom": 0.4}, "bottom and top must include them"),
     ],
 )
-def test_furniture_that_does_not_fit_the_room_is_refused_before_anything_starts(changes: dict[str, object], words: str) -> None:
+def test_furniture_that_does_not_fit_the_room_is_refused_before_anything_starts(
+    changes: dict[str, object], words: str
+) -> None:
     with pytest.raises(ConfigError, match=words):
         open_premises(site(SHELF.model_copy(update=changes)))
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import aiomqtt
 import pytest
 
-from housefly.config_devices import MqttConfig
+from housefly.config.devices import MqttConfig
 from housefly.messages import Happening, Observation
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.mqtt import MqttSensors
@@ -47,13 +47,16 @@ class Broker:
             self.port: int = probe.getsockname()[1]
         self._file = folder / "mosquitto.conf"
         self._file.write_text(
-            f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser {getpass.getuser()}\n"
+            f"listener {self.port} 127.0.0.1\nallow_anonymous true\npersistence false\nuser"
+            f" {getpass.getuser()}\n"
         )
         self._process: Process | None = None
 
     async def start(self) -> None:
         assert MOSQUITTO is not None
-        self._process = await asyncio.create_subprocess_exec(MOSQUITTO, "-c", str(self._file), stdout=DEVNULL, stderr=DEVNULL)
+        self._process = await asyncio.create_subprocess_exec(
+            MOSQUITTO, "-c", str(self._file), stdout=DEVNULL, stderr=DEVNULL
+        )
         await until(self._answers)
 
     async def kill(self) -> None:
@@ -68,9 +71,13 @@ class Broker:
     async def protect(self, name: str, password: str) -> None:
         """Ask everybody for this name and password from the next start on."""
         users = self._file.with_name("users")
-        made = await asyncio.create_subprocess_exec("mosquitto_passwd", "-b", "-c", str(users), name, password)
+        made = await asyncio.create_subprocess_exec(
+            "mosquitto_passwd", "-b", "-c", str(users), name, password
+        )
         assert await made.wait() == 0
-        text = self._file.read_text().replace("allow_anonymous true", f"allow_anonymous false\npassword_file {users}")
+        text = self._file.read_text().replace(
+            "allow_anonymous true", f"allow_anonymous false\npassword_file {users}"
+        )
         self._file.write_text(text)
 
     def doomed(self, topic: str, will: aiomqtt.Will) -> list[str]:
@@ -146,7 +153,9 @@ Listen = Callable[..., AbstractAsyncContextManager[Listening]]
 
 @pytest.fixture
 def listen() -> Listen:
-    """Return a context manager in which a driver listens at a port; keywords are keys of the site's [mqtt]."""
+    """Return a context manager in which a driver listens at a port; keywords are keys of the site's
+    [mqtt].
+    """
 
     @asynccontextmanager
     async def listening(port: int, wait: bool = True, **keys: object) -> AsyncIterator[Listening]:

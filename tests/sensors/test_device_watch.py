@@ -13,5 +13,7 @@ from housefly.sensors.device_watch import titled
         ("Door contact", "entrance-door", "Door contact entrance-door"),
     ],
 )
-def test_a_title_says_no_word_twice_where_the_kind_says_it_all(kind: str, device: str, title: str) -> None:
+def test_a_title_says_no_word_twice_where_the_kind_says_it_all(
+    kind: str, device: str, title: str
+) -> None:
     assert titled(kind, device) == title

@@ -8,10 +8,10 @@ from math import inf
 
 import pytest
 
-from housefly.config_laser import LaserConfig
+from housefly.config.laser import LaserConfig
 from housefly.messages import Scan
 from housefly.sensors.laser import LaserClient
-from housefly.twin.laser_server import LaserServer
+from housefly.twin.sensors.laser_server import LaserServer
 from housefly.wires.scip import UST_10LX
 
 pytestmark = pytest.mark.wire
@@ -25,7 +25,10 @@ async def until(done: Callable[[], bool], limit: float = 8.0) -> None:
 
 
 async def reading(
-    client: LaserClient, server: LaserServer | None, check: Callable[[list[Scan]], Awaitable[None]], stamp: Callable[[int], int]
+    client: LaserClient,
+    server: LaserServer | None,
+    check: Callable[[list[Scan]], Awaitable[None]],
+    stamp: Callable[[int], int],
 ) -> None:
     heard: list[Scan] = []
     task = asyncio.create_task(client.run(heard.append))
@@ -51,7 +54,9 @@ def config(loopback: str) -> LaserConfig:
     return LaserConfig(name="laser-1", address=loopback)
 
 
-async def test_scans_arrive_in_metres_with_angles_and_what_is_no_distance_is_infinite(loopback: str) -> None:
+async def test_scans_arrive_in_metres_with_angles_and_what_is_no_distance_is_infinite(
+    loopback: str,
+) -> None:
     server, client = LaserServer(UST_10LX, loopback), LaserClient(config(loopback))
     await server.start()
 
@@ -95,9 +100,17 @@ async def test_it_comes_back_when_the_scanner_does(loopback: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "answer", [b"\xff\xfe\n\n", b"HTTP/1.1 400 Bad\r\n\r\n\n\n", b"x" * 40_000, b"QT\n00P\n\nPP\n00P\nMODL:x;1\n\n"]
+    "answer",
+    [
+        b"\xff\xfe\n\n",
+        b"HTTP/1.1 400 Bad\r\n\r\n\n\n",
+        b"x" * 40_000,
+        b"QT\n00P\n\nPP\n00P\nMODL:x;1\n\n",
+    ],
 )
-async def test_another_protocol_is_told_and_never_ends_the_client(loopback: str, answer: bytes) -> None:
+async def test_another_protocol_is_told_and_never_ends_the_client(
+    loopback: str, answer: bytes
+) -> None:
     async def answering(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         writer.write(answer)
         await reader.read(1000)

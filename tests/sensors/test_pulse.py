@@ -34,7 +34,9 @@ def test_who_fell_silent_has_no_rate() -> None:
 
 
 @given(st.floats(0.1, 100.0), st.lists(st.floats(0.0, 0.5), max_size=300))
-def test_no_more_passes_than_the_rate_and_one_second_at_once(rate: float, gaps: list[float]) -> None:
+def test_no_more_passes_than_the_rate_and_one_second_at_once(
+    rate: float, gaps: list[float]
+) -> None:
     budget, now, passed = Budget(rate), 0.0, 0
     for gap in gaps:
         now += gap

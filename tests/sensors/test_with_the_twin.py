@@ -9,10 +9,10 @@ from math import hypot
 
 import pytest
 
-from housefly.config_devices import MqttConfig
-from housefly.twin.device_link import DeviceLink
-from housefly.twin.devices import Devices
+from housefly.config.devices import MqttConfig
 from housefly.twin.people import Scene, load_scene
+from housefly.twin.sensors.device_link import DeviceLink
+from housefly.twin.sensors.devices import Devices
 
 pytestmark = pytest.mark.wire
 
@@ -61,13 +61,19 @@ async def test_people_on_the_floor_are_where_they_are(broker, listen, until):
     scene = load_scene("bsen")
     async with listen(broker.port) as heard:
         playing = Playing(broker.port, scene, speed=1.0)
-        await until(lambda: len([row for row in heard.observations if row.thing == "person-2"]) > 20)
+        await until(
+            lambda: len([row for row in heard.observations if row.thing == "person-2"]) > 20
+        )
         await playing.stop()
-        seats = [row.position for row in heard.observations if row.thing == "person-2" and row.position]
+        seats = [
+            row.position for row in heard.observations if row.thing == "person-2" and row.position
+        ]
         assert all(hypot(x - 5.70, y - 2.28) < 0.15 for x, y, _ in seats)
 
 
-async def test_the_devices_find_a_broker_that_comes_back_and_leave_their_wills(broker, listen, until):
+async def test_the_devices_find_a_broker_that_comes_back_and_leave_their_wills(
+    broker, listen, until
+):
     playing = Playing(broker.port, load_scene("bsen"), speed=1.0)
     async with listen(broker.port) as heard:
         await until(lambda: heard.knows("floor-1") and heard.health("floor-1").connected)
@@ -79,20 +85,29 @@ async def test_the_devices_find_a_broker_that_comes_back_and_leave_their_wills(b
         assert playing.lines[-1].endswith("is there again")
         await playing.stop()
         await until(lambda: heard.health("floor-1").problem)
-        assert "floor" in heard.health("floor-1").problem or "offline" in heard.health("floor-1").problem
+        assert (
+            "floor" in heard.health("floor-1").problem
+            or "offline" in heard.health("floor-1").problem
+        )
 
 
 @pytest.mark.slow
-async def test_the_twin_as_a_process_plays_its_scene_at_the_sites_broker(broker, listen, until, loopback, tmp_path):
+async def test_the_twin_as_a_process_plays_its_scene_at_the_sites_broker(
+    broker, listen, until, loopback, tmp_path
+):
     site = tmp_path / "site.toml"
     site.write_text(
-        f'[drone]\naddress = "{loopback}"\n[tracking]\naddress = "{loopback}"\n[twin]\nvideo = false\nscene = "bsen"\n'
-        f'[mqtt]\nbroker = "127.0.0.1"\nport = {broker.port}\n'
+        f'[drone]\naddress = "{loopback}"\n[tracking]\naddress = "{loopback}"\n[twin]\nvideo ='
+        f' false\nscene = "bsen"\n[mqtt]\nbroker = "127.0.0.1"\nport = {broker.port}\n'
     )
     async with listen(broker.port) as heard:
-        twin = await asyncio.create_subprocess_exec(sys.executable, "-m", "housefly.twin.process", "--site", str(site))
+        twin = await asyncio.create_subprocess_exec(
+            sys.executable, "-m", "housefly.twin.process", "--site", str(site)
+        )
         try:
-            await until(lambda: heard.knows("floor-1") and heard.health("floor-1").rate_hz > 5.0, 60.0)
+            await until(
+                lambda: heard.knows("floor-1") and heard.health("floor-1").rate_hz > 5.0, 60.0
+            )
             await until(lambda: heard.health("bed").connected)
         finally:
             twin.kill()

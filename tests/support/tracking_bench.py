@@ -28,7 +28,9 @@ class Bench:
     LATENCY = 0.015
 
     @staticmethod
-    async def feed(server: Publisher, rate_hz: float = 100.0, drone: Pose | None = DRONE, ahead: float = 0.0) -> None:
+    async def feed(
+        server: Publisher, rate_hz: float = 100.0, drone: Pose | None = DRONE, ahead: float = 0.0
+    ) -> None:
         """Publish frames for ever; ``ahead`` is what the sender's clock is ahead of ours [s]."""
         start, clock = RealClock().now(), RealClock()
         number = 0
@@ -37,7 +39,14 @@ class Bench:
             captured = start + number / rate_hz
             await asyncio.sleep(captured + Bench.LATENCY - clock.now())
             stamp = captured + ahead
-            server.publish(MocapFrame(number, stamp, stamp + Bench.LATENCY, (("ardrone", drone), ("visitor", Bench.VISITOR))))
+            server.publish(
+                MocapFrame(
+                    number,
+                    stamp,
+                    stamp + Bench.LATENCY,
+                    (("ardrone", drone), ("visitor", Bench.VISITOR)),
+                )
+            )
 
     @staticmethod
     @asynccontextmanager

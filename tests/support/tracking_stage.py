@@ -1,4 +1,6 @@
-"""What the tests of the twin's tracking servers share: a drone that counts frames, and strangers in processes of their own."""
+"""What the tests of the twin's tracking servers share: a drone that counts frames, and strangers in
+processes of their own.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,9 @@ class Server(Protocol):
 
 
 def frame(number: int, drone: Pose | None = DRONE) -> MocapFrame:
-    return MocapFrame(number, 0.01 * number, 0.01 * number + 0.02, (("ardrone", drone), ("visitor", None)))
+    return MocapFrame(
+        number, 0.01 * number, 0.01 * number + 0.02, (("ardrone", drone), ("visitor", None))
+    )
 
 
 @asynccontextmanager
@@ -41,7 +45,9 @@ async def fed(server: Server, first: int = 1) -> AsyncIterator[None]:
         start, number = loop.time(), first - 1
         while True:
             number += 1
-            server.publish(frame(number, Pose((0.001 * number, *DRONE.position[1:]), DRONE.orientation)))
+            server.publish(
+                frame(number, Pose((0.001 * number, *DRONE.position[1:]), DRONE.orientation))
+            )
             await asyncio.sleep(start + 0.01 * (number - first + 1) - loop.time())
 
     task = asyncio.create_task(feed())
@@ -57,7 +63,9 @@ async def fed(server: Server, first: int = 1) -> AsyncIterator[None]:
 
 async def stranger(program: str, *arguments: str) -> Any:
     """Return what a child process printed last, as JSON; it is killed when it blocks for ever."""
-    peer = await asyncio.create_subprocess_exec(sys.executable, "-c", program, *arguments, stdout=asyncio.subprocess.PIPE)
+    peer = await asyncio.create_subprocess_exec(
+        sys.executable, "-c", program, *arguments, stdout=asyncio.subprocess.PIPE
+    )
     try:
         output, _ = await asyncio.wait_for(peer.communicate(), 60.0)
     finally:

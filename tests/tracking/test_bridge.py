@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Pose, Sighting
 from housefly.tracking import bridge
@@ -22,9 +22,9 @@ from housefly.tracking.bridge import BridgeTracker, settings_of
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.counts import FrameCounts
 from housefly.twin.contracts import MocapFrame
-from housefly.twin.natnet_server import NatNetServer
-from housefly.twin.vicon_server import ViconServer
-from housefly.twin.vrpn_server import VrpnServer
+from housefly.twin.mocap.natnet_server import NatNetServer
+from housefly.twin.mocap.vicon_server import ViconServer
+from housefly.twin.mocap.vrpn_server import VrpnServer
 
 TURNED = (math.cos(0.3), 0.0, 0.0, math.sin(0.3))
 
@@ -43,12 +43,18 @@ def line(**bodies: object) -> bytes:
 
 
 async def feed(server: Any) -> None:
-    """Publish 100 frames a second of a drone that moves: what stands still to the bit is taken for lost."""
+    """Publish 100 frames a second of a drone that moves: what stands still to the bit is taken for
+    lost.
+    """
     number = 0
     while True:
         number += 1
         drone = Pose((0.001 * number, 2.0, 1.0), TURNED)
-        server.publish(MocapFrame(number, 0.01 * number, 0.01 * number + 0.01, (("ardrone", drone), ("visitor", None))))
+        server.publish(
+            MocapFrame(
+                number, 0.01 * number, 0.01 * number + 0.01, (("ardrone", drone), ("visitor", None))
+            )
+        )
         await asyncio.sleep(0.01)
 
 
@@ -63,7 +69,9 @@ def server_of(system: str, address: str) -> Any:
 
 @pytest.mark.wire
 @pytest.mark.parametrize("system", ["vicon", "optitrack", "vrpn"])
-async def test_the_bridge_reads_every_server_of_the_twin(loopback: str, bench: Any, system: str) -> None:
+async def test_the_bridge_reads_every_server_of_the_twin(
+    loopback: str, bench: Any, system: str
+) -> None:
     pytest.importorskip("motioncapture")
     server = server_of(system, loopback)
     await server.start()
@@ -122,7 +130,9 @@ async def test_a_system_that_the_library_does_not_know_is_named(loopback: str, b
         await bench.until(lambda: "Unknown motion capture type" in tracker.problem)
 
 
-async def test_a_missing_library_is_named_with_its_remedy(bench: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_missing_library_is_named_with_its_remedy(
+    bench: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
     tracker = BridgeTracker(config("127.0.0.1", "qualisys"))
     async with bench.running(tracker.run(lambda frame: None)):
@@ -134,8 +144,16 @@ async def test_the_child_ends_with_its_parent(loopback: str) -> None:
     pytest.importorskip("motioncapture")
     server = ViconServer(loopback)
     await server.start()
-    command = (sys.executable, "-m", "housefly.tracking.bridge_child", "vicon", json.dumps({"hostname": f"{loopback}:8010"}))
-    child = await asyncio.create_subprocess_exec(*command, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE)
+    command = (
+        sys.executable,
+        "-m",
+        "housefly.tracking.bridge_child",
+        "vicon",
+        json.dumps({"hostname": f"{loopback}:8010"}),
+    )
+    child = await asyncio.create_subprocess_exec(
+        *command, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE
+    )
     assert child.stdin is not None and child.stdout is not None
     server.publish(MocapFrame(1, 0.0, 0.0, ()))
     await asyncio.wait_for(child.stdout.readline(), 10.0)
@@ -145,7 +163,10 @@ async def test_the_child_ends_with_its_parent(loopback: str) -> None:
 
 
 @given(
-    st.binary(max_size=100) | st.recursive(st.none() | st.floats() | st.text(), st.lists).map(lambda v: json.dumps(v).encode())
+    st.binary(max_size=100)
+    | st.recursive(st.none() | st.floats() | st.text(), st.lists).map(
+        lambda v: json.dumps(v).encode()
+    )
 )
 def test_any_line_is_a_frame_or_a_named_error(text: bytes) -> None:
     with suppress(WireError, LinkError):

@@ -27,7 +27,9 @@ def test_jitter_vanishes_once_one_frame_came_without_delay() -> None:
     clock = CaptureClock()
     for number in range(90):
         delay = 0.0 if number == 5 else 0.004 * (number % 3)
-        captured = clock.captured_at(number, PERIOD, LATENCY, START + number * PERIOD + LATENCY + delay)
+        captured = clock.captured_at(
+            number, PERIOD, LATENCY, START + number * PERIOD + LATENCY + delay
+        )
         if number >= 5:
             assert captured == pytest.approx(START + number * PERIOD)
 
@@ -37,7 +39,9 @@ def test_a_server_whose_clock_slips_is_followed_within_the_window() -> None:
     slip = 0.3
     for number in range(200):
         late = slip if number >= 50 else 0.0
-        captured = clock.captured_at(number, PERIOD, LATENCY, START + late + number * PERIOD + LATENCY)
+        captured = clock.captured_at(
+            number, PERIOD, LATENCY, START + late + number * PERIOD + LATENCY
+        )
         if number * PERIOD > 50 * PERIOD + WINDOW + 0.05:
             assert captured == pytest.approx(START + slip + number * PERIOD)
 

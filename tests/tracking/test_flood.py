@@ -9,7 +9,9 @@ from housefly.tracking.flood import FloodGate
 
 
 @given(st.lists(st.floats(0.0, 0.3), max_size=200), st.integers(1, 20))
-def test_never_more_than_twice_the_limit_passes_in_any_second(pauses: list[float], most: int) -> None:
+def test_never_more_than_twice_the_limit_passes_in_any_second(
+    pauses: list[float], most: int
+) -> None:
     gate, now, passed = FloodGate(most), 0.0, []
     for pause in pauses:
         now += pause

@@ -12,11 +12,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.natnet import NatNetTracker
 from housefly.twin.contracts import MocapFrame
-from housefly.twin.natnet_server import NatNetServer
+from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.wires.natnet import (
     Connect,
     Frame,
@@ -51,20 +51,26 @@ def group_of(address: str) -> str:
 class Motive(asyncio.DatagramProtocol):
     """A server whose every word is decided by the test."""
 
-    def __init__(self, version: Version = (3, 1), reply: dict[type[Item], bytes | None] | None = None) -> None:
+    def __init__(
+        self, version: Version = (3, 1), reply: dict[type[Item], bytes | None] | None = None
+    ) -> None:
         self.heard: list[Item] = []
         self.client: tuple[str, int] | None = None
         info = ServerInfo("Motive", (3, 1, 0, 0), (*version, 0, 0), TICKS, 1511, False, "0.0.0.0")
         self.replies: dict[type[Item], bytes | None] = {
             Connect: encode_message(info, version),
-            RequestModelDef: encode_message(ModelDef((RigidBodyDescription(7, "ardrone"),)), version),
+            RequestModelDef: encode_message(
+                ModelDef((RigidBodyDescription(7, "ardrone"),)), version
+            ),
             Request: encode_message(Response(0), version),
         }
         self.replies |= reply or {}
 
     async def start(self, address: str) -> None:
         loop = asyncio.get_running_loop()
-        self.transport, _ = await loop.create_datagram_endpoint(lambda: self, local_addr=(address, 1510))
+        self.transport, _ = await loop.create_datagram_endpoint(
+            lambda: self, local_addr=(address, 1510)
+        )
 
     def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
         item = decode_message(data, (3, 1))
@@ -135,7 +141,9 @@ async def test_a_body_that_the_cameras_lost_is_not_in_the_frame(loopback: str, b
 
 
 @pytest.mark.parametrize("ahead", [3600.0, 0.0])
-async def test_a_server_whose_clock_is_ahead_makes_no_poses_of_the_future(loopback: str, bench: Any, ahead: float) -> None:
+async def test_a_server_whose_clock_is_ahead_makes_no_poses_of_the_future(
+    loopback: str, bench: Any, ahead: float
+) -> None:
     server = NatNetServer(loopback)
     await server.start()
     tracker = NatNetTracker(config(loopback))
@@ -144,7 +152,10 @@ async def test_a_server_whose_clock_is_ahead_makes_no_poses_of_the_future(loopba
         await bench.until(lambda: len(frames) >= 30)
     await server.stop()
     seen = [sighting for frame in frames for sighting in frame]
-    assert all(bench.LATENCY - 1e-6 <= sighting.received_at - sighting.captured_at < 0.5 for sighting in seen)
+    assert all(
+        bench.LATENCY - 1e-6 <= sighting.received_at - sighting.captured_at < 0.5
+        for sighting in seen
+    )
 
 
 async def test_a_clock_that_leaps_costs_no_frame(loopback: str, bench: Any) -> None:
@@ -171,11 +182,15 @@ async def test_a_server_that_sends_before_it_exposes_is_counted(loopback: str, b
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
         for number in range(1, 20):
-            motive.tell(Frame(number, (HERE,), exposed=TICKS + 10_000 * number, sent=10_000 * number))
+            motive.tell(
+                Frame(number, (HERE,), exposed=TICKS + 10_000 * number, sent=10_000 * number)
+            )
             await asyncio.sleep(0.01)
         await bench.until(lambda: len(frames) >= 19)
         assert tracker.counts.misstamped == 19
-        assert all(seen.captured_at <= seen.received_at - 0.02 + 1e-6 for frame in frames for seen in frame)
+        assert all(
+            seen.captured_at <= seen.received_at - 0.02 + 1e-6 for frame in frames for seen in frame
+        )
     motive.transport.close()
 
 
@@ -184,7 +199,10 @@ async def test_the_client_comes_back_when_the_server_does(loopback: str, bench: 
     frames: list[tuple[Sighting, ...]] = []
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: "nobody answers" in tracker.problem)
-        assert tracker.problem == f"nobody answers at {loopback}:1510; is Motive running, with streaming switched on?"
+        assert (
+            tracker.problem
+            == f"nobody answers at {loopback}:1510; is Motive running, with streaming switched on?"
+        )
         for _ in range(2):
             frames.clear()
             server = NatNetServer(loopback)
@@ -235,7 +253,9 @@ async def test_a_server_that_comes_back_with_other_numbers_is_asked_for_names_ag
         assert set(names) == {"ardrone"}
         motive.heard.clear()
         motive.replies = Motive(version).replies
-        motive.replies[RequestModelDef] = encode_message(ModelDef((RigidBodyDescription(7, "guest"),)), version)
+        motive.replies[RequestModelDef] = encode_message(
+            ModelDef((RigidBodyDescription(7, "guest"),)), version
+        )
         await bench.until(lambda: Connect((4, 1)) in motive.heard)
         names.clear()
         async with asyncio.timeout(20.0):
@@ -266,14 +286,18 @@ async def test_frames_out_of_order_are_dropped(loopback: str, bench: Any) -> Non
     frames: list[tuple[Sighting, ...]] = []
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
-        motive.tell(*[Frame(n, (HERE,), exposed=10_000 * n, sent=10_000 * n + 100) for n in (5, 4, 6, 6)])
+        motive.tell(
+            *[Frame(n, (HERE,), exposed=10_000 * n, sent=10_000 * n + 100) for n in (5, 4, 6, 6)]
+        )
         await bench.until(lambda: tracker.counts.repeated == 1)
     assert (tracker.counts.frames, tracker.counts.backward) == (2, 1)
     motive.transport.close()
 
 
 @pytest.mark.parametrize(("version", "words"), [((2, 10), "NatNet 2.10"), ((5, 0), "NatNet 5.0")])
-async def test_a_version_that_nobody_checked_is_refused_in_words(loopback: str, bench: Any, version: Version, words: str) -> None:
+async def test_a_version_that_nobody_checked_is_refused_in_words(
+    loopback: str, bench: Any, version: Version, words: str
+) -> None:
     motive = Motive(version)
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
@@ -288,7 +312,9 @@ async def test_a_newer_server_is_asked_for_a_version_that_was_checked(
     loopback: str, bench: Any, granted: int, version: Version
 ) -> None:
     motive = Motive((4, 3), {Request: encode_message(Response(granted), (4, 1))})
-    motive.replies[RequestModelDef] = encode_message(ModelDef((RigidBodyDescription(7, "ardrone"),)), version)
+    motive.replies[RequestModelDef] = encode_message(
+        ModelDef((RigidBodyDescription(7, "ardrone"),)), version
+    )
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     frames: list[tuple[Sighting, ...]] = []
@@ -326,11 +352,15 @@ async def test_an_unusable_group_is_named(loopback: str, bench: Any) -> None:
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     async with bench.running(tracker.run(lambda frame: None)):
-        await bench.until(lambda: "cannot join the multicast group 10.1.2.3:1511" in tracker.problem)
+        await bench.until(
+            lambda: "cannot join the multicast group 10.1.2.3:1511" in tracker.problem
+        )
     motive.transport.close()
 
 
-async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(loopback: str, bench: Any) -> None:
+async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(
+    loopback: str, bench: Any
+) -> None:
     motive = Motive()
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
@@ -342,16 +372,22 @@ async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(loopb
             while tracker.counts.flooded < 100:
                 for _ in range(50):
                     number += 1
-                    motive.tell(Frame(number, (HERE,), exposed=100 * number, sent=100 * number + 50))
+                    motive.tell(
+                        Frame(number, (HERE,), exposed=100 * number, sent=100 * number + 50)
+                    )
                 await asyncio.sleep(0)
         assert "more than 2000 datagrams a second" in tracker.problem
         await asyncio.sleep(1.1)
-        motive.tell(Frame(number + 1, (HERE,), exposed=100 * number + TICKS, sent=100 * number + TICKS))
+        motive.tell(
+            Frame(number + 1, (HERE,), exposed=100 * number + TICKS, sent=100 * number + TICKS)
+        )
         await bench.until(lambda: tracker.problem == "")
     motive.transport.close()
 
 
-async def test_garbage_between_frames_is_counted_and_harms_nothing(loopback: str, bench: Any) -> None:
+async def test_garbage_between_frames_is_counted_and_harms_nothing(
+    loopback: str, bench: Any
+) -> None:
     motive = Motive()
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
@@ -369,7 +405,9 @@ async def test_garbage_between_frames_is_counted_and_harms_nothing(loopback: str
     motive.transport.close()
 
 
-async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: str, bench: Any) -> None:
+async def test_a_server_of_another_protocol_is_named_and_asked_again(
+    loopback: str, bench: Any
+) -> None:
     motive = Motive(reply={Connect: b"HTTP/1.1 400 Bad Request\r\n"})
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
@@ -390,7 +428,9 @@ async def test_a_body_added_later_gets_its_name(loopback: str, bench: Any) -> No
             await bench.until(lambda: any(frames))
         for number in range(200):
             captured = 1e5 + 0.01 * number
-            server.publish(MocapFrame(number, captured, captured + 0.01, (("guest", bench.VISITOR),)))
+            server.publish(
+                MocapFrame(number, captured, captured + 0.01, (("guest", bench.VISITOR),))
+            )
             if frames[-1] and frames[-1][0].body == "guest":
                 break
             await asyncio.sleep(0.02)
@@ -419,7 +459,9 @@ async def test_poses_that_cannot_be_are_refused_one_by_one(loopback: str, bench:
     motive.transport.close()
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(st.lists(st.binary(max_size=200), max_size=6))
 async def test_garbage_never_ends_the_client(loopback: str, chunks: list[bytes]) -> None:
     class Babbler(asyncio.DatagramProtocol):
@@ -430,7 +472,9 @@ async def test_garbage_never_ends_the_client(loopback: str, chunks: list[bytes])
             for chunk in chunks:
                 self.transport.sendto(chunk, addr)  # type: ignore[attr-defined]
 
-    transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(Babbler, local_addr=(loopback, 1510))
+    transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
+        Babbler, local_addr=(loopback, 1510)
+    )
     task = asyncio.create_task(NatNetTracker(config(loopback)).run(lambda frame: None))
     await asyncio.sleep(0.02)
     assert not task.done()

@@ -23,7 +23,9 @@ def reader(y_up: bool = False) -> tuple[NatNetFrames, FrameCounts]:
 
 
 @given(st.lists(st.tuples(u64, u64, st.floats(0.0, 2.0)), min_size=1, max_size=40))
-def test_whatever_is_stamped_captures_neither_run_backwards_nor_into_the_future(stamps: list[tuple[int, int, float]]) -> None:
+def test_whatever_is_stamped_captures_neither_run_backwards_nor_into_the_future(
+    stamps: list[tuple[int, int, float]],
+) -> None:
     frames, _ = reader()
     now, last = 100.0, float("-inf")
     for number, (exposed, sent, pause) in enumerate(stamps):
@@ -43,7 +45,9 @@ def test_cameras_that_do_not_tell_the_exposure_are_taken_at_the_configured_laten
     frames, counts = reader()
     for number in range(10):
         now = 100.0 + 0.01 * number
-        (seen,) = frames.read(Frame(number, (HERE,), exposed=0, sent=5 * HZ + 10_000 * number), now) or ()
+        (seen,) = (
+            frames.read(Frame(number, (HERE,), exposed=0, sent=5 * HZ + 10_000 * number), now) or ()
+        )
         assert seen.captured_at == pytest.approx(now - LATENCY)
     assert counts.misstamped == 0
 

@@ -11,7 +11,11 @@ from housefly.geometry import Quaternion, Vec3, normalized
 from housefly.tracking.poses import FARTHEST, checked_pose
 
 place = st.tuples(*[st.floats(-FARTHEST, FARTHEST)] * 3)
-quaternion = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda q: sum(v * v for v in q) > 1e-3).map(normalized)
+quaternion = (
+    st.tuples(*[st.floats(-1, 1)] * 4)
+    .filter(lambda q: sum(v * v for v in q) > 1e-3)
+    .map(normalized)
+)
 
 
 @given(place, quaternion)
@@ -19,7 +23,9 @@ def test_a_sane_pose_stays_itself_with_w_positive(position: Vec3, orientation: Q
     pose = checked_pose(position, orientation, y_up=False)
     assert pose.position == position
     assert pose.orientation[0] >= 0
-    assert abs(sum(a * b for a, b in zip(pose.orientation, orientation, strict=True))) == pytest.approx(1.0)
+    assert abs(
+        sum(a * b for a, b in zip(pose.orientation, orientation, strict=True))
+    ) == pytest.approx(1.0)
 
 
 @given(place, quaternion)
@@ -33,7 +39,9 @@ def test_a_place_that_cannot_be_is_refused(value: float) -> None:
         checked_pose((0.0, value, 0.0), (1.0, 0.0, 0.0, 0.0), y_up=False)
 
 
-@pytest.mark.parametrize("q", [(0.0,) * 4, (2.0, 0.0, 0.0, 0.0), (float("nan"), 0.0, 0.0, 1.0), (float("inf"),) * 4])
+@pytest.mark.parametrize(
+    "q", [(0.0,) * 4, (2.0, 0.0, 0.0, 0.0), (float("nan"), 0.0, 0.0, 1.0), (float("inf"),) * 4]
+)
 def test_an_orientation_that_is_none_is_refused(q: Quaternion) -> None:
     with pytest.raises(WireError, match="unit quaternion"):
         checked_pose((0.0, 0.0, 0.0), q, y_up=False)

@@ -13,7 +13,9 @@ TICK, LATENCY = 1e-6, 0.02
 
 
 @given(st.lists(st.tuples(st.integers(0, 2**63), st.floats(0.0, 2.0)), min_size=1, max_size=50))
-def test_whatever_is_stamped_captures_neither_run_backwards_nor_into_the_future(frames: list[tuple[int, float]]) -> None:
+def test_whatever_is_stamped_captures_neither_run_backwards_nor_into_the_future(
+    frames: list[tuple[int, float]],
+) -> None:
     counts = FrameCounts()
     clock = SenderClock(counts)
     now, last, used = 100.0, float("-inf"), 0
@@ -28,7 +30,9 @@ def test_whatever_is_stamped_captures_neither_run_backwards_nor_into_the_future(
 
 
 @given(st.lists(st.floats(0.0, 0.005), min_size=20, max_size=100), st.integers(0, 10**15))
-def test_jitter_on_the_way_does_not_reach_the_capture_times(delays: list[float], start: int) -> None:
+def test_jitter_on_the_way_does_not_reach_the_capture_times(
+    delays: list[float], start: int
+) -> None:
     clock = SenderClock(FrameCounts())
     times = []
     for number, delay in enumerate([0.0, *delays]):
@@ -40,7 +44,10 @@ def test_jitter_on_the_way_does_not_reach_the_capture_times(delays: list[float],
 def test_repeated_and_late_frames_are_dropped_and_counted() -> None:
     counts = FrameCounts()
     clock = SenderClock(counts)
-    taken = [clock.captured_at(stamp, 0.001, LATENCY, 100.0 + 0.01 * n) for n, stamp in enumerate((50, 60, 60, 55, 70))]
+    taken = [
+        clock.captured_at(stamp, 0.001, LATENCY, 100.0 + 0.01 * n)
+        for n, stamp in enumerate((50, 60, 60, 55, 70))
+    ]
     assert [captured is not None for captured in taken] == [True, True, False, False, True]
     assert (counts.repeated, counts.backward) == (1, 1)
 

@@ -11,10 +11,10 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tracking_bench import Bench
 
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.vicon import ViconTracker
-from housefly.twin.vicon_server import ViconServer
+from housefly.twin.mocap.vicon_server import ViconServer
 
 pytestmark = pytest.mark.wire
 
@@ -27,7 +27,9 @@ def config(address: str) -> TrackingConfig:
 
 
 @pytest.mark.parametrize("rate_hz", [100.0, 30.0, 10.0])
-async def test_poses_arrive_at_every_rate_with_their_capture_times(loopback: str, rate_hz: float) -> None:
+async def test_poses_arrive_at_every_rate_with_their_capture_times(
+    loopback: str, rate_hz: float
+) -> None:
     server = ViconServer(loopback, 8010, rate_hz)
     await server.start()
     tracker = ViconTracker(config(loopback))
@@ -62,7 +64,10 @@ async def test_the_client_comes_back_when_the_server_does(loopback: str) -> None
     frames: list[tuple[Sighting, ...]] = []
     async with running(tracker.run(frames.append)):
         await until(lambda: "nobody answers" in tracker.problem)
-        assert tracker.problem == f"nobody answers at {loopback}:8010; is the Vicon Tracker running and streaming?"
+        assert (
+            tracker.problem
+            == f"nobody answers at {loopback}:8010; is the Vicon Tracker running and streaming?"
+        )
         for _ in range(2):
             frames.clear()
             server = ViconServer(loopback)
@@ -99,9 +104,13 @@ async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: s
     stranger.close()
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(st.lists(st.binary(max_size=200), max_size=4), st.booleans())
-async def test_garbage_never_ends_the_client(loopback: str, chunks: list[bytes], with_header: bool) -> None:
+async def test_garbage_never_ends_the_client(
+    loopback: str, chunks: list[bytes], with_header: bool
+) -> None:
     async def babble(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         for chunk in chunks:
             header = b"\x01\x00\x2b\x1a" + len(chunk).to_bytes(4, "little") if with_header else b""

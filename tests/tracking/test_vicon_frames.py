@@ -32,11 +32,17 @@ STATIC: list[Item] = [
     ApplicationInfo(),
     SubjectInfo(3, "ardrone", (Segment(8, "arm", parent=9), Segment(9, "ardrone"))),
 ]
-POSE = SegmentPose(9, (1000.0, -2000.0, 500.0), matrix_from_quaternion(quaternion_from_euler(0.0, 0.0, pi / 2)))
+POSE = SegmentPose(
+    9, (1000.0, -2000.0, 500.0), matrix_from_quaternion(quaternion_from_euler(0.0, 0.0, pi / 2))
+)
 
 
 def frame(number: int, pose: SegmentPose = POSE, latency: float = 0.03) -> list[Item]:
-    return [FrameInfo(number), LatencyInfo((("a", latency / 2), ("b", latency / 2))), GlobalSegments(3, (pose,))]
+    return [
+        FrameInfo(number),
+        LatencyInfo((("a", latency / 2), ("b", latency / 2))),
+        GlobalSegments(3, (pose,)),
+    ]
 
 
 def reader() -> tuple[FrameReader, FrameCounts]:
@@ -74,12 +80,16 @@ def test_a_frame_without_latency_uses_the_configured_one() -> None:
 @pytest.mark.parametrize("latency", [float("nan"), float("inf"), -1.0, 1e6])
 def test_an_impossible_latency_is_not_believed(latency: float) -> None:
     frames, _ = reader()
-    assert only(frames.read(STATIC + frame(1, latency=latency), 50.0)).captured_at == pytest.approx(49.98)
+    assert only(frames.read(STATIC + frame(1, latency=latency), 50.0)).captured_at == pytest.approx(
+        49.98
+    )
 
 
 def test_repeated_and_backward_frames_are_dropped_and_counted() -> None:
     frames, counts = reader()
-    taken = [frames.read(STATIC + frame(number), 50.0) is not None for number in (10, 11, 11, 9, 12)]
+    taken = [
+        frames.read(STATIC + frame(number), 50.0) is not None for number in (10, 11, 11, 9, 12)
+    ]
     assert taken == [True, True, False, False, True]
     assert (counts.frames, counts.repeated, counts.backward) == (3, 1, 1)
 
@@ -119,16 +129,28 @@ def test_packets_without_a_frame_are_no_frame() -> None:
 
 @given(
     st.lists(
-        st.tuples(st.integers(0, 2**32 - 1), st.floats(width=64), st.floats(), st.integers(-(2**63), 2**63 - 1)), max_size=20
+        st.tuples(
+            st.integers(0, 2**32 - 1),
+            st.floats(width=64),
+            st.floats(),
+            st.integers(-(2**63), 2**63 - 1),
+        ),
+        max_size=20,
     )
 )
-def test_whatever_numbers_come_every_sighting_is_finite_and_ordered(rows: list[tuple[int, float, float, int]]) -> None:
+def test_whatever_numbers_come_every_sighting_is_finite_and_ordered(
+    rows: list[tuple[int, float, float, int]],
+) -> None:
     frames, _ = reader()
     last, now = float("-inf"), 50.0
     for number, coordinate, latency, ticks in rows:
         now += 0.01
-        pose = replace(POSE, translation_mm=(coordinate, 0.0, 0.0), rotation=matrix_from_quaternion(IDENTITY))
-        for seen in frames.read([*STATIC, StreamInfo(ticks), *frame(number, pose, latency)], now) or ():
+        pose = replace(
+            POSE, translation_mm=(coordinate, 0.0, 0.0), rotation=matrix_from_quaternion(IDENTITY)
+        )
+        for seen in (
+            frames.read([*STATIC, StreamInfo(ticks), *frame(number, pose, latency)], now) or ()
+        ):
             assert abs(seen.pose.position[0]) <= 1000.0
             assert last <= seen.captured_at <= seen.received_at
             last = seen.captured_at

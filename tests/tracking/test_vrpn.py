@@ -14,11 +14,11 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking import vrpn
 from housefly.tracking.vrpn import VrpnTracker
-from housefly.twin.vrpn_server import VrpnServer
+from housefly.twin.mocap.vrpn_server import VrpnServer
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
     POSE,
@@ -34,7 +34,9 @@ from housefly.wires.vrpn import (
 
 pytestmark = pytest.mark.wire
 
-NAMES = encode_message(describe(TYPE_DESCRIPTION, 3, POSE)) + encode_message(describe(SENDER_DESCRIPTION, 5, "ardrone"))
+NAMES = encode_message(describe(TYPE_DESCRIPTION, 3, POSE)) + encode_message(
+    describe(SENDER_DESCRIPTION, 5, "ardrone")
+)
 HERE = TrackerPose(0, (1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.0))
 Say = Callable[[asyncio.StreamWriter], Awaitable[None]]
 
@@ -49,7 +51,9 @@ def told(stamp: int, pose: TrackerPose = HERE, sender: int = 5) -> bytes:
 
 @asynccontextmanager
 async def saying(address: str, say: Say) -> AsyncIterator[list[int]]:
-    """Serve cookie and names, then what the test says; yields a list that grows with each connection."""
+    """Serve cookie and names, then what the test says; yields a list that grows with each
+    connection.
+    """
     connections: list[int] = []
 
     async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -70,7 +74,9 @@ async def saying(address: str, say: Say) -> AsyncIterator[list[int]]:
 
 @pytest.mark.parametrize("transport", ["tcp", "udp"])
 @pytest.mark.parametrize("rate_hz", [100.0, 10.0])
-async def test_poses_arrive_with_their_capture_times(loopback: str, bench: Any, transport: str, rate_hz: float) -> None:
+async def test_poses_arrive_with_their_capture_times(
+    loopback: str, bench: Any, transport: str, rate_hz: float
+) -> None:
     server = VrpnServer(loopback)
     await server.start()
     tracker = VrpnTracker(config(loopback, transport))
@@ -92,13 +98,19 @@ async def test_poses_arrive_with_their_capture_times(loopback: str, bench: Any, 
 
 
 @pytest.mark.parametrize("transport", ["tcp", "udp"])
-async def test_the_genuine_server_is_read(loopback: str, bench: Any, tmp_path: Path, transport: str) -> None:
+async def test_the_genuine_server_is_read(
+    loopback: str, bench: Any, tmp_path: Path, transport: str
+) -> None:
     program = shutil.which("vrpn_server")
     if program is None:
         pytest.skip("vrpn_server (github.com/vrpn/vrpn) is not installed")
     settings_file = tmp_path / "vrpn.cfg"
-    settings_file.write_text("vrpn_Tracker_NULL Still 2 100.0\nvrpn_Tracker_Spin Spinning 1 100.0 0 0 1 0.5\n")
-    server = await asyncio.create_subprocess_exec(program, "-f", str(settings_file), "-NIC", loopback, "3883")
+    settings_file.write_text(
+        "vrpn_Tracker_NULL Still 2 100.0\nvrpn_Tracker_Spin Spinning 1 100.0 0 0 1 0.5\n"
+    )
+    server = await asyncio.create_subprocess_exec(
+        program, "-f", str(settings_file), "-NIC", loopback, "3883"
+    )
     tracker = VrpnTracker(config(loopback, transport))
     frames: list[tuple[Sighting, ...]] = []
     try:
@@ -119,7 +131,9 @@ async def test_both_axes_can_point_up(loopback: str, bench: Any) -> None:
     server = VrpnServer(loopback, y_up=True)
     await server.start()
     frames: list[tuple[Sighting, ...]] = []
-    async with bench.running(bench.feed(server), VrpnTracker(config(loopback, up_axis="y")).run(frames.append)):
+    async with bench.running(
+        bench.feed(server), VrpnTracker(config(loopback, up_axis="y")).run(frames.append)
+    ):
         await bench.until(lambda: bool(frames))
     await server.stop()
     assert frames[-1][0].pose.position == pytest.approx(bench.DRONE.position)
@@ -129,13 +143,17 @@ async def test_a_body_that_the_cameras_lost_is_not_in_the_frame(loopback: str, b
     server = VrpnServer(loopback)
     await server.start()
     frames: list[tuple[Sighting, ...]] = []
-    async with bench.running(bench.feed(server, drone=None), VrpnTracker(config(loopback)).run(frames.append)):
+    async with bench.running(
+        bench.feed(server, drone=None), VrpnTracker(config(loopback)).run(frames.append)
+    ):
         await bench.until(lambda: len(frames) >= 5)
     await server.stop()
     assert {seen.body for frame in frames for seen in frame} == {"visitor"}
 
 
-async def test_a_clock_that_leaps_ahead_and_back_costs_no_pose_and_makes_none_of_the_future(loopback: str, bench: Any) -> None:
+async def test_a_clock_that_leaps_ahead_and_back_costs_no_pose_and_makes_none_of_the_future(
+    loopback: str, bench: Any
+) -> None:
     server = VrpnServer(loopback)
     await server.start()
     tracker = VrpnTracker(config(loopback))
@@ -150,8 +168,12 @@ async def test_a_clock_that_leaps_ahead_and_back_costs_no_pose_and_makes_none_of
     assert all(0 <= seen.received_at - seen.captured_at < 0.5 for frame in frames for seen in frame)
 
 
-@pytest.mark.parametrize(("transport", "words"), [("tcp", "nobody answers"), ("udp", "does not connect back")])
-async def test_the_client_comes_back_when_the_server_does(loopback: str, bench: Any, transport: str, words: str) -> None:
+@pytest.mark.parametrize(
+    ("transport", "words"), [("tcp", "nobody answers"), ("udp", "does not connect back")]
+)
+async def test_the_client_comes_back_when_the_server_does(
+    loopback: str, bench: Any, transport: str, words: str
+) -> None:
     tracker = VrpnTracker(config(loopback, transport))
     frames: list[tuple[Sighting, ...]] = []
     async with bench.running(tracker.run(frames.append)):
@@ -177,14 +199,19 @@ async def test_a_server_that_freezes_is_named_and_connected_to_anew(
         await asyncio.sleep(60.0)
 
     tracker = VrpnTracker(config(loopback))
-    async with saying(loopback, freeze) as connections, bench.running(tracker.run(lambda frame: None)):
+    async with (
+        saying(loopback, freeze) as connections,
+        bench.running(tracker.run(lambda frame: None)),
+    ):
         await bench.until(lambda: "no new poses arrive" in tracker.problem)
         assert not tracker.connected
         await bench.until(lambda: "silent" in tracker.problem)
         await bench.until(lambda: len(connections) >= 2)
 
 
-async def test_a_server_without_a_cookie_is_named(loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_server_without_a_cookie_is_named(
+    loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(vrpn, "CONNECT_TIMEOUT", 0.3)
 
     async def mute(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -198,7 +225,9 @@ async def test_a_server_without_a_cookie_is_named(loopback: str, bench: Any, mon
     server.close()
 
 
-async def test_a_connection_lost_in_the_middle_of_a_message_is_made_anew(loopback: str, bench: Any) -> None:
+async def test_a_connection_lost_in_the_middle_of_a_message_is_made_anew(
+    loopback: str, bench: Any
+) -> None:
     async def cut(writer: asyncio.StreamWriter) -> None:
         writer.write(told(1_000_000) + told(2_000_000)[:40])
         await writer.drain()
@@ -224,7 +253,9 @@ async def test_a_version_that_we_do_not_speak_is_named(loopback: str, bench: Any
     server.close()
 
 
-async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: str, bench: Any) -> None:
+async def test_a_server_of_another_protocol_is_named_and_asked_again(
+    loopback: str, bench: Any
+) -> None:
     async def speak_http(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         writer.write(b"HTTP/1.1 400 Bad Request\r\n\r\n")
         await reader.read()
@@ -238,7 +269,9 @@ async def test_a_server_of_another_protocol_is_named_and_asked_again(loopback: s
     stranger.close()
 
 
-async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(loopback: str, bench: Any) -> None:
+async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(
+    loopback: str, bench: Any
+) -> None:
     async def flood(writer: asyncio.StreamWriter) -> None:
         for number in range(20_000):
             writer.write(told(1000 * number))
@@ -272,9 +305,13 @@ async def test_sensors_beyond_the_first_are_bodies_of_their_own(loopback: str, b
     assert (counts.unnamed, counts.refused, counts.backward) == (3, 1, 1)
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(st.lists(st.binary(max_size=200), max_size=4), st.booleans())
-async def test_garbage_never_ends_the_client(loopback: str, chunks: list[bytes], with_cookie: bool) -> None:
+async def test_garbage_never_ends_the_client(
+    loopback: str, chunks: list[bytes], with_cookie: bool
+) -> None:
     async def babble(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         for chunk in [encode_cookie() + NAMES if with_cookie else b"", *chunks]:
             writer.write(chunk)

@@ -8,7 +8,7 @@ from math import radians
 
 import pytest
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
 from housefly.twin.contracts import Flight, Stick
@@ -42,7 +42,14 @@ class Hand:
         self.world.stick(Stick())
         self.wait(2.0)
 
-    def fly(self, forward: float = 0.0, left: float = 0.0, up: float = 0.0, turn: float = 0.0, seconds: float = 1.0) -> None:
+    def fly(
+        self,
+        forward: float = 0.0,
+        left: float = 0.0,
+        up: float = 0.0,
+        turn: float = 0.0,
+        seconds: float = 1.0,
+    ) -> None:
         """Hold a stick for some time."""
         self.world.stick(Stick(forward, left, up, turn, hover=False))
         self.wait(seconds)
@@ -52,9 +59,15 @@ class Hand:
 def make_room() -> Callable[..., Room]:
     """Return a maker of rooms 12 m by 5 m with nothing in them unless asked."""
 
-    def make(solids: tuple[Solid, ...] = (), cameras: tuple[TrackingCamera, ...] = (), visitor: Vec2 | None = None) -> Room:
+    def make(
+        solids: tuple[Solid, ...] = (),
+        cameras: tuple[TrackingCamera, ...] = (),
+        visitor: Vec2 | None = None,
+    ) -> Room:
         place = Place("home", HOME, (3.0, 2.5, 1.0))
-        return Room("hall", (0.0, 0.0, 12.0, 5.0), 2.6, solids, (place,), cameras, HOME, 0.0, visitor)
+        return Room(
+            "hall", (0.0, 0.0, 12.0, 5.0), 2.6, solids, (place,), cameras, HOME, 0.0, visitor
+        )
 
     return make
 
@@ -87,4 +100,6 @@ def ceiling_cameras() -> tuple[TrackingCamera, ...]:
     down = quaternion_from_euler(radians(180.0), 0.0, 0.0)
     view = (radians(80.0), radians(80.0))
     at: tuple[Vec3, ...] = ((1.5, 2.5, 2.6), (2.5, 2.5, 2.6), (2.0, 3.0, 2.6))
-    return tuple(TrackingCamera(f"camera {n}", position, down, view, 5.0) for n, position in enumerate(at))
+    return tuple(
+        TrackingCamera(f"camera {n}", position, down, view, 5.0) for n, position in enumerate(at)
+    )

@@ -33,7 +33,10 @@ def test_the_same_seed_is_the_same_flight_bit_for_bit_whoever_looks(make_world: 
 
 
 def test_another_seed_is_another_flight(make_world: MakeWorld) -> None:
-    assert errand(make_world(twin__seed=1), look=False)[-2:] != errand(make_world(twin__seed=2), look=False)[-2:]
+    assert (
+        errand(make_world(twin__seed=1), look=False)[-2:]
+        != errand(make_world(twin__seed=2), look=False)[-2:]
+    )
 
 
 def test_time_in_many_small_steps_is_the_same_flight(make_world: MakeWorld) -> None:

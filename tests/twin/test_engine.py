@@ -6,7 +6,10 @@ import pytest
 
 @pytest.mark.parametrize(
     ("substitute", "remedy"),
-    [("sys.modules['mujoco'] = None", "housefly[twin]"), ("sys.meta_path.insert(0, Broken())", "unset MUJOCO_GL")],
+    [
+        ("sys.modules['mujoco'] = None", "housefly[twin]"),
+        ("sys.meta_path.insert(0, Broken())", "unset MUJOCO_GL"),
+    ],
 )
 def test_without_a_usable_mujoco_the_error_names_the_remedy(substitute: str, remedy: str) -> None:
     code = f"""

@@ -8,8 +8,8 @@ from math import exp
 import pytest
 
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
+from housefly.twin.ardrone.onboard_loops import Wrench
 from housefly.twin.contracts import Flight, OnboardLimits, Stick, World
-from housefly.twin.onboard_loops import Wrench
 from housefly.twin.world import SimulatedWorld, motor_duties
 
 MakeWorld = Callable[..., SimulatedWorld]
@@ -28,7 +28,10 @@ def body_speed(world: World) -> tuple[float, float, float]:
     return rotate((w, -x, -y, -z), world.truth().velocity)
 
 
-@pytest.mark.parametrize(("stick", "axis", "sign"), [("forward", 1, 1), ("forward", 1, -1), ("left", 0, 1), ("left", 0, -1)])
+@pytest.mark.parametrize(
+    ("stick", "axis", "sign"),
+    [("forward", 1, 1), ("forward", 1, -1), ("left", 0, 1), ("left", 0, -1)],
+)
 def test_attitude_follows_the_stick_like_a_first_order_lag(
     make_world: MakeWorld, hand: type, stick: str, axis: int, sign: int
 ) -> None:
@@ -49,14 +52,18 @@ def test_attitude_follows_the_stick_like_a_first_order_lag(
 
 
 @pytest.mark.parametrize("gain", [0.7, 1.2])
-def test_the_achieved_angle_is_the_configured_share_of_the_commanded(make_world: MakeWorld, hand: type, gain: float) -> None:
+def test_the_achieved_angle_is_the_configured_share_of_the_commanded(
+    make_world: MakeWorld, hand: type, gain: float
+) -> None:
     world = make_world(drone__attitude_gain=gain)
     hand(world).hover(1.5)
     hand(world).fly(forward=0.5, seconds=1.0)
     assert tilt_of(world)[1] == pytest.approx(0.5 * TILT * gain, abs=0.004)
 
 
-def test_full_stick_ends_at_the_speed_where_drag_balances_tilt(make_world: MakeWorld, hand: type) -> None:
+def test_full_stick_ends_at_the_speed_where_drag_balances_tilt(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     hand(world).hover(2.0)
     hand(world).fly(forward=1.0, seconds=9.0)
@@ -64,7 +71,9 @@ def test_full_stick_ends_at_the_speed_where_drag_balances_tilt(make_world: MakeW
     assert world.truth().pose.position[2] == pytest.approx(2.0, abs=0.3)
 
 
-def test_the_same_stick_sinks_twice_as_fast_as_it_climbs_but_no_faster_than_allowed(make_world: MakeWorld, hand: type) -> None:
+def test_the_same_stick_sinks_twice_as_fast_as_it_climbs_but_no_faster_than_allowed(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     world.set_limits(OnboardLimits(altitude=6.0))
     hand(world).hover(1.2)
@@ -89,7 +98,9 @@ def test_the_altitude_limit_holds(make_world: MakeWorld, hand: type) -> None:
     assert world.truth().pose.position[2] < 1.75
 
 
-def test_yaw_rate_follows_within_tenths_of_a_second_and_only_yaw_changes(make_world: MakeWorld, hand: type) -> None:
+def test_yaw_rate_follows_within_tenths_of_a_second_and_only_yaw_changes(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     hand(world).hover()
     before = world.truth().pose
@@ -97,7 +108,9 @@ def test_yaw_rate_follows_within_tenths_of_a_second_and_only_yaw_changes(make_wo
     rate = world.onboard().angular_rate[2]
     hand(world).fly(turn=0.5, seconds=0.74)
     assert rate == pytest.approx(0.5 * 1.7453, rel=0.05)
-    assert world.truth().pose.yaw - before.yaw == pytest.approx(0.5 * 1.7453 * (1.0 - 0.06 - 0.04), rel=0.05)
+    assert world.truth().pose.yaw - before.yaw == pytest.approx(
+        0.5 * 1.7453 * (1.0 - 0.06 - 0.04), rel=0.05
+    )
     assert distance(world.truth().pose.position, before.position) < 0.1
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint
 from housefly.room.model import Room
 from housefly.twin.contracts import Flight, OnboardLimits
@@ -72,7 +72,12 @@ def test_a_setpoint_is_reached_with_its_own_sign_and_size(
     before = room.telemetry()
     keep(room, Command(Action.FLY, setpoint), 1.0)
     after = room.telemetry()
-    told = {"theta": after.theta, "phi": after.phi, "climb": after.height - before.height, "turn": after.psi - before.psi}
+    told = {
+        "theta": after.theta,
+        "phi": after.phi,
+        "climb": after.height - before.height,
+        "turn": after.psi - before.psi,
+    }
     assert told[axis] == pytest.approx(value, rel=0.2)
 
 
@@ -104,7 +109,10 @@ def test_sightings_carry_both_times_and_come_once(room: LockstepRoom, site: Site
     sightings = room.sightings()
     assert len(sightings) == pytest.approx(98, abs=2)
     assert room.sightings() == ()
-    assert all(s.body == site.tracking.body and 0.02 <= s.received_at - s.captured_at < 0.03 for s in sightings)
+    assert all(
+        s.body == site.tracking.body and 0.02 <= s.received_at - s.captured_at < 0.03
+        for s in sightings
+    )
 
 
 def test_telemetry_is_new_every_five_milliseconds(room: LockstepRoom) -> None:
@@ -128,17 +136,26 @@ def test_every_state_of_the_firmware_has_a_word_for_the_pilot() -> None:
 
 
 @given(SMALL, SMALL, SMALL, SMALL)
-def test_no_setpoint_leaves_the_stick_range(theta: float, phi: float, vz: float, yaw_rate: float) -> None:
+def test_no_setpoint_leaves_the_stick_range(
+    theta: float, phi: float, vz: float, yaw_rate: float
+) -> None:
     stick = stick_of(Setpoint(theta, phi, vz, yaw_rate), OnboardLimits())
     assert all(abs(value) <= 1.0 for value in (stick.forward, stick.left, stick.up, stick.turn))
     assert not stick.hover
 
 
 @given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(-0.7, 0.7), st.floats(-1.7, 1.7))
-def test_within_the_maxima_the_stick_is_the_share_of_the_maximum(theta: float, phi: float, vz: float, yaw_rate: float) -> None:
+def test_within_the_maxima_the_stick_is_the_share_of_the_maximum(
+    theta: float, phi: float, vz: float, yaw_rate: float
+) -> None:
     limits = OnboardLimits(tilt=0.2, climb=0.7, yaw_rate=pi)
     stick = stick_of(Setpoint(theta, phi, vz, yaw_rate), limits)
-    assert (stick.forward * 0.2, -stick.left * 0.2, stick.up * 0.7, stick.turn * pi) == pytest.approx((theta, phi, vz, yaw_rate))
+    assert (
+        stick.forward * 0.2,
+        -stick.left * 0.2,
+        stick.up * 0.7,
+        stick.turn * pi,
+    ) == pytest.approx((theta, phi, vz, yaw_rate))
 
 
 def test_a_level_setpoint_is_level_flight_and_not_hover() -> None:

@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from housefly.clock import RealClock
-from housefly.config import Site, TrackingConfig
+from housefly.config.site import Site, TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.natnet import NatNetTracker
 from housefly.tracking.vicon import ViconTracker
@@ -44,7 +44,14 @@ async def start(tmp_path: Path) -> AsyncIterator[Start]:
         site = tmp_path / "site.toml"
         site.write_text(text)
         process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "housefly.twin.process", "--site", str(site), *options, stdout=PIPE, stderr=STDOUT
+            sys.executable,
+            "-m",
+            "housefly.twin.process",
+            "--site",
+            str(site),
+            *options,
+            stdout=PIPE,
+            stderr=STDOUT,
         )
         started.append(process)
         return process
@@ -58,7 +65,11 @@ async def start(tmp_path: Path) -> AsyncIterator[Start]:
 
 async def test_it_says_when_it_is_ready_serves_and_ends_on_a_signal(start, loopback):
     process = await start(site_text(loopback))
-    assert await line(process) == f"twin ready: drone at {loopback}, tracking at {loopback}:{Site().tracking.port}, video off"
+    assert (
+        await line(process)
+        == f"twin ready: drone at {loopback}, tracking at {loopback}:{Site().tracking.port},"
+        " video off"
+    )
 
     received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
     transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
@@ -89,14 +100,20 @@ async def test_it_poses_as_every_tracking_system_at_once(start, loopback):
     places: dict[str, set[tuple[float, ...]]] = {}
     trackers = [
         kind(TrackingConfig(kind=name, address=loopback), RealClock())
-        for name, kind in (("vicon", ViconTracker), ("natnet", NatNetTracker), ("vrpn", VrpnTracker))
+        for name, kind in (
+            ("vicon", ViconTracker),
+            ("natnet", NatNetTracker),
+            ("vrpn", VrpnTracker),
+        )
     ]
 
     def sink(name: str) -> Callable[[tuple[Sighting, ...]], None]:
         def take(frame: tuple[Sighting, ...]) -> None:
             seen = {sighting.body: sighting.pose for sighting in frame}
             if "ardrone" in seen:
-                places.setdefault(name, set()).add(tuple(round(value, 4) for value in seen["ardrone"].position))
+                places.setdefault(name, set()).add(
+                    tuple(round(value, 4) for value in seen["ardrone"].position)
+                )
 
         return take
 
@@ -118,7 +135,9 @@ async def test_a_signal_makes_the_visitor_leave_and_the_tracking_sees_it(start, 
     seen: set[str] = set()
     config = TrackingConfig(address=loopback)
     tracker = ViconTracker(config, RealClock())
-    tracking = asyncio.create_task(tracker.run(lambda sightings: seen.update(sighting.body for sighting in sightings)))
+    tracking = asyncio.create_task(
+        tracker.run(lambda sightings: seen.update(sighting.body for sighting in sightings))
+    )
 
     async def visitor_is(present: bool) -> bool:
         for _ in range(50):
@@ -142,7 +161,11 @@ async def test_the_drone_serves_on_while_its_camera_is_killed_and_comes_back(sta
     reader, writer = await asyncio.open_connection(loopback, VIDEO_PORT)
     await pictures(reader, 5)
 
-    (camera,) = [child for child in psutil.Process(process.pid).children() if "camera_child" in " ".join(child.cmdline())]
+    (camera,) = [
+        child
+        for child in psutil.Process(process.pid).children()
+        if "camera_child" in " ".join(child.cmdline())
+    ]
     camera.kill()
     text = await line(process)
     while "started again" not in text:

@@ -1,4 +1,6 @@
-"""What a drone does that loses its client in mid-flight: the room must know, because nothing of ours can help then."""
+"""What a drone does that loses its client in mid-flight: the room must know, because nothing of
+ours can help then.
+"""
 
 from __future__ import annotations
 

@@ -24,11 +24,16 @@ def test_the_world_offers_what_the_wire_servers_ask(make_world: MakeWorld) -> No
     assert world.truth().at == pytest.approx(0.015)
 
 
-def test_take_off_reaches_a_metre_in_four_to_five_seconds(make_world: MakeWorld, hand: type) -> None:
+def test_take_off_reaches_a_metre_in_four_to_five_seconds(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     world.request_take_off()
     reached: list[float] = []
-    hand(world).wait(9.0, lambda: reached.append(world.now) if world.onboard().flight is Flight.HOVERING else None)
+    hand(world).wait(
+        9.0,
+        lambda: reached.append(world.now) if world.onboard().flight is Flight.HOVERING else None,
+    )
     assert 3.5 < reached[0] < 5.0
     assert world.truth().pose.position[2] == pytest.approx(1.05, abs=0.1)
     assert distance(world.truth().pose.position[:2], (2.0, 2.5)) < 0.15
@@ -46,7 +51,9 @@ def test_landing_touches_softly_and_stops_the_motors(make_world: MakeWorld, hand
     assert min(sink) > -0.6
 
 
-def test_an_emergency_in_the_air_falls_and_can_be_left_on_the_ground(make_world: MakeWorld, hand: type) -> None:
+def test_an_emergency_in_the_air_falls_and_can_be_left_on_the_ground(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     hand(world).hover()
     world.toggle_emergency()
@@ -60,7 +67,9 @@ def test_an_emergency_in_the_air_falls_and_can_be_left_on_the_ground(make_world:
     assert world.onboard().flight is Flight.LANDED
 
 
-def test_landing_above_a_table_ends_on_the_table(make_world: MakeWorld, make_room: Callable[..., Room], hand: type) -> None:
+def test_landing_above_a_table_ends_on_the_table(
+    make_world: MakeWorld, make_room: Callable[..., Room], hand: type
+) -> None:
     table = Solid("table", "table", Shape.BOX, (2.0, 2.5, 0.35), (1.5, 1.5, 0.7))
     world = make_world(make_room((table,)))
     world.put_drone((2.0, 2.5, 0.75))
@@ -71,7 +80,9 @@ def test_landing_above_a_table_ends_on_the_table(make_world: MakeWorld, make_roo
     assert world.truth().pose.position[2] == pytest.approx(0.75, abs=0.01)
 
 
-def test_a_silent_client_raises_the_flag_then_lands_the_drone(make_world: MakeWorld, hand: type) -> None:
+def test_a_silent_client_raises_the_flag_then_lands_the_drone(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world()
     hand(world).hover()
     world.keep_alive()
@@ -87,7 +98,9 @@ def test_a_silent_client_raises_the_flag_then_lands_the_drone(make_world: MakeWo
     assert world.onboard().flight is Flight.LANDED
 
 
-def test_a_nearly_empty_battery_lands_the_drone_by_itself(make_world: MakeWorld, hand: type) -> None:
+def test_a_nearly_empty_battery_lands_the_drone_by_itself(
+    make_world: MakeWorld, hand: type
+) -> None:
     world = make_world(twin__battery=0.09)
     hand(world).hover()
     hand(world).wait(60.0)
@@ -140,21 +153,41 @@ STICKS = st.builds(
 )
 
 
-@settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(st.lists(st.tuples(STICKS, st.sampled_from(("fly", "fly", "fly", "land", "take off", "toggle"))), min_size=1, max_size=6))
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(
+    st.lists(
+        st.tuples(STICKS, st.sampled_from(("fly", "fly", "fly", "land", "take off", "toggle"))),
+        min_size=1,
+        max_size=6,
+    )
+)
 def test_no_stick_and_no_request_can_make_the_state_senseless(
-    make_world: MakeWorld, make_room: Callable[..., Room], hand: type, wall: Solid, orders: list[tuple[Stick, str]]
+    make_world: MakeWorld,
+    make_room: Callable[..., Room],
+    hand: type,
+    wall: Solid,
+    orders: list[tuple[Stick, str]],
 ) -> None:
     world = make_world(make_room((wall,)))
     hand(world).hover()
     for stick, request in orders:
         world.stick(stick)
-        {"fly": lambda: None, "land": world.request_land, "take off": world.request_take_off, "toggle": world.toggle_emergency}[
-            request
-        ]()
+        {
+            "fly": lambda: None,
+            "land": world.request_land,
+            "take off": world.request_take_off,
+            "toggle": world.toggle_emergency,
+        }[request]()
         hand(world).wait(0.7)
     truth, onboard = world.truth(), world.onboard()
-    assert all(map(isfinite, (*truth.pose.position, *truth.velocity, *onboard.velocity, onboard.phi, onboard.height)))
+    assert all(
+        map(
+            isfinite,
+            (*truth.pose.position, *truth.velocity, *onboard.velocity, onboard.phi, onboard.height),
+        )
+    )
     assert -0.1 < truth.pose.position[2] < 5.0
     assert max(map(abs, truth.velocity)) < 10.0
     assert all(0.0 <= motor <= 1.0 for motor in onboard.motors)

@@ -1,4 +1,6 @@
-"""A console served on a loopback address, with a pretended pilot behind it, and real Chromium before it."""
+"""A console served on a loopback address, with a pretended pilot behind it, and real Chromium
+before it.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,7 @@ from playwright.async_api import Browser, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.local import LocalBus
-from housefly.bus.queries import RoomView
+from housefly.hub.api.queries import RoomView
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_desk import EditDesk
 from housefly.web.process import make_server
@@ -74,16 +76,24 @@ class Served:
     def link(self) -> str:
         return f"{self.origin}/?token={TOKEN}"
 
-    async def request(self, method: str, path: str, **headers: str) -> tuple[int, dict[str, str], str]:
+    async def request(
+        self, method: str, path: str, **headers: str
+    ) -> tuple[int, dict[str, str], str]:
         """Return status, headers in lower case, and text of one request."""
         return await asyncio.to_thread(self._request, method, path, headers)
 
-    def _request(self, method: str, path: str, headers: dict[str, str]) -> tuple[int, dict[str, str], str]:
+    def _request(
+        self, method: str, path: str, headers: dict[str, str]
+    ) -> tuple[int, dict[str, str], str]:
         connection = http.client.HTTPConnection(self.host, self.port, timeout=5)
         try:
             connection.request(method, path, headers=headers)
             answer = connection.getresponse()
-            return answer.status, {k.lower(): v for k, v in answer.getheaders()}, answer.read().decode()
+            return (
+                answer.status,
+                {k.lower(): v for k, v in answer.getheaders()},
+                answer.read().decode(),
+            )
         finally:
             connection.close()
 
@@ -93,11 +103,16 @@ class Served:
         return headers["set-cookie"].partition(";")[0]
 
     @contextlib.asynccontextmanager
-    async def talk(self, cookie: str, tab: str = "tab-number-one", name: str = "", **headers: str) -> AsyncIterator[Talk]:
+    async def talk(
+        self, cookie: str, tab: str = "tab-number-one", name: str = "", **headers: str
+    ) -> AsyncIterator[Talk]:
         """Open a console's socket as a browser does, and say hello."""
         given = {"Cookie": cookie, **headers}
         async with connect(
-            f"ws://{self.host}:{self.port}/socket", origin=self.origin, additional_headers=given, close_timeout=0.2
+            f"ws://{self.host}:{self.port}/socket",
+            origin=self.origin,
+            additional_headers=given,
+            close_timeout=0.2,
         ) as one:
             talk = Talk(one)
             await talk.say(type="hello", tab=tab, name=name)
@@ -133,7 +148,13 @@ async def serve(
         loop = asyncio.get_running_loop()
         pilot = PretendedPilot(bus.join(), view or example_room())
         app = create_app(
-            bus, TOKEN, lambda: stops.append(loop.time()), hosts=frozenset({host}), secret=SECRET, coverage=coverage, edits=edits
+            bus,
+            TOKEN,
+            lambda: stops.append(loop.time()),
+            hosts=frozenset({host}),
+            secret=SECRET,
+            coverage=coverage,
+            edits=edits,
         )
         server: uvicorn.Server = make_server(app)
         serving = asyncio.create_task(server.serve([listener]))
@@ -163,10 +184,20 @@ def serving() -> Callable[..., contextlib.AbstractAsyncContextManager[Served]]:
 @pytest_asyncio.fixture(loop_scope="module", scope="module")
 async def chromium() -> AsyncIterator[Browser]:
     """Yield real headless Chromium, one for a whole file of tests, or skip."""
-    path = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    path = (
+        shutil.which("chromium")
+        or shutil.which("chromium-browser")
+        or shutil.which("google-chrome")
+    )
     if path is None:
         pytest.skip("Chromium is not installed")
-    quiet = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--no-first-run"]
+    quiet = [
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--no-first-run",
+    ]
     async with async_playwright() as playwright:
         browser = await playwright.chromium.launch(executable_path=path, args=quiet)
         yield browser

@@ -26,13 +26,23 @@ DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
 
 @pytest_asyncio.fixture(loop_scope="module")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
-    """Yield the console opened by its printed link; fails on any error of the page and any request to another host."""
+    """Yield the console opened by its printed link; fails on any error of the page and any request
+    to another host.
+    """
     context = await chromium.new_context(viewport=DESKTOP)
     page = await context.new_page()
     troubles: list[str] = []
     page.on("pageerror", lambda error: troubles.append(str(error)))
-    page.on("console", lambda message: troubles.append(message.text) if message.type == "error" else None)
-    page.on("request", lambda request: troubles.append(request.url) if foreign(request.url, console.origin) else None)
+    page.on(
+        "console",
+        lambda message: troubles.append(message.text) if message.type == "error" else None,
+    )
+    page.on(
+        "request",
+        lambda request: (
+            troubles.append(request.url) if foreign(request.url, console.origin) else None
+        ),
+    )
     await page.goto(console.link)
     await expect(page.locator(".drone")).to_be_visible()
     yield page
@@ -72,13 +82,17 @@ async def click_map(page: Page, x: float, y: float) -> None:
     await plan.click(position={"x": left + x * scale, "y": top + (4.0 - y) * scale})
 
 
-async def test_the_token_is_gone_from_the_address_and_a_reload_still_works(page: Page, console: Any) -> None:
+async def test_the_token_is_gone_from_the_address_and_a_reload_still_works(
+    page: Page, console: Any
+) -> None:
     assert page.url == f"{console.origin}/"
     await page.reload()
     await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
 
 
-async def test_a_place_is_chosen_previewed_held_and_flown_to(page: Page, console: Any, until: Until) -> None:
+async def test_a_place_is_chosen_previewed_held_and_flown_to(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.get_by_role("button", name="Entrance", exact=True).click()
     await expect(page.locator(".ghost .tag")).to_contain_text("5.4 m")
     await expect(page.locator(".plan .way")).to_contain_text("Entrance")
@@ -107,14 +121,18 @@ async def test_a_point_on_the_map_becomes_a_goal(page: Page, console: Any, until
     assert abs(x - 5.6) < 0.13 and abs(y - 1.4) < 0.13
 
 
-async def test_a_goal_in_an_obstacle_is_moved_to_the_nearest_free_point_and_says_so(page: Page) -> None:
+async def test_a_goal_in_an_obstacle_is_moved_to_the_nearest_free_point_and_says_so(
+    page: Page,
+) -> None:
     await click_map(page, 3.4, 1.6)
     await expect(page.locator(".plan .why")).to_contain_text("nearest free point")
     await expect(page.locator(".ghost .asked")).to_be_visible()
     await expect(page.locator(".ghost .preview")).to_be_visible()
 
 
-async def test_stop_is_one_click_at_once_and_stays_until_resume_is_held(page: Page, console: Any, until: Until) -> None:
+async def test_stop_is_one_click_at_once_and_stays_until_resume_is_held(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.locator(".stop").click()
     await until(lambda: len(console.stops) == 1 and console.pilot.stopped)
     await expect(page.locator(".stop")).to_contain_text("STOPPED")
@@ -126,8 +144,12 @@ async def test_stop_is_one_click_at_once_and_stays_until_resume_is_held(page: Pa
     await expect(page.locator(".stop")).not_to_contain_text("STOPPED")
 
 
-@pytest.mark.parametrize("focus", ["body", ".place", ".primary", ".cut", ".plan-view > svg", ".log ol"])
-async def test_space_stops_whatever_has_the_focus_and_presses_nothing_else(page: Page, console: Any, focus: str) -> None:
+@pytest.mark.parametrize(
+    "focus", ["body", ".place", ".primary", ".cut", ".plan-view > svg", ".log ol"]
+)
+async def test_space_stops_whatever_has_the_focus_and_presses_nothing_else(
+    page: Page, console: Any, focus: str
+) -> None:
     await page.locator(focus).first.focus()
     await page.keyboard.press("Space")
     await expect(page.locator(".stop")).to_contain_text("STOPPED")
@@ -136,7 +158,9 @@ async def test_space_stops_whatever_has_the_focus_and_presses_nothing_else(page:
     assert await page.locator(".place[aria-pressed=true]").count() == 0
 
 
-async def test_space_types_a_space_on_the_ground_and_stops_in_flight(page: Page, console: Any, until: Until) -> None:
+async def test_space_types_a_space_on_the_ground_and_stops_in_flight(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.get_by_role("button", name="You have control").click()
     field = page.get_by_label("Your name")
     await field.fill("Anna")
@@ -150,7 +174,9 @@ async def test_space_types_a_space_on_the_ground_and_stops_in_flight(page: Page,
     await until(lambda: len(console.stops) == 1)
 
 
-async def test_a_watcher_sees_who_flies_and_can_still_stop(page: Page, console: Any, until: Until) -> None:
+async def test_a_watcher_sees_who_flies_and_can_still_stop(
+    page: Page, console: Any, until: Until
+) -> None:
     watcher = await watcher_of(page, console)
     await expect(watcher.locator(".who")).to_contain_text("Viewer 1 has control")
     await watcher.get_by_role("button", name="Entrance", exact=True).click()
@@ -175,7 +201,9 @@ async def test_taking_over_in_flight_is_a_hold(page: Page, console: Any) -> None
     await expect(page.locator(".who")).to_contain_text("Viewer 2 has control")
 
 
-async def test_the_motors_are_cut_only_by_a_hold_of_a_second(page: Page, console: Any, until: Until) -> None:
+async def test_the_motors_are_cut_only_by_a_hold_of_a_second(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.locator(".cut").click()
     await hold(page, ".cut", 0.7)
     await asyncio.sleep(0.5)
@@ -185,7 +213,9 @@ async def test_the_motors_are_cut_only_by_a_hold_of_a_second(page: Page, console
     await expect(page.locator(".headline")).to_contain_text("Motors are cut")
 
 
-async def test_the_motors_are_cut_by_shift_and_escape_held_for_a_second(page: Page, console: Any, until: Until) -> None:
+async def test_the_motors_are_cut_by_shift_and_escape_held_for_a_second(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.keyboard.down("Shift")
     await page.keyboard.down("Escape")
     await asyncio.sleep(0.6)
@@ -198,7 +228,9 @@ async def test_the_motors_are_cut_by_shift_and_escape_held_for_a_second(page: Pa
     await page.keyboard.up("Shift")
 
 
-async def test_a_whole_mission_is_flown_by_keyboard_alone(page: Page, console: Any, until: Until) -> None:
+async def test_a_whole_mission_is_flown_by_keyboard_alone(
+    page: Page, console: Any, until: Until
+) -> None:
     for _ in range(6):
         await page.keyboard.press("ArrowRight")
     await expect(page.locator(".plan .way")).to_contain_text("Point 1.8, 1.1 m")
@@ -206,7 +238,9 @@ async def test_a_whole_mission_is_flown_by_keyboard_alone(page: Page, console: A
     await page.keyboard.down("Enter")
     await until(lambda: kinds(console) == [OrderKind.SERVICE])
     await page.keyboard.up("Enter")
-    await expect(page.locator(".headline")).to_contain_text("Flying to the chosen point", timeout=10_000)
+    await expect(page.locator(".headline")).to_contain_text(
+        "Flying to the chosen point", timeout=10_000
+    )
     await page.keyboard.press("h")
     await until(lambda: kinds(console)[-1] is OrderKind.HOME)
     await page.keyboard.press("l")
@@ -218,7 +252,9 @@ async def test_a_whole_mission_is_flown_by_keyboard_alone(page: Page, console: A
     await expect(page.get_by_role("dialog", name="Keys")).to_be_hidden()
 
 
-async def test_a_place_is_chosen_and_sent_to_by_keyboard(page: Page, console: Any, until: Until) -> None:
+async def test_a_place_is_chosen_and_sent_to_by_keyboard(
+    page: Page, console: Any, until: Until
+) -> None:
     await page.get_by_role("button", name="Sofa", exact=True).focus()
     await page.keyboard.press("Enter")
     await expect(page.locator(".ghost .preview")).to_be_visible()
@@ -229,7 +265,9 @@ async def test_a_place_is_chosen_and_sent_to_by_keyboard(page: Page, console: An
     assert console.pilot.orders[0].place == "sofa"
 
 
-async def test_old_numbers_are_greyed_then_struck_out_and_a_banner_says_what_the_drone_does(page: Page, console: Any) -> None:
+async def test_old_numbers_are_greyed_then_struck_out_and_a_banner_says_what_the_drone_does(
+    page: Page, console: Any
+) -> None:
     reading = page.locator(".reading", has_text="Position")
     await expect(reading).to_have_attribute("data-age", "fresh")
     console.pilot.publishing = False
@@ -247,10 +285,19 @@ async def test_faults_are_announced(page: Page, console: Any) -> None:
     await expect(page.locator(".log [data-severity=fault]")).to_contain_text("Battery is empty")
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE, {"width": 640, "height": 400}], ids=["desktop", "phone", "desktop at 200 %"])
-async def test_stop_and_cut_are_always_on_the_screen_and_nothing_is_too_small_to_touch(page: Page, size: Any) -> None:
+@pytest.mark.parametrize(
+    "size",
+    [DESKTOP, PHONE, {"width": 640, "height": 400}],
+    ids=["desktop", "phone", "desktop at 200 %"],
+)
+async def test_stop_and_cut_are_always_on_the_screen_and_nothing_is_too_small_to_touch(
+    page: Page, size: Any
+) -> None:
     await page.set_viewport_size(size)
-    stop, cut = await page.locator(".stop").bounding_box(), await page.locator(".cut").bounding_box()
+    stop, cut = (
+        await page.locator(".stop").bounding_box(),
+        await page.locator(".cut").bounding_box(),
+    )
     assert stop is not None and cut is not None
     assert stop["height"] >= 56 and stop["width"] >= 0.95 * size["width"] - 8
     assert stop["y"] + stop["height"] <= size["height"] and cut["y"] >= 0
@@ -258,13 +305,26 @@ async def test_stop_and_cut_are_always_on_the_screen_and_nothing_is_too_small_to
     assert stop["y"] - cut["y"] - cut["height"] > 100, "STOP and the cut must lie far apart"
     for button in await page.locator("button:visible").all():
         box = await button.bounding_box()
-        assert box is not None and (box["height"] >= 44 or await button.get_attribute("class") == "clear")
-    overflow = await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+        assert box is not None and (
+            box["height"] >= 44 or await button.get_attribute("class") == "clear"
+        )
+    overflow = await page.evaluate(
+        "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    )
     assert overflow <= 0, "the page must not scroll sideways"
 
 
 async def test_choosing_a_goal_moves_nothing(page: Page) -> None:
-    places = ["header", ".map", ".errand", ".actions", ".stop", ".side", "button.place >> nth=1", ".primary"]
+    places = [
+        "header",
+        ".map",
+        ".errand",
+        ".actions",
+        ".stop",
+        ".side",
+        "button.place >> nth=1",
+        ".primary",
+    ]
     before = [await page.locator(place).bounding_box() for place in places]
     await page.get_by_role("button", name="Entrance", exact=True).click()
     await expect(page.locator(".ghost .tag")).to_be_visible()
@@ -305,7 +365,9 @@ async def test_the_drones_pictures_move_on_the_canvas(page: Page, console: Any) 
     await expect(page.locator(".video .veil")).to_contain_text("No new picture", timeout=10_000)
 
 
-async def test_a_browser_that_cannot_decode_video_gets_jpeg_pictures(page: Page, console: Any) -> None:
+async def test_a_browser_that_cannot_decode_video_gets_jpeg_pictures(
+    page: Page, console: Any
+) -> None:
     feeding = asyncio.create_task(feed(console.bus.join()))
     try:
         await page.context.add_init_script("delete window.VideoDecoder")
@@ -343,11 +405,23 @@ PIXEL = "c => Array.from(c.getContext('2d').getImageData(160, 90, 1, 1).data)"
 async def feed(bus: Any) -> None:
     """Publish real H.264 whose colour changes with every picture."""
     encoder = av.CodecContext.create("libx264", "w")
-    encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = 320, 180, "yuv420p", Fraction(1, 30)
-    encoder.options = {"preset": "ultrafast", "tune": "zerolatency", "x264-params": "keyint=15:annexb=1:repeat-headers=1"}
+    encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = (
+        320,
+        180,
+        "yuv420p",
+        Fraction(1, 30),
+    )
+    encoder.options = {
+        "preset": "ultrafast",
+        "tune": "zerolatency",
+        "x264-params": "keyint=15:annexb=1:repeat-headers=1",
+    }
     clock = RealClock()
     for number in range(10_000):
         picture = np.full((180, 320, 3), [(number * 9) % 256, 128, 64], np.uint8)
         for packet in encoder.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")):
-            bus.publish(VIDEO, VideoFrame(bytes(packet), bool(packet.is_keyframe), 320, 180, number, clock.now()))
+            bus.publish(
+                VIDEO,
+                VideoFrame(bytes(packet), bool(packet.is_keyframe), 320, 180, number, clock.now()),
+            )
         await asyncio.sleep(1 / 30)

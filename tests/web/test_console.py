@@ -52,7 +52,10 @@ async def test_a_path_is_previewed(console: Any) -> None:
 
 async def test_a_watcher_may_stop_and_land_and_nothing_else(console: Any, until: Any) -> None:
     cookie = await console.session()
-    async with console.talk(cookie, "the-pilots-tab", "Anna") as pilot, console.talk(cookie, "a-watchers-tab", "Ben") as watcher:
+    async with (
+        console.talk(cookie, "the-pilots-tab", "Anna") as pilot,
+        console.talk(cookie, "a-watchers-tab", "Ben") as watcher,
+    ):
         await pilot.hear("viewers", pilot=1)
         await watcher.hear("room")
         for number, order in enumerate(["take_off", "hover", "home", "resume", "cut", "reset"], 1):
@@ -71,7 +74,11 @@ async def test_a_watcher_may_stop_and_land_and_nothing_else(console: Any, until:
 
 async def test_stop_works_before_a_viewer_has_said_who_it_is(console: Any) -> None:
     cookie = {"Cookie": await console.session()}
-    async with connect(f"ws://{console.host}:{console.port}/socket", origin=console.origin, additional_headers=cookie) as socket:
+    async with connect(
+        f"ws://{console.host}:{console.port}/socket",
+        origin=console.origin,
+        additional_headers=cookie,
+    ) as socket:
         await socket.send('{"type":"stop","id":1}')
         assert json.loads(await asyncio.wait_for(socket.recv(), 5)) == {"id": 1, "type": "accepted"}
         assert len(console.stops) == 1
@@ -79,7 +86,10 @@ async def test_stop_works_before_a_viewer_has_said_who_it_is(console: Any) -> No
 
 async def test_control_changes_hands_by_name(console: Any) -> None:
     cookie = await console.session()
-    async with console.talk(cookie, "tab-of-anna", "Anna") as anna, console.talk(cookie, "tab-of-ben", "Ben") as ben:
+    async with (
+        console.talk(cookie, "tab-of-anna", "Anna") as anna,
+        console.talk(cookie, "tab-of-ben", "Ben") as ben,
+    ):
         await anna.hear("viewers", viewers=[{"id": 1, "name": "Anna"}, {"id": 2, "name": "Ben"}])
         await anna.say(type="lease", id=1, action="give", to=2)
         await ben.hear("viewers", pilot=2)
@@ -93,7 +103,10 @@ async def test_control_changes_hands_by_name(console: Any) -> None:
 
 async def test_taking_over_in_flight_needs_the_hold(console: Any) -> None:
     cookie = await console.session()
-    async with console.talk(cookie, "tab-of-anna", "Anna") as anna, console.talk(cookie, "tab-of-ben", "Ben") as ben:
+    async with (
+        console.talk(cookie, "tab-of-anna", "Anna") as anna,
+        console.talk(cookie, "tab-of-ben", "Ben") as ben,
+    ):
         await anna.hear("room")
         await anna.say(type="order", id=1, order="take_off")
         await ben.hear("state", status="flying")
@@ -126,7 +139,10 @@ async def test_control_is_lost_three_seconds_after_its_holder_left(console: Any)
 
 async def test_the_same_tab_opened_twice_keeps_the_newer_socket(console: Any) -> None:
     cookie = await console.session()
-    async with console.talk(cookie, "tab-of-anna") as older, console.talk(cookie, "tab-of-anna") as newer:
+    async with (
+        console.talk(cookie, "tab-of-anna") as older,
+        console.talk(cookie, "tab-of-anna") as newer,
+    ):
         await newer.hear("welcome", you=1)
         await asyncio.wait_for(older.socket.wait_closed(), 5)
         assert older.socket.close_code == 4001
@@ -186,7 +202,10 @@ async def test_events_before_and_after_a_viewer_came_all_arrive(console: Any) ->
 
 async def test_a_viewer_that_does_not_read_slows_nobody(console: Any) -> None:
     cookie = await console.session()
-    async with console.talk(cookie, "a-viewer-asleep") as asleep, console.talk(cookie, "a-viewer-awake") as awake:
+    async with (
+        console.talk(cookie, "a-viewer-asleep") as asleep,
+        console.talk(cookie, "a-viewer-awake") as awake,
+    ):
         asleep.socket.transport.pause_reading()
         before = (await awake.hear("state"))["sequence"]
         for _ in range(20):
@@ -196,7 +215,9 @@ async def test_a_viewer_that_does_not_read_slows_nobody(console: Any) -> None:
         await awake.hear("accepted", id=1)
 
 
-async def test_orders_are_refused_when_the_pilot_is_silent_but_stop_and_land_are_not(console: Any, until: Any) -> None:
+async def test_orders_are_refused_when_the_pilot_is_silent_but_stop_and_land_are_not(
+    console: Any, until: Any
+) -> None:
     async with console.talk(await console.session()) as one:
         await one.hear("room")
         console.pilot.publishing = False

@@ -26,7 +26,9 @@ def view() -> CoverageView:
 def test_every_cell_says_how_many_cameras_see_its_middle(view: CoverageView) -> None:
     x0, y0, x1, y1 = bsen().bounds
     assert (view.cameras, view.origin) == (18, (x0, y0))
-    assert len(view.rows) == round((y1 - y0) / CELL) and {len(row) for row in view.rows} == {round((x1 - x0) / CELL)}
+    assert len(view.rows) == round((y1 - y0) / CELL) and {len(row) for row in view.rows} == {
+        round((x1 - x0) / CELL)
+    }
     for i, j in ((3, 16), (20, 10), (45, 8), (59, 31)):
         middle = np.array([[x0 + CELL * (i + 0.5), y0 + CELL * (j + 0.5), 1.1]])
         assert int(view.rows[j][i], 36) == seen_by(bsen(), middle).sum()

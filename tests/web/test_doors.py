@@ -11,7 +11,9 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
 
 
-async def test_the_printed_link_opens_the_console_and_vanishes_from_the_address(console: Any) -> None:
+async def test_the_printed_link_opens_the_console_and_vanishes_from_the_address(
+    console: Any,
+) -> None:
     status, headers, _ = await console.request("GET", "/?token=a-token-for-tests-only")
     assert (status, headers["location"]) == (303, "/")
     cookie = headers["set-cookie"]
@@ -56,10 +58,16 @@ async def test_a_foreign_host_name_is_turned_away(console: Any) -> None:
 
 @pytest.mark.parametrize("path", ["/socket", "/video"])
 @pytest.mark.parametrize("origin", ["http://evil.example", "null", None])
-async def test_a_page_of_another_site_cannot_open_a_socket(console: Any, path: str, origin: Any) -> None:
+async def test_a_page_of_another_site_cannot_open_a_socket(
+    console: Any, path: str, origin: Any
+) -> None:
     cookie = await console.session()
     with pytest.raises(InvalidStatus):
-        await connect(f"ws://{console.host}:{console.port}{path}", origin=origin, additional_headers={"Cookie": cookie})
+        await connect(
+            f"ws://{console.host}:{console.port}{path}",
+            origin=origin,
+            additional_headers={"Cookie": cookie},
+        )
 
 
 @pytest.mark.parametrize("path", ["/socket", "/video"])
@@ -68,12 +76,18 @@ async def test_a_socket_needs_a_session(console: Any, path: str) -> None:
         await connect(f"ws://{console.host}:{console.port}{path}", origin=console.origin)
     forged = {"Cookie": f"housefly_{console.port}=name.0000"}
     with pytest.raises(InvalidStatus):
-        await connect(f"ws://{console.host}:{console.port}{path}", origin=console.origin, additional_headers=forged)
+        await connect(
+            f"ws://{console.host}:{console.port}{path}",
+            origin=console.origin,
+            additional_headers=forged,
+        )
 
 
 async def test_stop_without_a_socket_works_for_our_own_page_only(console: Any, until: Any) -> None:
     cookie = await console.session()
-    assert (await console.request("POST", "/stop", Cookie=cookie, Origin="http://evil.example"))[0] == 403
+    assert (await console.request("POST", "/stop", Cookie=cookie, Origin="http://evil.example"))[
+        0
+    ] == 403
     assert (await console.request("POST", "/stop", Cookie=cookie))[0] == 403
     assert console.stops == []
     assert (await console.request("POST", "/stop", Cookie=cookie, Origin=console.origin))[0] == 200
@@ -97,7 +111,9 @@ async def test_a_message_that_is_too_large_ends_the_socket(console: Any) -> None
             await one.hear("never")
 
 
-async def test_a_restart_with_the_same_secret_knows_its_browsers(serving: Any, loopback: str) -> None:
+async def test_a_restart_with_the_same_secret_knows_its_browsers(
+    serving: Any, loopback: str
+) -> None:
     async with serving(loopback) as first:
         cookie, port = await first.session(), first.port
     async with serving(loopback, port) as second, second.talk(cookie) as one:

@@ -1,4 +1,6 @@
-"""Editing places and zones on the ROOM screen, in real Chromium, before a real desk that checks against B-sen."""
+"""Editing places and zones on the ROOM screen, in real Chromium, before a real desk that checks
+against B-sen.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,7 @@ from playwright.async_api import Browser, Page, expect
 
 from housefly.app.premises import open_premises, read_site
 from housefly.app.views import room_view
-from housefly.config_edits import Edits
+from housefly.config.edits import Edits
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_desk import EditDesk
@@ -30,7 +32,9 @@ def versions(tmp_path: Path) -> EditVersions:
 @pytest_asyncio.fixture(loop_scope="module")
 async def console(serving: Any, loopback: str, versions: EditVersions) -> AsyncIterator[Any]:
     premises = open_premises(read_site("bsen"))
-    async with serving(loopback, edits=EditDesk(bsen, premises.site, versions), view=room_view(premises)) as console:
+    async with serving(
+        loopback, edits=EditDesk(bsen, premises.site, versions), view=room_view(premises)
+    ) as console:
         yield console
 
 
@@ -88,12 +92,20 @@ async def add_corner(page: Page) -> None:
     await expect(panel(page).get_by_role("status")).to_contain_text("Saved as version 1.")
 
 
-async def test_a_place_is_added_on_the_map_seen_undone_and_gone(page: Page, versions: EditVersions, console: Any) -> None:
+async def test_a_place_is_added_on_the_map_seen_undone_and_gone(
+    page: Page, versions: EditVersions, console: Any
+) -> None:
     await add_corner(page)
-    await expect(panel(page).get_by_role("status")).to_contain_text("from the next start of Housefly on")
+    await expect(panel(page).get_by_role("status")).to_contain_text(
+        "from the next start of Housefly on"
+    )
     await expect(page.locator(".edits")).to_contain_text("Reading corner")
     (place,) = versions.newest().edits.places
-    assert (place.name, place.title, place.viewpoint) == ("reading-corner", "Reading corner", (6.0, 4.25))
+    assert (place.name, place.title, place.viewpoint) == (
+        "reading-corner",
+        "Reading corner",
+        (6.0, 4.25),
+    )
     await page.reload()
     await page.get_by_role("button", name="Edit", exact=True).click()
     await expect(panel(page)).to_contain_text("Reading corner")
@@ -105,7 +117,9 @@ async def test_a_place_is_added_on_the_map_seen_undone_and_gone(page: Page, vers
     assert console.pilot.orders == []
 
 
-async def test_a_zone_over_the_home_pad_is_refused_in_words_beside_its_form(page: Page, versions: EditVersions) -> None:
+async def test_a_zone_over_the_home_pad_is_refused_in_words_beside_its_form(
+    page: Page, versions: EditVersions
+) -> None:
     await drag(page, (9.9, 0.8), (11.2, 1.8))
     await type_into(page, "Reason", "Wet floor")
     await button(page, "Save").click()
@@ -145,7 +159,9 @@ async def test_all_of_it_works_by_keyboard(page: Page, versions: EditVersions) -
     assert edits.removed == ("bed",) and edits.places[0].viewpoint == (6.0, 4.25)
 
 
-async def test_a_place_of_the_room_is_shown_under_another_name_and_looks_elsewhere(page: Page, versions: EditVersions) -> None:
+async def test_a_place_of_the_room_is_shown_under_another_name_and_looks_elsewhere(
+    page: Page, versions: EditVersions
+) -> None:
     await page.mouse.click(*await pixel(page, 3.05, 4.25))
     await expect(panel(page).get_by_label("Name")).to_be_focused()
     await panel(page).get_by_label("Name").fill("Front door")
@@ -154,27 +170,44 @@ async def test_a_place_of_the_room_is_shown_under_another_name_and_looks_elsewhe
     await button(page, "Save").click()
     await expect(panel(page).get_by_role("status")).to_contain_text("Saved as version 1.")
     (place,) = versions.newest().edits.places
-    assert (place.name, place.title, place.viewpoint, place.look_at) == ("entrance", "Front door", (3.05, 4.25), (1.0, 4.0, 1.35))
+    assert (place.name, place.title, place.viewpoint, place.look_at) == (
+        "entrance",
+        "Front door",
+        (3.05, 4.25),
+        (1.0, 4.0, 1.35),
+    )
 
 
-async def test_who_was_overtaken_is_told_and_takes_what_the_other_saved(page: Page, versions: EditVersions) -> None:
+async def test_who_was_overtaken_is_told_and_takes_what_the_other_saved(
+    page: Page, versions: EditVersions
+) -> None:
     versions.save(Edits(removed=("tv",)), 0, "Bob")
     await button(page, "Remove Bed").click()
     await button(page, "Save").click()
-    await expect(panel(page).get_by_role("alert")).to_contain_text("Version 1 was saved by Bob in between")
+    await expect(panel(page).get_by_role("alert")).to_contain_text(
+        "Version 1 was saved by Bob in between"
+    )
     await button(page, "Discard").click()
     await expect(button(page, "Bed")).to_be_visible()
     await expect(button(page, "TV")).to_have_count(0)
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE, {"width": 640, "height": 400}], ids=["desktop", "phone", "desktop at 200 %"])
-async def test_stop_stays_where_it_is_and_everything_can_be_reached(page: Page, console: Any, size: Any) -> None:
+@pytest.mark.parametrize(
+    "size",
+    [DESKTOP, PHONE, {"width": 640, "height": 400}],
+    ids=["desktop", "phone", "desktop at 200 %"],
+)
+async def test_stop_stays_where_it_is_and_everything_can_be_reached(
+    page: Page, console: Any, size: Any
+) -> None:
     await page.set_viewport_size(size)
     await button(page, "Add a zone").click()
     stop = await page.locator(".stop").bounding_box()
     assert stop is not None
     assert stop["height"] >= 56 and stop["y"] + stop["height"] <= size["height"]
-    overflow = await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    overflow = await page.evaluate(
+        "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    )
     assert overflow <= 0, "the page must not scroll sideways"
     for name in ("Save", "Close", "Done"):
         await button(page, name).scroll_into_view_if_needed()

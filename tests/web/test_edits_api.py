@@ -1,4 +1,6 @@
-"""Places and zones over HTTP: who may change them, what is refused, and that nothing is lost between two people."""
+"""Places and zones over HTTP: who may change them, what is refused, and that nothing is lost
+between two people.
+"""
 
 from __future__ import annotations
 
@@ -13,8 +15,8 @@ from typing import Any
 import pytest
 import pytest_asyncio
 
-from housefly.config import Site, changed
-from housefly.config_edits import Edits, NoFlyZone
+from housefly.config.edits import Edits, NoFlyZone
+from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_desk import EditDesk
@@ -23,7 +25,12 @@ from housefly.web.edits_api import BODY_MAX
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
 
 TAB, OTHER = "tab-number-one", "tab-number-two"
-PLACE = {"name": "corner", "title": "Reading corner", "viewpoint": [6.0, 4.25], "look_at": [5.0, 5.0, 1.0]}
+PLACE = {
+    "name": "corner",
+    "title": "Reading corner",
+    "viewpoint": [6.0, 4.25],
+    "look_at": [5.0, 5.0, 1.0],
+}
 OVER_HOME = {"zones": [{"rectangle": [10.2, 1.0, 11.0, 1.6], "reason": "mine"}]}
 
 
@@ -40,16 +47,24 @@ class Editor:
 
     async def post(self, body: Any, path: str = "/edits", **headers: str) -> tuple[int, Any]:
         given = {"Cookie": self.cookie, "Origin": self.console.origin, **headers}
-        return await self._request("POST", path, body if isinstance(body, bytes) else json.dumps(body).encode(), given)
+        return await self._request(
+            "POST", path, body if isinstance(body, bytes) else json.dumps(body).encode(), given
+        )
 
     async def save(self, edits: Any, based_on: int = 0, tab: str = TAB) -> tuple[int, Any]:
         return await self.post({"based_on": based_on, "tab": tab, "edits": edits})
 
-    async def _request(self, method: str, path: str, body: bytes | None, headers: dict[str, str]) -> tuple[int, Any]:
+    async def _request(
+        self, method: str, path: str, body: bytes | None, headers: dict[str, str]
+    ) -> tuple[int, Any]:
         def work() -> tuple[int, Any]:
-            connection = http.client.HTTPConnection(self.console.host, self.console.port, timeout=20)
+            connection = http.client.HTTPConnection(
+                self.console.host, self.console.port, timeout=20
+            )
             try:
-                connection.request(method, path, body, {key: value for key, value in headers.items() if value})
+                connection.request(
+                    method, path, body, {key: value for key, value in headers.items() if value}
+                )
                 answer = connection.getresponse()
                 return answer.status, json.loads(answer.read())
             finally:
@@ -59,7 +74,9 @@ class Editor:
 
 
 @pytest_asyncio.fixture(loop_scope="module")
-async def editor(serving: Callable[..., Any], loopback: str, tmp_path: Path) -> AsyncIterator[Editor]:
+async def editor(
+    serving: Callable[..., Any], loopback: str, tmp_path: Path
+) -> AsyncIterator[Editor]:
     versions = EditVersions(tmp_path / "edits")
     async with serving(loopback, edits=EditDesk(bsen, Site(), versions)) as console:
         cookie = await console.session()
@@ -75,10 +92,17 @@ async def test_a_place_is_saved_seen_and_undone(editor: Editor) -> None:
     status, saved = await editor.save({"places": [PLACE], "removed": ["bed"]})
     assert (status, saved["version"], saved["by"], saved["undoable"]) == (200, 1, "Ada", True)
     assert "from the next start of Housefly on" in saved["words"]
-    assert {place["name"] for place in saved["own"]} - {place["name"] for place in saved["places"]} == {"bed"}
+    assert {place["name"] for place in saved["own"]} - {
+        place["name"] for place in saved["places"]
+    } == {"bed"}
     assert (await editor.get())[1] == saved
     status, undone = await editor.post({"based_on": 1, "tab": TAB}, "/edits/undo")
-    assert (status, undone["version"], undone["places"], undone["undoable"]) == (200, 2, view["places"], False)
+    assert (status, undone["version"], undone["places"], undone["undoable"]) == (
+        200,
+        2,
+        view["places"],
+        False,
+    )
     status, answer = await editor.post({"based_on": 2, "tab": TAB}, "/edits/undo")
     assert status == 422 and "nothing to undo" in answer["error"]
 
@@ -102,7 +126,10 @@ async def test_what_cannot_be_flown_is_422_in_words_and_says_which(editor: Edito
         b'{"based_on": 0}',
         b'{"based_on": 0, "tab": "tab-number-one", "edits": {"places": [{"name": 3}]}}',
         b'{"based_on": 0, "tab": "tab-number-one", "edits": [], "more": 1}',
-        b'{"based_on": 0, "tab": "tab-number-one", "edits": {"zones": [{"rectangle": [NaN, 0, 1, 1], "reason": "x"}]}}',
+        (
+            b'{"based_on": 0, "tab": "tab-number-one", "edits": {"zones": [{"rectangle": [NaN, 0,'
+            b' 1, 1], "reason": "x"}]}}'
+        ),
     ],
 )
 async def test_a_body_that_is_no_wish_is_422(editor: Editor, body: bytes) -> None:
@@ -135,9 +162,13 @@ async def test_other_pages_strangers_and_watchers_may_not(editor: Editor) -> Non
 
 
 async def test_who_was_overtaken_is_409_and_nothing_is_overwritten(editor: Editor) -> None:
-    answers = await asyncio.gather(*(editor.save({"removed": [name]}) for name in ("bed", "tv", "desk")))
+    answers = await asyncio.gather(
+        *(editor.save({"removed": [name]}) for name in ("bed", "tv", "desk"))
+    )
     assert sorted(status for status, _ in answers) == [200, 409, 409]
-    assert "was saved by Ada in between" in next(answer["error"] for status, answer in answers if status == 409)
+    assert "was saved by Ada in between" in next(
+        answer["error"] for status, answer in answers if status == 409
+    )
     assert (await editor.post({"based_on": 0, "tab": TAB}, "/edits/undo"))[0] == 409
     assert editor.versions.newest().number == 1
 
@@ -158,7 +189,9 @@ async def test_edits_that_are_in_force_need_no_words(editor: Editor, tmp_path: P
 
 
 @pytest.mark.parametrize("site", [changed(Site(), hub__edits=False), changed(Site(), mode="paper")])
-async def test_where_nothing_can_be_edited_it_says_why(serving: Any, loopback: str, tmp_path: Path, site: Site) -> None:
+async def test_where_nothing_can_be_edited_it_says_why(
+    serving: Any, loopback: str, tmp_path: Path, site: Site
+) -> None:
     async with serving(loopback, edits=EditDesk(bsen, site, EditVersions(tmp_path))) as console:
         there = Editor(console, await console.session(), EditVersions(tmp_path))
         status, answer = await there.get()

@@ -46,7 +46,10 @@ def test_control_is_lost_after_three_silent_seconds_and_not_before() -> None:
 
 
 MOVES = st.lists(
-    st.tuples(st.sampled_from(["take", "hold", "release", "give"]), st.integers(1, 3), st.integers(1, 3)), max_size=20
+    st.tuples(
+        st.sampled_from(["take", "hold", "release", "give"]), st.integers(1, 3), st.integers(1, 3)
+    ),
+    max_size=20,
 )
 
 

@@ -7,8 +7,17 @@ import pytest
 from housefly.bus.local import LocalBus
 from housefly.bus.topics import LINK, ORDER, STEP
 from housefly.clock import SteppedClock
-from housefly.config_furniture import FurnitureConfig
-from housefly.messages import Event, LinkStatus, Order, OrderKind, PilotStep, Pose, Severity, Sighting
+from housefly.config.furniture import FurnitureConfig
+from housefly.messages import (
+    Event,
+    LinkStatus,
+    Order,
+    OrderKind,
+    PilotStep,
+    Pose,
+    Severity,
+    Sighting,
+)
 from housefly.web.news import PilotNews
 from housefly.web.rehearsal import PretendedPilot
 from housefly.web.rehearsal_room import example_room
@@ -101,13 +110,17 @@ def test_other_bodies_are_shown_until_they_are_not_seen_any_more(heard: Heard) -
 
 def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(heard: Heard) -> None:
     news, pilot, clock, bus = heard
-    cart = FurnitureConfig(name="the cart", body="Cart", length=0.8, width=0.4, x=0.1, remembered=10.0)
+    cart = FurnitureConfig(
+        name="the cart", body="Cart", length=0.8, width=0.4, x=0.1, remembered=10.0
+    )
     sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
     news.furniture = (cart, sofa)
     pilot.advance(0.01)
     step = news.step
     assert step is not None
-    seen = tuple(Sighting(body, Pose((2.0, 1.0, 0.5)), step.now, step.now) for body in ("Cart", "Sofa"))
+    seen = tuple(
+        Sighting(body, Pose((2.0, 1.0, 0.5)), step.now, step.now) for body in ("Cart", "Sofa")
+    )
     bus.publish(STEP, replace(step, sequence=99, inputs=replace(step.inputs, sightings=seen)))
     shown: list[list[str]] = []
     for _ in range(2):
@@ -134,7 +147,11 @@ def test_a_step_without_telemetry_and_estimate_can_be_shown(heard: Heard) -> Non
     pilot.advance(0.01)
     step = news.step
     assert step is not None
-    outputs = replace(step.outputs, estimate=None, reference=None, events=(Event(1.0, Severity.INFO, "x", "y"),))
-    bus.publish(STEP, PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs))
+    outputs = replace(
+        step.outputs, estimate=None, reference=None, events=(Event(1.0, Severity.INFO, "x", "y"),)
+    )
+    bus.publish(
+        STEP, PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs)
+    )
     state = news.state(0.0)
     assert state is not None and state.position is None and state.battery is None

@@ -22,7 +22,9 @@ def test_an_order_that_goes_somewhere_needs_one_target() -> None:
         assert objection(OrderRequest("order", 1, kind, goal=(1.0, 1.0)), ROOM) == ""
 
 
-@pytest.mark.parametrize("kind", sorted(set(OrderKind) - {OrderKind.GO, OrderKind.SERVICE}, key=str))
+@pytest.mark.parametrize(
+    "kind", sorted(set(OrderKind) - {OrderKind.GO, OrderKind.SERVICE}, key=str)
+)
 def test_other_orders_take_no_target(kind: OrderKind) -> None:
     assert objection(OrderRequest("order", 1, kind), ROOM) == ""
     assert objection(OrderRequest("order", 1, kind, "entrance"), ROOM)

@@ -19,7 +19,7 @@ from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.messages import OrderKind
 from housefly.web.process import main, run_web
@@ -50,7 +50,11 @@ class Meeting:
 
     @asynccontextmanager
     async def console(self, port: int) -> AsyncIterator[tuple[asyncio.subprocess.Process, str]]:
-        mine = {"HOUSEFLY_TOKEN": "the-token", "HOUSEFLY_SECRET": SECRET, "HOUSEFLY_STOP_PORT": str(self.stop_port)}
+        mine = {
+            "HOUSEFLY_TOKEN": "the-token",
+            "HOUSEFLY_SECRET": SECRET,
+            "HOUSEFLY_STOP_PORT": str(self.stop_port),
+        }
         arguments = ["--site", str(self.site), "--bus", self.endpoint, "--port", str(port)]
         process = await asyncio.create_subprocess_exec(
             *(sys.executable, "-m", "housefly.web.process", *arguments),
@@ -87,7 +91,9 @@ async def meeting(tmp_path: Path) -> AsyncIterator[Meeting]:
 async def cookie_of(address: str) -> str:
     host, _, port = address.removeprefix("http://").partition(":")
     reader, writer = await asyncio.open_connection(host, int(port))
-    writer.write(f"GET /?token=the-token HTTP/1.1\r\nHost: {host}:{port}\r\nConnection: close\r\n\r\n".encode())
+    writer.write(
+        f"GET /?token=the-token HTTP/1.1\r\nHost: {host}:{port}\r\nConnection: close\r\n\r\n".encode()
+    )
     answer = (await reader.read()).decode()
     writer.close()
     return re.search(r"set-cookie: ([^;]+)", answer)[1]  # type: ignore[index]
@@ -95,7 +101,12 @@ async def cookie_of(address: str) -> str:
 
 def open_socket(address: str, cookie: str) -> Any:
     headers = {"Cookie": cookie}
-    return connect(address.replace("http", "ws") + "/socket", origin=address, additional_headers=headers, close_timeout=0.2)  # type: ignore[arg-type]
+    return connect(
+        address.replace("http", "ws") + "/socket",
+        origin=address,
+        additional_headers=headers,
+        close_timeout=0.2,
+    )  # type: ignore[arg-type]
 
 
 async def hear(one: ClientConnection, text: str) -> None:
@@ -104,7 +115,9 @@ async def hear(one: ClientConnection, text: str) -> None:
             pass
 
 
-async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outlive_a_kill(meeting: Meeting) -> None:
+async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outlive_a_kill(
+    meeting: Meeting,
+) -> None:
     port = free_port(socket.SOCK_STREAM)
     async with meeting.console(port) as (process, address):
         cookie = await cookie_of(address)
@@ -135,7 +148,9 @@ async def test_an_address_that_others_reach_is_refused() -> None:
         await run_web(Site(), "tcp/127.0.0.1:9", "0.0.0.0", 0, insecure=True)
 
 
-def test_a_console_that_nobody_launched_says_how_to_launch_it(tmp_path: Path, capsys: Any, monkeypatch: Any) -> None:
+def test_a_console_that_nobody_launched_says_how_to_launch_it(
+    tmp_path: Path, capsys: Any, monkeypatch: Any
+) -> None:
     monkeypatch.delenv("HOUSEFLY_STOP_PORT", raising=False)
     before = signal.getsignal(signal.SIGTERM)
     site = tmp_path / "site.toml"

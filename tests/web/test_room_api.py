@@ -20,18 +20,18 @@ from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as connect_socket
 
 import housefly
-from housefly.asking.client import RoomClient
 from housefly.bus.local import LocalBus
-from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
 from housefly.bus.topics import HUB_QUERY, ROOM_NEWS
 from housefly.errors import HouseflyError, LinkError, ThingError, WireError
 from housefly.hub.answers import Answers
+from housefly.hub.api.room_json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.asking.client import RoomClient
 from housefly.hub.memory import RoomMemory
 from housefly.hub.newsroom import Newsroom
 from housefly.hub.present import Present
+from housefly.hub.store.opening import open_store
+from housefly.hub.things.thing import Kind, Thing
 from housefly.messages import Happening, Observation
-from housefly.store.opening import open_store
-from housefly.things.thing import Kind, Thing
 from housefly.web.process import make_server
 from housefly.web.security import api_key
 from housefly.web.server import create_app
@@ -67,7 +67,9 @@ class Room:
         self.listener = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
         self.listener.bind((host, 0))
         self.address = f"http://{host}:{self.listener.getsockname()[1]}"
-        self.thread = threading.Thread(target=lambda: asyncio.run(self.server.serve([self.listener])))
+        self.thread = threading.Thread(
+            target=lambda: asyncio.run(self.server.serve([self.listener]))
+        )
         self.thread.start()
         while not self.server.started:
             time.sleep(0.01)
@@ -102,7 +104,9 @@ def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
     assert [thing.thing for thing in client.contents("cabinet")] == ["cup"]
     assert [thing.thing for thing in client.near("cabinet", 0.5)] == ["cup"]
     assert [thing.thing for thing in client.near((1.0, 2.0, 0.5), 0.1)] == ["cabinet", "cup"]
-    assert [(event.kind, event.cause) for event in client.events(thing="cup")] == [("object taken", "person-1")]
+    assert [(event.kind, event.cause) for event in client.events(thing="cup")] == [
+        ("object taken", "person-1")
+    ]
     assert client.trajectory("cup", now - 100.0).shape == (1, 4)
     assert {thing.thing for thing in client.picture().things} == {"cabinet", "cup"}
     assert client.sensors() == ()
@@ -121,7 +125,10 @@ def test_refusals_are_the_errors_that_they_are(room: Room, client: RoomClient) -
 
 def test_nobody_is_answered_without_a_key(room: Room) -> None:
     for key in ("", "wrong", KEY[:-1], "ü"):
-        with RoomClient(room.address, "x") as stranger, pytest.raises((LinkError, UnicodeEncodeError)):
+        with (
+            RoomClient(room.address, "x") as stranger,
+            pytest.raises((LinkError, UnicodeEncodeError)),
+        ):
             stranger._headers = {"Authorization": f"Bearer {key}"}
             stranger.where("cup")
     with pytest.raises(InvalidStatus):
@@ -166,9 +173,13 @@ def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: R
 
 
 def fuzz(operation: Any, address: str) -> None:
-    @settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), database=None)
+    @settings(
+        max_examples=25, deadline=None, suppress_health_check=list(HealthCheck), database=None
+    )
     @given(case=operation.as_strategy())
     def asked(case: Any) -> None:
-        case.call_and_validate(base_url=address, headers={"Authorization": f"Bearer {KEY}"}, timeout=10)
+        case.call_and_validate(
+            base_url=address, headers={"Authorization": f"Bearer {KEY}"}, timeout=10
+        )
 
     asked()

@@ -1,4 +1,6 @@
-"""The console's ROOM screen in real Chromium, before a real hub that is told what the room's sensors would say."""
+"""The console's ROOM screen in real Chromium, before a real hub that is told what the room's
+sensors would say.
+"""
 
 from __future__ import annotations
 
@@ -15,14 +17,14 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.room_answers import Hindrance, Holding
-from housefly.config import Site
-from housefly.config_hub import HubConfig
+from housefly.config.hub import HubConfig
+from housefly.config.site import Site
 from housefly.geometry import Vec3
+from housefly.hub.api.answers import Hindrance, Holding
 from housefly.hub.process import Hub
+from housefly.hub.things.thing import Kind, Thing
 from housefly.messages import Happening, Observation, OrderKind
 from housefly.sensors.contracts import SensorHealth
-from housefly.things.thing import Kind, Thing
 from housefly.web.coverage_layer import CoverageView
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
@@ -30,7 +32,15 @@ pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
 HEALTH = (
     SensorHealth("floor-1", "floor", "floor sensing", True, 10.0, 0.05, ""),
-    SensorHealth("cabinet", "cabinet", "the cabinet's own report", False, 0.0, 95.0, "offline: its battery may be empty"),
+    SensorHealth(
+        "cabinet",
+        "cabinet",
+        "the cabinet's own report",
+        False,
+        0.0,
+        95.0,
+        "offline: its battery may be empty",
+    ),
 )
 
 
@@ -43,7 +53,13 @@ class Room:
     began: float
 
     def see(
-        self, thing: str, position: Vec3 | None = None, *, inside: str = "", source: str = "floor-1", ago: float = 0.0
+        self,
+        thing: str,
+        position: Vec3 | None = None,
+        *,
+        inside: str = "",
+        source: str = "floor-1",
+        ago: float = 0.0,
     ) -> None:
         at = time.time() - ago
         self.hub.memory.take(Observation(thing, source, at, at, position, inside=inside))
@@ -64,7 +80,9 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
         hub.memory.know(
             Thing("cup", "the red cup", aliases=("mug",)),
             Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(6.0, 2.5, 0.6)),
-            Thing("refrigerator-2", "the small refrigerator", Kind.FURNITURE, position=(1.0, 3.0, 0.6)),
+            Thing(
+                "refrigerator-2", "the small refrigerator", Kind.FURNITURE, position=(1.0, 3.0, 0.6)
+            ),
             Thing("person-1", "the resident", Kind.PERSON),
         )
         found.see("cup", inside="refrigerator-2", source="refrigerator", ago=120.0)
@@ -87,8 +105,13 @@ async def page(room: Room, chromium: Browser) -> AsyncIterator[Page]:
     troubles: list[str] = []
     own = (room.console.origin + "/", room.console.origin.replace("http", "ws") + "/", "data:")
     page.on("pageerror", lambda error: troubles.append(str(error)))
-    page.on("console", lambda message: troubles.append(message.text) if is_trouble(message) else None)
-    page.on("request", lambda request: troubles.append(request.url) if not request.url.startswith(own) else None)
+    page.on(
+        "console", lambda message: troubles.append(message.text) if is_trouble(message) else None
+    )
+    page.on(
+        "request",
+        lambda request: troubles.append(request.url) if not request.url.startswith(own) else None,
+    )
     await page.goto(room.console.link + "#room")
     await expect(mark(page, "person-1")).to_be_visible()
     yield page
@@ -97,7 +120,9 @@ async def page(room: Room, chromium: Browser) -> AsyncIterator[Page]:
 
 
 def is_trouble(message: Any) -> bool:
-    """Chromium itself complains of every answer that is a refusal, and the one to an unknown name is such."""
+    """Chromium itself complains of every answer that is a refusal, and the one to an unknown name
+    is such.
+    """
     return message.type == "error" and "Failed to load resource" not in message.text
 
 
@@ -141,7 +166,10 @@ async def test_a_nickname_is_answered_in_words_and_ringed_on_the_map(page: Page)
     await ask(page, "mug")
     await expect(page.locator(".find .words")).to_contain_text("the red cup: in the cabinet")
     await expect(page.locator(".find .words")).to_contain_text("last seen")
-    ring, cabinet = await middle(page.locator(".found")), await middle(mark(page, "cabinet").locator("circle.reach"))
+    ring, cabinet = (
+        await middle(page.locator(".found")),
+        await middle(mark(page, "cabinet").locator("circle.reach")),
+    )
     assert abs(ring[0] - cabinet[0]) < 3 and abs(ring[1] - cabinet[1]) < 3
     await page.locator(".find").get_by_role("button", name="the cabinet").click()
     await expect(page.locator(".find .words")).to_contain_text("the cabinet: at")
@@ -157,7 +185,9 @@ async def test_what_nobody_knows_is_said_and_what_was_meant_is_one_press_away(pa
 async def test_a_thing_on_the_map_is_found_by_keyboard(page: Page, room: Room) -> None:
     await mark(page, "person-1").focus()
     await page.keyboard.press("Enter")
-    await expect(page.locator(".find .words")).to_contain_text("the resident: at (3.00, 0.80, 0.00) m")
+    await expect(page.locator(".find .words")).to_contain_text(
+        "the resident: at (3.00, 0.80, 0.00) m"
+    )
     assert room.console.pilot.orders == []
 
 
@@ -166,7 +196,9 @@ async def test_a_sensor_that_is_ill_comes_first_and_says_why(page: Page) -> None
     await expect(first).to_contain_text("offline: its battery may be empty")
     await expect(first.locator(".mark")).to_have_text("✕")
     await expect(page.locator(".sensors li").first).to_have_attribute("data-health", "fault")
-    await expect(page.locator(".sensors li").filter(has_text="floor sensing")).to_contain_text("10 Hz · 50 ms")
+    await expect(page.locator(".sensors li").filter(has_text="floor sensing")).to_contain_text(
+        "10 Hz · 50 ms"
+    )
 
 
 async def test_the_past_is_shown_unmistakably_and_now_is_one_press_away(page: Page) -> None:
@@ -178,7 +210,9 @@ async def test_the_past_is_shown_unmistakably_and_now_is_one_press_away(page: Pa
     await expect(page.locator(".find")).to_contain_text("in the small refrigerator")
     await expect(mark(page, "refrigerator-2")).to_contain_text("in it: the red cup")
     await expect(page.locator(".live")).to_have_attribute("data-past", "true")
-    assert re.search(r"\d\d:\d\d:\d\d, \d+ s ago", await slider.get_attribute("aria-valuetext") or "")
+    assert re.search(
+        r"\d\d:\d\d:\d\d, \d+ s ago", await slider.get_attribute("aria-valuetext") or ""
+    )
     then = await middle(mark(page, "person-1").locator("circle.reach"))
     assert abs(now[0] - then[0]) + abs(now[1] - then[1]) > 50
     await page.get_by_role("button", name="Now", exact=True).click()
@@ -211,7 +245,9 @@ async def test_an_event_is_listed_filtered_and_shows_its_moment(page: Page, room
 
 
 async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, room: Room) -> None:
-    room.hub.present.hold([Holding("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")])
+    room.hub.present.hold(
+        [Holding("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")]
+    )
     room.hub.present.block([Hindrance("o-1", 4.0, 3.5, 0.3, 0.5, 0.0, 0.9, 0.0, "laser-1")])
     await expect(mark(page, "person-1")).to_contain_text("△ lies on the floor, 84 %")
     await expect(page.locator(".holds")).to_contain_text("low for 12 s")
@@ -221,14 +257,21 @@ async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, r
     assert await page.locator(".obstacle").count() == 0
 
 
-async def test_tracked_furniture_is_drawn_as_it_lies_and_called_by_its_name(page: Page, room: Room) -> None:
-    sofa = Hindrance("tracking/the sofa", 4.0, 3.0, 1.25, 0.0, 0.0, 1.0, 0.0, "tracking", 2.4, 0.8, 0.5 * pi)
+async def test_tracked_furniture_is_drawn_as_it_lies_and_called_by_its_name(
+    page: Page, room: Room
+) -> None:
+    sofa = Hindrance(
+        "tracking/the sofa", 4.0, 3.0, 1.25, 0.0, 0.0, 1.0, 0.0, "tracking", 2.4, 0.8, 0.5 * pi
+    )
     room.hub.present.block([sofa])
     await expect(page.locator(".obstacle.tracked")).to_contain_text("the sofa")
     box = await page.locator(".obstacle.tracked rect").bounding_box()
     scale = float(await page.locator(".plan-view > svg").get_attribute("data-scale") or 0)
     assert box is not None
-    assert (box["width"] / scale, box["height"] / scale) == (pytest.approx(0.8, abs=0.1), pytest.approx(2.4, abs=0.1))
+    assert (box["width"] / scale, box["height"] / scale) == (
+        pytest.approx(0.8, abs=0.1),
+        pytest.approx(2.4, abs=0.1),
+    )
 
 
 async def test_tracking_coverage_is_switched_on_and_off(page: Page) -> None:
@@ -257,22 +300,38 @@ async def test_no_key_sends_the_drone_where_its_goal_cannot_be_seen(page: Page, 
 
 
 async def test_a_memory_that_is_silent_is_said_to_be(page: Page, room: Room) -> None:
-    await page.route("**/api/v1/**", lambda route: route.fulfill(status=503, json={"error": "the room's memory does not answer"}))
+    await page.route(
+        "**/api/v1/**",
+        lambda route: route.fulfill(
+            status=503, json={"error": "the room's memory does not answer"}
+        ),
+    )
     await expect(page.locator(".live [role=alert]")).to_contain_text("memory does not answer")
     await page.unroute("**/api/v1/**")
     await expect(page.locator(".live [role=alert]")).to_have_count(0)
 
 
-@pytest.mark.parametrize("size", [DESKTOP, PHONE, {"width": 640, "height": 400}], ids=["desktop", "phone", "desktop at 200 %"])
+@pytest.mark.parametrize(
+    "size",
+    [DESKTOP, PHONE, {"width": 640, "height": 400}],
+    ids=["desktop", "phone", "desktop at 200 %"],
+)
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-async def test_stop_and_the_way_back_are_always_on_the_screen(page: Page, room: Room, size: Any, scheme: Any) -> None:
+async def test_stop_and_the_way_back_are_always_on_the_screen(
+    page: Page, room: Room, size: Any, scheme: Any
+) -> None:
     await page.emulate_media(color_scheme=scheme)
     await page.set_viewport_size(size)
-    stop, cut = await page.locator(".stop").bounding_box(), await page.locator(".cut").bounding_box()
+    stop, cut = (
+        await page.locator(".stop").bounding_box(),
+        await page.locator(".cut").bounding_box(),
+    )
     assert stop is not None and cut is not None
     assert stop["height"] >= 56 and stop["width"] >= 0.95 * size["width"] - 8
     assert stop["y"] + stop["height"] <= size["height"] and cut["y"] >= 0
-    overflow = await page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    overflow = await page.evaluate(
+        "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+    )
     assert overflow <= 0, "the page must not scroll sideways"
     await page.keyboard.press("Space")
     await expect(page.locator(".stop")).to_contain_text("STOPPED")

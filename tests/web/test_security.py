@@ -12,7 +12,15 @@ def connection(cookie: str = "", **headers: str) -> HTTPConnection:
     if cookie:
         pairs["cookie"] = cookie
     raw = [(key.encode(), value.encode()) for key, value in pairs.items()]
-    return HTTPConnection({"type": "http", "scheme": "http", "server": ("127.0.0.1", 8080), "path": "/", "headers": raw})
+    return HTTPConnection(
+        {
+            "type": "http",
+            "scheme": "http",
+            "server": ("127.0.0.1", 8080),
+            "path": "/",
+            "headers": raw,
+        }
+    )
 
 
 def knows(doorkeeper: Doorkeeper, session: str) -> bool:

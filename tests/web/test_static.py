@@ -16,7 +16,9 @@ LIMIT = 113_000
 
 
 def test_the_whole_console_is_smaller_than_113_kilobytes() -> None:
-    assert sum(file.stat().st_size for file in STATIC.iterdir() if file.name != "LICENSES.txt") < LIMIT
+    assert (
+        sum(file.stat().st_size for file in STATIC.iterdir() if file.name != "LICENSES.txt") < LIMIT
+    )
 
 
 def test_nothing_in_it_points_to_another_host() -> None:
@@ -40,4 +42,6 @@ def test_the_committed_bundle_is_what_the_source_builds(tmp_path: Path) -> None:
         pytest.skip("the client's tools are not installed: npm ci in src/housefly/web/client")
     subprocess.run([node, "build.mjs", str(tmp_path)], cwd=client, check=True)
     for built in tmp_path.iterdir():
-        assert built.read_bytes() == (STATIC / built.name).read_bytes(), f"{built.name}: run npm run build"
+        assert built.read_bytes() == (STATIC / built.name).read_bytes(), (
+            f"{built.name}: run npm run build"
+        )

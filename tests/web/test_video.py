@@ -21,7 +21,9 @@ def test_the_header_is_as_long_as_the_browser_thinks() -> None:
 
 @given(st.lists(st.tuples(st.booleans(), st.integers(0, 30)), max_size=300))
 def test_what_a_watcher_gets_can_always_be_decoded(story: list[tuple[bool, int]]) -> None:
-    """Each picture is a key frame (k) or continues the picture before it, however slowly the browser reads."""
+    """Each picture is a key frame (k) or continues the picture before it, however slowly the
+    browser reads.
+    """
     watcher, sent = Watcher(deque(), skipping=True), []
     for number, (keyframe, reads) in enumerate(story):
         watcher.offer(f"{'k' if keyframe else 'd'}{number}".encode(), keyframe=keyframe)

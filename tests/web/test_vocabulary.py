@@ -17,7 +17,9 @@ from housefly.web.vocabulary import CLIENT_MESSAGE, Accepted, Pong, to_text
 
 @pytest.mark.parametrize("path", files(), ids=lambda path: str(path.name))
 def test_the_typescript_types_are_current(path: Path) -> None:
-    assert path.read_text(encoding="utf-8") == files()[path], "run: python -m housefly.web.typescript"
+    assert path.read_text(encoding="utf-8") == files()[path], (
+        "run: python -m housefly.web.typescript"
+    )
 
 
 def test_numbers_that_are_not_finite_become_null() -> None:
@@ -29,7 +31,9 @@ def test_every_message_says_its_type() -> None:
 
 
 def test_an_order_is_read() -> None:
-    message: Any = CLIENT_MESSAGE.validate_json('{"type":"order","id":4,"order":"go","goal":[1,2.5]}')
+    message: Any = CLIENT_MESSAGE.validate_json(
+        '{"type":"order","id":4,"order":"go","goal":[1,2.5]}'
+    )
     assert (message.order, message.goal) == (OrderKind.GO, (1.0, 2.5))
 
 
@@ -58,7 +62,9 @@ def test_a_message_that_is_not_in_the_vocabulary_is_refused(text: str) -> None:
 
 
 JSON_VALUE = st.recursive(
-    st.none() | st.floats() | st.text(), lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner), max_leaves=10
+    st.none() | st.floats() | st.text(),
+    lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner),
+    max_leaves=10,
 )
 
 

@@ -1,4 +1,6 @@
-"""The NatNet codec: what goes in comes out, all that a real server streams is stepped over, nothing but WireError is raised."""
+"""The NatNet codec: what goes in comes out, all that a real server streams is stepped over, nothing
+but WireError is raised.
+"""
 
 from __future__ import annotations
 
@@ -33,14 +35,27 @@ i32 = st.integers(-(2**31), 2**31 - 1)
 u64 = st.integers(0, 2**64 - 1)
 byte = st.integers(0, 255)
 real = st.floats(allow_nan=False, width=32)
-name = st.text(max_size=60).filter(lambda text: "\0" not in text and text.encode("utf-8", "replace").decode("utf-8") == text)
+name = st.text(max_size=60).filter(
+    lambda text: "\0" not in text and text.encode("utf-8", "replace").decode("utf-8") == text
+)
 four = st.tuples(byte, byte, byte, byte)
 group = four.map(lambda quad: ".".join(map(str, quad)))
-body = st.builds(RigidBody, i32, st.tuples(*[real] * 3), st.tuples(*[real] * 4), real, st.booleans())
+body = st.builds(
+    RigidBody, i32, st.tuples(*[real] * 3), st.tuples(*[real] * 4), real, st.booleans()
+)
 described = st.builds(RigidBodyDescription, i32, name, i32, st.tuples(*[real] * 3))
 item = st.one_of(
     st.builds(Connect, st.none() | st.tuples(st.integers(1, 255), byte)),
-    st.builds(ServerInfo, name, four, four, st.integers(1, 2**64 - 1), st.integers(0, 65535), st.booleans(), group),
+    st.builds(
+        ServerInfo,
+        name,
+        four,
+        four,
+        st.integers(1, 2**64 - 1),
+        st.integers(0, 65535),
+        st.booleans(),
+        group,
+    ),
     st.builds(Request, name),
     st.builds(Response, i32),
     st.builds(ModelDef, st.lists(described, max_size=4).map(tuple)),
@@ -74,13 +89,17 @@ def test_any_bytes_are_a_message_or_a_wire_error(datagram: bytes, version: Versi
 
 
 @given(st.sampled_from([1, 2, 3, 5, 7]), st.binary(max_size=400), versions)
-def test_any_body_of_a_known_kind_is_a_message_or_a_wire_error(kind: int, body: bytes, version: Version) -> None:
+def test_any_body_of_a_known_kind_is_a_message_or_a_wire_error(
+    kind: int, body: bytes, version: Version
+) -> None:
     with suppress(WireError):
         decode_message(struct.pack("<HH", kind, len(body)) + body, version)
 
 
 @given(item, versions, st.data())
-def test_a_damaged_message_is_a_message_or_a_wire_error(whole: Item, version: Version, data: st.DataObject) -> None:
+def test_a_damaged_message_is_a_message_or_a_wire_error(
+    whole: Item, version: Version, data: st.DataObject
+) -> None:
     datagram = bytearray(encode_message(whole, version))
     for _ in range(data.draw(st.integers(1, 5))):
         datagram[data.draw(st.integers(0, len(datagram) - 1))] = data.draw(byte)
@@ -89,7 +108,9 @@ def test_a_damaged_message_is_a_message_or_a_wire_error(whole: Item, version: Ve
 
 
 @given(st.lists(body, max_size=3).map(tuple), versions, st.data())
-def test_a_frame_cut_short_is_a_wire_error(bodies: tuple[RigidBody, ...], version: Version, data: st.DataObject) -> None:
+def test_a_frame_cut_short_is_a_wire_error(
+    bodies: tuple[RigidBody, ...], version: Version, data: st.DataObject
+) -> None:
     whole = encode_message(Frame(1, bodies), version)[4:-4]  # the end mark is not read
     cut = whole[: data.draw(st.integers(0, len(whole) - 1))]
     with pytest.raises(WireError, match="NatNet"):
@@ -127,7 +148,9 @@ def crowded_frame(version: Version) -> bytes:
 
 @pytest.mark.parametrize("version", [(3, 1), (4, 1), (4, 2)])
 def test_sections_that_we_do_not_use_are_stepped_over(version: Version) -> None:
-    assert decode_message(crowded_frame(version), version) == Frame(42, (SEEN,), 12.5, 100, 110, 120, True, True)
+    assert decode_message(crowded_frame(version), version) == Frame(
+        42, (SEEN,), 12.5, 100, 110, 120, True, True
+    )
 
 
 @pytest.mark.parametrize("version", [(3, 1), (4, 1)])
@@ -138,18 +161,29 @@ def test_descriptions_that_we_do_not_use_are_stepped_over(version: Version) -> N
         return struct.pack("<i", kind) + (struct.pack("<i", len(body)) if sized else b"") + body
 
     names = b"a\0b\0" if version >= (4, 0) else b""
-    rigid = b"drone\0" + struct.pack("<ii3f", 7, -1, 0, 0, 0) + struct.pack("<i6f2i", 2, *[0.0] * 6, 1, 2) + names
-    plate = struct.pack("<i", 1) + b"serial\0" + bytes(4 * 161) + struct.pack("<iii", 0, 0, 1) + b"Fx\0"
+    rigid = (
+        b"drone\0"
+        + struct.pack("<ii3f", 7, -1, 0, 0, 0)
+        + struct.pack("<i6f2i", 2, *[0.0] * 6, 1, 2)
+        + names
+    )
+    plate = (
+        struct.pack("<i", 1) + b"serial\0" + bytes(4 * 161) + struct.pack("<iii", 0, 0, 1) + b"Fx\0"
+    )
     sets = [
         data_set(0, b"all\0" + struct.pack("<i", 2) + b"m1\0m2\0"),
         data_set(2, b"Bob\0" + struct.pack("<ii", 1, 1) + rigid),
         data_set(3, plate),
-        data_set(4, struct.pack("<i", 1) + b"dev\0serial\0" + struct.pack("<iii", 0, 0, 1) + b"ch\0"),
+        data_set(
+            4, struct.pack("<i", 1) + b"dev\0serial\0" + struct.pack("<iii", 0, 0, 1) + b"ch\0"
+        ),
         data_set(5, b"cam\0" + bytes(28)),
         data_set(1, rigid),
     ]
     body = struct.pack("<i", len(sets)) + b"".join(sets)
-    assert decode_message(struct.pack("<HH", 5, len(body)) + body, version) == ModelDef((RigidBodyDescription(7, "drone"),))
+    assert decode_message(struct.pack("<HH", 5, len(body)) + body, version) == ModelDef(
+        (RigidBodyDescription(7, "drone"),)
+    )
 
 
 @pytest.mark.parametrize(

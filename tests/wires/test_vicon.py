@@ -38,7 +38,9 @@ from housefly.wires.vicon import (
 
 u32 = st.integers(0, 2**32 - 1)
 real = st.floats(allow_nan=False)
-name = st.text(max_size=60).filter(lambda text: text.encode("utf-8", "replace").decode("utf-8") == text)
+name = st.text(max_size=60).filter(
+    lambda text: text.encode("utf-8", "replace").decode("utf-8") == text
+)
 kinds = st.frozensets(u32, max_size=8)
 pose = st.builds(SegmentPose, u32, st.tuples(*[real] * 3), st.tuples(*[real] * 9))
 item = st.one_of(
@@ -49,12 +51,18 @@ item = st.one_of(
     st.builds(Contents, st.lists(st.tuples(u32, u32), max_size=5).map(tuple), kinds),
     st.builds(StreamInfo, st.integers(-(2**63), 2**63 - 1)),
     st.builds(ApplicationInfo, st.booleans()),
-    st.builds(SubjectInfo, u32, name, st.lists(st.builds(Segment, u32, name, u32), max_size=4).map(tuple)),
+    st.builds(
+        SubjectInfo, u32, name, st.lists(st.builds(Segment, u32, name, u32), max_size=4).map(tuple)
+    ),
     st.builds(FrameInfo, u32),
     st.builds(LatencyInfo, st.lists(st.tuples(name, real), max_size=4).map(tuple)),
     st.builds(GlobalSegments, u32, st.lists(pose, max_size=4).map(tuple)),
 )
-quaternion = st.tuples(*[st.floats(-1, 1)] * 4).filter(lambda q: sum(v * v for v in q) > 1e-3).map(normalized)
+quaternion = (
+    st.tuples(*[st.floats(-1, 1)] * 4)
+    .filter(lambda q: sum(v * v for v in q) > 1e-3)
+    .map(normalized)
+)
 
 
 def body_of(packet: bytes) -> bytes:
@@ -74,7 +82,9 @@ def test_any_bytes_are_a_packet_or_a_wire_error(body: bytes) -> None:
 
 
 @given(st.lists(item, min_size=1, max_size=4), st.data())
-def test_a_damaged_packet_is_a_packet_or_a_wire_error(items: list[Item], data: st.DataObject) -> None:
+def test_a_damaged_packet_is_a_packet_or_a_wire_error(
+    items: list[Item], data: st.DataObject
+) -> None:
     body = bytearray(body_of(encode_packet(items)))
     for _ in range(data.draw(st.integers(1, 5))):
         body[data.draw(st.integers(0, len(body) - 1))] = data.draw(st.integers(0, 255))

@@ -1,4 +1,6 @@
-"""The VRPN codec: what goes in comes out in whatever pieces, and nothing but WireError is ever raised."""
+"""The VRPN codec: what goes in comes out in whatever pieces, and nothing but WireError is ever
+raised.
+"""
 
 from __future__ import annotations
 
@@ -32,8 +34,12 @@ from housefly.wires.vrpn import (
 
 i32 = st.integers(-(2**31), 2**31 - 1)
 real = st.floats(allow_nan=False)
-name = st.text(max_size=30).filter(lambda text: "\0" not in text and text.encode("utf-8", "replace").decode("utf-8") == text)
-message = st.builds(Message, i32, i32, st.integers(0, (2**31 - 1) * 1_000_000 + 999_999), st.binary(max_size=100))
+name = st.text(max_size=30).filter(
+    lambda text: "\0" not in text and text.encode("utf-8", "replace").decode("utf-8") == text
+)
+message = st.builds(
+    Message, i32, i32, st.integers(0, (2**31 - 1) * 1_000_000 + 999_999), st.binary(max_size=100)
+)
 pose = st.builds(TrackerPose, i32, st.tuples(*[real] * 3), st.tuples(*[real] * 4))
 
 
@@ -105,7 +111,9 @@ def test_a_callback_is_a_host_and_a_port() -> None:
     assert encode_lob("127.0.0.1", 51221) == b"127.0.0.1 51221\0"
 
 
-@pytest.mark.parametrize("datagram", [b"", b"127.0.0.1", b"127.0.0.1 0", b"127.0.0.1 65536", b" 80", b"a b", b"a 1 2"])
+@pytest.mark.parametrize(
+    "datagram", [b"", b"127.0.0.1", b"127.0.0.1 0", b"127.0.0.1 65536", b" 80", b"a b", b"a 1 2"]
+)
 def test_a_callback_to_nowhere_is_refused(datagram: bytes) -> None:
     with pytest.raises(WireError, match="VRPN callback"):
         decode_lob(datagram)
@@ -126,7 +134,11 @@ def test_a_bad_header_is_refused_by_the_name_of_its_field(header: bytes, field: 
 
 
 def test_descriptions_that_cannot_be_are_refused() -> None:
-    for number, body in ((2000, struct.pack(">I", 2) + b"a\0"), (-1, struct.pack(">I", 2) + b"a\0"), (0, b"abc")):
+    for number, body in (
+        (2000, struct.pack(">I", 2) + b"a\0"),
+        (-1, struct.pack(">I", 2) + b"a\0"),
+        (0, b"abc"),
+    ):
         with pytest.raises(WireError, match="VRPN description"):
             Names().learn(Message(SENDER_DESCRIPTION, number, 0, body))
     with pytest.raises(WireError, match="VRPN description"):

@@ -14,14 +14,16 @@ from housefly.app.ports import refuse_taken_ports
 from housefly.app.premises import Premises
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, meeting_place, new_runtime
-from housefly.asking.meeting_place import announced
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP, VIDEO
 from housefly.bus.zenoh_bus import ZenohBus
+from housefly.hub.asking.discovery import announced
 from housefly.record.recorder import FlightRecorder
 
 READY_TIMEOUT = 60.0
-"""How long a start may take before it is said what is missing [s]; the run goes on and picks up what comes later."""
+"""How long a start may take before it is said what is missing [s]; the run goes on and picks up
+what comes later.
+"""
 
 
 def stay(premises: Premises, folder: Path, record: Path | None, console: Console) -> int:
@@ -48,18 +50,25 @@ def stay(premises: Premises, folder: Path, record: Path | None, console: Console
 def _introduce(runtime: Runtime, bus: Bus, console: Console, started: float) -> None:
     site = runtime.site()
     console.print(
-        f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}: {'simulated room' if site.twin.enabled else 'real hardware'}"
+        f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
+        f" {'simulated room' if site.twin.enabled else 'real hardware'}"
     )
-    console.print(f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]", soft_wrap=True)
+    console.print(
+        f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]",
+        soft_wrap=True,
+    )
     console.print(f"bus:      {runtime.bus}  (who may run programs here may listen and order)")
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
         missing = Readiness(site, bus, web=True, video=video).wait(READY_TIMEOUT, status.update)
     if missing:
-        console.print(f"[bold]not everything answers:[/bold] {missing}; `housefly doctor` may know why")
+        console.print(
+            f"[bold]not everything answers:[/bold] {missing}; `housefly doctor` may know why"
+        )
         return
     console.print(
-        f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold Go. Ctrl-C lands and ends."
+        f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold"
+        " Go. Ctrl-C lands and ends."
     )
 
 
@@ -73,7 +82,11 @@ def _land_and_leave(launcher: Launcher, console: Console) -> None:
 
 def _record(premises: Premises, folder: Path, bus: Bus) -> Callable[[], None]:
     recorder = FlightRecorder(folder, premises.site, premises.room, premises.grid)
-    open_ = [bus.subscribe(STEP, recorder.step), bus.subscribe(VIDEO, recorder.video), bus.subscribe(LINK, recorder.link)]
+    open_ = [
+        bus.subscribe(STEP, recorder.step),
+        bus.subscribe(VIDEO, recorder.video),
+        bus.subscribe(LINK, recorder.link),
+    ]
 
     def close() -> None:
         for subscription in open_:
@@ -91,4 +104,7 @@ def _idle(launcher: Launcher, console: Console) -> None:
             now = launcher.restarts(name)
             if now != before:
                 restarts[name] = now
-                console.print(f"{name} died and was started again (its log: {launcher.folder / (name + '.log')})")
+                console.print(
+                    f"{name} died and was started again (its log:"
+                    f" {launcher.folder / (name + '.log')})"
+                )

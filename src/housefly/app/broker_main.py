@@ -1,6 +1,8 @@
-"""An MQTT broker of this run's own: mosquitto on loopback, for a site that says ``mqtt.start = true``.
+"""An MQTT broker of this run's own: mosquitto on loopback, for a site that says ``mqtt.start =
+true``.
 
-``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and lets in whoever is on this machine.
+``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and lets
+in whoever is on this machine.
 """
 
 from __future__ import annotations
@@ -36,7 +38,10 @@ def main() -> int:
         return 1
     folder = Path(tempfile.mkdtemp(prefix="housefly-broker-"))
     settings = folder / "mosquitto.conf"
-    settings.write_text(f"listener {site.mqtt.port} {site.mqtt.broker}\nallow_anonymous true\npersistence false\nuser root\n")
+    settings.write_text(
+        f"listener {site.mqtt.port} {site.mqtt.broker}\nallow_anonymous true\npersistence"
+        " false\nuser root\n"
+    )
     os.execv(found, [found, "-c", str(settings)])
 
 

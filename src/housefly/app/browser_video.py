@@ -1,4 +1,6 @@
-"""Asks a browser of this machine whether it can show the drone's video: H.264 through WebCodecs, on a loopback page."""
+"""Asks a browser of this machine whether it can show the drone's video: H.264 through WebCodecs, on
+a loopback page.
+"""
 
 from __future__ import annotations
 
@@ -9,8 +11,21 @@ import threading
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, HTTPServer
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "microsoft-edge")
-FLAGS = ("--headless", "--disable-gpu", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--dump-dom")
+BROWSERS = (
+    "chromium",
+    "chromium-browser",
+    "google-chrome",
+    "google-chrome-stable",
+    "microsoft-edge",
+)
+FLAGS = (
+    "--headless",
+    "--disable-gpu",
+    "--no-sandbox",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--dump-dom",
+)
 TIMEOUT_S = 20.0
 PAGE = b"""<!doctype html><title>?</title><p id=answer>unknown</p><script>
 const tell = (word) => { document.getElementById("answer").textContent = word };
@@ -47,16 +62,22 @@ def video_of_the_browser() -> BrowserVideo:
     """Start the first known browser without a window and ask it."""
     name = next((name for name in BROWSERS if shutil.which(name)), "")
     if not name:
-        return BrowserVideo(False, f"none of {', '.join(BROWSERS)} is installed; another one may do")
+        return BrowserVideo(
+            False, f"none of {', '.join(BROWSERS)} is installed; another one may do"
+        )
     with HTTPServer(("127.0.0.1", 0), _Page) as server, tempfile.TemporaryDirectory() as profile:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         page = f"http://127.0.0.1:{server.server_port}/"
         command = [name, *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=3000", page]
         try:
-            shown = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False).stdout
+            shown = subprocess.run(
+                command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+            ).stdout
         except (OSError, subprocess.TimeoutExpired):
             return BrowserVideo(False, f"{name} did not answer")
         finally:
             server.shutdown()
-    answer = next((word for word in ("no-webcodecs", "no-h264", "h264") if f">{word}<" in shown), "")
+    answer = next(
+        (word for word in ("no-webcodecs", "no-h264", "h264") if f">{word}<" in shown), ""
+    )
     return BrowserVideo(answer == "h264", f"{name} {WORDS.get(answer, 'did not say')}")

@@ -15,11 +15,11 @@ from rich.console import Console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
-    from housefly.campaigns.folder import CampaignFolder
-    from housefly.campaigns.plan import Plan
-    from housefly.campaigns.runner import Fleet
-    from housefly.campaigns.spec import Spec
-    from housefly.campaigns.summary import Cell
+    from housefly.lab.campaigns.folder import CampaignFolder
+    from housefly.lab.campaigns.plan import Plan
+    from housefly.lab.campaigns.runner import Fleet
+    from housefly.lab.campaigns.spec import Spec
+    from housefly.lab.campaigns.summary import Cell
 
 console = Console(highlight=False)
 
@@ -49,26 +49,39 @@ def add(actions: Any) -> None:
     parser = actions.add_parser(
         "campaign",
         help="fly thousands of simulated drones from one file: grids, distributions, seeds",
-        description="Fly the closed loop (reduced-order drone, stamped noisy tracking, filter, acceptor, control, safety) "
-        "for every drone of a campaign file; write results.parquet, summary.csv and plots.",
+        description=(
+            "Fly the closed loop (reduced-order drone, stamped noisy tracking, filter, acceptor,"
+            " control, safety) for every drone of a campaign file; write results.parquet,"
+            " summary.csv and plots."
+        ),
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument("spec", metavar="SPEC.toml", help="the campaign file")
     parser.add_argument("--out", metavar="DIR", help="where to write (default: campaigns/<name>)")
     parser.add_argument("--threads", type=int, metavar="N", help="threads (default: one a core)")
-    parser.add_argument("--cluster", metavar="ADDRESS", help="spread it over a Dask cluster, for example tcp://127.0.0.1:8786")
-    parser.add_argument("--fresh", action="store_true", help="forget what the folder holds of an earlier run")
-    parser.add_argument("--dry-run", action="store_true", help="say how many drones would fly and for how long, then stop")
+    parser.add_argument(
+        "--cluster",
+        metavar="ADDRESS",
+        help="spread it over a Dask cluster, for example tcp://127.0.0.1:8786",
+    )
+    parser.add_argument(
+        "--fresh", action="store_true", help="forget what the folder holds of an earlier run"
+    )
+    parser.add_argument(
+        "--dry-run",
+        action="store_true",
+        help="say how many drones would fly and for how long, then stop",
+    )
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Fly a campaign, or what is missing of it."""
     from housefly.app.compiling import Part, compile_once
-    from housefly.campaigns.notes import notes
-    from housefly.campaigns.plan import plan_campaign
-    from housefly.campaigns.spec import load_spec
+    from housefly.lab.campaigns.notes import notes
+    from housefly.lab.campaigns.plan import plan_campaign
+    from housefly.lab.campaigns.spec import load_spec
 
     if options.threads is not None and not 1 <= options.threads <= 1024:
         raise ConfigError("--threads", f"is {options.threads}; allowed: a number from 1 to 1024")
@@ -77,7 +90,8 @@ def run(options: argparse.Namespace) -> int:
     plan = plan_campaign(spec, _site(spec, path.parent))
     seconds = plan.drones * spec.mission.duration_s
     console.print(
-        f"{spec.name}: {spec.points} points x {spec.seeds} seeds = {plan.drones:,} drones, {seconds:,.0f} drone-seconds"
+        f"{spec.name}: {spec.points} points x {spec.seeds} seeds = {plan.drones:,} drones,"
+        f" {seconds:,.0f} drone-seconds"
     )
     compile_once(Part.ENGINE, console.print)
     for note in notes(plan):
@@ -86,9 +100,11 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _fly(plan: Plan, options: argparse.Namespace) -> int:
-    from housefly.campaigns.folder import CampaignFolder
+    from housefly.lab.campaigns.folder import CampaignFolder
 
-    out = Path(options.out or Path("campaigns") / re.sub(r"[^\w-]+", "_", plan.spec.name).strip("_"))
+    out = Path(
+        options.out or Path("campaigns") / re.sub(r"[^\w-]+", "_", plan.spec.name).strip("_")
+    )
     with CampaignFolder(out, plan, fresh=options.fresh) as folder:
         try:
             with _fleet(options) as fleet:
@@ -103,57 +119,78 @@ def _fly(plan: Plan, options: argparse.Namespace) -> int:
 
 @contextmanager
 def _fleet(options: argparse.Namespace) -> Iterator[Fleet]:
-    from housefly.campaigns.runner import LocalFleet
+    from housefly.lab.campaigns.runner import LocalFleet
 
     if not options.cluster:
         yield LocalFleet(options.threads)
         return
-    from housefly.campaigns.cluster import ClusterFleet
+    from housefly.lab.campaigns.cluster import ClusterFleet
 
     with ClusterFleet(options.cluster) as fleet:
         others = ", ".join(sorted(fleet.foreign_processors()))
         if others:
-            console.print(f"note: workers with other processors ({others}): the last bits of their numbers may differ")
+            console.print(
+                f"note: workers with other processors ({others}): the last bits of their numbers"
+                " may differ"
+            )
         yield fleet
 
 
 def _run(plan: Plan, folder: CampaignFolder, fleet: Fleet) -> None:
     from housefly.app.campaign_progress import CampaignProgress
-    from housefly.campaigns.runner import run_campaign
+    from housefly.lab.campaigns.runner import run_campaign
 
     missing = folder.missing()
     if folder.landed:
         console.print(f"{folder.landed:,} drones are there from an earlier run")
-    with CampaignProgress(plan.drones, folder.landed, plan.spec.mission.duration_s, console) as progress:
+    with CampaignProgress(
+        plan.drones, folder.landed, plan.spec.mission.duration_s, console
+    ) as progress:
         run_campaign(plan, missing, folder, fleet, progress.landed)
 
 
 def _conclude(spec: Spec, folder: CampaignFolder) -> None:
-    from housefly.campaigns.plots import draw_campaign
-    from housefly.campaigns.summary import summarize, write_summary
+    from housefly.lab.campaigns.plots import draw_campaign
+    from housefly.lab.campaigns.summary import summarize, write_summary
 
     cells = summarize(spec, folder.finish())
     write_summary(folder.path / "summary.csv", spec, cells)
-    files = [file for measure in spec.plot for file in draw_campaign(spec, cells, measure, folder.path / measure)]
+    files = [
+        file
+        for measure in spec.plot
+        for file in draw_campaign(spec, cells, measure, folder.path / measure)
+    ]
     _print_table(spec, cells)
-    names = ", ".join(["results.parquet", "summary.csv", *(file.name for file in files if file.suffix == ".png")])
+    names = ", ".join(
+        ["results.parquet", "summary.csv", *(file.name for file in files if file.suffix == ".png")]
+    )
     console.print(f"written: {folder.path} ({names})", soft_wrap=True)
 
 
 def _print_table(spec: Spec, cells: tuple[Cell, ...]) -> None:
     from rich.table import Table
 
-    from housefly.campaigns.summary import SHARES, shown, told
-    from housefly.experiments.cases import BY_NAME
-    from housefly.experiments.outcomes import MEASURES
+    from housefly.lab.campaigns.summary import SHARES, shown, told
+    from housefly.lab.experiments.cases import BY_NAME
+    from housefly.lab.experiments.outcomes import MEASURES
 
-    units = {measure.name: measure.unit for measure in MEASURES} | {name: BY_NAME[name].unit for name in spec.grid}
+    units = {measure.name: measure.unit for measure in MEASURES} | {
+        name: BY_NAME[name].unit for name in spec.grid
+    }
     table = Table(box=None, pad_edge=False)
     rows = []
     for cell in cells[:ROWS]:
         values = (shown(name, value) for name, value in zip(spec.grid, cell.values, strict=True))
-        rows.append((*values, str(cell.drones), *(told(measure, cell.estimates[measure]) for measure in spec.plot)))
-    for name, texts in zip((*spec.grid, "drones", *spec.plot), zip(*rows, strict=True), strict=True):
+        rows.append(
+            (
+                *values,
+                str(cell.drones),
+                *(told(measure, cell.estimates[measure]) for measure in spec.plot),
+            )
+        )
+    for name, texts in zip(
+        (*spec.grid, "drones", *spec.plot), zip(*rows, strict=True), strict=True
+    ):
         unit = "1" if name in SHARES else units.get(name, "1")
         heading = name.replace("_", " ") + ("" if unit == "1" else f" \\[{unit}]")
         table.add_column(heading, justify="right", min_width=max(map(len, texts)))
@@ -166,7 +203,7 @@ def _print_table(spec: Spec, cells: tuple[Cell, ...]) -> None:
 
 
 def _estimate(plan: Plan, threads: int | None) -> int:
-    from housefly.experiments.engine import fly_many
+    from housefly.lab.experiments.engine import fly_many
 
     chunk = plan.chunks[0]
     cases = plan.cases_of(chunk)[0][:PROBE]

@@ -1,4 +1,5 @@
-"""Runs one part in a process of its own: ``python -m housefly.app.child PARENT NICENESS MODULE ARGUMENTS...``.
+"""Runs one part in a process of its own: ``python -m housefly.app.child PARENT NICENESS MODULE
+ARGUMENTS...``.
 
 Set here and not between fork and exec: a launcher with threads must not run Python there.
 """

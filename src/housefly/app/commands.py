@@ -53,7 +53,13 @@ def fly(options: argparse.Namespace) -> int:
         raise ConfigError("--look", f"is {options.look}; allowed: a number from 0 to 120 s")
     compile_once(Part.CHAIN, console.print)
     outcome = fly_service(
-        premises, options.place, options.look, out, console, lockstep=options.lockstep, web=not options.headless
+        premises,
+        options.place,
+        options.look,
+        out,
+        console,
+        lockstep=options.lockstep,
+        web=not options.headless,
     )
     return 0 if outcome == "completed" else 1
 
@@ -61,13 +67,15 @@ def fly(options: argparse.Namespace) -> int:
 def plan(options: argparse.Namespace) -> int:
     """Plan a path, print it, draw it."""
     from housefly.app.compiling import Part, compile_once
-    from housefly.pilot import Pilot
+    from housefly.pilot.pilot import Pilot
     from housefly.room.draw import draw_room, text_map
 
     premises = _premises(options)
     compile_once(Part.CHAIN, console.print)
     pilot = Pilot(premises.site, premises.room, premises.grid)
-    answer = pilot.plan(_point(options.goal, premises, "--to"), _point(options.start, premises, "--from"))
+    answer = pilot.plan(
+        _point(options.goal, premises, "--to"), _point(options.start, premises, "--from")
+    )
     if answer.path is None:
         console.print(f"no path: {answer.reason}")
         if answer.suggestion:
@@ -78,7 +86,12 @@ def plan(options: argparse.Namespace) -> int:
         console.print(f"{path.length:.2f} m, about {answer.duration:.0f} s, {size}")
         console.print(" ".join(f"{x:.2f},{y:.2f}" for x, y in path.waypoints))
     if options.png:
-        draw_room(premises.room, premises.grid, Path(options.png), route=answer.path.waypoints if answer.path else None)
+        draw_room(
+            premises.room,
+            premises.grid,
+            Path(options.png),
+            route=answer.path.waypoints if answer.path else None,
+        )
         console.print(f"drawn: {options.png}")
     else:
         console.print(text_map(premises.room, premises.grid), markup=False, soft_wrap=True)
@@ -106,7 +119,10 @@ def room_import(options: argparse.Namespace) -> int:
 
     out = Path(options.out)
     room = import_ros_map(Path(options.map), out)
-    console.print(f"{room.name}: {len(room.solids)} solids, places: {', '.join(place.name for place in room.places)}")
+    console.print(
+        f"{room.name}: {len(room.solids)} solids, places:"
+        f" {', '.join(place.name for place in room.places)}"
+    )
     console.print(f"look at it:  housefly room show --site {out}")
     console.print(f"fly it:      housefly demo --site {out}")
     return 0
@@ -124,7 +140,10 @@ def replay(options: argparse.Namespace) -> int:
     compile_once(Part.CHAIN, console.print)
     verdict = verify_recording(recording, open_premises(site))
     if verdict.missing:
-        console.print(f"{verdict.missing} steps are missing in the recording: it cannot replay bit for bit from there on")
+        console.print(
+            f"{verdict.missing} steps are missing in the recording: it cannot replay bit for bit"
+            " from there on"
+        )
     if verdict.difference is not None:
         console.print(f"differs: {verdict.difference}")
         return 1
@@ -149,16 +168,25 @@ def doctor(options: argparse.Namespace) -> int:
 
 
 def _premises(options: argparse.Namespace, *, with_edits: bool = False) -> Premises:
-    """Open what the options name, with the newest edits of the ROOM screen where real wires are flown."""
+    """Open what the options name, with the newest edits of the ROOM screen where real wires are
+    flown.
+    """
     from housefly.app.premises import open_premises, read_site, with_newest_edits
 
     changes: dict[str, Any] = {"mode": options.mode, "web__port": getattr(options, "port", None)}
     changes["twin__seed"] = getattr(options, "seed", None)
     if getattr(options, "lively", False):
         changes["hub__things"] = str(Path(sites.__file__).with_name("bsen_things.toml"))
-        changes |= {"twin__scene": "bsen", "mqtt__broker": "127.0.0.1", "mqtt__start": True, "mqtt__port": 0}
+        changes |= {
+            "twin__scene": "bsen",
+            "mqtt__broker": "127.0.0.1",
+            "mqtt__start": True,
+            "mqtt__port": 0,
+        }
     changes["twin__mocap_rate_hz"] = getattr(options, "mocap_rate", None)
-    site = read_site(options.site, **{key: value for key, value in changes.items() if value is not None})
+    site = read_site(
+        options.site, **{key: value for key, value in changes.items() if value is not None}
+    )
     if with_edits:
         site, words = with_newest_edits(site)
         if words:
@@ -173,5 +201,7 @@ def _point(text: str, premises: Premises, option: str) -> Vec2:
         try:
             x, y = (float(part) for part in text.split(","))
         except ValueError:
-            raise ConfigError(option, f"is {text!r}; allowed: x,y in metres or a place ({error.args[0]})") from error
+            raise ConfigError(
+                option, f"is {text!r}; allowed: x,y in metres or a place ({error.args[0]})"
+            ) from error
         return x, y

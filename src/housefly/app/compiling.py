@@ -10,7 +10,7 @@ from enum import Enum
 from pathlib import Path
 
 from housefly.app.premises import open_premises, read_site
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.numeric import CACHE
 
 Say = Callable[[str], object]
@@ -25,7 +25,9 @@ class Part(Enum):
 
 def compile_once(part: Part, say: Say) -> None:
     """Compile a part and say so, unless that was done since the sources changed."""
-    mark = Path(os.environ.get("NUMBA_CACHE_DIR") or CACHE) / f"{CACHE.name}-{part.name.lower()}.done"
+    mark = (
+        Path(os.environ.get("NUMBA_CACHE_DIR") or CACHE) / f"{CACHE.name}-{part.name.lower()}.done"
+    )
     if mark.exists():
         return
     say(f"compiling {part.value} (once, kept for the next start) ...")
@@ -38,7 +40,7 @@ def compile_once(part: Part, say: Say) -> None:
 
 
 def _chain() -> None:
-    from housefly.pilot import warm_up
+    from housefly.pilot.pilot import warm_up
 
     for mode in ("default", "paper"):
         premises = open_premises(read_site("bsen", mode=mode))
@@ -46,9 +48,9 @@ def _chain() -> None:
 
 
 def _engine() -> None:
-    from housefly.experiments.cases import cases
-    from housefly.experiments.engine import fly_many
-    from housefly.experiments.mission import Mission, Task
+    from housefly.lab.experiments.cases import cases
+    from housefly.lab.experiments.engine import fly_many
+    from housefly.lab.experiments.mission import Mission, Task
 
     fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 1.0), threads=1)
 

@@ -10,14 +10,15 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from housefly.reproduction.fig17_service import Picture
+from housefly.lab.reproduction.fig17_service import Picture
 
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
 SIZE = {"width": 1280, "height": 720}
 
 
 class ConsoleCamera:
-    """Photographs the console in Debian's Chromium, where it and playwright are installed; else does nothing.
+    """Photographs the console in Debian's Chromium, where it and playwright are installed; else
+    does nothing.
 
     Attributes:
         available: whether there is a browser.

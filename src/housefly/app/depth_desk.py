@@ -1,4 +1,6 @@
-"""Depth images from the bus to obstacles on the bus; works on the bus's own thread, so that no scanner waits for a picture."""
+"""Depth images from the bus to obstacles on the bus; works on the bus's own thread, so that no
+scanner waits for a picture.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,9 @@ class DepthDesk:
         height, half = site.map.flight_height, site.map.half_band
         self.own: Own | None = None
         self._bus, self._clock = bus, clock
-        self._watcher = DepthWatcher(untracked(premises.room, site), site.depth_cameras, (height - half, height + half))
+        self._watcher = DepthWatcher(
+            untracked(premises.room, site), site.depth_cameras, (height - half, height + half)
+        )
         names = [camera.name for camera in site.depth_cameras]
         self._lock = threading.Lock()
         self._pulses = {name: Pulse() for name in names}
@@ -41,9 +45,13 @@ class DepthDesk:
         self._subscription = bus.subscribe(DEPTH, self._on_image) if names else None
 
     def reports(self) -> tuple[SensorReport, ...]:
-        """Return how each camera does, and one more line when somebody who is no camera of this site sends images."""
+        """Return how each camera does, and one more line when somebody who is no camera of this
+        site sends images.
+        """
         with self._lock:
-            told = [self._report(name, pulse, self._clock.now()) for name, pulse in self._pulses.items()]
+            told = [
+                self._report(name, pulse, self._clock.now()) for name, pulse in self._pulses.items()
+            ]
             return (*told, *self._strangers(self._clock.now()))
 
     def _report(self, name: str, pulse: Pulse, now: float) -> SensorReport:
@@ -54,7 +62,11 @@ class DepthDesk:
 
     def _strangers(self, now: float) -> tuple[SensorReport, ...]:
         problem = self._refusal("", now)
-        return (SensorReport("other images", "depth camera", False, 0.0, inf, problem),) if problem else ()
+        return (
+            (SensorReport("other images", "depth camera", False, 0.0, inf, problem),)
+            if problem
+            else ()
+        )
 
     def _refusal(self, name: str, now: float) -> str:
         words, at = self._refused[name]

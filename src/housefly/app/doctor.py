@@ -11,14 +11,16 @@ from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
 from housefly.app.ports import needs_of
-from housefly.config import Site
+from housefly.config.site import Site
 
 PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
 
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One check: what was looked at, whether it is well, what was found, and the line that mends it."""
+    """One check: what was looked at, whether it is well, what was found, and the line that mends
+    it.
+    """
 
     name: str
     well: bool
@@ -42,19 +44,30 @@ def _python(_: Site) -> Finding:
 
 def _physics(_: Site) -> Finding:
     there = importlib.util.find_spec("mujoco") is not None
-    return Finding("simulated room (MuJoCo)", there, "installed" if there else "missing", "pip install 'housefly[twin]'")
+    return Finding(
+        "simulated room (MuJoCo)",
+        there,
+        "installed" if there else "missing",
+        "pip install 'housefly[twin]'",
+    )
 
 
 def _renderer(_: Site) -> Finding:
     working = [backend for backend in ("egl", "osmesa") if _renders(backend)]
-    found = f"works with {', '.join(working)}" if working else "none: the drone's camera shows a plain card"
+    found = (
+        f"works with {', '.join(working)}"
+        if working
+        else "none: the drone's camera shows a plain card"
+    )
     remedy = "apt-get install -y --no-install-recommends libosmesa6"
     return Finding("renderer for the simulated camera", bool(working), found, remedy, optional=True)
 
 
 def _renders(backend: str) -> bool:
     environment = {**os.environ, "MUJOCO_GL": backend}
-    done = subprocess.run([sys.executable, "-c", PROBE], env=environment, capture_output=True, timeout=60, check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", PROBE], env=environment, capture_output=True, timeout=60, check=False
+    )
     return done.returncode == 0
 
 
@@ -62,7 +75,13 @@ def _encoder(_: Site) -> Finding:
     import av
 
     there = "libx264" in av.codecs_available
-    return Finding("H.264 encoder", there, "libx264" if there else "missing", "pip install --force-reinstall av", optional=True)
+    return Finding(
+        "H.264 encoder",
+        there,
+        "libx264" if there else "missing",
+        "pip install --force-reinstall av",
+        optional=True,
+    )
 
 
 def _browser(_: Site) -> Finding:
@@ -72,8 +91,15 @@ def _browser(_: Site) -> Finding:
 
 
 def _cores(_: Site) -> Finding:
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    return Finding("processor cores", cores >= 2, str(cores), "two cores are the target; one is too few for the twin with video")
+    cores = (
+        len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    )
+    return Finding(
+        "processor cores",
+        cores >= 2,
+        str(cores),
+        "two cores are the target; one is too few for the twin with video",
+    )
 
 
 def _ports(site: Site) -> tuple[Finding, ...]:
@@ -81,7 +107,11 @@ def _ports(site: Site) -> tuple[Finding, ...]:
         Finding(
             f"ports of the {need.name}",
             not need.taken,
-            f"taken at {need.address}: {', '.join(need.taken)}" if need.taken else f"free at {need.address}",
+            (
+                f"taken at {need.address}: {', '.join(need.taken)}"
+                if need.taken
+                else f"free at {need.address}"
+            ),
             f"end the program that uses it, or change {need.remedy}",
         )
         for need in needs_of(site, web=True)
@@ -92,13 +122,21 @@ def _hardware(site: Site) -> Finding:
     if site.twin.enabled:
         return Finding("drone and tracking", True, "simulated")
     wire = site.tracking.wire
-    tracking = f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
-    return Finding("drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}")
+    tracking = (
+        f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
+    )
+    return Finding(
+        "drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}"
+    )
 
 
 def _priority(_: Site) -> Finding:
     well = os.geteuid() == 0
-    found = "the pilot may take a higher priority" if well else "the pilot runs at normal priority, the others below it"
+    found = (
+        "the pilot may take a higher priority"
+        if well
+        else "the pilot runs at normal priority, the others below it"
+    )
     return Finding(
         "privileges",
         well,

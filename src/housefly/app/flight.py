@@ -28,7 +28,16 @@ FIGURES = (
 """What is told at the end: key of the summary, words, unit, decimals."""
 
 
-def fly_service(premises: Premises, place: str, look_s: float, out: Path, console: Console, *, lockstep: bool, web: bool) -> str:
+def fly_service(
+    premises: Premises,
+    place: str,
+    look_s: float,
+    out: Path,
+    console: Console,
+    *,
+    lockstep: bool,
+    web: bool,
+) -> str:
     """Fly to a place, look, come home, land; write the record into ``out``; return the outcome."""
     if not lockstep:
         refuse_taken_ports(premises.site, web=web)
@@ -50,7 +59,16 @@ def fly_service(premises: Premises, place: str, look_s: float, out: Path, consol
                 runtime = new_runtime(premises.site, logs)
                 if web:
                     console.print(f"console: {_address(runtime)}", soft_wrap=True)
-                outcome = fly_over_wires(runtime, logs, premises.room.home, order, recorder, progress.step, progress.say, web=web)
+                outcome = fly_over_wires(
+                    runtime,
+                    logs,
+                    premises.room.home,
+                    order,
+                    recorder,
+                    progress.step,
+                    progress.say,
+                    web=web,
+                )
     finally:
         summary = recorder.finish(outcome)
     _tell(summary, out, console)
@@ -66,7 +84,10 @@ def _tell(summary: Summary, out: Path, console: Console) -> None:
     console.print(f"[bold]{summary.outcome}[/bold]")
     for key, words, unit, decimals in FIGURES:
         value = getattr(summary, key)
-        console.print(f"  {words:<22}" + ("not measured" if value is None else f"{value:8.{decimals}f} {unit}"))
+        console.print(
+            f"  {words:<22}"
+            + ("not measured" if value is None else f"{value:8.{decimals}f} {unit}")
+        )
     for problem in summary.problems:
         console.print(f"  {problem}")
     console.print(f"record: {out} (report.html, flight.mcap, summary.json)", soft_wrap=True)

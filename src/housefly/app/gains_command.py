@@ -1,4 +1,6 @@
-"""``housefly gains``: control gains and filter for one drone and one tracking system, with their margins."""
+"""``housefly gains``: control gains and filter for one drone and one tracking system, with their
+margins.
+"""
 
 from __future__ import annotations
 
@@ -12,8 +14,8 @@ from rich.console import Console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
-    from housefly.tuning.advice import Advice, Judgement, Question
-    from housefly.tuning.rate_loop import RateLoop
+    from housefly.lab.tuning.advice import Advice, Judgement, Question
+    from housefly.lab.tuning.rate_loop import RateLoop
 
 console = Console(highlight=False)
 
@@ -45,11 +47,19 @@ OPTIONS: tuple[Option, ...] = (
     Option("--drag", "1/s", 0.0, 5.0, "linear drag over mass"),
     Option("--rate", "Hz", 5.0, 400.0, "tracking frames per second"),
     Option("--latency", "s", 0.0, 0.5, "from exposure to arrival of a frame"),
-    Option("--jitter", "s", 0.0, 0.2, "largest extra latency; margins are those of the latest frames"),
+    Option(
+        "--jitter", "s", 0.0, 0.2, "largest extra latency; margins are those of the latest frames"
+    ),
     Option("--noise", "m", 0.0, 0.1, "one sigma of a tracked coordinate"),
     Option("--alpha", "1/s", 0.01, 60.0, "damping gain to judge"),
     Option("--beta", "1/s^2", 0.01, 500.0, "stiffness gain to judge"),
-    Option("--step", "m", 0.01, 10.0, "largest jump of the reference (default: 0.5, a cell of the paper)"),
+    Option(
+        "--step",
+        "m",
+        0.01,
+        10.0,
+        "largest jump of the reference (default: 0.5, a cell of the paper)",
+    ),
     Option("--tilt-max", "rad", 0.02, 0.5, "largest pitch or roll"),
 )
 
@@ -63,19 +73,30 @@ def add(actions: Any) -> None:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--site", default="bsen", metavar="SITE", help="what is not given comes from this site (default: bsen)")
-    parser.add_argument("--profile", metavar="FILE", help="drone profile that housefly identify wrote")
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="what is not given comes from this site (default: bsen)",
+    )
+    parser.add_argument(
+        "--profile", metavar="FILE", help="drone profile that housefly identify wrote"
+    )
     for option in OPTIONS:
         metavar = option.unit.upper().replace("/", "_PER_") if option.unit.isalpha() else "N"
-        parser.add_argument(option.flag, type=float, metavar=metavar, help=f"{option.meaning} [{option.unit}]")
-    parser.add_argument("--mode", choices=("default", "paper"), help="whose filter (default: the site's)")
+        parser.add_argument(
+            option.flag, type=float, metavar=metavar, help=f"{option.meaning} [{option.unit}]"
+        )
+    parser.add_argument(
+        "--mode", choices=("default", "paper"), help="whose filter (default: the site's)"
+    )
     parser.add_argument("--out", metavar="DIR", help="write gains.png and gains.svg there")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Advise, or judge the pair that is given."""
-    from housefly.tuning.advice import advise, judge, routh_objection
+    from housefly.lab.tuning.advice import advise, judge, routh_objection
 
     question, gain = _question(options)
     alpha, beta = options.alpha, options.beta
@@ -86,7 +107,8 @@ def run(options: argparse.Namespace) -> int:
         advice = advise(question)
         if advice is None:
             console.print(
-                "[bold]no pair keeps every promise[/bold]: track faster, or with less latency; or make the step smaller"
+                "[bold]no pair keeps every promise[/bold]: track faster, or with less latency; or"
+                " make the step smaller"
             )
             return 1
         _tell_advice(advice, question)
@@ -103,7 +125,7 @@ def run(options: argparse.Namespace) -> int:
 def _finish(judgement: Judgement, question: Question, out: str | None) -> int:
     if out:
         from housefly.app.compiling import Part, compile_once
-        from housefly.tuning.picture import draw_judgement
+        from housefly.lab.tuning.picture import draw_judgement
 
         compile_once(Part.ENGINE, console.print)
         folder = Path(out)
@@ -117,13 +139,16 @@ def _finish(judgement: Judgement, question: Question, out: str | None) -> int:
 def _question(options: argparse.Namespace) -> tuple[Question, float]:
     """Return what is asked and the static gain c / lambda."""
     from housefly.app.premises import read_site
-    from housefly.profile import load_profile
-    from housefly.tuning.advice import Question
-    from housefly.tuning.loop import Loop
+    from housefly.config.profile import load_profile
+    from housefly.lab.tuning.advice import Question
+    from housefly.lab.tuning.loop import Loop
 
     constants = load_profile(Path(options.profile)) if options.profile else {}
     site = read_site(options.site, **{f"drone__{key}": value for key, value in constants.items()})
-    given = {option.flag: _checked(option, getattr(options, option.flag[2:].replace("-", "_"))) for option in OPTIONS}
+    given = {
+        option.flag: _checked(option, getattr(options, option.flag[2:].replace("-", "_")))
+        for option in OPTIONS
+    }
 
     def chosen(flag: str, otherwise: float) -> float:
         value = given[flag]
@@ -156,16 +181,20 @@ def _question(options: argparse.Namespace) -> tuple[Question, float]:
 
 def _checked(option: Option, value: float | None) -> float | None:
     if value is not None and not option.low <= value <= option.high:
-        raise ConfigError(option.flag, f"is {value:g}; allowed: a number from {option.low:g} to {option.high:g} {option.unit}")
+        raise ConfigError(
+            option.flag,
+            f"is {value:g}; allowed: a number from {option.low:g} to {option.high:g} {option.unit}",
+        )
     return value
 
 
 def _tell_question(question: Question, gain: float) -> None:
     loop = question.loop
     console.print(
-        f"drone: lambda {loop.lag:.3g} 1/s, c/lambda {gain:.3g}, delay {1000 * loop.delay:.0f} ms, drag {loop.drag:.2g} 1/s\n"
-        f"tracking: {loop.tracking_hz:g} Hz, {1000 * loop.latency:.0f} ms late, noise {1000 * question.noise:.2g} mm; "
-        f"filter of mode {'paper' if loop.paper else 'default'}, loop at {loop.rate_hz:g} Hz"
+        f"drone: lambda {loop.lag:.3g} 1/s, c/lambda {gain:.3g}, delay {1000 * loop.delay:.0f} ms,"
+        f" drag {loop.drag:.2g} 1/s\ntracking: {loop.tracking_hz:g} Hz, {1000 * loop.latency:.0f}"
+        f" ms late, noise {1000 * question.noise:.2g} mm; filter of mode"
+        f" {'paper' if loop.paper else 'default'}, loop at {loop.rate_hz:g} Hz"
     )
 
 
@@ -176,21 +205,24 @@ def _tell_advice(advice: Advice, question: Question) -> None:
     loop = advice.judgement.loop
     console.print("\nfor the site file:\n")
     console.print(
-        f"[control]\nalpha = {loop.alpha:.3g}\nbeta = {loop.beta:.4g}\nyaw_gain = {advice.yaw.gain:.3g}\n"
-        f"height_gain = {advice.height.gain:.3g}\nacceleration_noise = {loop.acceleration_noise:.3g}\n"
-        f"position_noise = {loop.position_noise:.3g}\n",
+        f"[control]\nalpha = {loop.alpha:.3g}\nbeta = {loop.beta:.4g}\nyaw_gain ="
+        f" {advice.yaw.gain:.3g}\nheight_gain = {advice.height.gain:.3g}\nacceleration_noise ="
+        f" {loop.acceleration_noise:.3g}\nposition_noise = {loop.position_noise:.3g}\n",
         markup=False,
     )
 
 
 def _words(law: RateLoop) -> str:
-    return f"phase {degrees(law.phase):.0f} deg, gain {law.factor:.1f}, delay {1000 * law.delay:.0f} ms"
+    return (
+        f"phase {degrees(law.phase):.0f} deg, gain {law.factor:.1f}, delay"
+        f" {1000 * law.delay:.0f} ms"
+    )
 
 
 def _tell_judgement(judgement: Judgement, question: Question) -> None:
     from rich.table import Table
 
-    from housefly.tuning.advice import stiffness_bound
+    from housefly.lab.tuning.advice import stiffness_bound
 
     loop = judgement.loop
     console.print(
@@ -201,14 +233,26 @@ def _tell_judgement(judgement: Judgement, question: Question) -> None:
     table = Table(box=None, pad_edge=False)
     for heading in ("margins", "gain", "phase", "delay"):
         table.add_column(heading, justify="left" if heading == "margins" else "right")
-    rows = [("as identified", judgement.margins), *((f"lambda {100 * s - 100:+.0f} %", m) for s, m in judgement.wrong_lag)]
+    rows = [
+        ("as identified", judgement.margins),
+        *((f"lambda {100 * s - 100:+.0f} %", m) for s, m in judgement.wrong_lag),
+    ]
     for name, margins in rows:
-        table.add_row(name, f"{margins.gain:.2f}", f"{degrees(margins.phase):.0f} deg", f"{1000 * margins.delay:.0f} ms")
+        table.add_row(
+            name,
+            f"{margins.gain:.2f}",
+            f"{degrees(margins.phase):.0f} deg",
+            f"{1000 * margins.delay:.0f} ms",
+        )
     console.print(table)
     bound = stiffness_bound(question)
     console.print(
-        f"a step of {question.step:g} m saturates nothing up to beta {bound:.2f} 1/s^2; Routh: beta < {loop.lag * loop.alpha:.3g}"
+        f"a step of {question.step:g} m saturates nothing up to beta {bound:.2f} 1/s^2; Routh: beta"
+        f" < {loop.lag * loop.alpha:.3g}"
     )
-    console.print(f"expected position error in noise and moving air: {1000 * judgement.error:.0f} mm (one sigma)")
+    console.print(
+        f"expected position error in noise and moving air: {1000 * judgement.error:.0f} mm (one"
+        " sigma)"
+    )
     for objection in judgement.objections:
         console.print(f"  objection: {objection}")

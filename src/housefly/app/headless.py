@@ -1,4 +1,6 @@
-"""A whole service over real wires, watched and recorded from outside: twin, pilot and wires as in ``housefly run``, no person."""
+"""A whole service over real wires, watched and recorded from outside: twin, pilot and wires as in
+``housefly run``, no person.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,8 @@ START_TIMEOUT = 60.0
 SETTLE = 5.0
 """How long the order waits at most for tracking to be steady [s]."""
 STEADY, GAP = 1.0, 0.4
-"""Steady means that tracking saw the drone for so long, never silent for longer than the gap [s]."""
+"""Steady means that tracking saw the drone for so long, never silent for longer than the gap [s].
+"""
 INTERRUPTED = "interrupted"
 
 
@@ -49,15 +52,23 @@ def fly_over_wires(
         LinkError: the drone or the tracking system did not answer in time.
     """
     site = runtime.site()
-    with Launcher(runtime, folder, parts_of(runtime, web=web)), ZenohBus(connect=runtime.bus) as bus:
-        missing = Readiness(site, bus, web=web, video=site.drone.has_video and site.twin.video).wait(START_TIMEOUT, say)
+    with (
+        Launcher(runtime, folder, parts_of(runtime, web=web)),
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
+        missing = Readiness(
+            site, bus, web=web, video=site.drone.has_video and site.twin.video
+        ).wait(START_TIMEOUT, say)
         if missing:
-            raise LinkError(f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}")
+            raise LinkError(
+                f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
+            )
         return _serve(bus, site.tracking.body, home, order, recorder, on_step, give_up_after)
 
 
 class Steadiness:
-    """Whether tracking sees a body without gaps: while everything else starts, a busy machine may hold frames back.
+    """Whether tracking sees a body without gaps: while everything else starts, a busy machine may
+    hold frames back.
 
     Args:
         body: of the drone.
@@ -97,11 +108,27 @@ def _serve(
         if watch.outcome:
             done.set()
 
-    open_ = [bus.subscribe(STEP, heard), bus.subscribe(VIDEO, recorder.video), bus.subscribe(LINK, recorder.link)]
+    open_ = [
+        bus.subscribe(STEP, heard),
+        bus.subscribe(VIDEO, recorder.video),
+        bus.subscribe(LINK, recorder.link),
+    ]
     try:
-        # The recording must hold what the pilot knows when it decides, or no replay could decide the same.
+        # The recording must hold what the pilot knows when it decides, or no replay could decide
+        # the same.
         seen.wait(SETTLE)
-        bus.publish(ORDER, Order(order.kind, order.place, order.goal, order.look_at, order.look_s, clock.now(), "headless"))
+        bus.publish(
+            ORDER,
+            Order(
+                order.kind,
+                order.place,
+                order.goal,
+                order.look_at,
+                order.look_s,
+                clock.now(),
+                "headless",
+            ),
+        )
         try:
             while not done.wait(0.2):
                 if clock.now() > watch.started_at + give_up_after + 5.0:

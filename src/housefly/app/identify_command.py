@@ -15,8 +15,8 @@ from housefly.errors import ConfigError, RecordingError
 
 if TYPE_CHECKING:
     from housefly.app.premises import Premises
-    from housefly.identification.result import Identified
-    from housefly.identification.samples import Flown
+    from housefly.lab.identification.result import Identified
+    from housefly.lab.identification.samples import Flown
     from housefly.messages import PilotStep
 
 console = Console(highlight=False)
@@ -44,15 +44,38 @@ def add(actions: Any) -> None:
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--site", default="bsen", metavar="SITE", help="site file, folder, or shipped site (default: bsen)")
-    parser.add_argument("--out", metavar="DIR", help="where to write (default: identification/<time>)")
-    parser.add_argument("--from", dest="recorded", metavar="DIR", help="fit what was recorded there, fly nothing")
-    parser.add_argument("--lockstep", action="store_true", help="simulated drone on a stepped clock, no wires")
-    parser.add_argument("--repeats", type=int, default=6, metavar="N", help="blocks of each kind, 4 to 40 (default: 6)")
-    parser.add_argument("--box", type=float, metavar="M", help="side of the box (default: what the blocks need)")
-    parser.add_argument("--at", metavar="PLACE", help="fly near this place (default: the nearest room to the pad)")
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="site file, folder, or shipped site (default: bsen)",
+    )
+    parser.add_argument(
+        "--out", metavar="DIR", help="where to write (default: identification/<time>)"
+    )
+    parser.add_argument(
+        "--from", dest="recorded", metavar="DIR", help="fit what was recorded there, fly nothing"
+    )
+    parser.add_argument(
+        "--lockstep", action="store_true", help="simulated drone on a stepped clock, no wires"
+    )
+    parser.add_argument(
+        "--repeats",
+        type=int,
+        default=6,
+        metavar="N",
+        help="blocks of each kind, 4 to 40 (default: 6)",
+    )
+    parser.add_argument(
+        "--box", type=float, metavar="M", help="side of the box (default: what the blocks need)"
+    )
+    parser.add_argument(
+        "--at", metavar="PLACE", help="fly near this place (default: the nearest room to the pad)"
+    )
     parser.add_argument("--seed", type=int, help="seed of all simulated noise")
-    parser.add_argument("--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking")
+    parser.add_argument(
+        "--mocap-rate", type=float, metavar="HZ", help="frames per second of the simulated tracking"
+    )
     parser.set_defaults(run=run)
 
 
@@ -66,34 +89,55 @@ def run(options: argparse.Namespace) -> int:
         return _conclude(premises, *_read(folder), folder)
     if not 4 <= options.repeats <= 40:
         raise ConfigError("--repeats", f"is {options.repeats}; allowed: a number from 4 to 40")
-    changes = {"twin__seed": options.seed, "twin__mocap_rate_hz": options.mocap_rate, "mode": "default"}
-    site = read_site(options.site, **{key: value for key, value in changes.items() if value is not None})
+    changes = {
+        "twin__seed": options.seed,
+        "twin__mocap_rate_hz": options.mocap_rate,
+        "mode": "default",
+    }
+    site = read_site(
+        options.site, **{key: value for key, value in changes.items() if value is not None}
+    )
     if not options.lockstep:
         site, _ = with_newest_edits(site)  # a no-fly zone holds for this flight too
     premises = open_premises(site)
     out = Path(options.out or time.strftime("identification/%Y-%m-%d_%H-%M-%S"))
     steps, flown, outcome = _fly(premises, options, out)
     if outcome != "completed":
-        console.print(f"[bold]given up[/bold]: {outcome}; nothing was fitted (the recording is in {out})")
+        console.print(
+            f"[bold]given up[/bold]: {outcome}; nothing was fitted (the recording is in {out})"
+        )
         return 1
     return _conclude(premises, steps, flown, out)
 
 
-def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[list[PilotStep], tuple[Flown, ...], str]:
+def _fly(
+    premises: Premises, options: argparse.Namespace, out: Path
+) -> tuple[list[PilotStep], tuple[Flown, ...], str]:
     from housefly.app.compiling import Part, compile_once
-    from housefly.app.identify_flight import BLOCK_PATIENCE, Errand, fly_in_lock_step, fly_over_wires
+    from housefly.app.identify_flight import (
+        BLOCK_PATIENCE,
+        Errand,
+        fly_in_lock_step,
+        fly_over_wires,
+    )
     from housefly.app.ports import refuse_taken_ports
-    from housefly.identification.box import find_box
-    from housefly.identification.maneuver import Maneuver
-    from housefly.identification.pattern import blocks, largest_excursion
+    from housefly.lab.identification.box import find_box
+    from housefly.lab.identification.maneuver import Maneuver
+    from housefly.lab.identification.pattern import blocks, largest_excursion
     from housefly.record.recorder import FlightRecorder
 
     site, drone = premises.site, premises.site.drone
     plan = blocks(options.repeats, site.limits.tilt_max)
-    needed = MARGIN + largest_excursion(plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay)
+    needed = MARGIN + largest_excursion(
+        plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay
+    )
     reach = needed if options.box is None else 0.5 * options.box
     if reach < needed:
-        raise ConfigError("--box", f"is {2 * reach:g} m; the blocks may take the drone further: at least {2 * needed:.2f} m")
+        raise ConfigError(
+            "--box",
+            f"is {2 * reach:g} m; the blocks may take the drone further: at least"
+            f" {2 * needed:.2f} m",
+        )
     start = premises.room.home if options.at is None else _place(premises, options.at)
     box = find_box(premises.grid, start, reach, site.map.flight_height)
     x, y = box.centre
@@ -118,7 +162,9 @@ def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[li
             if options.lockstep:
                 from housefly.twin.world import SimulatedWorld
 
-                outcome = fly_in_lock_step(premises, SimulatedWorld(premises.site, premises.room), errand, on_step)
+                outcome = fly_in_lock_step(
+                    premises, SimulatedWorld(premises.site, premises.room), errand, on_step
+                )
             else:
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)
@@ -129,11 +175,13 @@ def _fly(premises: Premises, options: argparse.Namespace, out: Path) -> tuple[li
     return steps, tuple(errand.maneuver.flown), outcome
 
 
-def _conclude(premises: Premises, steps: Iterable[PilotStep], flown: tuple[Flown, ...], out: Path) -> int:
-    from housefly.identification.picture import draw_fit
-    from housefly.identification.result import Limits, identify
-    from housefly.identification.samples import samples_of
-    from housefly.profile import write_profile
+def _conclude(
+    premises: Premises, steps: Iterable[PilotStep], flown: tuple[Flown, ...], out: Path
+) -> int:
+    from housefly.config.profile import write_profile
+    from housefly.lab.identification.picture import draw_fit
+    from housefly.lab.identification.result import Limits, identify
+    from housefly.lab.identification.samples import samples_of
 
     site = premises.site
     limits = Limits(site.limits.tilt_max, site.limits.vertical_speed_max, site.limits.yaw_rate_max)
@@ -151,7 +199,8 @@ def _conclude(premises: Premises, steps: Iterable[PilotStep], flown: tuple[Flown
     profile = out / "drone.toml"
     write_profile(profile, found.constants, _measured(found, premises))
     console.print(
-        f'written: {profile}\nuse it:  [drone] profile = "{profile}" in a site file, or housefly gains --profile {profile}',
+        f'written: {profile}\nuse it:  [drone] profile = "{profile}" in a site file, or housefly'
+        f" gains --profile {profile}",
         soft_wrap=True,
         markup=False,
     )
@@ -161,7 +210,7 @@ def _conclude(premises: Premises, steps: Iterable[PilotStep], flown: tuple[Flown
 def _tell(found: Identified, premises: Premises) -> None:
     from rich.table import Table
 
-    from housefly.profile import CONSTANTS
+    from housefly.config.profile import CONSTANTS
 
     table = Table(box=None, pad_edge=False)
     for heading in ("constant", "value", "95 % interval", "unit", "the site has"):
@@ -175,8 +224,9 @@ def _tell(found: Identified, premises: Premises) -> None:
     console.print(table)
     assert found.tilt is not None
     console.print(
-        f"left over: {1000 * found.tilt.angle_noise:.1f} mrad in angle, {1000 * found.tilt.place_noise:.1f} mm in position; "
-        "the delay holds half of the drone's 30 ms command period on average"
+        f"left over: {1000 * found.tilt.angle_noise:.1f} mrad in angle,"
+        f" {1000 * found.tilt.place_noise:.1f} mm in position; the delay holds half of the drone's"
+        " 30 ms command period on average"
     )
 
 
@@ -186,14 +236,18 @@ def _measured(found: Identified, premises: Premises) -> dict[str, str]:
         f"{sum(b.block.axis is axis for b in found.blocks)} {axis.value}"
         for axis in dict.fromkeys(b.block.axis for b in found.blocks)
     )
-    rate = sum(block.at.size for block in found.blocks) / sum(block.block.duration for block in found.blocks)
+    rate = sum(block.at.size for block in found.blocks) / sum(
+        block.block.duration for block in found.blocks
+    )
     return {
         "when": time.strftime("%Y-%m-%d %H:%M"),
         "site": premises.site.name,
         "drone": "simulated" if premises.site.twin.enabled else premises.site.drone.kind,
         "blocks": kinds,
         "tracking": f"{rate:.0f} frames per second",
-        "left_over": f"{1000 * found.tilt.angle_noise:.2f} mrad, {1000 * found.tilt.place_noise:.2f} mm",
+        "left_over": (
+            f"{1000 * found.tilt.angle_noise:.2f} mrad, {1000 * found.tilt.place_noise:.2f} mm"
+        ),
     }
 
 
@@ -207,8 +261,8 @@ def _keep(out: Path, flown: tuple[Flown, ...]) -> None:
 
 
 def _read(folder: Path) -> tuple[list[PilotStep], tuple[Flown, ...]]:
-    from housefly.identification.pattern import Axis, Block
-    from housefly.identification.samples import Flown
+    from housefly.lab.identification.pattern import Axis, Block
+    from housefly.lab.identification.samples import Flown
     from housefly.record.replay import replay
 
     try:

@@ -1,4 +1,6 @@
-"""An identification flight, on a stepped clock or over real wires: take off, go to the box, fly the blocks, come home, land."""
+"""An identification flight, on a stepped clock or over real wires: take off, go to the box, fly the
+blocks, come home, land.
+"""
 
 from __future__ import annotations
 
@@ -23,10 +25,10 @@ from housefly.bus.topics import ORDER, STEP
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.geometry import Vec2, Vec3, distance
-from housefly.identification.box import Box
-from housefly.identification.maneuver import NEAR, Maneuver
+from housefly.lab.identification.box import Box
+from housefly.lab.identification.maneuver import NEAR, Maneuver
 from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
-from housefly.pilot import Pilot, warm_up
+from housefly.pilot.pilot import Pilot, warm_up
 from housefly.twin.contracts import World
 from housefly.twin.lockstep import LockstepRoom
 
@@ -94,22 +96,32 @@ class Errand:
         return None if self._arrived else self._asking(OrderKind.GO, now, self.box.centre)
 
     def _asking(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
-        """Return the order, again after a while: the pilot refuses orders while it does not see the drone."""
+        """Return the order, again after a while: the pilot refuses orders while it does not see the
+        drone.
+        """
         if now - self._asked_at < AGAIN_AFTER:
             return None
         self._asked_at = now
         return Order(kind, goal=goal, issued_at=now, sender=SENDER)
 
 
-def fly_in_lock_step(premises: Premises, world: World, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
-    """Fly on a stepped clock and return the outcome; the world may hold another drone than the pilot believes."""
+def fly_in_lock_step(
+    premises: Premises, world: World, errand: Errand, on_step: Callable[[PilotStep], None]
+) -> str:
+    """Fly on a stepped clock and return the outcome; the world may hold another drone than the
+    pilot believes.
+    """
     room = LockstepRoom(world, premises.site)
     pilot = Pilot(premises.site, premises.room, premises.grid, errand.maneuver)
     period = 1.0 / premises.site.control.rate_hz
     sequence, order = 0, None
     while not errand.outcome:
         room.advance(period)
-        issued = (Order(order.kind, goal=order.goal, issued_at=room.now, sender=SENDER),) if order else ()
+        issued = (
+            (Order(order.kind, goal=order.goal, issued_at=room.now, sender=SENDER),)
+            if order
+            else ()
+        )
         inputs = Inputs(room.sightings(), room.telemetry(), issued)
         outputs = pilot.step(room.now, inputs)
         room.send(outputs.command)
@@ -120,14 +132,21 @@ def fly_in_lock_step(premises: Premises, world: World, errand: Errand, on_step: 
     return errand.outcome
 
 
-def fly_over_wires(premises: Premises, errand: Errand, folder: Path, on_step: Callable[[PilotStep], None]) -> str:
+def fly_over_wires(
+    premises: Premises, errand: Errand, folder: Path, on_step: Callable[[PilotStep], None]
+) -> str:
     """Fly whatever drone the site names and return the outcome; Ctrl-C lands it first.
 
-    The pilot runs in this process, at the head of its own loop; the twin, where the site has one, in a process of its own.
+    The pilot runs in this process, at the head of its own loop; the twin, where the site has one,
+    in a process of its own.
     """
     runtime = new_runtime(premises.site, folder)
     site = runtime.site()
-    parts = (Part("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),) if site.twin.enabled else ()
+    parts = (
+        (Part("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
+        if site.twin.enabled
+        else ()
+    )
     warm_up(premises.site, premises.room, premises.grid)
     with Launcher(runtime, folder, parts), _undisturbed():
         return asyncio.run(_fly(premises, errand, on_step))
@@ -135,7 +154,9 @@ def fly_over_wires(premises: Premises, errand: Errand, folder: Path, on_step: Ca
 
 @contextmanager
 def _undisturbed() -> Iterator[None]:
-    """Keep the loop on time: every step is kept, and a garbage collector that walks them all would stop it for half a second."""
+    """Keep the loop on time: every step is kept, and a garbage collector that walks them all would
+    stop it for half a second.
+    """
     with suppress(PermissionError):
         os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
     gc.collect()
@@ -148,7 +169,13 @@ def _undisturbed() -> Iterator[None]:
 
 async def _fly(premises: Premises, errand: Errand, on_step: Callable[[PilotStep], None]) -> str:
     site, clock, bus = premises.site, RealClock(), LocalBus()
-    shell = PilotShell(premises, bus, tracker_of(site.tracking, clock), ArDrone(site.drone, site.limits, clock), errand.maneuver)
+    shell = PilotShell(
+        premises,
+        bus,
+        tracker_of(site.tracking, clock),
+        ArDrone(site.drone, site.limits, clock),
+        errand.maneuver,
+    )
     interrupted = threading.Event()
 
     def heard(step: PilotStep) -> None:

@@ -1,7 +1,9 @@
-"""Starts the processes of one site, restarts those that die, and ends them in the right order: the drone lands first.
+"""Starts the processes of one site, restarts those that die, and ends them in the right order: the
+drone lands first.
 
 pilot   the only one that must be on time; the others run at lower priority
-twin    the simulated drone and cameras, urgent too: real ones have processors of their own; absent with real hardware
+twin    the simulated drone and cameras, urgent too: real ones have processors of their own; absent
+    with real hardware
 hub     the room's memory
 broker  an MQTT broker of the run's own; absent where devices have theirs
 looker  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
@@ -31,9 +33,11 @@ POLL_PERIOD = 0.1
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One process: its name, the module it runs with its arguments, and how much it yields to others.
+    """One process: its name, the module it runs with its arguments, and how much it yields to
+    others.
 
-    Less than 0 means that others yield to it; where the system does not allow that, it is as urgent as they are.
+    Less than 0 means that others yield to it; where the system does not allow that, it is as urgent
+    as they are.
     """
 
     name: str
@@ -50,7 +54,9 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     if site.mqtt.broker and site.mqtt.start:
         parts.append(Part("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
-        twin_arguments = (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
+        twin_arguments = (
+            (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
+        )
         parts.append(Part("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         asked_at = ("--bus", runtime.bus, "--port", str(runtime.room_port))
@@ -58,7 +64,9 @@ def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
     if site.lasers or site.depth_cameras:
         parts.append(Part("looker", "housefly.app.looker_main", niceness=2))
     if web:
-        parts.append(Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5))
+        parts.append(
+            Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5)
+        )
     return tuple(parts)
 
 
@@ -95,7 +103,12 @@ class Launcher:
         self._supervisor.start()
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self.stop()
 
     def pid(self, name: str) -> int:
@@ -128,14 +141,23 @@ class Launcher:
 
     def _start(self, part: Part) -> _Running:
         log = (self.folder / f"{part.name}.log").open("ab")
-        command = [sys.executable, "-m", "housefly.app.child", str(os.getpid()), str(part.niceness), part.module, *part.arguments]
+        command = [
+            sys.executable,
+            "-m",
+            "housefly.app.child",
+            str(os.getpid()),
+            str(part.niceness),
+            part.module,
+            *part.arguments,
+        ]
         process = subprocess.Popen(
             command,
             env=self.runtime.environment(),
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
-            # Ctrl-C is for the launcher alone. Not a session each: kernels that group by session ignore niceness between them.
+            # Ctrl-C is for the launcher alone. Not a session each: kernels that group by session
+            # ignore niceness between them.
             process_group=0,
         )
         return _Running(part, process, log)

@@ -8,7 +8,7 @@ from housefly.app.lookers import LockstepLookers
 from housefly.app.premises import Premises
 from housefly.app.service_watch import ServiceWatch
 from housefly.messages import Estimate, Inputs, Order, PilotStep
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.movable import Movable
 from housefly.twin.people import load_scene
@@ -52,7 +52,9 @@ def fly_lockstep(
         orders: tuple[Order, ...] = ()
         if not given and room.now >= order_at:
             orders, given = (_issued(order, room.now),), True
-        inputs = Inputs(room.sightings(), room.telemetry(), orders, lookers.look(room.now, estimate))
+        inputs = Inputs(
+            room.sightings(), room.telemetry(), orders, lookers.look(room.now, estimate)
+        )
         outputs = pilot.step(room.now, inputs)
         estimate = outputs.estimate
         room.send(outputs.command)
@@ -65,4 +67,6 @@ def fly_lockstep(
 
 
 def _issued(order: Order, now: float) -> Order:
-    return Order(order.kind, order.place, order.goal, order.look_at, order.look_s, now, order.sender)
+    return Order(
+        order.kind, order.place, order.goal, order.look_at, order.look_s, now, order.sender
+    )

@@ -1,7 +1,9 @@
-"""The process that looks: reads scanners and depth images, follows what no map shows, and tells the pilot over the bus.
+"""The process that looks: reads scanners and depth images, follows what no map shows, and tells the
+pilot over the bus.
 
-``python -m housefly.app.looker_main``, started by the launcher where the site has scanners or depth cameras. When it dies, the
-pilot forgets what it was told within two seconds and flies by the map alone, as without it; the launcher starts it again.
+``python -m housefly.app.looker_main``, started by the launcher where the site has scanners or depth
+cameras. When it dies, the pilot forgets what it was told within two seconds and flies by the map
+alone, as without it; the launcher starts it again.
 """
 
 from __future__ import annotations
@@ -44,7 +46,9 @@ class Looker:
         """Look until cancelled."""
         steps = self._bus.subscribe(STEP, self._on_step)
         try:
-            await asyncio.gather(*(client.run(self._on_scan) for client in self._clients.values()), self._tell())
+            await asyncio.gather(
+                *(client.run(self._on_scan) for client in self._clients.values()), self._tell()
+            )
         finally:
             steps.close()
             self._depth.close()
@@ -63,12 +67,17 @@ class Looker:
             self._bus.publish(OBSTACLE, obstacle)
 
     def _reports(self) -> tuple[SensorReport, ...]:
-        return (*(self._laser(name, client) for name, client in self._clients.items()), *self._depth.reports())
+        return (
+            *(self._laser(name, client) for name, client in self._clients.items()),
+            *self._depth.reports(),
+        )
 
     def _laser(self, name: str, client: LaserClient) -> SensorReport:
         now, pulse = self._clock.now(), self._pulses[name]
         problem = client.problem or self._doubts.get(name, "")
-        return SensorReport(name, "laser scanner", client.connected, pulse.rate_hz(now), pulse.age(now), problem)
+        return SensorReport(
+            name, "laser scanner", client.connected, pulse.rate_hz(now), pulse.age(now), problem
+        )
 
     async def _tell(self) -> None:
         told: tuple[str, ...] = ()
@@ -79,7 +88,9 @@ class Looker:
                 self._bus.publish(SENSOR, report)
             problems = tuple(report.problem for report in reports if report.problem)
             if problems != told:
-                print(f"looker: {'; '.join(problems) or 'everything that looks is heard'}", flush=True)
+                print(
+                    f"looker: {'; '.join(problems) or 'everything that looks is heard'}", flush=True
+                )
                 told = problems
 
 

@@ -1,11 +1,13 @@
-"""The scanners and depth cameras of a site and what is made of what they see, on a stepped clock, the wires cut out."""
+"""The scanners and depth cameras of a site and what is made of what they see, on a stepped clock,
+the wires cut out.
+"""
 
 from __future__ import annotations
 
 from collections import deque
 
 from housefly.app.premises import Premises
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import Estimate, Obstacle, Scan
 from housefly.perception.depth_watcher import DepthWatcher
 from housefly.perception.watcher import Own, Watcher
@@ -20,7 +22,9 @@ OWN_SPARE = 0.25
 
 
 class LockstepLookers:
-    """Takes a scan or an image whenever one is due, and hands scans to perception after their latency, images at once."""
+    """Takes a scan or an image whenever one is due, and hands scans to perception after their
+    latency, images at once.
+    """
 
     def __init__(self, premises: Premises, world: SimulatedWorld) -> None:
         self._site, self._world = premises.site, world
@@ -33,12 +37,16 @@ class LockstepLookers:
         self._under_way: deque[Scan] = deque()
 
     def look(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
-        """Return what is new of obstacles at a time [s], given where the pilot believes the drone to be."""
+        """Return what is new of obstacles at a time [s], given where the pilot believes the drone
+        to be.
+        """
         for laser in self._site.lasers:
             if now >= self._due[laser.name]:
                 parameters = MODELS[laser.model]
                 self._due[laser.name] = now + parameters.period - 1e-6
-                self._under_way.append(scan_of(self._world.scan(laser.name), parameters, laser, now + laser.latency))
+                self._under_way.append(
+                    scan_of(self._world.scan(laser.name), parameters, laser, now + laser.latency)
+                )
         obstacles: list[Obstacle] = []
         while self._under_way and self._under_way[0].received_at <= now:
             seen = self._watcher.step(self._under_way.popleft(), now, own_of(self._site, estimate))
@@ -47,7 +55,9 @@ class LockstepLookers:
             if now >= self._image_due[camera.name]:
                 self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
                 obstacles.extend(
-                    self._depth.step(self._world.depth_image(camera.name, now), now, own_of(self._site, estimate)).obstacles
+                    self._depth.step(
+                        self._world.depth_image(camera.name, now), now, own_of(self._site, estimate)
+                    ).obstacles
                 )
         return tuple(obstacles)
 
@@ -56,4 +66,7 @@ def own_of(site: Site, estimate: Estimate | None) -> Own | None:
     """Return the ground that is taken for the drone itself; None while nobody knows where it is."""
     if estimate is None:
         return None
-    return Own(estimate.position[:2], half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_SPARE)
+    return Own(
+        estimate.position[:2],
+        half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_SPARE,
+    )

@@ -10,7 +10,10 @@ from housefly.errors import ConfigError
 UNITS = {"s": 1.0, "m": 60.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 DAYS = ("monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday")
 FORMS = ("%Y-%m-%d %H:%M:%S", "%Y-%m-%d %H:%M", "%Y-%m-%dT%H:%M:%S", "%Y-%m-%dT%H:%M", "%Y-%m-%d")
-ALLOWED = 'a time of day (10:02), a time ago (90s, 15m, 2h, 3d), a day (today, yesterday, tuesday), or "2026-11-20 10:00"'
+ALLOWED = (
+    "a time of day (10:02), a time ago (90s, 15m, 2h, 3d), a day (today, yesterday, tuesday), or"
+    ' "2026-11-20 10:00"'
+)
 
 
 def moment(words: str, now: float, key: str) -> float:
@@ -29,10 +32,16 @@ def moment(words: str, now: float, key: str) -> float:
     if ago := re.fullmatch(r"(\d+(?:\.\d+)?)\s*(s|m|min|h|d)(?: ago)?", text):
         return now - float(ago[1]) * UNITS[ago[2]]
     if clock := re.fullmatch(r"([01]?\d|2[0-3]):([0-5]\d)(?::([0-5]\d))?", text):
-        at = today.replace(hour=int(clock[1]), minute=int(clock[2]), second=int(clock[3] or 0)).timestamp()
+        at = today.replace(
+            hour=int(clock[1]), minute=int(clock[2]), second=int(clock[3] or 0)
+        ).timestamp()
         return at if at <= now else at - 86400.0
     if text in ("now", "today", "yesterday"):
-        return {"now": now, "today": today.timestamp(), "yesterday": (today - timedelta(days=1)).timestamp()}[text]
+        return {
+            "now": now,
+            "today": today.timestamp(),
+            "yesterday": (today - timedelta(days=1)).timestamp(),
+        }[text]
     if text in DAYS:
         return (today - timedelta(days=(today.weekday() - DAYS.index(text)) % 7)).timestamp()
     for form in FORMS:

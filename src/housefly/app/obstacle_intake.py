@@ -1,4 +1,6 @@
-"""What other processes tell the pilot of obstacles: checked, bounded, and only the newest word of each."""
+"""What other processes tell the pilot of obstacles: checked, bounded, and only the newest word of
+each.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ from math import inf
 
 from housefly.clock import Clock
 from housefly.messages import Obstacle
-from housefly.planning.obstacles import MOST, Extent, fault_of
+from housefly.pilot.planning.obstacles import MOST, Extent, fault_of
 
 TOLD_FOR = 5.0
 """A refusal is shown for this long [s]."""
@@ -43,7 +45,10 @@ class ObstacleIntake:
             fault = f"there are more than {MOST} at once"
         if fault:
             self.refused += 1
-            self._problem, self._problem_at = f"an obstacle of {obstacle.source[:40]!r} is refused: {fault}", now
+            self._problem, self._problem_at = (
+                f"an obstacle of {obstacle.source[:40]!r} is refused: {fault}",
+                now,
+            )
             return
         known = self._waiting.get(name)
         if known is None or known.seen_at <= obstacle.seen_at:

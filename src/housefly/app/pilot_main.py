@@ -16,7 +16,7 @@ from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
-from housefly.pilot import warm_up
+from housefly.pilot.pilot import warm_up
 
 URGENCY = -10
 """Nice value that the pilot takes where the system lets it."""

@@ -19,7 +19,6 @@ from housefly.app.loop_health import Frequency, Lateness
 from housefly.app.obstacle_intake import ObstacleIntake
 from housefly.app.premises import Premises
 from housefly.app.questions import Questions
-from housefly.behavior.maneuver import Maneuver
 from housefly.bus.bus import Bus
 from housefly.bus.topics import FRAME, LINK, OBSTACLE, ORDER, STEP, VIDEO
 from housefly.clock import Rate, RealClock
@@ -38,7 +37,8 @@ from housefly.messages import (
     TrackedFrame,
     VideoFrame,
 )
-from housefly.pilot import Pilot
+from housefly.pilot.behavior.maneuver import Maneuver
+from housefly.pilot.pilot import Pilot
 from housefly.room.grid import extent_of
 from housefly.tracking.contracts import Tracker
 
@@ -54,7 +54,14 @@ LANDING_PATIENCE = 25.0
 class PilotShell:
     """Runs one pilot on real wires; everything happens on one asyncio loop."""
 
-    def __init__(self, premises: Premises, bus: Bus, tracker: Tracker, drone: Drone, maneuver: Maneuver | None = None) -> None:
+    def __init__(
+        self,
+        premises: Premises,
+        bus: Bus,
+        tracker: Tracker,
+        drone: Drone,
+        maneuver: Maneuver | None = None,
+    ) -> None:
         self._questions = Questions(premises, bus)
         self.pilot = Pilot(premises.site, premises.room, premises.grid, maneuver)
         self._body = premises.site.tracking.body
@@ -74,10 +81,17 @@ class PilotShell:
     async def run(self) -> None:
         """Fly until ``leave`` is called and the drone is down."""
         loop = asyncio.get_running_loop()
-        orders = self._bus.subscribe(ORDER, lambda order: _soon(loop, lambda: self._orders.append(order)))
-        obstacles = self._bus.subscribe(OBSTACLE, lambda seen: _soon(loop, lambda: self._obstacles.hear(seen)))
+        orders = self._bus.subscribe(
+            ORDER, lambda order: _soon(loop, lambda: self._orders.append(order))
+        )
+        obstacles = self._bus.subscribe(
+            OBSTACLE, lambda seen: _soon(loop, lambda: self._obstacles.hear(seen))
+        )
         self._drone.on_video(self._on_video)
-        tasks = [asyncio.create_task(self._tracker.run(self._on_sightings)), asyncio.create_task(self._connect_drone())]
+        tasks = [
+            asyncio.create_task(self._tracker.run(self._on_sightings)),
+            asyncio.create_task(self._connect_drone()),
+        ]
         tasks.append(asyncio.create_task(self._report_links()))
         try:
             await self._fly()
@@ -98,7 +112,9 @@ class PilotShell:
         self._step()
 
     def leave(self) -> None:
-        """Land if need be, then end; a second call ends at once and leaves the drone to its own watchdog."""
+        """Land if need be, then end; a second call ends at once and leaves the drone to its own
+        watchdog.
+        """
         if self._leaving:
             raise KeyboardInterrupt
         self._leaving = True
@@ -117,7 +133,12 @@ class PilotShell:
 
     def _step(self) -> None:
         now = self._clock.now()
-        inputs = Inputs(tuple(self._sightings), self._drone.telemetry, tuple(self._orders), self._obstacles.take())
+        inputs = Inputs(
+            tuple(self._sightings),
+            self._drone.telemetry,
+            tuple(self._orders),
+            self._obstacles.take(),
+        )
         self._sightings.clear()
         self._orders.clear()
         outputs = self.pilot.step(now, inputs)
@@ -129,7 +150,11 @@ class PilotShell:
 
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
-        return telemetry is not None and telemetry.status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+        return telemetry is not None and telemetry.status in (
+            DroneStatus.TAKING_OFF,
+            DroneStatus.FLYING,
+            DroneStatus.LANDING,
+        )
 
     def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
         self._sightings.extend(sightings)
@@ -173,7 +198,11 @@ class PilotShell:
             loop_p99_s=p99,
             loop_max_s=worst,
             missed_ticks=self._rate.missed,
-            notes=tuple(note for note in (self._tracker.problem, self._drone_problem, self._obstacles.problem) if note),
+            notes=tuple(
+                note
+                for note in (self._tracker.problem, self._drone_problem, self._obstacles.problem)
+                if note
+            ),
         )
 
 

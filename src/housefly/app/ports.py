@@ -5,7 +5,7 @@ from __future__ import annotations
 import socket
 from dataclasses import dataclass
 
-from housefly.config import MocapWire, Site
+from housefly.config.site import MocapWire, Site
 from housefly.errors import LinkError
 
 DRONE_PORTS = (
@@ -45,22 +45,31 @@ def needs_of(site: Site, *, web: bool) -> tuple[Need, ...]:
     needs = []
     if site.twin.enabled:
         address = site.drone.address
-        taken = tuple(f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind))
-        needs.append(Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2"))
+        taken = tuple(
+            f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind)
+        )
+        needs.append(
+            Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2")
+        )
         needs += [_tracking_need(site, wire) for wire in site.served_wires]
-        needs += [_tcp(f"simulated scanner {laser.name}", laser.address, laser.port, "its port") for laser in site.lasers]
+        needs += [
+            _tcp(f"simulated scanner {laser.name}", laser.address, laser.port, "its port")
+            for laser in site.lasers
+        ]
     if web and site.web.port:
         needs.append(_tcp("console", site.web.host, site.web.port, "web.port, or use --port"))
     return tuple(needs)
 
 
 def refuse_taken_ports(site: Site, *, web: bool) -> None:
-    """Raise LinkError when a port that the site needs is taken: better now than a drone of somebody else's in the picture."""
+    """Raise LinkError when a port that the site needs is taken: better now than a drone of somebody
+    else's in the picture.
+    """
     for need in needs_of(site, web=web):
         if need.taken:
             raise LinkError(
-                f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another Housefly run?); "
-                f"end that program, or change {need.remedy}"
+                f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another"
+                f" Housefly run?); end that program, or change {need.remedy}"
             )
 
 
@@ -72,7 +81,9 @@ def _tracking_need(site: Site, wire: MocapWire) -> Need:
 
 
 def _tcp(name: str, address: str, port: int, remedy: str) -> Need:
-    return Need(name, address, () if _free(address, port, socket.SOCK_STREAM) else (f"TCP {port}",), remedy)
+    return Need(
+        name, address, () if _free(address, port, socket.SOCK_STREAM) else (f"TCP {port}",), remedy
+    )
 
 
 def _free(address: str, port: int, kind: socket.SocketKind) -> bool:

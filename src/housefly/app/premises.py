@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from housefly import sites
-from housefly.config import Site, changed, load_site
+from housefly.config.site import Site, changed, load_site
+from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, EditsError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.edits import edited, room_of
@@ -15,7 +16,6 @@ from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
-from housefly.state import edits_folder
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,8 @@ class Premises:
 
 
 def site_file(name: str) -> Path:
-    """Return the path of a site: a file, a folder that holds ``site.toml``, or the name of a site shipped with Housefly.
+    """Return the path of a site: a file, a folder that holds ``site.toml``, or the name of a site
+    shipped with Housefly.
 
     Raises:
         ConfigError: naming the sites that are shipped.
@@ -41,12 +42,18 @@ def site_file(name: str) -> Path:
     shipped = Path(sites.__file__).parent
     if (shipped / f"{name}.toml").is_file():
         return shipped / f"{name}.toml"
-    known = ", ".join(sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things"))))
-    raise ConfigError("--site", f"no file {name!r}, and no site of that name is shipped (shipped: {known})")
+    known = ", ".join(
+        sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things")))
+    )
+    raise ConfigError(
+        "--site", f"no file {name!r}, and no site of that name is shipped (shipped: {known})"
+    )
 
 
 def read_site(name: str, **changes: Any) -> Site:
-    """Read a site and apply dotted changes (``twin__seed=3``); paths of room, scene and catalogue become absolute."""
+    """Read a site and apply dotted changes (``twin__seed=3``); paths of room, scene and catalogue
+    become absolute.
+    """
     path = site_file(name)
     site = load_site(path)
     model = site.room.model
@@ -67,10 +74,12 @@ def open_premises(site: Site) -> Premises:
 
 
 def with_newest_edits(site: Site) -> tuple[Site, str]:
-    """Return a site with the newest edits that were saved on the ROOM screen, and a line that says so ("" when there are none).
+    """Return a site with the newest edits that were saved on the ROOM screen, and a line that says
+    so ("" when there are none).
 
     Raises:
-        ConfigError: the edits do not fit the room any more; nobody may fly where a zone was meant to be.
+        ConfigError: the edits do not fit the room any more; nobody may fly where a zone was meant
+            to be.
     """
     if not site.hub.edits or site.mode == "paper":
         return site, ""
@@ -82,6 +91,10 @@ def with_newest_edits(site: Site) -> tuple[Site, str]:
         _, site = edited(load_room(site.room.model), site, newest.edits)
     except EditsError as error:
         raise ConfigError(
-            "edits", f"{error}; mend the room, or start without edits: hub.edits = false in the site file", str(versions.folder)
+            "edits",
+            f"{error}; mend the room, or start without edits: hub.edits = false in the site file",
+            str(versions.folder),
         ) from error
-    return site, "; ".join(filter(None, (f"places and zones as edited, version {newest.number}", versions.problem)))
+    return site, "; ".join(
+        filter(None, (f"places and zones as edited, version {newest.number}", versions.problem))
+    )

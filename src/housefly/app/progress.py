@@ -1,4 +1,6 @@
-"""The progress display of a headless flight: one line that says where the drone is and what it does."""
+"""The progress display of a headless flight: one line that says where the drone is and what it
+does.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,12 @@ class FlightProgress:
 
     def __init__(self, console: Console) -> None:
         self._console = console
-        columns = (TextColumn("{task.description:<16}"), BarColumn(24), TextColumn("{task.fields[note]}"), TimeElapsedColumn())
+        columns = (
+            TextColumn("{task.description:<16}"),
+            BarColumn(24),
+            TextColumn("{task.fields[note]}"),
+            TimeElapsedColumn(),
+        )
         self._progress = Progress(*columns, console=console, transient=not console.is_terminal)
         self._task = self._progress.add_task("starting", total=len(STAGES), note="")
         self._shown_at = float("-inf")
@@ -30,7 +37,12 @@ class FlightProgress:
         self._progress.start()
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self._progress.stop()
 
     def say(self, text: str) -> None:
@@ -51,7 +63,9 @@ class FlightProgress:
 
 def _note(step: PilotStep) -> str:
     estimate, telemetry = step.outputs.estimate, step.inputs.telemetry
-    where = "({:5.2f}, {:5.2f}, {:4.2f}) m".format(*estimate.position) if estimate else "not seen yet"
+    where = (
+        "({:5.2f}, {:5.2f}, {:4.2f}) m".format(*estimate.position) if estimate else "not seen yet"
+    )
     battery = f"  battery {telemetry.battery:4.0%}" if telemetry else ""
     safety = step.outputs.safety.value
     return f"{where}{battery}" + (f"  {safety}" if safety != "nominal" else "")

@@ -1,6 +1,8 @@
-"""Answers to what listeners ask of the pilot process: the room, and a path before anyone commits to it.
+"""Answers to what listeners ask of the pilot process: the room, and a path before anyone commits to
+it.
 
-Answers are worked out on the bus's own thread with a pilot of their own, so that no question delays a control step.
+Answers are worked out on the bus's own thread with a pilot of their own, so that no question delays
+a control step.
 """
 
 from __future__ import annotations
@@ -8,13 +10,13 @@ from __future__ import annotations
 from housefly.app.premises import Premises
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
-from housefly.bus.queries import PlanRequest
-from housefly.bus.queries_json import from_json, to_json
 from housefly.bus.topics import PLAN_QUERY, ROOM_QUERY
 from housefly.errors import WireError
 from housefly.geometry import Vec2
+from housefly.hub.api.queries import PlanRequest
+from housefly.hub.api.queries_json import from_json, to_json
 from housefly.messages import PilotStep, PlanAnswer
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 
 
 class Questions:
@@ -25,7 +27,10 @@ class Questions:
         self._premises = premises
         self._pilot = Pilot(premises.site, premises.room, premises.grid)
         self._drone_at: Vec2 = premises.room.home
-        self._open = [bus.answer(ROOM_QUERY, lambda _: self._room), bus.answer(PLAN_QUERY, self._plan)]
+        self._open = [
+            bus.answer(ROOM_QUERY, lambda _: self._room),
+            bus.answer(PLAN_QUERY, self._plan),
+        ]
 
     def heard(self, step: PilotStep) -> None:
         """Remember where the drone is: plans start there."""

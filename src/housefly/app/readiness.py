@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP, VIDEO
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 
 
@@ -20,7 +20,13 @@ class Readiness:
         self._site = site
         self._lock = threading.Lock()
         self._seen: set[str] = set()
-        self._wanted = ["pilot", "tracking", "drone", *(["picture"] if video else []), *(["console"] if web else [])]
+        self._wanted = [
+            "pilot",
+            "tracking",
+            "drone",
+            *(["picture"] if video else []),
+            *(["console"] if web else []),
+        ]
         self._notes: tuple[str, ...] = ()
         self._open = [
             bus.subscribe(STEP, self._on_step),
@@ -29,7 +35,9 @@ class Readiness:
         ]
 
     def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:
-        """Wait until everything answers; return "" or what is still missing after the timeout [s], in words."""
+        """Wait until everything answers; return "" or what is still missing after the timeout [s],
+        in words.
+        """
         deadline = time.monotonic() + timeout
         while True:
             missing = self._missing()
@@ -41,7 +49,11 @@ class Readiness:
             time.sleep(0.05)
 
     def _missing(self) -> list[str]:
-        if "console" in self._wanted and "console" not in self._seen and _listens(self._site.web.host, self._site.web.port):
+        if (
+            "console" in self._wanted
+            and "console" not in self._seen
+            and _listens(self._site.web.host, self._site.web.port)
+        ):
             self._see("console")
         with self._lock:
             return [name for name in self._wanted if name not in self._seen]

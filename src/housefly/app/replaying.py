@@ -5,14 +5,16 @@ from __future__ import annotations
 from pathlib import Path
 
 from housefly.app.premises import Premises
-from housefly.config import Site, load_site
+from housefly.config.site import Site, load_site
 from housefly.errors import RecordingError
-from housefly.pilot import Pilot
+from housefly.pilot.pilot import Pilot
 from housefly.record.replay import Verdict, verify
 
 
 def recorded_site(recording: Path) -> Site:
-    """Return the site that was recorded beside a flight; raises RecordingError when it is not there."""
+    """Return the site that was recorded beside a flight; raises RecordingError when it is not
+    there.
+    """
     path = recording.parent / "site.json"
     if not path.is_file():
         raise RecordingError(f"{path} is missing: name the site with --site")

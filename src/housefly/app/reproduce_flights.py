@@ -1,4 +1,6 @@
-"""The flights of a reproduction: services on a stepped clock, steps of the angles, and one service over real wires."""
+"""The flights of a reproduction: services on a stepped clock, steps of the angles, and one service
+over real wires.
+"""
 
 from __future__ import annotations
 
@@ -16,20 +18,20 @@ from housefly.app.identify_flight import Errand, fly_in_lock_step
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.premises import Premises, open_premises
 from housefly.app.runtime import new_runtime
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.errors import LinkError
-from housefly.identification.box import find_box
-from housefly.identification.maneuver import Maneuver
-from housefly.identification.pattern import Axis, blocks, largest_excursion
-from housefly.identification.result import Identified, Limits, identify
-from housefly.identification.samples import samples_of
+from housefly.lab.identification.box import find_box
+from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.pattern import Axis, blocks, largest_excursion
+from housefly.lab.identification.result import Identified, Limits, identify
+from housefly.lab.identification.samples import samples_of
+from housefly.lab.reproduction.angular_step import AngularStep, fit_step
+from housefly.lab.reproduction.fig11_angles import ALPHA
+from housefly.lab.reproduction.fig17_service import Picture
+from housefly.lab.reproduction.flight import Flight, flight_of
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
-from housefly.reproduction.angular_step import AngularStep, fit_step
-from housefly.reproduction.fig11_angles import ALPHA
-from housefly.reproduction.fig17_service import Picture
-from housefly.reproduction.flight import Flight, flight_of
 from housefly.twin.world import SimulatedWorld
 
 GOAL = "entrance"
@@ -77,7 +79,8 @@ class Steps:
     """Steps in pitch and roll of one flight.
 
     Attributes:
-        onboard: times since the command [s] and pitch [rad] of the first step, by the drone's own sensors.
+        onboard: times since the command [s] and pitch [rad] of the first step, by the drone's own
+            sensors.
         fit: of that step.
         identified: constants from all steps.
     """
@@ -92,7 +95,9 @@ def fly_steps(site: Site, repeats: int) -> Steps:
     premises = open_premises(changed(site, mode="default"))
     drone, limits = premises.site.drone, premises.site.limits
     plan = blocks(repeats, limits.tilt_max)
-    reach = MARGIN + largest_excursion(plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay)
+    reach = MARGIN + largest_excursion(
+        plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay
+    )
     box = find_box(premises.grid, premises.room.home, reach, premises.site.map.flight_height)
     maneuver, steps = Maneuver(plan, box), list[PilotStep]()
     world = SimulatedWorld(premises.site, premises.room)
@@ -149,7 +154,9 @@ class WireService:
 
 
 def fly_wires(site: Site, folder: Path, on_word: Callable[[str], None]) -> WireService:
-    """Fly one service over real wires with console and video; a browser photographs the console where there is one."""
+    """Fly one service over real wires with console and video; a browser photographs the console
+    where there is one.
+    """
     premises = open_premises(changed(site, mode="default", web__port=0))
     logs = folder / "logs"
     logs.mkdir(parents=True, exist_ok=True)
@@ -167,13 +174,26 @@ def fly_wires(site: Site, folder: Path, on_word: Callable[[str], None]) -> WireS
             watch.step(step)
 
         try:
-            outcome = fly_over_wires(runtime, logs, premises.room.home, order, recorder, on_step, on_word, web=camera.available)
+            outcome = fly_over_wires(
+                runtime,
+                logs,
+                premises.room.home,
+                order,
+                recorder,
+                on_step,
+                on_word,
+                web=camera.available,
+            )
         finally:
             summary = recorder.finish(outcome)
         shots = watch.shots()
     if outcome != "completed":
-        raise LinkError(f"the service over real wires ended with: {outcome} (its record is in {folder})")
-    return WireService(Service(premises, flight_of(steps, site.tracking.body), summary), shots, folder)
+        raise LinkError(
+            f"the service over real wires ended with: {outcome} (its record is in {folder})"
+        )
+    return WireService(
+        Service(premises, flight_of(steps, site.tracking.body), summary), shots, folder
+    )
 
 
 class _Moments:
@@ -189,7 +209,11 @@ class _Moments:
         if step.outputs.phase is not self._phase:
             self._phase, self._since = step.outputs.phase, step.now
         for title, phase, after in MOMENTS:
-            if title not in self._steps and phase is self._phase and step.now - self._since >= after:
+            if (
+                title not in self._steps
+                and phase is self._phase
+                and step.now - self._since >= after
+            ):
                 self._steps[title] = step
                 self._camera.shoot(title)
 
@@ -200,7 +224,9 @@ class _Moments:
 
 
 def camera_pictures(folder: Path, ages: tuple[float, ...]) -> tuple[Picture | None, ...]:
-    """Return the pictures of ``video.mp4`` that were shown at these times [s since its last picture, backwards]."""
+    """Return the pictures of ``video.mp4`` that were shown at these times [s since its last
+    picture, backwards].
+    """
     import av
 
     path = folder / "video.mp4"
@@ -208,7 +234,11 @@ def camera_pictures(folder: Path, ages: tuple[float, ...]) -> tuple[Picture | No
     if not path.is_file():
         return tuple(found)
     with av.open(str(path)) as movie:
-        times = [float(packet.pts * packet.time_base) for packet in movie.demux(video=0) if packet.pts is not None]
+        times = [
+            float(packet.pts * packet.time_base)
+            for packet in movie.demux(video=0)
+            if packet.pts is not None
+        ]
     if not times:
         return tuple(found)
     wanted = [times[-1] - age for age in ages]

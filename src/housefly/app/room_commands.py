@@ -16,8 +16,8 @@ from housefly.app.moments import ALLOWED, moment
 from housefly.errors import LinkError
 
 if TYPE_CHECKING:
-    from housefly.bus.room_answers import News, Occurrence, SensorAnswer
-    from housefly.bus.room_questions import Question
+    from housefly.hub.api.answers import News, Occurrence, SensorAnswer
+    from housefly.hub.api.questions import Question
 
 console = Console(highlight=False)
 INNER = ("noticed_at", "sigma", "lasted")
@@ -34,34 +34,73 @@ class Room(Protocol):
 
 def add(actions: Any) -> None:
     """Add the commands to the parser."""
-    where = _command(actions, "where", run_where, "where is a thing", "Say where a thing is, who saw it and how long ago.")
+    where = _command(
+        actions,
+        "where",
+        run_where,
+        "where is a thing",
+        "Say where a thing is, who saw it and how long ago.",
+    )
     where.add_argument("thing", help="id, name or alias; the beginning is enough")
     where.add_argument("--at", metavar="TIME", help=f"where it was then: {ALLOWED}")
     history = _command(
-        actions, "history", run_history, "what happened", "List what happened, to one thing or at all; oldest first."
+        actions,
+        "history",
+        run_history,
+        "what happened",
+        "List what happened, to one thing or at all; oldest first.",
     )
-    history.add_argument("thing", nargs="?", default="", help="id, name or alias (default: everything)")
-    history.add_argument("--since", default="1d", metavar="TIME", help=f"from then on: {ALLOWED} (default: 1d)")
+    history.add_argument(
+        "thing", nargs="?", default="", help="id, name or alias (default: everything)"
+    )
+    history.add_argument(
+        "--since", default="1d", metavar="TIME", help=f"from then on: {ALLOWED} (default: 1d)"
+    )
     history.add_argument("--until", metavar="TIME", help="up to then (default: now)")
     history.add_argument("--kind", default="", help='only this, for example "door opened"')
-    history.add_argument("--limit", type=int, default=200, metavar="N", help="the newest N (default: 200)")
-    history.add_argument("--way", action="store_true", help="where the thing was, not what happened to it")
-    watch = _command(actions, "watch", run_watch, "what happens now", "Print what happens as it does, until Ctrl-C.")
-    watch.add_argument("--moves", action="store_true", help="also where things are, whenever that changes")
-    _command(actions, "sensors", run_sensors, "how every sensor does", "List sensors with rate, age and what is wrong.")
+    history.add_argument(
+        "--limit", type=int, default=200, metavar="N", help="the newest N (default: 200)"
+    )
+    history.add_argument(
+        "--way", action="store_true", help="where the thing was, not what happened to it"
+    )
+    watch = _command(
+        actions,
+        "watch",
+        run_watch,
+        "what happens now",
+        "Print what happens as it does, until Ctrl-C.",
+    )
+    watch.add_argument(
+        "--moves", action="store_true", help="also where things are, whenever that changes"
+    )
+    _command(
+        actions,
+        "sensors",
+        run_sensors,
+        "how every sensor does",
+        "List sensors with rate, age and what is wrong.",
+    )
 
 
-def _command(actions: Any, name: str, run: Any, words: str, description: str) -> argparse.ArgumentParser:
+def _command(
+    actions: Any, name: str, run: Any, words: str, description: str
+) -> argparse.ArgumentParser:
     parser: argparse.ArgumentParser = actions.add_parser(name, help=words, description=description)
-    parser.add_argument("--site", default="bsen", metavar="SITE", help="asked when no room is running (default: bsen)")
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="asked when no room is running (default: bsen)",
+    )
     parser.set_defaults(run=run)
     return parser
 
 
 def run_where(options: argparse.Namespace) -> int:
     """Say where a thing is."""
-    from housefly.bus.room_json import checked
-    from housefly.bus.room_questions import Where
+    from housefly.hub.api.questions import Where
+    from housefly.hub.api.room_json import checked
 
     at = moment(options.at, time.time(), "--at") if options.at else None
     with _room(options.site) as room:
@@ -71,22 +110,26 @@ def run_where(options: argparse.Namespace) -> int:
         place = "({:.2f}, {:.2f}, {:.2f}) m".format(*said.position) if said.position else ""
         inside = f"in {said.inside}" if said.inside else ""
         facts = ", ".join(f"{key} {_plain(value)}" for key, value in said.facts.items())
-        words = "  ".join(part for part in (place, inside, facts, "" if said.valid else "not valid") if part)
+        words = "  ".join(
+            part for part in (place, inside, facts, "" if said.valid else "not valid") if part
+        )
         console.print(f"  {said.source:<14} {_ago(said.age):<12} {words}", soft_wrap=True)
     return 0
 
 
 def run_history(options: argparse.Namespace) -> int:
     """List what happened, or where a thing was."""
-    from housefly.bus.room_json import checked
-    from housefly.bus.room_questions import Events, Trajectory
+    from housefly.hub.api.questions import Events, Trajectory
+    from housefly.hub.api.room_json import checked
 
     now = time.time()
     since = moment(options.since, now, "--since")
     until = moment(options.until, now, "--until") if options.until else None
     with _room(options.site) as room:
         if options.way:
-            rows = room.ask(checked(Trajectory(options.thing, since, until, every=1.0))).rows[-options.limit :]
+            rows = room.ask(checked(Trajectory(options.thing, since, until, every=1.0))).rows[
+                -options.limit :
+            ]
             for at, x, y, z in rows:
                 console.print(f"{_clock(at, now)}  ({x:.2f}, {y:.2f}, {z:.2f}) m")
             return 0
@@ -101,8 +144,8 @@ def run_history(options: argparse.Namespace) -> int:
 
 def run_watch(options: argparse.Namespace) -> int:
     """Print what happens until Ctrl-C."""
-    from housefly.asking.client import RoomClient
-    from housefly.asking.meeting_place import find
+    from housefly.hub.asking.client import RoomClient
+    from housefly.hub.asking.discovery import find
 
     place = find()
     console.print(f"watching {place.site}; Ctrl-C ends")
@@ -117,7 +160,7 @@ def run_watch(options: argparse.Namespace) -> int:
 
 def run_sensors(options: argparse.Namespace) -> int:
     """List the sensors; 0 only when all of them do well."""
-    from housefly.bus.room_questions import Sensors
+    from housefly.hub.api.questions import Sensors
 
     with _room(options.site) as room:
         answer = room.ask(Sensors())
@@ -137,8 +180,8 @@ def run_sensors(options: argparse.Namespace) -> int:
 @contextmanager
 def _room(site: str) -> Iterator[Room]:
     """Yield the room that runs, or its memory when none does."""
-    from housefly.asking.client import RoomClient
-    from housefly.asking.meeting_place import find
+    from housefly.hub.asking.client import RoomClient
+    from housefly.hub.asking.discovery import find
 
     try:
         place = find()
@@ -158,15 +201,26 @@ def _tell(news: News, moves: bool) -> None:
     for event in news.events:
         console.print(_line(event, news.at), soft_wrap=True)
     for thing in news.things if moves else ():
-        place = "({:.2f}, {:.2f}, {:.2f}) m".format(*thing.position) if thing.position else f"in {thing.inside}"
-        console.print(f"{_clock(news.at, news.at)}  {thing.name}: {place}", style="dim", soft_wrap=True)
+        place = (
+            "({:.2f}, {:.2f}, {:.2f}) m".format(*thing.position)
+            if thing.position
+            else f"in {thing.inside}"
+        )
+        console.print(
+            f"{_clock(news.at, news.at)}  {thing.name}: {place}", style="dim", soft_wrap=True
+        )
 
 
 def _line(event: Occurrence, now: float) -> str:
     cause = f" by {event.cause}" if event.cause else ""
-    facts = ", ".join(f"{key} {_plain(value)}" for key, value in event.facts.items() if key not in INNER)
+    facts = ", ".join(
+        f"{key} {_plain(value)}" for key, value in event.facts.items() if key not in INNER
+    )
     sure = "" if event.confidence >= 0.995 else f" ({100 * event.confidence:.0f} % sure)"
-    return f"{_clock(event.at, now)}  {event.thing}: {event.kind}{cause}{sure}{'; ' + facts if facts else ''}  [{event.source}]"
+    return (
+        f"{_clock(event.at, now)}  {event.thing}:"
+        f" {event.kind}{cause}{sure}{'; ' + facts if facts else ''}  [{event.source}]"
+    )
 
 
 def _plain(value: str | float | bool) -> str:
@@ -182,7 +236,7 @@ def _row(sensor: SensorAnswer) -> tuple[str, ...]:
 
 
 def _ago(age: float | None) -> str:
-    from housefly.things.words import age_words
+    from housefly.hub.things.words import age_words
 
     return "never" if age is None else age_words(age)
 

@@ -1,4 +1,6 @@
-"""What the launcher tells each process: endpoints, secrets and the checked site, through files and the environment."""
+"""What the launcher tells each process: endpoints, secrets and the checked site, through files and
+the environment.
+"""
 
 from __future__ import annotations
 
@@ -8,12 +10,18 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
-from housefly.asking.meeting_place import ROOM_KEY, MeetingPlace
-from housefly.config import Site, changed, load_site
+from housefly.config.site import Site, changed, load_site
 from housefly.errors import ConfigError
+from housefly.hub.asking.discovery import ROOM_KEY, MeetingPlace
 from housefly.web.security import api_key
 
-SITE, BUS, STOP_PORT, SECRET, TOKEN = "HOUSEFLY_SITE", "HOUSEFLY_BUS", "HOUSEFLY_STOP_PORT", "HOUSEFLY_SECRET", "HOUSEFLY_TOKEN"
+SITE, BUS, STOP_PORT, SECRET, TOKEN = (
+    "HOUSEFLY_SITE",
+    "HOUSEFLY_BUS",
+    "HOUSEFLY_STOP_PORT",
+    "HOUSEFLY_SECRET",
+    "HOUSEFLY_TOKEN",
+)
 ROOM_PORT = "HOUSEFLY_ROOM_PORT"
 
 
@@ -39,7 +47,13 @@ class Runtime:
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
-        mine = {SITE: str(self.site_file), BUS: self.bus, STOP_PORT: str(self.stop_port), SECRET: self.secret, TOKEN: self.token}
+        mine = {
+            SITE: str(self.site_file),
+            BUS: self.bus,
+            STOP_PORT: str(self.stop_port),
+            SECRET: self.secret,
+            TOKEN: self.token,
+        }
         room = {ROOM_PORT: str(self.room_port), ROOM_KEY: api_key(self.secret)}
         return {**os.environ, **mine, **room}
 
@@ -49,15 +63,23 @@ class Runtime:
 
 
 def new_runtime(site: Site, folder: Path) -> Runtime:
-    """Write the site into the folder and choose free ports and fresh secrets; a console on port 0 gets a free one too."""
+    """Write the site into the folder and choose free ports and fresh secrets; a console on port 0
+    gets a free one too.
+    """
     if site.web.port == 0:
         site = changed(site, web__port=free_port(socket.SOCK_STREAM))
     if site.mqtt.start and site.mqtt.port == 0:
         site = changed(site, mqtt__port=free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
-    bus_port, room_port, stop_port = (free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM))
-    bus, secret, token = f"tcp/127.0.0.1:{bus_port}", secrets.token_hex(16), secrets.token_urlsafe(16)
+    bus_port, room_port, stop_port = (
+        free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM)
+    )
+    bus, secret, token = (
+        f"tcp/127.0.0.1:{bus_port}",
+        secrets.token_hex(16),
+        secrets.token_urlsafe(16),
+    )
     return Runtime(site_file, bus, stop_port, secret, token, room_port)
 
 
@@ -66,16 +88,28 @@ def meeting_place(runtime: Runtime) -> MeetingPlace:
     site = runtime.site()
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
     port = runtime.room_port if site.hub.enabled else 0
-    return MeetingPlace(site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), port)
+    return MeetingPlace(
+        site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), port
+    )
 
 
 def runtime_from_environment() -> Runtime:
-    """Return the run that this process belongs to; raises ConfigError when it was not started by the launcher."""
+    """Return the run that this process belongs to; raises ConfigError when it was not started by
+    the launcher.
+    """
     try:
-        site_file, stop_port, room_port = Path(os.environ[SITE]), int(os.environ[STOP_PORT]), int(os.environ[ROOM_PORT])
-        return Runtime(site_file, os.environ[BUS], stop_port, os.environ[SECRET], os.environ[TOKEN], room_port)
+        site_file, stop_port, room_port = (
+            Path(os.environ[SITE]),
+            int(os.environ[STOP_PORT]),
+            int(os.environ[ROOM_PORT]),
+        )
+        return Runtime(
+            site_file, os.environ[BUS], stop_port, os.environ[SECRET], os.environ[TOKEN], room_port
+        )
     except (KeyError, ValueError) as error:
-        raise ConfigError("environment", f"{error}: start this process with `housefly run` or `housefly demo`") from error
+        raise ConfigError(
+            "environment", f"{error}: start this process with `housefly run` or `housefly demo`"
+        ) from error
 
 
 def free_port(kind: socket.SocketKind) -> int:

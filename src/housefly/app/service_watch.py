@@ -64,7 +64,9 @@ class ServiceWatch:
         if step.outputs.safety is SafetyMode.CUT:
             return "motors were cut"
         if elapsed > self.give_up_after:
-            return f"not done after {self.give_up_after:.0f} s" + (f": {self.trouble}" if self.trouble else "")
+            return f"not done after {self.give_up_after:.0f} s" + (
+                f": {self.trouble}" if self.trouble else ""
+            )
         return ""
 
     def _verdict_on_the_ground(self, step: PilotStep) -> str:
@@ -73,5 +75,7 @@ class ServiceWatch:
         estimate = step.outputs.estimate
         away = inf if estimate is None else distance(estimate.position[:2], self.home)
         if away > HOME_RADIUS:
-            return f"landed {away:.1f} m from the pad" + (f": {self.trouble}" if self.trouble else "")
+            return f"landed {away:.1f} m from the pad" + (
+                f": {self.trouble}" if self.trouble else ""
+            )
         return COMPLETED

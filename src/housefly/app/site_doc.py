@@ -1,16 +1,18 @@
-"""Writes ``docs/site.md``: every key of a site file with range, default and meaning, from the types themselves.
+"""Writes ``docs/site.md``: every key of a site file with range, default and meaning, from the types
+themselves.
 
 ``python -m housefly.app.site_doc > docs/site.md``
 """
 
 from __future__ import annotations
 
+from textwrap import fill
 from typing import Any, get_args
 
 from pydantic.fields import FieldInfo
 
-from housefly.config import Site
-from housefly.config_section import Section
+from housefly.config.section import Section
+from housefly.config.site import Site
 
 HEAD = """# The site file
 
@@ -43,13 +45,16 @@ This page is made from the code (`python -m housefly.app.site_doc`); a test keep
 
 def site_page() -> str:
     """Return the page as Markdown."""
-    parts = [HEAD, _table("Top level", {k: v for k, v in Site.model_fields.items() if not _is_section(v)})]
+    parts = [
+        HEAD,
+        _table("Top level", {k: v for k, v in Site.model_fields.items() if not _is_section(v)}),
+    ]
     for key, found in Site.model_fields.items():
         if _is_section(found):
             section: type[Section] = found.annotation  # type: ignore[assignment]
-            parts.append(_table(f"[{key}]", section.model_fields, (section.__doc__ or "").strip()))
+            parts.append(_table(f"[{key}]", section.model_fields, _prose(section)))
         elif many := _sections_in(found):
-            parts.append(_table(f"[[{key}]]", many.model_fields, (many.__doc__ or "").strip()))
+            parts.append(_table(f"[[{key}]]", many.model_fields, _prose(many)))
     return "\n".join(parts)
 
 
@@ -59,13 +64,26 @@ def _is_section(found: FieldInfo) -> bool:
 
 def _sections_in(found: FieldInfo) -> type[Section] | None:
     """Return the section that a list at the top level holds, or None."""
-    kinds = [kind for kind in get_args(found.annotation) if isinstance(kind, type) and issubclass(kind, Section)]
+    kinds = [
+        kind
+        for kind in get_args(found.annotation)
+        if isinstance(kind, type) and issubclass(kind, Section)
+    ]
     return kinds[0] if kinds else None
 
 
 def _table(title: str, fields: dict[str, FieldInfo], meaning: str = "") -> str:
-    lines = [f"## {title}", "", *([meaning, ""] if meaning else []), "| key | default | allowed | meaning |", "|---|---|---|---|"]
-    lines += [f"| `{key}` | {_default(found)} | {_allowed(found)} | {found.description or ''} |" for key, found in fields.items()]
+    lines = [
+        f"## {title}",
+        "",
+        *([meaning, ""] if meaning else []),
+        "| key | default | allowed | meaning |",
+        "|---|---|---|---|",
+    ]
+    lines += [
+        f"| `{key}` | {_default(found)} | {_allowed(found)} | {found.description or ''} |"
+        for key, found in fields.items()
+    ]
     return "\n".join(lines) + "\n"
 
 
@@ -84,12 +102,23 @@ def _allowed(found: FieldInfo) -> str:
     choices = [value for value in get_args(found.annotation) if isinstance(value, str)]
     if choices:
         return ", ".join(f'`"{choice}"`' for choice in choices)
-    bounds: list[Any] = [getattr(item, side) for side in ("ge", "le") for item in found.metadata if hasattr(item, side)]
+    bounds: list[Any] = [
+        getattr(item, side)
+        for side in ("ge", "le")
+        for item in found.metadata
+        if hasattr(item, side)
+    ]
     if len(bounds) == 2:
         extra = found.json_schema_extra if isinstance(found.json_schema_extra, dict) else {}
         unit = str(extra.get("unit", "1"))
         return f"{bounds[0]:g} to {bounds[1]:g}" + ("" if unit == "1" else f" {unit}")
-    return {bool: "`true`, `false`", str: "text"}.get(found.annotation, "a table or list, see the meaning")  # type: ignore[arg-type]
+    words: dict[Any, str] = {bool: "`true`, `false`", str: "text"}
+    return words.get(found.annotation, "a table or list, see the meaning")
+
+
+def _prose(section: type) -> str:
+    """Return the docstring of a section as one paragraph."""
+    return fill(" ".join((section.__doc__ or "").split()), 100)
 
 
 if __name__ == "__main__":

@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 from housefly.app.premises import Premises
-from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
+from housefly.hub.api.queries import GridView, OutlineView, PlaceView, RoomView
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Solid
 from housefly.room.outline import outline
 from housefly.room.tracked import untracked, untracked_grid
 
-CELL_LETTERS = {Cell.FREE: ".", Cell.OCCUPIED: "#", Cell.VIRTUAL: "v", Cell.INFLATED: "i", Cell.OUTSIDE: "x"}
+CELL_LETTERS = {
+    Cell.FREE: ".",
+    Cell.OCCUPIED: "#",
+    Cell.VIRTUAL: "v",
+    Cell.INFLATED: "i",
+    Cell.OUTSIDE: "x",
+}
 
 
 def room_view(premises: Premises) -> RoomView:
@@ -23,7 +29,10 @@ def room_view(premises: Premises) -> RoomView:
         bounds=room.bounds,
         grid=grid_view(untracked_grid(room, site, premises.grid)),
         outlines=tuple(_outline(solid, solid.name not in standing) for solid in room.solids),
-        places=tuple(PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at) for p in room.places),
+        places=tuple(
+            PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at)
+            for p in room.places
+        ),
         home=room.home,
         flight_height=site.map.flight_height,
         visitor=room.visitor,
@@ -49,4 +58,6 @@ def grid_view(grid: OccupancyGrid) -> GridView:
 def _outline(solid: Solid, tracked: bool) -> OutlineView:
     red, green, blue, _ = solid.colour
     colour = f"#{round(red * 255):02x}{round(green * 255):02x}{round(blue * 255):02x}"
-    return OutlineView(solid.thing, outline(solid), solid.position[2] + solid.size[2] / 2, colour, tracked)
+    return OutlineView(
+        solid.thing, outline(solid), solid.position[2] + solid.size[2] / 2, colour, tracked
+    )

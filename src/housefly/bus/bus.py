@@ -1,4 +1,6 @@
-"""What a bus can do; two transports implement it: ``bus.local`` (synchronous, in process) and ``bus.zenoh_bus``."""
+"""What a bus can do; two transports implement it: ``bus.local`` (synchronous, in process) and
+``bus.zenoh_bus``.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ class Subscription(Protocol):
 class Bus(Protocol):
     """Publish, subscribe, ask, answer. All calls are safe from any thread.
 
-    Handlers run on the transport's thread (local: the caller's); they must be quick and must not raise.
+    Handlers run on the transport's thread (local: the caller's); they must be quick and must not
+    raise.
     """
 
     def publish(self, topic: Topic[Message], message: Message) -> None:
@@ -30,7 +33,9 @@ class Bus(Protocol):
         ...
 
     def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> Subscription:
-        """Call the handler with each message; LATEST topics skip messages that a slow handler missed."""
+        """Call the handler with each message; LATEST topics skip messages that a slow handler
+        missed.
+        """
         ...
 
     def answer(self, query: str, handler: Callable[[str], str]) -> Subscription:
@@ -47,4 +52,9 @@ class Bus(Protocol):
 
     def __enter__(self) -> Self: ...
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None: ...
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None: ...

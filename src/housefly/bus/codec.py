@@ -1,7 +1,8 @@
 """Messages to bytes and back: CDR of the types in ``bus/msg``, exact to the last bit.
 
-The fields of a dataclass and of its ``.msg`` text have the same names in the same order. What differs is converted here:
-enums are numbered by the constants of the text, ``None`` is an empty sequence, points and vectors are plain tuples.
+The fields of a dataclass and of its ``.msg`` text have the same names in the same order. What
+differs is converted here: enums are numbered by the constants of the text, ``None`` is an empty
+sequence, points and vectors are plain tuples.
 """
 
 from __future__ import annotations
@@ -33,7 +34,15 @@ def encode(message: object) -> bytes:
     try:
         to_wire, _ = _record(name)
         return bytes(type_store().serialize_cdr(to_wire(message), ros_name(name)))
-    except (struct.error, UnicodeEncodeError, OverflowError, TypeError, AttributeError, ValueError, KeyError) as error:
+    except (
+        struct.error,
+        UnicodeEncodeError,
+        OverflowError,
+        TypeError,
+        AttributeError,
+        ValueError,
+        KeyError,
+    ) as error:
         raise WireError(f"{name} cannot be encoded: {error}") from error
 
 
@@ -43,7 +52,15 @@ def decode(kind: type[Message], data: bytes) -> Message:
     _, from_wire = _record(name)
     try:
         message: Message = from_wire(type_store().deserialize_cdr(data, ros_name(name)))
-    except (SerdeError, struct.error, ValueError, IndexError, KeyError, OverflowError, MemoryError) as error:
+    except (
+        SerdeError,
+        struct.error,
+        ValueError,
+        IndexError,
+        KeyError,
+        OverflowError,
+        MemoryError,
+    ) as error:
         raise WireError(f"not a {name}: {error}") from error
     return message
 
@@ -78,7 +95,9 @@ def _record(name: str) -> Pair:
     hints = get_type_hints(kind)
     numbers = {constant: int(value) for constant, _, value in constants}
     wire = type_store().types[wire_name]
-    pairs = [(field, *_field(field, description, hints[field], numbers)) for field, description in fields]
+    pairs = [
+        (field, *_field(field, description, hints[field], numbers)) for field, description in fields
+    ]
     out = [(field, to_wire) for field, to_wire, _ in pairs]
     back = [(field, from_wire) for field, _, from_wire in pairs]
 
@@ -94,12 +113,20 @@ def _record(name: str) -> Pair:
 def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> Pair:
     shape, content = description
     if shape == Nodetype.BASE:
-        return _enumerated(name, hint, numbers) if isinstance(hint, type) and issubclass(hint, Enum) else (_same, _same)
+        return (
+            _enumerated(name, hint, numbers)
+            if isinstance(hint, type) and issubclass(hint, Enum)
+            else (_same, _same)
+        )
     if shape == Nodetype.NAME:
         return _nested(content)
     (element, element_content), limit = content
     if element == Nodetype.NAME:
-        return _optional(*_nested(element_content)) if limit == 1 else _tuple(*_nested(element_content))
+        return (
+            _optional(*_nested(element_content))
+            if limit == 1
+            else _tuple(*_nested(element_content))
+        )
     return _PLAIN_SEQUENCES[element_content[0]]
 
 
@@ -119,12 +146,16 @@ def _optional(to_wire: Convert, from_wire: Convert) -> Pair:
 
 
 def _tuple(to_wire: Convert, from_wire: Convert) -> Pair:
-    return lambda values: [to_wire(value) for value in values], lambda found: tuple([from_wire(value) for value in found])
+    return lambda values: [to_wire(value) for value in values], lambda found: tuple(
+        [from_wire(value) for value in found]
+    )
 
 
 @lru_cache(maxsize=4)
 def _flat(points: tuple[Vec2, ...]) -> Any:
-    return np.array(points, dtype=np.float64).reshape(-1)  # the same path comes a hundred times a second: hence the cache
+    return np.array(points, dtype=np.float64).reshape(
+        -1
+    )  # the same path comes a hundred times a second: hence the cache
 
 
 def _points(flat: Any) -> tuple[Vec2, ...]:

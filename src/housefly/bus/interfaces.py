@@ -1,6 +1,7 @@
 """The ROS 2 interface types that Housefly speaks: the standard ones, and its own in ``msg/*.msg``.
 
-One type store serves the bus, the flight recorder and the replay, so that the same bytes go everywhere.
+One type store serves the bus, the flight recorder and the replay, so that the same bytes go
+everywhere.
 """
 
 from __future__ import annotations
@@ -20,7 +21,9 @@ _FOREIGN = {"CompressedVideo": "foxglove_msgs"}
 
 
 def ros_name(name: str) -> str:
-    """Return the full ROS 2 name of a type whose text lies in ``msg/``, for example ``housefly_msgs/msg/Order``."""
+    """Return the full ROS 2 name of a type whose text lies in ``msg/``, for example
+    ``housefly_msgs/msg/Order``.
+    """
     return f"{_FOREIGN.get(name, PACKAGE)}/msg/{name}"
 
 

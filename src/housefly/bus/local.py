@@ -1,6 +1,7 @@
 """A bus inside one process: synchronous, in a fixed order, with nothing between sender and handler.
 
-zenoh hands messages over on threads of its own, so lock-step simulation and reproducible tests stand on this one instead.
+zenoh hands messages over on threads of its own, so lock-step simulation and reproducible tests
+stand on this one instead.
 """
 
 from __future__ import annotations
@@ -51,10 +52,12 @@ class _LocalSubscription:
 
 
 class LocalBus:
-    """All members of one hub hear each other; a handler runs on the caller's thread before ``publish`` returns.
+    """All members of one hub hear each other; a handler runs on the caller's thread before
+    ``publish`` returns.
 
-    The first ``LocalBus()`` makes the hub, ``join()`` adds members. Handlers are called in the order of subscription.
-    Closing a member ends what it subscribed and answered, and leaves the others alone.
+    The first ``LocalBus()`` makes the hub, ``join()`` adds members. Handlers are called in the
+    order of subscription. Closing a member ends what it subscribed and answered, and leaves the
+    others alone.
     """
 
     def __init__(self) -> None:
@@ -75,7 +78,9 @@ class LocalBus:
         for handler in self._topics.handlers(topic.key):
             handler(message)
 
-    def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> _LocalSubscription:
+    def subscribe(
+        self, topic: Topic[Message], handler: Callable[[Message], None]
+    ) -> _LocalSubscription:
         """Call the handler with each message from now on."""
         return self._register(self._topics, _Entry(topic.key, handler))
 
@@ -84,7 +89,9 @@ class LocalBus:
         return self._register(self._queries, _Entry(query, handler))
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
-        """Return the reply; raises LinkError at once when nobody answers, or when the handler fails."""
+        """Return the reply; raises LinkError at once when nobody answers, or when the handler
+        fails.
+        """
         handlers = self._queries.handlers(query)
         if self._closed or not handlers:
             raise LinkError(f"nobody answers the query {query!r}")
@@ -110,5 +117,10 @@ class LocalBus:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self.close()

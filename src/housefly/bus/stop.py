@@ -1,6 +1,8 @@
-"""STOP's own path: one small signed datagram on the loopback interface, past every queue of the bus.
+"""STOP's own path: one small signed datagram on the loopback interface, past every queue of the
+bus.
 
-Datagram: magic, time of sending [ns, monotonic clock of this machine], nonce, truncated HMAC-SHA256 over all of it.
+Datagram: magic, time of sending [ns, monotonic clock of this machine], nonce, truncated HMAC-SHA256
+    over all of it.
 The listener acts once on each authentic and fresh datagram and acknowledges every copy of it.
 """
 
@@ -98,7 +100,9 @@ class StopListener:
                 lambda: _Protocol(self._received), local_addr=self.address
             )
         except OSError as error:
-            raise LinkError(f"cannot listen for STOP on {self.address[0]}:{self.address[1]}: {error.strerror}") from error
+            raise LinkError(
+                f"cannot listen for STOP on {self.address[0]}:{self.address[1]}: {error.strerror}"
+            ) from error
         self.address = self._transport.get_extra_info("sockname")[:2]
 
     def close(self) -> None:
@@ -118,7 +122,9 @@ class StopListener:
             self.ignored += 1
             return
         if token not in self._seen:
-            self._seen = {known: None for known in self._seen if now - known.sent_ns <= _FRESH_NS} | {token: None}
+            self._seen = {
+                known: None for known in self._seen if now - known.sent_ns <= _FRESH_NS
+            } | {token: None}
             self._handler()
         if self._transport is not None:
             self._transport.sendto(token.signed(_ACKNOWLEDGED, self._secret), sender)
@@ -150,7 +156,8 @@ class StopSender:
         self._pending: set[Future[bool]] = set()
 
     def send(self) -> Future[bool]:
-        """Send STOP now and return; copies follow in the background until it is acknowledged, for about a second.
+        """Send STOP now and return; copies follow in the background until it is acknowledged, for
+        about a second.
 
         Returns:
             A future that becomes true with the acknowledgement, and false when none came.
@@ -163,7 +170,9 @@ class StopSender:
         outcome: Future[bool] = Future()
         self._pending.add(outcome)
         outcome.add_done_callback(self._pending.discard)
-        threading.Thread(target=self._repeat, args=(link, token, datagram, outcome), name="stop", daemon=True).start()
+        threading.Thread(
+            target=self._repeat, args=(link, token, datagram, outcome), name="stop", daemon=True
+        ).start()
         return outcome
 
     def close(self) -> None:
@@ -173,10 +182,17 @@ class StopSender:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self.close()
 
-    def _repeat(self, link: socket.socket, token: _Token, datagram: bytes, outcome: Future[bool]) -> None:
+    def _repeat(
+        self, link: socket.socket, token: _Token, datagram: bytes, outcome: Future[bool]
+    ) -> None:
         with link:
             for pause in _REPEATS:
                 if self._acknowledged(link, token, pause):

@@ -9,7 +9,17 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Generic, TypeVar
 
-from housefly.messages import DepthImage, LinkStatus, Obstacle, Order, PilotStep, RoomNews, SensorReport, TrackedFrame, VideoFrame
+from housefly.messages import (
+    DepthImage,
+    LinkStatus,
+    Obstacle,
+    Order,
+    PilotStep,
+    RoomNews,
+    SensorReport,
+    TrackedFrame,
+    VideoFrame,
+)
 
 Message = TypeVar("Message")
 
@@ -29,7 +39,8 @@ class Topic(Generic[Message]):
         key: name on the wire.
         type: what it carries.
         delivery: what happens when a subscriber is slow.
-        depth: unread messages that a slow subscriber of a LATEST topic keeps; older ones are dropped.
+        depth: unread messages that a slow subscriber of a LATEST topic keeps; older ones are
+            dropped.
     """
 
     key: str
@@ -39,7 +50,8 @@ class Topic(Generic[Message]):
 
 
 FRAME: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
-# Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can replay bit for bit.
+# Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can
+# replay bit for bit.
 STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1000)
 LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
@@ -56,4 +68,6 @@ PLAN_QUERY = "pilot/plan"
 ROOM_QUERY = "pilot/room"
 """Query: "" -> JSON view of the room and its map (see ``bus.queries``)."""
 HUB_QUERY = "hub/ask"
-"""Query: JSON question to the room -> JSON answer or refusal (see ``bus.room_questions``, ``bus.room_json``)."""
+"""Query: JSON question to the room -> JSON answer or refusal (see ``bus.room_questions``,
+``bus.room_json``).
+"""

@@ -1,7 +1,8 @@
 """The bus between processes: zenoh sessions that only go where they are told.
 
-One process listens (the pilot), the others connect to it and keep trying; nothing is scouted, nothing else is opened.
-A process that dies is forgotten, and one that comes back is heard again, without a restart of the others.
+One process listens (the pilot), the others connect to it and keep trying; nothing is scouted,
+nothing else is opened. A process that dies is forgotten, and one that comes back is heard again,
+without a restart of the others.
 """
 
 from __future__ import annotations
@@ -32,14 +33,18 @@ _ASK_AGAIN = 0.05
 
 
 class _Reader:
-    """A thread that takes messages out of a zenoh channel, so that a slow handler never holds up zenoh's own threads."""
+    """A thread that takes messages out of a zenoh channel, so that a slow handler never holds up
+    zenoh's own threads.
+    """
 
     def __init__(self, source: Any, name: str, work: Callable[[Any], None]) -> None:
         self._source = source
         self._work = work
         self._name = name
         self._open = True
-        self._thread = threading.Thread(target=self._run, args=(source.handler,), name=f"bus {name}", daemon=True)
+        self._thread = threading.Thread(
+            target=self._run, args=(source.handler,), name=f"bus {name}", daemon=True
+        )
         self._thread.start()
 
     def _run(self, channel: Iterable[Any]) -> None:
@@ -66,15 +71,19 @@ class ZenohBus:
     """A member of the bus in this process.
 
     Args:
-        listen: endpoint to listen on and route, for example ``tcp/127.0.0.1:7447``; None listens nowhere.
-        connect: endpoint to connect to, now or as soon as somebody listens there; None connects nowhere.
+        listen: endpoint to listen on and route, for example ``tcp/127.0.0.1:7447``; None listens
+            nowhere.
+        connect: endpoint to connect to, now or as soon as somebody listens there; None connects
+            nowhere.
         namespace: put in front of all keys, so that several rooms can share a network.
 
     Raises:
         LinkError: the endpoint cannot be listened on.
     """
 
-    def __init__(self, listen: str | None = None, connect: str | None = None, namespace: str = "housefly") -> None:
+    def __init__(
+        self, listen: str | None = None, connect: str | None = None, namespace: str = "housefly"
+    ) -> None:
         self._namespace = namespace
         self._lock = threading.Lock()
         self._publishers: dict[str, Any] = {}
@@ -82,15 +91,18 @@ class ZenohBus:
         try:
             self._session = zenoh.open(_configuration(listen, connect))
         except zenoh.ZError as error:
-            raise LinkError(f"the bus cannot be opened at {listen or connect}: {_words(error)}") from error
-        # The others hear at once that we left, and zenoh does not run on into an interpreter that shuts down.
+            raise LinkError(
+                f"the bus cannot be opened at {listen or connect}: {_words(error)}"
+            ) from error
+        # The others hear at once that we left, and zenoh does not run on into an interpreter that
+        # shuts down.
         atexit.register(self.close)
 
     def publish(self, topic: Topic[Message], message: Message) -> None:
         """Send one message; does nothing after ``close``.
 
-        A LATEST topic drops what the network cannot take at once, and costs next to nothing while nobody listens. An EVERY
-        topic waits for room, at most five seconds.
+        A LATEST topic drops what the network cannot take at once, and costs next to nothing while
+        nobody listens. An EVERY topic waits for room, at most five seconds.
         """
         try:
             publisher = self._publisher(topic)
@@ -103,30 +115,51 @@ class ZenohBus:
     def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> _Reader:
         """Call the handler with each message, on a thread of this subscription."""
         ring = topic.delivery is Delivery.LATEST
-        channel: Any = zenoh.handlers.RingChannel(topic.depth) if ring else zenoh.handlers.FifoChannel(_EVERY_DEPTH)
+        channel: Any = (
+            zenoh.handlers.RingChannel(topic.depth)
+            if ring
+            else zenoh.handlers.FifoChannel(_EVERY_DEPTH)
+        )
         source = self._declare(self._session.declare_subscriber, self._key(topic.key), channel)
-        return self._keep(_Reader(source, topic.key, lambda sample: handler(decode(topic.type, sample.payload.to_bytes()))))
+        return self._keep(
+            _Reader(
+                source,
+                topic.key,
+                lambda sample: handler(decode(topic.type, sample.payload.to_bytes())),
+            )
+        )
 
     def answer(self, query: str, handler: Callable[[str], str]) -> _Reader:
-        """Answer a query, on a thread of this subscription; a handler that raises is an error reply in words."""
+        """Answer a query, on a thread of this subscription; a handler that raises is an error reply
+        in words.
+        """
         key = self._key(query)
-        source = self._declare(self._session.declare_queryable, key, zenoh.handlers.FifoChannel(_EVERY_DEPTH))
+        source = self._declare(
+            self._session.declare_queryable, key, zenoh.handlers.FifoChannel(_EVERY_DEPTH)
+        )
 
         def reply(asked: Any) -> None:
-            # A query counts as answered only when it is dropped: leaving the block tells the asker that no more comes.
+            # A query counts as answered only when it is dropped: leaving the block tells the asker
+            # that no more comes.
             with asked:
                 try:
-                    asked.reply(key, handler(asked.payload.to_string() if asked.payload else "").encode())
+                    asked.reply(
+                        key, handler(asked.payload.to_string() if asked.payload else "").encode()
+                    )
                 except Exception as error:
                     asked.reply_err(f"{error}".encode())
 
         return self._keep(_Reader(source, query, reply))
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
-        """Return the first reply; raises LinkError when nobody answers within the timeout [s] or the handler failed."""
+        """Return the first reply; raises LinkError when nobody answers within the timeout [s] or
+        the handler failed.
+        """
         deadline = time.monotonic() + timeout
         while (left := deadline - time.monotonic()) > 0:
-            for reply in self._declare(self._session.get, self._key(query), payload=request.encode(), timeout=left):
+            for reply in self._declare(
+                self._session.get, self._key(query), payload=request.encode(), timeout=left
+            ):
                 if reply.ok is not None:
                     return str(reply.ok.payload.to_string())
                 words = reply.err.payload.to_string()
@@ -155,7 +188,9 @@ class ZenohBus:
                 every = topic.delivery is Delivery.EVERY
                 found = self._session.declare_publisher(
                     self._key(topic.key),
-                    congestion_control=zenoh.CongestionControl.BLOCK if every else zenoh.CongestionControl.DROP,
+                    congestion_control=(
+                        zenoh.CongestionControl.BLOCK if every else zenoh.CongestionControl.DROP
+                    ),
                     priority=zenoh.Priority.REAL_TIME if every else zenoh.Priority.DATA,
                     express=True,
                 )
@@ -166,7 +201,9 @@ class ZenohBus:
         try:
             return call(*arguments, **options)
         except zenoh.ZError as error:
-            raise LinkError(f"the bus is closed or refused {arguments[0]!r}: {_words(error)}") from error
+            raise LinkError(
+                f"the bus is closed or refused {arguments[0]!r}: {_words(error)}"
+            ) from error
 
     def _keep(self, reader: _Reader) -> _Reader:
         with self._lock:
@@ -176,7 +213,12 @@ class ZenohBus:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self.close()
 
 
@@ -192,22 +234,31 @@ def _words(error: zenoh.ZError) -> str:
 def _configuration(listen: str | None, connect: str | None) -> zenoh.Config:
     """Return a configuration that opens exactly the given endpoints."""
     settings: dict[str, Any] = {
-        # Routers pass messages on between processes that are not connected to each other; peers and clients do not.
+        # Routers pass messages on between processes that are not connected to each other; peers and
+        # clients do not.
         "mode": "router",
         "listen/endpoints": [listen] if listen else [],
         "listen/exit_on_failure": True,
         "connect/endpoints": [connect] if connect else [],
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
-        "connect/retry": {"period_init_ms": 50, "period_max_ms": 250, "period_increase_factor": 1.5},
+        "connect/retry": {
+            "period_init_ms": 50,
+            "period_max_ms": 250,
+            "period_increase_factor": 1.5,
+        },
         "open/return_conditions": {"connect_scouted": False, "declares": False},
         "scouting/delay": 0,
         "scouting/multicast/enabled": False,
         "scouting/gossip/enabled": False,
         # Segments of a killed process would stay behind in /dev/shm, for a gain of 0.1 ms.
         "transport/shared_memory/enabled": False,
-        # A LATEST topic must not hold up its sender: zenoh's own patience with a full queue is 1 ms, 50 ms for long messages.
-        "transport/link/tx/queue/congestion_control/drop": {"wait_before_drop": 0, "max_wait_before_drop_fragments": 2000},
+        # A LATEST topic must not hold up its sender: zenoh's own patience with a full queue is 1
+        # ms, 50 ms for long messages.
+        "transport/link/tx/queue/congestion_control/drop": {
+            "wait_before_drop": 0,
+            "max_wait_before_drop_fragments": 2000,
+        },
         "transport/link/tx/queue/size/data": 16,
     }
     configuration = zenoh.Config()

@@ -1,4 +1,6 @@
-"""Answers questions from the world model and the store; the same for the bus, the HTTP API and Python."""
+"""Answers questions from the world model and the store; the same for the bus, the HTTP API and
+Python.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,9 @@ from collections.abc import Callable, Iterable
 from math import sqrt
 from typing import Any
 
-from housefly.bus.room_answers import (
+from housefly.errors import ThingError
+from housefly.geometry import yaw_of
+from housefly.hub.api.answers import (
     Answer,
     EventsAnswer,
     Occurrence,
@@ -20,16 +24,24 @@ from housefly.bus.room_answers import (
     View,
     WhereAnswer,
 )
-from housefly.bus.room_questions import Catalogue, Contents, Events, Near, Picture, Question, Sensors, Trajectory, Where
-from housefly.errors import ThingError
-from housefly.geometry import yaw_of
+from housefly.hub.api.questions import (
+    Catalogue,
+    Contents,
+    Events,
+    Near,
+    Picture,
+    Question,
+    Sensors,
+    Trajectory,
+    Where,
+)
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
+from housefly.hub.things.thing import Kind, Thing
+from housefly.hub.things.whereabouts import Whereabouts
+from housefly.hub.things.words import where_words
+from housefly.hub.things.world import World
 from housefly.messages import Happening, Observation
-from housefly.things.thing import Kind, Thing
-from housefly.things.whereabouts import Whereabouts
-from housefly.things.words import where_words
-from housefly.things.world import World
 
 LONGEST = 200_000
 """Rows of a trajectory that one answer may hold."""
@@ -71,15 +83,23 @@ class Answers:
         kind = _kind(question.kind)
         with self._memory.lock:
             things = self._memory.world.things
-        return ThingsAnswer(tuple(_thing(thing) for thing in things if kind is None or thing.kind is kind))
+        return ThingsAnswer(
+            tuple(_thing(thing) for thing in things if kind is None or thing.kind is kind)
+        )
 
     def _near(self, question: Near) -> PlacedAnswer:
         with self._memory.lock:
             world = self._memory.world
-            centre = world.thing(question.thing).id if question.thing else (question.x, question.y, question.z)
+            centre = (
+                world.thing(question.thing).id
+                if question.thing
+                else (question.x, question.y, question.z)
+            )
             found = world.near(centre, question.radius, _kind(question.kind))
             now = self._clock()
-            return PlacedAnswer(tuple(placed(world, world.thing(near.thing), now, near.distance) for near in found))
+            return PlacedAnswer(
+                tuple(placed(world, world.thing(near.thing), now, near.distance) for near in found)
+            )
 
     def _contents(self, question: Contents) -> PlacedAnswer:
         if question.at is not None:
@@ -87,28 +107,38 @@ class Answers:
             return PlacedAnswer(_all(world, world.contents(world.thing(question.thing).id), now))
         with self._memory.lock:
             world = self._memory.world
-            return PlacedAnswer(_all(world, world.contents(world.thing(question.thing).id), self._clock()))
+            return PlacedAnswer(
+                _all(world, world.contents(world.thing(question.thing).id), self._clock())
+            )
 
     def _trajectory(self, question: Trajectory) -> TrajectoryAnswer:
         thing = self._named(question.thing)
         until = self._clock() if question.until is None else question.until
         self._memory.flush()
         with self._memory.past() as store:
-            rows = store.trajectory(thing, question.since, until, source=question.source, every=question.every)
-        return TrajectoryAnswer(thing, tuple((t, x, y, z) for t, x, y, z in rows[-LONGEST:].tolist()))
+            rows = store.trajectory(
+                thing, question.since, until, source=question.source, every=question.every
+            )
+        return TrajectoryAnswer(
+            thing, tuple((t, x, y, z) for t, x, y, z in rows[-LONGEST:].tolist())
+        )
 
     def _events(self, question: Events) -> EventsAnswer:
         thing = self._named(question.thing) if question.thing else ""
         until = self._clock() if question.until is None else question.until
         self._memory.flush()
         with self._memory.past() as store:
-            found = store.events(question.since, until, thing=thing, kind=question.kind, cause=question.cause)
+            found = store.events(
+                question.since, until, thing=thing, kind=question.kind, cause=question.cause
+            )
         return EventsAnswer(tuple(occurrence(one) for one in found[-question.limit :]))
 
     def _picture(self, question: Picture) -> PictureAnswer:
         if question.at is not None:
             world = self._world_at(question.at)
-            return PictureAnswer(question.at, _all(world, (thing.id for thing in world.things), question.at))
+            return PictureAnswer(
+                question.at, _all(world, (thing.id for thing in world.things), question.at)
+            )
         now = self._clock()
         with self._memory.lock:
             world = self._memory.world
@@ -168,7 +198,16 @@ def occurrence(happening: Happening) -> Occurrence:
 def placed(world: World, thing: Thing, now: float, distance: float | None = None) -> Placed:
     """Return a thing with its place, and how far it is from where was asked [m]."""
     found = world.where(thing.id)
-    return Placed(thing.id, thing.name, thing.kind.value, found.position, _yaw(found), found.inside, found.age(now), distance)
+    return Placed(
+        thing.id,
+        thing.name,
+        thing.kind.value,
+        found.position,
+        _yaw(found),
+        found.inside,
+        found.age(now),
+        distance,
+    )
 
 
 def _all(world: World, things: Iterable[str], now: float) -> tuple[Placed, ...]:
@@ -177,11 +216,20 @@ def _all(world: World, things: Iterable[str], now: float) -> tuple[Placed, ...]:
 
 def _thing(thing: Thing) -> ThingAnswer:
     views = tuple(View(view.name, view.position, view.yaw, view.robot) for view in thing.viewpoints)
-    return ThingAnswer(thing.id, thing.name, thing.kind.value, thing.aliases, thing.position, thing.inside, views)
+    return ThingAnswer(
+        thing.id, thing.name, thing.kind.value, thing.aliases, thing.position, thing.inside, views
+    )
 
 
 def _said(sample: Observation, now: float) -> Said:
-    return Said(sample.source, now - sample.captured_at, sample.position, sample.inside, sample.valid, dict(sample.facts))
+    return Said(
+        sample.source,
+        now - sample.captured_at,
+        sample.position,
+        sample.inside,
+        sample.valid,
+        dict(sample.facts),
+    )
 
 
 def _yaw(found: Whereabouts) -> float | None:
@@ -198,4 +246,6 @@ def _kind(word: str) -> Kind | None:
     try:
         return Kind(word) if word else None
     except ValueError as error:
-        raise ThingError(f"{word!r} is no kind of thing; there are: {', '.join(kind.value for kind in Kind)}") from error
+        raise ThingError(
+            f"{word!r} is no kind of thing; there are: {', '.join(kind.value for kind in Kind)}"
+        ) from error

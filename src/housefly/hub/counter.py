@@ -1,6 +1,8 @@
-"""Answers programs on the same machine over a line of their own: a question in JSON a line, an answer in JSON a line.
+"""Answers programs on the same machine over a line of their own: a question in JSON a line, an
+answer in JSON a line.
 
-Nobody stands between asker and hub, as pilot and console do on the bus and over HTTP. The first line is the key of the run.
+Nobody stands between asker and hub, as pilot and console do on the bus and over HTTP. The first
+line is the key of the run.
 """
 
 from __future__ import annotations
@@ -12,8 +14,8 @@ from contextlib import suppress
 from socketserver import StreamRequestHandler, ThreadingTCPServer
 from threading import BoundedSemaphore, Lock, Thread
 
-from housefly.bus.room_json import refusal_to_json
 from housefly.errors import LinkError, WireError
+from housefly.hub.api.room_json import refusal_to_json
 
 MOST = 32
 """So many programs may ask at once."""
@@ -80,7 +82,9 @@ class _Server(ThreadingTCPServer):
     def verify_request(self, request: object, client_address: object) -> bool:
         return self.seats.acquire(blocking=False)
 
-    def process_request_thread(self, request: socket.socket | tuple[bytes, socket.socket], client_address: object) -> None:
+    def process_request_thread(
+        self, request: socket.socket | tuple[bytes, socket.socket], client_address: object
+    ) -> None:
         try:
             super().process_request_thread(request, client_address)
         finally:

@@ -1,4 +1,6 @@
-"""What a flight tells the room: where the tracked bodies are, and what the pilot did, from the steps that it publishes."""
+"""What a flight tells the room: where the tracked bodies are, and what the pilot did, from the
+steps that it publishes.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ class FlightFacts:
     Args:
         drone: id of the drone, the name of its tracked body.
         tracking: id of the tracking system.
-        things: ids of things by the names of their tracked bodies; other bodies are called by their names.
+        things: ids of things by the names of their tracked bodies; other bodies are called by their
+            names.
     """
 
     def __init__(self, drone: str, tracking: str, things: Mapping[str, str]) -> None:

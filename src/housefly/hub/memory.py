@@ -1,4 +1,6 @@
-"""What the hub holds: the world model in memory, the writer of the store beside it, and the last things that happened."""
+"""What the hub holds: the world model in memory, the writer of the store beside it, and the last
+things that happened.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +10,11 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from housefly.errors import StoreError, ThingError
+from housefly.hub.store.contract import Store
+from housefly.hub.store.writer import Writer
+from housefly.hub.things.thing import Thing
+from housefly.hub.things.world import World
 from housefly.messages import Happening, Observation
-from housefly.store.contract import Store
-from housefly.store.writer import Writer
-from housefly.things.thing import Thing
-from housefly.things.world import World
 
 Listener = Callable[[Observation | Happening], None]
 COMPLAINTS = 20
@@ -28,7 +30,9 @@ class RoomMemory:
     """
 
     def __init__(self, things: Iterable[Thing], open_store: Callable[[], Store]) -> None:
-        """Open the store, and remember what it last knew; raises StoreError when it cannot be opened at all."""
+        """Open the store, and remember what it last knew; raises StoreError when it cannot be
+        opened at all.
+        """
         self.lock = threading.Lock()
         self.writer = Writer(open_store)
         self._store = open_store()
@@ -59,7 +63,9 @@ class RoomMemory:
             listener(item)
 
     def know(self, *things: Thing) -> None:
-        """Add things to the catalogue, or replace them; raises ThingError when one would be inside itself."""
+        """Add things to the catalogue, or replace them; raises ThingError when one would be inside
+        itself.
+        """
         with self.lock:
             for thing in things:
                 self.world.know(thing)
@@ -67,7 +73,9 @@ class RoomMemory:
 
     @contextmanager
     def past(self) -> Iterator[Store]:
-        """Lend the store for a question about the past, to one thread at a time; raises StoreError after ``close``."""
+        """Lend the store for a question about the past, to one thread at a time; raises StoreError
+        after ``close``.
+        """
         if self._closed:
             raise StoreError("the memory is closed")
         with self._store_lock:
@@ -80,7 +88,8 @@ class RoomMemory:
     def close(self) -> None:
         """Write what is left and let go, after the question that is just being answered.
 
-        SQLite's connection must not be closed under a thread that reads from it: the process would end with a segmentation fault.
+        SQLite's connection must not be closed under a thread that reads from it: the process would
+        end with a segmentation fault.
         """
         self._closed = True
         self.writer.close()

@@ -7,8 +7,8 @@ import threading
 from collections.abc import Callable
 from dataclasses import asdict
 
-from housefly.bus.room_answers import News, Occurrence, Placed
 from housefly.hub.answers import occurrence, placed
+from housefly.hub.api.answers import News, Occurrence, Placed
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
 from housefly.messages import Happening, Observation, RoomNews
@@ -48,11 +48,17 @@ class Newsroom:
         with self._memory.lock:
             world = self._memory.world
             inside = {content for thing in touched for content in world.contents(thing)}
-            return tuple(placed(world, world.thing(thing), now) for thing in sorted(touched | inside))
+            return tuple(
+                placed(world, world.thing(thing), now) for thing in sorted(touched | inside)
+            )
 
     def _noted(self, item: Observation | Happening) -> None:
         with self._lock:
-            self._touched.add(item.thing) if isinstance(item, Observation) else self._note_event(item)
+            (
+                self._touched.add(item.thing)
+                if isinstance(item, Observation)
+                else self._note_event(item)
+            )
 
     def _note_event(self, item: Happening) -> None:
         if len(self._events) < MOST_EVENTS:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import threading
 from math import hypot
 
-from housefly.bus.room_answers import Hindrance
 from housefly.clock import Clock
+from housefly.hub.api.answers import Hindrance
 from housefly.hub.present import Present
 from housefly.messages import Obstacle
 
@@ -36,7 +36,9 @@ class ObstacleBoard:
         """Show what is still there."""
         now = self._clock.now()
         with self._lock:
-            self._seen = {key: seen for key, seen in self._seen.items() if now - seen.seen_at < FORGOTTEN}
+            self._seen = {
+                key: seen for key, seen in self._seen.items() if now - seen.seen_at < FORGOTTEN
+            }
             found = tuple(self._seen.values())
         self._present.block((_hindrance(obstacle, now) for obstacle in found), "bus")
 
@@ -44,6 +46,12 @@ class ObstacleBoard:
 def _hindrance(obstacle: Obstacle, now: float) -> Hindrance:
     (x, y), (length, width), (vx, vy) = obstacle.position, obstacle.size, obstacle.velocity
     radius, age = obstacle.radius + 0.5 * hypot(length, width), now - obstacle.seen_at
-    grown = (length + 2.0 * obstacle.radius, width + 2.0 * obstacle.radius) if length and width else (0.0, 0.0)
+    grown = (
+        (length + 2.0 * obstacle.radius, width + 2.0 * obstacle.radius)
+        if length and width
+        else (0.0, 0.0)
+    )
     name = f"{obstacle.source}/{obstacle.id}"
-    return Hindrance(name, x, y, radius, vx, vy, obstacle.confidence, age, obstacle.source, *grown, obstacle.yaw)
+    return Hindrance(
+        name, x, y, radius, vx, vy, obstacle.confidence, age, obstacle.source, *grown, obstacle.yaw
+    )

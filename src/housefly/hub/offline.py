@@ -7,15 +7,15 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from housefly.bus.room_answers import Answer
-from housefly.bus.room_questions import Question
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.hub.answers import Answers
+from housefly.hub.api.answers import Answer
+from housefly.hub.api.questions import Question
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
 from housefly.hub.process import catalogue_of, store_address
+from housefly.hub.store.opening import open_store
 from housefly.room.edits import room_of
-from housefly.store.opening import open_store
 
 
 class OfflineRoom:
@@ -30,7 +30,12 @@ class OfflineRoom:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
         self._memory.close()
 
     def ask(self, question: Question) -> Answer:

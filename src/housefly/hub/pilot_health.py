@@ -1,4 +1,6 @@
-"""How tracking and drone do, as the pilot's steps show it: rates and ages beside those of the room's other sensors."""
+"""How tracking and drone do, as the pilot's steps show it: rates and ages beside those of the
+room's other sensors.
+"""
 
 from __future__ import annotations
 
@@ -48,11 +50,30 @@ class PilotHealth:
         with self._lock:
             pilot = self._steps.age(now)
             rows = (
-                (self._tracking, "mocap", "motion capture", self._frames, "no body is seen; is the tracking system live?"),
-                ("drone", "drone", "the drone's own report", self._reports, "the drone is silent; is it switched on?"),
+                (
+                    self._tracking,
+                    "mocap",
+                    "motion capture",
+                    self._frames,
+                    "no body is seen; is the tracking system live?",
+                ),
+                (
+                    "drone",
+                    "drone",
+                    "the drone's own report",
+                    self._reports,
+                    "the drone is silent; is it switched on?",
+                ),
             )
             return tuple(
-                _health(name, kind, title, pulse, now, words if pilot < SILENT else "the pilot is not heard")
+                _health(
+                    name,
+                    kind,
+                    title,
+                    pulse,
+                    now,
+                    words if pilot < SILENT else "the pilot is not heard",
+                )
                 for name, kind, title, pulse, words in rows
             )
 

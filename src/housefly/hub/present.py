@@ -1,4 +1,6 @@
-"""What holds now besides where things are: how the sensors do, which situations hold, what is in the way."""
+"""What holds now besides where things are: how the sensors do, which situations hold, what is in
+the way.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ import threading
 from collections.abc import Callable, Iterable
 from math import isfinite
 
-from housefly.bus.room_answers import Hindrance, Holding, SensorAnswer, SensorsAnswer
+from housefly.hub.api.answers import Hindrance, Holding, SensorAnswer, SensorsAnswer
 from housefly.sensors.contracts import SensorHealth
 
 Health = Callable[[], tuple[SensorHealth, ...]]
@@ -55,4 +57,13 @@ class Present:
 def _sensor(health: SensorHealth) -> SensorAnswer:
     age = health.age if isfinite(health.age) else None
     counts = dict(health.counts)
-    return SensorAnswer(health.id, health.kind, health.title, health.connected, health.rate_hz, age, health.problem, counts)
+    return SensorAnswer(
+        health.id,
+        health.kind,
+        health.title,
+        health.connected,
+        health.rate_hz,
+        age,
+        health.problem,
+        counts,
+    )

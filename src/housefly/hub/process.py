@@ -1,6 +1,7 @@
 """The hub's process: ``python -m housefly.hub.process --site FILE --bus ENDPOINT [--port PORT]``.
 
-It listens to the pilot, runs the drivers of the room's sensors, keeps what they tell, and answers on the bus. It may die at any
+It listens to the pilot, runs the drivers of the room's sensors, keeps what they tell, and answers
+on the bus. It may die at any
 time: the flight goes on, and what it had written is there when it is started again.
 """
 
@@ -18,15 +19,16 @@ import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from housefly.asking.meeting_place import ROOM_KEY
 from housefly.bus.bus import Bus
-from housefly.bus.room_json import answer_to_json, question_from_json, refusal_to_json
 from housefly.bus.topics import HUB_QUERY, OBSTACLE, ROOM_NEWS, SENSOR, STEP
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
-from housefly.config import Site, load_site
+from housefly.config.site import Site, load_site
+from housefly.config.state import database_file
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.answers import Answers
+from housefly.hub.api.room_json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.asking.discovery import ROOM_KEY
 from housefly.hub.counter import Counter
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory
@@ -36,17 +38,16 @@ from housefly.hub.pilot_health import PilotHealth
 from housefly.hub.present import Present
 from housefly.hub.sensor_board import SensorBoard
 from housefly.hub.situation_desk import SituationDesk
+from housefly.hub.store.opening import SERVERS, open_store
+from housefly.hub.things.catalogue import load_catalogue
+from housefly.hub.things.thing import Thing
 from housefly.hub.things_of_room import thing_of, things_of
 from housefly.messages import Happening, PilotStep
-from housefly.planning.furniture import TrackedFurniture
+from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
 from housefly.room.model import Room
 from housefly.sensors.contracts import Sensor
 from housefly.sensors.mqtt import MqttSensors
-from housefly.state import database_file
-from housefly.store.opening import SERVERS, open_store
-from housefly.things.catalogue import load_catalogue
-from housefly.things.thing import Thing
 
 log = logging.getLogger(__name__)
 
@@ -63,7 +64,10 @@ class Hub:
     def __init__(self, site: Site, folder: Path, bus: Bus) -> None:
         room = room_of(site, folder)
         address = store_address(site)
-        self.memory = RoomMemory(catalogue_of(site, room, folder), lambda: open_store(address, keep_days=site.hub.keep_days))
+        self.memory = RoomMemory(
+            catalogue_of(site, room, folder),
+            lambda: open_store(address, keep_days=site.hub.keep_days),
+        )
         self.present = Present(self.memory.writer.report)
         self._answers = Answers(self.memory, self.present, time.time)
         self._obstacles = ObstacleBoard(self.present, RealClock())
@@ -72,7 +76,9 @@ class Hub:
         self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
         self._facts = FlightFacts(
-            site.tracking.body, site.tracking.kind, {piece.body: thing_of(piece) for piece in site.furniture}
+            site.tracking.body,
+            site.tracking.kind,
+            {piece.body: thing_of(piece) for piece in site.furniture},
         )
         self._others = SensorBoard(site, RealClock())
         for watched in (self._pilot, *self._sensors, self._others):
@@ -128,13 +134,17 @@ class Hub:
 
 
 def catalogue_of(site: Site, room: Room, folder: Path) -> tuple[Thing, ...]:
-    """Return the things of a room and those of the site's own catalogue; raises ConfigError for a bad one."""
+    """Return the things of a room and those of the site's own catalogue; raises ConfigError for a
+    bad one.
+    """
     own = load_catalogue(folder / site.hub.things) if site.hub.things else ()
     return (*things_of(site, room), *own)
 
 
 def store_address(site: Site) -> str:
-    """Return where a site's memory is: what the site says, or a file in the user's state folder, which is made."""
+    """Return where a site's memory is: what the site says, or a file in the user's state folder,
+    which is made.
+    """
     if site.hub.store.startswith(SERVERS):
         return site.hub.store
     path = database_file(site)
@@ -183,15 +193,26 @@ def opened_counter(answer: Callable[[str], str], key: str, port: int) -> Counter
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the hub of a site until told to leave; returns the exit status."""
-    parser = argparse.ArgumentParser(prog="python -m housefly.hub.process", description="Remember what the room tells.")
+    parser = argparse.ArgumentParser(
+        prog="python -m housefly.hub.process", description="Remember what the room tells."
+    )
     parser.add_argument("--site", type=Path, required=True, help="site file")
-    parser.add_argument("--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447")
-    parser.add_argument("--port", type=int, default=0, help=f"loopback TCP port for who asks, with the key in {ROOM_KEY}")
+    parser.add_argument(
+        "--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447"
+    )
+    parser.add_argument(
+        "--port",
+        type=int,
+        default=0,
+        help=f"loopback TCP port for who asks, with the key in {ROOM_KEY}",
+    )
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
     try:
         key = os.environ.get(ROOM_KEY, "")
-        asyncio.run(run_hub(load_site(options.site), options.site.parent, options.bus, options.port, key))
+        asyncio.run(
+            run_hub(load_site(options.site), options.site.parent, options.bus, options.port, key)
+        )
     except HouseflyError as error:
         print(f"hub: {error}", file=sys.stderr)
         return 1

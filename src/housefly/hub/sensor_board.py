@@ -6,7 +6,7 @@ import threading
 from math import inf
 
 from housefly.clock import Clock
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import SensorReport
 from housefly.sensors.contracts import SensorHealth
 
@@ -30,7 +30,10 @@ class SensorBoard:
         ]
         self._clock = clock
         self._lock = threading.Lock()
-        self._newest = {name: (SensorReport(name, kind, False, 0.0, inf, UNHEARD), clock.now()) for name, kind in kinds}
+        self._newest = {
+            name: (SensorReport(name, kind, False, 0.0, inf, UNHEARD), clock.now())
+            for name, kind in kinds
+        }
 
     def heard(self, report: SensorReport) -> None:
         """Take a report."""
@@ -49,4 +52,6 @@ def _health(report: SensorReport, elapsed: float) -> SensorHealth:
     title, age = f"{report.kind.capitalize()} {report.id}", report.age + elapsed
     if elapsed > SILENT:
         return SensorHealth(report.id, report.kind, title, False, 0.0, age, UNHEARD)
-    return SensorHealth(report.id, report.kind, title, report.connected, report.rate_hz, age, report.problem)
+    return SensorHealth(
+        report.id, report.kind, title, report.connected, report.rate_hz, age, report.problem
+    )

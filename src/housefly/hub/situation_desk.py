@@ -1,19 +1,21 @@
-"""Runs the detectors over what the memory takes: what they find is taken too, and what holds is shown."""
+"""Runs the detectors over what the memory takes: what they find is taken too, and what holds is
+shown.
+"""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Iterable
 
-from housefly.bus.room_answers import Holding
-from housefly.config import Site
+from housefly.config.site import Site
+from housefly.hub.api.answers import Holding
 from housefly.hub.memory import RoomMemory
 from housefly.hub.present import Present
+from housefly.hub.situations import Layout, Situations
+from housefly.hub.situations.furniture import beds_of, entrance_of, seats_of
+from housefly.hub.things.thing import Kind, Thing
 from housefly.messages import Happening, Observation
 from housefly.room.model import Room
-from housefly.situations import Layout, Situations
-from housefly.situations.furniture import beds_of, entrance_of, seats_of
-from housefly.things.thing import Kind, Thing
 
 MOST = 20_000
 """Items that may wait for the detectors; more are left out of them, not of the memory."""
@@ -38,8 +40,13 @@ class SituationDesk:
             if happening.kind == "object taken" and happening.cause:
                 # It is with whoever took it, until a sensor says where it was put.
                 at = happening.at
-                self._memory.take(Observation(happening.thing, happening.source, at, now, inside=happening.cause))
-        holds = (Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence)) for s in self._situations.holds())
+                self._memory.take(
+                    Observation(happening.thing, happening.source, at, now, inside=happening.cause)
+                )
+        holds = (
+            Holding(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence))
+            for s in self._situations.holds()
+        )
         self._present.hold(holds, "detectors")
 
     def _noted(self, item: Observation | Happening) -> None:
@@ -49,14 +56,18 @@ class SituationDesk:
 
 
 def layout_of(site: Site, room: Room, furniture: Iterable[Thing]) -> Layout:
-    """Return what the detectors know of a site beforehand; beds, bells and motion sensors are told by their ids."""
+    """Return what the detectors know of a site beforehand; beds, bells and motion sensors are told
+    by their ids.
+    """
     names = [d.id for d in site.mqtt.devices if "bed" in d.id] or ["bed"]
     return Layout(
         seats=seats_of(room),
         beds=dict(zip(names, beds_of(room), strict=False)),
         entrance=entrance_of(room),
         bells=frozenset({"doorbell"} | {d.id for d in site.mqtt.devices if "bell" in d.id}),
-        motion=frozenset({"corridor-motion"} | {d.id for d in site.mqtt.devices if "motion" in d.id}),
+        motion=frozenset(
+            {"corridor-motion"} | {d.id for d in site.mqtt.devices if "motion" in d.id}
+        ),
         containers={thing.id: thing.position for thing in furniture if thing.position is not None},
         people=frozenset({site.tracking.visitor}),
     )

@@ -7,27 +7,45 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import atan2
 
-from housefly.config import Site
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
+from housefly.config.site import Site
 from housefly.geometry import Vec3, quaternion_from_euler
+from housefly.hub.things.thing import Kind, Thing, Viewpoint
 from housefly.room.model import Room, Solid
-from housefly.things.thing import Kind, Thing, Viewpoint
 
-BUILDING = ("wall", "floor", "ceiling", "partition", "window", "outside", "home pad", "carpet", "door")
+BUILDING = (
+    "wall",
+    "floor",
+    "ceiling",
+    "partition",
+    "window",
+    "outside",
+    "home pad",
+    "carpet",
+    "door",
+)
 """Solids of things with these words in their names are parts of the building."""
 
 
 def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
     """Return the catalogue that a room brings along; ids are their names in lower case with dashes."""
-    found = {thing.id: thing for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))}
+    found = {
+        thing.id: thing
+        for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))
+    }
     for piece in site.furniture:
         known = found.get(thing_of(piece), Thing(thing_of(piece), piece.name, Kind.FURNITURE))
-        names = tuple(name for name in (piece.name, piece.body) if name not in (known.name, known.id))
+        names = tuple(
+            name for name in (piece.name, piece.body) if name not in (known.name, known.id)
+        )
         found[known.id] = replace(known, aliases=tuple(dict.fromkeys((*known.aliases, *names))))
     body = site.tracking.body
     found.setdefault(body, Thing(body, "the drone", Kind.ROBOT, ("drone",), (*room.home, 0.0)))
     if room.visitor is not None:
-        found.setdefault(site.tracking.visitor, Thing(site.tracking.visitor, "the visitor", Kind.PERSON, ("visitor",)))
+        found.setdefault(
+            site.tracking.visitor,
+            Thing(site.tracking.visitor, "the visitor", Kind.PERSON, ("visitor",)),
+        )
     return tuple(found.values())
 
 
@@ -55,12 +73,25 @@ def _places(room: Room, height: float) -> Iterator[Thing]:
         look_x, look_y, _ = place.look_at
         view = Viewpoint("hover", (x, y, height), atan2(look_y - y, look_x - x))
         title = place.title or place.name
-        yield Thing(_id(f"place {place.name}"), title, Kind.PLACE, (place.name,), place.look_at, viewpoints=(view,))
+        yield Thing(
+            _id(f"place {place.name}"),
+            title,
+            Kind.PLACE,
+            (place.name,),
+            place.look_at,
+            viewpoints=(view,),
+        )
 
 
 def _sensors(room: Room) -> Iterator[Thing]:
     for camera in room.cameras:
-        yield Thing(_id(f"camera {camera.name}"), f"tracking camera {camera.name}", Kind.SENSOR, (), camera.position)
+        yield Thing(
+            _id(f"camera {camera.name}"),
+            f"tracking camera {camera.name}",
+            Kind.SENSOR,
+            (),
+            camera.position,
+        )
 
 
 def _id(name: str) -> str:

@@ -1,9 +1,10 @@
 """The vocabulary: every value that crosses a border between two folders.
 
-All values are frozen. SI units. World frame: x along the long wall, y left, z up. Body frame: forward, left, up.
-Times are seconds of the monotonic clock; only what the room remembers (``messages.world``) is stamped in Unix time.
-Pitch is theta, roll is phi, yaw is psi; signs follow REP-103: positive theta is nose down (accelerates forward),
-positive phi is right side down (accelerates right), positive psi is counter-clockwise seen from above.
+All values are frozen. SI units. World frame: x along the long wall, y left, z up. Body frame:
+forward, left, up. Times are seconds of the monotonic clock; only what the room remembers
+(``messages.world``) is stamped in Unix time. Pitch is theta, roll is phi, yaw is psi; signs follow
+REP-103: positive theta is nose down (accelerates forward), positive phi is right side down
+(accelerates right), positive psi is counter-clockwise seen from above.
 """
 
 from housefly.messages.depth import DepthImage

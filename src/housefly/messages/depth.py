@@ -15,7 +15,8 @@ class DepthImage:
         source: name of the camera.
         captured_at: when it looked [s, our monotonic clock].
         width, height: [px].
-        data: distance along the camera's axis of each pixel [mm], 16 bits, low byte first; 0 where nothing was measured.
+        data: distance along the camera's axis of each pixel [mm], 16 bits, low byte first; 0 where
+            nothing was measured.
         fx, fy: focal lengths [px].
         cx, cy: the image's middle [px].
         pose: of the camera in the world; it looks along its own +z, x right in the image, y down.

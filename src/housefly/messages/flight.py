@@ -30,14 +30,16 @@ class OrderKind(Enum):
 class Order:
     """One order of a person or a task.
 
-    GO flies to ``place`` or ``goal`` and hovers there. SERVICE is the paper's service: take off, fly there, look for
-    ``look_s``, come home, land. HOME flies home and lands. STOP hovers and latches until RESUME; LAND and CUT always pass.
+    GO flies to ``place`` or ``goal`` and hovers there. SERVICE is the paper's service: take off,
+    fly there, look for ``look_s``, come home, land. HOME flies home and lands. STOP hovers and
+    latches until RESUME; LAND and CUT always pass.
 
     Attributes:
         kind: what to do.
         place: name of a place, or "".
         goal: world xy [m], when there is no place.
-        look_at: world point [m] to face on arrival; None keeps the place's own view, or the heading.
+        look_at: world point [m] to face on arrival; None keeps the place's own view, or the
+            heading.
         look_s: how long to look before coming home [s].
         issued_at: when it was given [s]; orders older than 0.5 s that move the drone are refused.
         sender: who asked.
@@ -90,7 +92,8 @@ class Inputs:
         sightings: since the last step.
         telemetry: the newest.
         orders: since the last step.
-        obstacles: what was heard of obstacles since the last step; the pilot remembers the others for a while.
+        obstacles: what was heard of obstacles since the last step; the pilot remembers the others
+            for a while.
     """
 
     sightings: tuple[Sighting, ...] = ()
@@ -130,7 +133,9 @@ class Outputs:
 
 @dataclass(frozen=True, slots=True)
 class PilotStep:
-    """One whole step, as the bus carries it and the recorder keeps it: enough to replay the pilot bit for bit."""
+    """One whole step, as the bus carries it and the recorder keeps it: enough to replay the pilot
+    bit for bit.
+    """
 
     sequence: int
     now: float
@@ -147,7 +152,8 @@ class LinkStatus:
         tracking_connected, drone_connected, video_connected: wire states.
         tracking_rate_hz: sightings of our drone per second over the last second.
         telemetry_rate_hz, video_rate_hz: likewise.
-        loop_p50_s, loop_p99_s, loop_max_s: lateness of the pilot loop's ticks over the last ten seconds [s].
+        loop_p50_s, loop_p99_s, loop_max_s: lateness of the pilot loop's ticks over the last ten
+            seconds [s].
         missed_ticks: ticks skipped since start.
         notes: anything a person should read, in words.
     """

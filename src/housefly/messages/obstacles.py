@@ -9,7 +9,8 @@ from housefly.geometry import Vec2
 
 @dataclass(frozen=True, slots=True)
 class Obstacle:
-    """One thing in the way, as one source last saw it: a rectangle of ``size`` turned by ``yaw`` and grown by ``radius``.
+    """One thing in the way, as one source last saw it: a rectangle of ``size`` turned by ``yaw``
+    and grown by ``radius``.
 
     A disc is a rectangle without extent. A confidence of 0 says that the thing is gone.
 

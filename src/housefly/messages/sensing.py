@@ -85,7 +85,8 @@ class Telemetry:
         received_at: when we heard it [s].
         status: the drone's own state.
         battery: charge, 0 to 1.
-        phi, theta, psi: attitude [rad], REP-103 signs; psi is relative to the drone's own start, not to the world.
+        phi, theta, psi: attitude [rad], REP-103 signs; psi is relative to the drone's own start,
+            not to the world.
         height: height above the floor by the drone's own sensor [m].
         velocity: body velocity forward, left, up by the drone's own estimate [m/s].
         faults: the drone's complaints, in words.

@@ -31,7 +31,8 @@ class PlanAnswer:
         start, goal: as asked [m].
         path: the way, or None.
         reason: in words, why there is no path ("" when there is one).
-        suggestion: nearest free cell centre to a blocked or outside start or goal [m], when there is one.
+        suggestion: nearest free cell centre to a blocked or outside start or goal [m], when there
+            is one.
         duration: expected flight time [s].
     """
 
@@ -97,7 +98,8 @@ class Action(Enum):
 class Command:
     """One order to the drone driver; ``setpoint`` counts only for ``Action.FLY``.
 
-    HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude, which drifts.
+    HOVER asks for the drone's own hover (AR.Drone: hover bit); FLY with LEVEL means level attitude,
+    which drifts.
     """
 
     action: Action

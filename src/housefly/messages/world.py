@@ -1,4 +1,6 @@
-"""What the room senses and what happens in it: as sensors tell it, the hub fuses it and the store keeps it."""
+"""What the room senses and what happens in it: as sensors tell it, the hub fuses it and the store
+keeps it.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,9 @@ from housefly.geometry import Quaternion, Vec3
 
 Fact = str | float | bool
 Facts = tuple[tuple[str, Fact], ...]
-"""Named values beside the pose; names end in their unit where it is not SI: ("weight", 0.21), ("open", True)."""
+"""Named values beside the pose; names end in their unit where it is not SI: ("weight", 0.21),
+("open", True).
+"""
 Covariance = tuple[float, float, float, float, float, float]
 """Upper triangle xx, xy, xz, yy, yz, zz of a position's covariance [m^2]."""
 
@@ -47,7 +51,8 @@ class Happening:
     """Something that happened.
 
     Attributes:
-        kind: what, in words of a small vocabulary: "bell pressed", "door opened", "object taken", "flight started".
+        kind: what, in words of a small vocabulary: "bell pressed", "door opened", "object taken",
+            "flight started".
         thing: id of the thing that it happened to.
         at: when [s, Unix time].
         source: id of the sensor or detector that says so.

@@ -1,1 +1,3 @@
-"""From measured distances to people and things that no map shows: what differs from the room, clustered, followed in time."""
+"""From measured distances to people and things that no map shows: what differs from the room,
+clustered, followed in time.
+"""

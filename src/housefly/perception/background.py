@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from housefly.config_laser import LaserConfig
+from housefly.config.laser import LaserConfig
 from housefly.numeric import compiled
 from housefly.room.distance import Floats, footprints
 from housefly.room.model import Solid
 
 HALF_THICKNESS = 0.02
-"""Solids within this of the scanner's plane stop its beams [m]: a beam widens, and no wall is quite upright."""
+"""Solids within this of the scanner's plane stop its beams [m]: a beam widens, and no wall is quite
+upright.
+"""
 
 
 @compiled
@@ -57,7 +59,9 @@ def _cast(rows: Any, x: float, y: float, angles: Any, out: Any) -> None:
         out[n] = best
 
 
-def expected_ranges(solids: Iterable[Solid], laser: LaserConfig, first_angle: float, step: float, beams: int) -> Floats:
+def expected_ranges(
+    solids: Iterable[Solid], laser: LaserConfig, first_angle: float, step: float, beams: int
+) -> Floats:
     """Return the distance [m] at which each beam meets the room; infinite where it meets nothing.
 
     Args:

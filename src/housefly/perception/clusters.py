@@ -12,7 +12,9 @@ from housefly.geometry import Vec2
 from housefly.room.distance import Floats
 
 NEARER = 0.15
-"""A beam that ends this much before the room does hits something new [m]: five times the noise, and the room's own roughness."""
+"""A beam that ends this much before the room does hits something new [m]: five times the noise, and
+the room's own roughness.
+"""
 GAP = 0.25
 """Points farther apart than this belong to two things [m]."""
 MISSING = 3
@@ -47,7 +49,9 @@ class Cluster:
 
 
 def foreground(ranges: Floats, background: Floats) -> NDArray[np.bool_]:
-    """Return which beams end clearly before the room does; at an edge the nearer side of the room counts."""
+    """Return which beams end clearly before the room does; at an edge the nearer side of the room
+    counts.
+    """
     nearest = background.copy()
     nearest[1:] = np.minimum(nearest[1:], background[:-1])
     nearest[:-1] = np.minimum(nearest[:-1], background[1:])
@@ -70,7 +74,9 @@ def clusters_of(points: Floats, beams: NDArray[np.int64], origin: Vec2) -> tuple
 
 
 def cluster_of(points: Floats, origin: Vec2) -> Cluster:
-    """Return the thing that points [m] from its one edge to the other belong to, seen from an origin [m]."""
+    """Return the thing that points [m] from its one edge to the other belong to, seen from an
+    origin [m].
+    """
     (ax, ay), (bx, by) = points[0].tolist(), points[-1].tolist()
     width = hypot(bx - ax, by - ay)
     if width > 2.0 * LARGEST_DISC:

@@ -29,7 +29,8 @@ class Intrinsics:
 
 
 def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
-    """Return the world points [m] that a depth image shows, shape (n, 3); pixels without a believable depth are left out.
+    """Return the world points [m] that a depth image shows, shape (n, 3); pixels without a
+    believable depth are left out.
 
     Args:
         depth: distance along the camera's axis [m], shape (height, width).
@@ -40,12 +41,19 @@ def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
     v, u = np.nonzero(believable)
     z = depth[v, u]
     local = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z], axis=1)
-    axes = np.array([rotate(pose.orientation, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))])
+    axes = np.array(
+        [
+            rotate(pose.orientation, axis)
+            for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+        ]
+    )
     points: Floats = local @ axes + np.array(pose.position)
     return points
 
 
-def occupied_cells(points: Floats, grid: OccupancyGrid, band: Vec2, fewest: int = FEWEST) -> NDArray[np.bool_]:
+def occupied_cells(
+    points: Floats, grid: OccupancyGrid, band: Vec2, fewest: int = FEWEST
+) -> NDArray[np.bool_]:
     """Return which cells of a grid hold enough points between two heights; shape of the grid.
 
     Args:

@@ -6,7 +6,7 @@ from math import hypot, isfinite
 
 import numpy as np
 
-from housefly.config_depth import DepthCameraConfig
+from housefly.config.depth import DepthCameraConfig
 from housefly.messages import DepthImage
 
 AHEAD_OF_TIME, TOO_OLD = 0.05, 1.0
@@ -46,9 +46,16 @@ class DepthChecks:
         is_alike = last is not None and last.data == image.data
         self._last[image.source] = image
         self._alike[image.source] = self._alike.get(image.source, 0) + 1 if is_alike else 0
-        if np.count_nonzero(np.frombuffer(image.data, dtype="<u2")) < SEEN_AT_ALL * image.width * image.height:
+        if (
+            np.count_nonzero(np.frombuffer(image.data, dtype="<u2"))
+            < SEEN_AT_ALL * image.width * image.height
+        ):
             return "it measures next to nothing; does something cover it?"
-        return "the same image to the last bit again and again: it stands still" if self._alike[image.source] >= FROZEN else ""
+        return (
+            "the same image to the last bit again and again: it stands still"
+            if self._alike[image.source] >= FROZEN
+            else ""
+        )
 
     def _too_soon(self, image: DepthImage) -> str:
         last, rate = self._last.get(image.source), self._cameras[image.source].rate_hz
@@ -56,21 +63,33 @@ class DepthChecks:
             return ""
         if image.captured_at <= last.captured_at:
             return "an image that is not newer than the last"
-        return f"more than {rate:g} images a second" if image.captured_at - last.captured_at < EARLY / rate else ""
+        return (
+            f"more than {rate:g} images a second"
+            if image.captured_at - last.captured_at < EARLY / rate
+            else ""
+        )
 
 
 def _nonsense(image: DepthImage) -> str:
     w, x, y, z = image.pose.orientation
     camera = (image.fx, image.fy, image.cx, image.cy)
-    if not all(isfinite(number) for number in (image.captured_at, *camera, *image.pose.position, w, x, y, z)):
+    if not all(
+        isfinite(number)
+        for number in (image.captured_at, *camera, *image.pose.position, w, x, y, z)
+    ):
         return "not all its numbers are finite"
     if image.width < 1 or image.height < 1 or image.width * image.height > MOST_PIXELS:
         return f"it has no pixels, or more than {MOST_PIXELS}"
     if len(image.data) != 2 * image.width * image.height:
         return "it does not hold two bytes a pixel"
-    if min(image.fx, image.fy) < 1.0 or not (0.0 <= image.cx <= image.width and 0.0 <= image.cy <= image.height):
+    if min(image.fx, image.fy) < 1.0 or not (
+        0.0 <= image.cx <= image.width and 0.0 <= image.cy <= image.height
+    ):
         return "intrinsics that are none"
-    if abs(hypot(w, x, y, z) - 1.0) > 0.01 or max(abs(number) for number in image.pose.position) > FARTHEST_CAMERA:
+    if (
+        abs(hypot(w, x, y, z) - 1.0) > 0.01
+        or max(abs(number) for number in image.pose.position) > FARTHEST_CAMERA
+    ):
         return "a pose that is none"
     return ""
 
@@ -78,4 +97,6 @@ def _nonsense(image: DepthImage) -> str:
 def _wrong_time(image: DepthImage, now: float) -> str:
     if image.captured_at > now + AHEAD_OF_TIME:
         return "an image from the future"
-    return f"an image that is older than {TOO_OLD:.0f} s" if image.captured_at < now - TOO_OLD else ""
+    return (
+        f"an image that is older than {TOO_OLD:.0f} s" if image.captured_at < now - TOO_OLD else ""
+    )

@@ -1,4 +1,6 @@
-"""Things in a depth image that the room model does not explain: occupied cells close to each other, and the points in them."""
+"""Things in a depth image that the room model does not explain: occupied cells close to each other,
+and the points in them.
+"""
 
 from __future__ import annotations
 
@@ -18,29 +20,41 @@ from housefly.room.model import Room
 RESOLUTION = 0.1
 """Edge of a cell [m]."""
 EXPLAINED = 0.2
-"""What is seen within this of the modelled room belongs to it [m]: noise of the camera, error of its pose, edge of a cell."""
+"""What is seen within this of the modelled room belongs to it [m]: noise of the camera, error of
+its pose, edge of a cell.
+"""
 SLACK = 0.05
-"""The room counts this much below and above the band in which the camera's points count [m]: its pose is not exact."""
+"""The room counts this much below and above the band in which the camera's points count [m]: its
+pose is not exact.
+"""
 FEWEST = 12
 """Things of fewer points are noise."""
 GAP_CELLS = 4
-"""Cells no farther apart than this belong to one thing: a side seen at a flat angle has holes, and no drone fits between."""
+"""Cells no farther apart than this belong to one thing: a side seen at a flat angle has holes, and
+no drone fits between.
+"""
 MOST = 64
 """Of more things only the nearest count."""
 
 
 def known_room(room: Room, band: Vec2) -> OccupancyGrid:
-    """Return the floor plan with what the room model explains between two heights [m]: those cells are occupied."""
+    """Return the floor plan with what the room model explains between two heights [m]: those cells
+    are occupied.
+    """
     x_min, y_min, x_max, y_max = room.bounds
     xs = np.arange(x_min + RESOLUTION / 2, x_max, RESOLUTION)
     ys = np.arange(y_min + RESOLUTION / 2, y_max, RESOLUTION)
     solids = [replace(solid, collides=True) for solid in room.solids]
-    clearance = clearance_field(footprints(solids, band[0] - SLACK, band[1] + SLACK), xs, ys, 2.0 * EXPLAINED)
+    clearance = clearance_field(
+        footprints(solids, band[0] - SLACK, band[1] + SLACK), xs, ys, 2.0 * EXPLAINED
+    )
     cells = np.where(clearance < EXPLAINED, Cell.OCCUPIED, Cell.FREE).astype(np.uint8)
     return OccupancyGrid((x_min, y_min), RESOLUTION, cells, clearance)
 
 
-def unexplained(points: Floats, known: OccupancyGrid, band: Vec2, origin: Vec2) -> tuple[Cluster, ...]:
+def unexplained(
+    points: Floats, known: OccupancyGrid, band: Vec2, origin: Vec2
+) -> tuple[Cluster, ...]:
     """Return the things that points belong to, without those that the room model explains.
 
     Args:

@@ -7,7 +7,7 @@ from math import ceil, sqrt
 
 import numpy as np
 
-from housefly.config_depth import DepthCameraConfig
+from housefly.config.depth import DepthCameraConfig
 from housefly.geometry import Vec2, normalized, rotate
 from housefly.messages import DepthImage, Obstacle, Pose
 from housefly.perception.depth import NEAREST, Intrinsics, points_of
@@ -31,7 +31,8 @@ class View:
     """A believed image.
 
     Attributes:
-        depth: distance along the camera's axis [m], NaN where nothing was measured, shape (height, width).
+        depth: distance along the camera's axis [m], NaN where nothing was measured, shape (height,
+            width).
         camera: its intrinsics.
         pose: of the camera in the world.
     """
@@ -41,12 +42,17 @@ class View:
     pose: Pose
 
     def passes(self, place: Vec2, height: float, radius: float) -> bool:
-        """Tell whether the camera sees what is behind a place [m] at a height [m] in a radius [m]: nothing stands there."""
+        """Tell whether the camera sees what is behind a place [m] at a height [m] in a radius [m]:
+        nothing stands there.
+        """
         away = [a - b for a, b in zip((*place, height), self.pose.position, strict=True)]
         x, y, z = (float(np.dot(rotate(self.pose.orientation, axis), away)) for axis in _AXES)
         if z <= NEAREST:
             return False
-        u, v = round(self.camera.cx + x / z * self.camera.fx), round(self.camera.cy + y / z * self.camera.fy)
+        u, v = (
+            round(self.camera.cx + x / z * self.camera.fx),
+            round(self.camera.cy + y / z * self.camera.fy),
+        )
         rows, columns = self.depth.shape
         if not (0 <= u < columns and 0 <= v < rows):
             return False
@@ -84,21 +90,30 @@ class DepthWatcher:
         view = view_of(image)
         points = points_of(view.depth, view.camera, view.pose)
         if own is not None:
-            points = points[np.hypot(points[:, 0] - own.place[0], points[:, 1] - own.place[1]) > own.radius]
+            points = points[
+                np.hypot(points[:, 0] - own.place[0], points[:, 1] - own.place[1]) > own.radius
+            ]
         clusters = unexplained(points, self._known, self._band, view.pose.position[:2])
         middle = (self._band[0] + self._band[1]) / 2
         last = self._followed[image.source]
-        followed = last.after(clusters, image.captured_at, lambda place, radius: view.passes(place, middle, radius))
+        followed = last.after(
+            clusters, image.captured_at, lambda place, radius: view.passes(place, middle, radius)
+        )
         self._followed[image.source] = followed
         believed = tuple(track for track in followed.tracks if track.believed)
-        gone = (replace(_named(track, image), confidence=0.0, seen_at=image.captured_at) for track in followed.gone)
+        gone = (
+            replace(_named(track, image), confidence=0.0, seen_at=image.captured_at)
+            for track in followed.gone
+        )
         return Seen((*(_named(track, image) for track in believed), *gone), believed)
 
 
 def view_of(image: DepthImage) -> View:
     """Return a checked image in metres, thinned out when it is large."""
     every = ceil(sqrt(image.width * image.height / LOOKED_AT))
-    raw = np.frombuffer(image.data, dtype="<u2").reshape(image.height, image.width)[::every, ::every]
+    raw = np.frombuffer(image.data, dtype="<u2").reshape(image.height, image.width)[
+        ::every, ::every
+    ]
     depth = np.where(raw > 0, raw / 1000.0, np.nan)
     camera = Intrinsics(image.fx / every, image.fy / every, image.cx / every, image.cy / every)
     return View(depth, camera, Pose(image.pose.position, normalized(image.pose.orientation)))

@@ -45,7 +45,14 @@ class Motion:
         q = PUSH * PUSH
         pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * dt**4 / 4.0
         pv = self.pv + dt * self.vv + q * dt**3 / 2.0
-        return Motion(max(at, self.at), (x + vx * dt, y + vy * dt), self.velocity, pp, pv, self.vv + q * dt * dt)
+        return Motion(
+            max(at, self.at),
+            (x + vx * dt, y + vy * dt),
+            self.velocity,
+            pp,
+            pv,
+            self.vv + q * dt * dt,
+        )
 
     def seen(self, place: Vec2) -> Motion:
         """Return the state after a thing was seen at a place [m] at the state's own time."""
@@ -54,4 +61,11 @@ class Motion:
         off_x, off_y = place[0] - self.position[0], place[1] - self.position[1]
         position = (self.position[0] + gain * off_x, self.position[1] + gain * off_y)
         velocity = (self.velocity[0] + gain_v * off_x, self.velocity[1] + gain_v * off_y)
-        return Motion(self.at, position, velocity, (1.0 - gain) * self.pp, (1.0 - gain) * self.pv, self.vv - gain_v * self.pv)
+        return Motion(
+            self.at,
+            position,
+            velocity,
+            (1.0 - gain) * self.pp,
+            (1.0 - gain) * self.pv,
+            self.vv - gain_v * self.pv,
+        )

@@ -1,7 +1,9 @@
-"""Things followed from scan to scan: which cluster is which thing, when one is believed, and when one is gone.
+"""Things followed from scan to scan: which cluster is which thing, when one is believed, and when
+one is gone.
 
-A thing is believed after ``BIRTH`` scans and gone after ``DEATH`` scans that look through its place. One that is hidden behind
-something else is neither seen nor gone; it is forgotten after ``FORGOTTEN_AFTER``.
+A thing is believed after ``BIRTH`` scans and gone after ``DEATH`` scans that look through its
+place. One that is hidden behind something else is neither seen nor gone; it is forgotten after
+``FORGOTTEN_AFTER``.
 """
 
 from __future__ import annotations
@@ -74,10 +76,22 @@ class Track:
     def updated(self, cluster: Cluster, at: float) -> Track:
         """Return the thing after it was seen."""
         motion = self.motion.predicted(at).seen(cluster.position)
-        radius = cluster.radius and (1.0 - SIZE_SHARE) * (self.shape.radius or cluster.radius) + SIZE_SHARE * cluster.radius
+        radius = (
+            cluster.radius
+            and (1.0 - SIZE_SHARE) * (self.shape.radius or cluster.radius)
+            + SIZE_SHARE * cluster.radius
+        )
         walked = self.walked or distance(motion.position, self.first) > WALKED
         shape = replace(cluster, radius=radius)
-        return replace(self, motion=motion, shape=shape, hits=self.hits + 1, misses=0, seen_at=at, walked=walked)
+        return replace(
+            self,
+            motion=motion,
+            shape=shape,
+            hits=self.hits + 1,
+            misses=0,
+            seen_at=at,
+            walked=walked,
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +108,9 @@ class Followed:
     next_number: int = 1
     gone: tuple[Track, ...] = ()
 
-    def after(self, clusters: Sequence[Cluster], at: float, looks_through: Callable[[Vec2, float], bool]) -> Followed:
+    def after(
+        self, clusters: Sequence[Cluster], at: float, looks_through: Callable[[Vec2, float], bool]
+    ) -> Followed:
         """Return the things after one scan.
 
         Args:
@@ -112,15 +128,27 @@ class Followed:
                 continue
             missed = looks_through(track.motion.predicted(at).position, track.shape.radius)
             left = replace(track, misses=track.misses + 1) if missed else track
-            ended = left.misses >= (DEATH if left.believed else 1) or at - left.seen_at > FORGOTTEN_AFTER
+            ended = (
+                left.misses >= (DEATH if left.believed else 1)
+                or at - left.seen_at > FORGOTTEN_AFTER
+            )
             (gone if ended else kept).append(left)
         free = [cluster for index, cluster in enumerate(clusters) if index not in pairs.values()]
-        born = [Track(self.next_number + n, Motion(at, c.position), c, c.position, seen_at=at) for n, c in enumerate(free)]
-        return Followed((*kept, *born), self.next_number + len(born), tuple(track for track in gone if track.believed))
+        born = [
+            Track(self.next_number + n, Motion(at, c.position), c, c.position, seen_at=at)
+            for n, c in enumerate(free)
+        ]
+        return Followed(
+            (*kept, *born),
+            self.next_number + len(born),
+            tuple(track for track in gone if track.believed),
+        )
 
 
 def _matched(tracks: Sequence[Track], clusters: Sequence[Cluster], at: float) -> dict[int, int]:
-    """Return which track is which cluster: the nearest pairs first, believed things before new ones."""
+    """Return which track is which cluster: the nearest pairs first, believed things before new
+    ones.
+    """
     expected = [track.motion.predicted(at) for track in tracks]
     offers = []
     for i, motion in enumerate(expected):

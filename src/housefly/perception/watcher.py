@@ -1,4 +1,6 @@
-"""All scanners of a room together: a scan in, obstacles and observations out. Pure: no clock, no wire."""
+"""All scanners of a room together: a scan in, obstacles and observations out. Pure: no clock, no
+wire.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from math import isfinite, isnan
 
 import numpy as np
 
-from housefly.config_laser import LaserConfig
+from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
 from housefly.messages import Observation, Obstacle, Scan
 from housefly.perception.background import expected_ranges
@@ -34,7 +36,9 @@ KNOWN_SIZE = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Own:
-    """Where the drone itself is, so that it is not taken for an obstacle: what lies within ``radius`` [m] of ``place`` [m]."""
+    """Where the drone itself is, so that it is not taken for an obstacle: what lies within
+    ``radius`` [m] of ``place`` [m].
+    """
 
     place: Vec2
     radius: float
@@ -45,7 +49,8 @@ class Seen:
     """What one scan led to.
 
     Attributes:
-        obstacles: everything believed, as the pilot hears it; what is gone comes once with confidence 0.
+        obstacles: everything believed, as the pilot hears it; what is gone comes once with
+            confidence 0.
         tracks: the same things with all that is known of them.
         problem: why the scan was not believed, in words, or "".
     """
@@ -85,13 +90,21 @@ class Watcher:
         laser, ranges = self._lasers[scan.source], np.array(scan.ranges)
         hit = foreground(ranges, self._background(scan, laser))
         angles = laser.yaw + scan.first_angle + np.arange(len(ranges)) * scan.step
-        ends = np.stack([laser.x + ranges[hit] * np.cos(angles[hit]), laser.y + ranges[hit] * np.sin(angles[hit])], axis=1)
+        ends = np.stack(
+            [
+                laser.x + ranges[hit] * np.cos(angles[hit]),
+                laser.y + ranges[hit] * np.sin(angles[hit]),
+            ],
+            axis=1,
+        )
         beams = np.flatnonzero(hit)
         if own is not None:
             other = np.hypot(ends[:, 0] - own.place[0], ends[:, 1] - own.place[1]) > own.radius
             ends, beams = ends[other], beams[other]
         clusters = clusters_of(ends, beams, (laser.x, laser.y))
-        self._followed = self._followed.after(clusters, scan.captured_at, lambda p, r: _passes(scan, ranges, laser, p, r))
+        self._followed = self._followed.after(
+            clusters, scan.captured_at, lambda p, r: _passes(scan, ranges, laser, p, r)
+        )
         believed = tuple(track for track in self._followed.tracks if track.believed)
         gone = tuple(_gone(track, scan.captured_at) for track in self._followed.gone)
         return Seen((*(obstacle_of(track) for track in believed), *gone), believed)
@@ -99,7 +112,11 @@ class Watcher:
     def _background(self, scan: Scan, laser: LaserConfig) -> Floats:
         key = (scan.source, scan.first_angle, scan.step, len(scan.ranges))
         if key not in self._backgrounds:
-            self._backgrounds = {known: ranges for known, ranges in self._backgrounds.items() if known[0] != scan.source}
+            self._backgrounds = {
+                known: ranges
+                for known, ranges in self._backgrounds.items()
+                if known[0] != scan.source
+            }
             self._backgrounds[key] = expected_ranges(self._room.solids, laser, *key[1:])
         return self._backgrounds[key]
 
@@ -123,17 +140,24 @@ class Watcher:
     def _nonsense(self, scan: Scan, now: float) -> str:
         if scan.source not in self._lasers:
             return "not a scanner of this site"
-        if not all(isfinite(number) for number in (scan.captured_at, scan.first_angle, scan.step)) or scan.step <= 0.0:
+        if (
+            not all(isfinite(number) for number in (scan.captured_at, scan.first_angle, scan.step))
+            or scan.step <= 0.0
+        ):
             return "not all its numbers are finite"
         if not 0 < len(scan.ranges) <= KNOWN_SIZE or any(isnan(r) or r < 0.0 for r in scan.ranges):
             return "distances that are none"
         if scan.captured_at > now + AHEAD_OF_TIME:
             return "a scan from the future"
-        return f"a scan that is older than {TOO_OLD:.0f} s" if scan.captured_at < now - TOO_OLD else ""
+        return (
+            f"a scan that is older than {TOO_OLD:.0f} s" if scan.captured_at < now - TOO_OLD else ""
+        )
 
 
 def obstacle_of(track: Track) -> Obstacle:
-    """Return a thing as the pilot hears of it; a scanner cannot say how high it is, so it reaches from floor to ceiling."""
+    """Return a thing as the pilot hears of it; a scanner cannot say how high it is, so it reaches
+    from floor to ceiling.
+    """
     shape = track.shape
     return Obstacle(
         id=f"track-{track.number}",
@@ -148,7 +172,9 @@ def obstacle_of(track: Track) -> Obstacle:
     )
 
 
-def observation_of(track: Track, unix_offset: float, height: float, received_at: float) -> Observation:
+def observation_of(
+    track: Track, unix_offset: float, height: float, received_at: float
+) -> Observation:
     """Return a thing as the room remembers it; what walks is a person.
 
     Args:
@@ -166,7 +192,11 @@ def observation_of(track: Track, unix_offset: float, height: float, received_at:
         received_at=received_at + unix_offset,
         position=(*track.motion.position, height),
         covariance=(variance, 0.0, 0.0, variance, 0.0, 1.0),
-        facts=(("radius", track.shape.radius), ("vx", track.velocity[0]), ("vy", track.velocity[1])),
+        facts=(
+            ("radius", track.shape.radius),
+            ("vx", track.velocity[0]),
+            ("vy", track.velocity[1]),
+        ),
     )
 
 

@@ -35,17 +35,26 @@ def map_svg(flight: FlightSeries, room: Room, grid: OccupancyGrid) -> str:
     x_min, y_min, x_max, y_max = room.bounds
     with svg.drawing("map"):
         figure = Figure(
-            figsize=(_WIDTH, min(12.0, 0.92 * _WIDTH * (y_max - y_min) / (x_max - x_min) + 0.75)), layout="constrained"
+            figsize=(_WIDTH, min(12.0, 0.92 * _WIDTH * (y_max - y_min) / (x_max - x_min) + 0.75)),
+            layout="constrained",
         )
         axes = figure.add_subplot()
         handles = _draw_cells(axes, grid)
         _draw_furniture(axes, room)
         handles += _draw_flight(axes, flight)
         _draw_points(axes, room, flight)
-        axes.set(xlim=(x_min - 0.1, x_max + 0.1), ylim=(y_min - 0.1, y_max + 0.1), aspect="equal", xlabel="x [m]", ylabel="y [m]")
+        axes.set(
+            xlim=(x_min - 0.1, x_max + 0.1),
+            ylim=(y_min - 0.1, y_max + 0.1),
+            aspect="equal",
+            xlabel="x [m]",
+            ylabel="y [m]",
+        )
         axes.grid(visible=False)
         figure.legend(handles=handles, loc="outside lower center", ncols=7)
-        return svg.to_svg(figure, "Map of the room with the planned path and the way that was flown")
+        return svg.to_svg(
+            figure, "Map of the room with the planned path and the way that was flown"
+        )
 
 
 def _draw_cells(axes: Axes, grid: OccupancyGrid) -> list[Patch | Line2D]:
@@ -54,13 +63,19 @@ def _draw_cells(axes: Axes, grid: OccupancyGrid) -> list[Patch | Line2D]:
         boxes = list(_boxes(grid, cell))
         if boxes:
             # Edges of the same colour hide the seams between neighbouring boxes.
-            axes.add_collection(PolyCollection(boxes, facecolor=colour, edgecolor=colour, linewidth=0.4, hatch=hatch, zorder=1))
+            axes.add_collection(
+                PolyCollection(
+                    boxes, facecolor=colour, edgecolor=colour, linewidth=0.4, hatch=hatch, zorder=1
+                )
+            )
             handles.append(Patch(facecolor=colour, edgecolor=svg.LINE, hatch=hatch, label=label))
     return handles
 
 
 def _boxes(grid: OccupancyGrid, cell: Cell) -> Iterator[list[Vec2]]:
-    """Yield the corners of boxes that cover the cells of one kind: runs along x, joined while they repeat along y."""
+    """Yield the corners of boxes that cover the cells of one kind: runs along x, joined while they
+    repeat along y.
+    """
     open_runs: dict[tuple[int, int], int] = {}
     for row in range(grid.cells.shape[1] + 1):
         runs = _runs(grid.cells[:, row] == cell) if row < grid.cells.shape[1] else set()
@@ -73,7 +88,13 @@ def _boxes(grid: OccupancyGrid, cell: Cell) -> Iterator[list[Vec2]]:
 def _runs(marked: NDArray[np.bool_]) -> set[tuple[int, int]]:
     """Return first and one past last index of each run of marked cells."""
     changes = np.diff(np.concatenate(([0], marked.astype(np.int8), [0])))
-    return set(zip(np.flatnonzero(changes == 1).tolist(), np.flatnonzero(changes == -1).tolist(), strict=True))
+    return set(
+        zip(
+            np.flatnonzero(changes == 1).tolist(),
+            np.flatnonzero(changes == -1).tolist(),
+            strict=True,
+        )
+    )
 
 
 def _corners(grid: OccupancyGrid, run: tuple[int, int], first_row: int, end_row: int) -> list[Vec2]:
@@ -84,7 +105,9 @@ def _corners(grid: OccupancyGrid, run: tuple[int, int], first_row: int, end_row:
 
 def _draw_furniture(axes: Axes, room: Room) -> None:
     outlines = [outline(solid) for solid in room.solids if solid.collides]
-    axes.add_collection(PolyCollection(outlines, facecolor="none", edgecolor=svg.FURNITURE, linewidth=0.7, zorder=2))
+    axes.add_collection(
+        PolyCollection(outlines, facecolor="none", edgecolor=svg.FURNITURE, linewidth=0.7, zorder=2)
+    )
 
 
 def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
@@ -93,7 +116,9 @@ def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
     for path in flight.paths:
         axes.plot(*np.array(path.waypoints).T, color=svg.SECOND, linestyle=(0, (4, 3)), zorder=4)
     if len(flight.sighting):
-        axes.plot(flight.sighting[:, 0], flight.sighting[:, 1], color=svg.ACCENT, linewidth=2.4, zorder=3)
+        axes.plot(
+            flight.sighting[:, 0], flight.sighting[:, 1], color=svg.ACCENT, linewidth=2.4, zorder=3
+        )
     return [planned, flown]
 
 
@@ -110,4 +135,6 @@ def _draw_points(axes: Axes, room: Room, flight: FlightSeries) -> None:
 
 def _mark(axes: Axes, point: Vec2, marker: str, label: str, colour: str) -> None:
     axes.plot(*point, marker=marker, markersize=8, color=colour, linestyle="none", zorder=5)
-    axes.annotate(label, point, xytext=(6, 6), textcoords="offset points", color=svg.INK, fontsize=8, zorder=6)
+    axes.annotate(
+        label, point, xytext=(6, 6), textcoords="offset points", color=svg.INK, fontsize=8, zorder=6
+    )

@@ -13,15 +13,20 @@ from housefly.bus.interfaces import definition, ros_name, type_store
 from housefly.record.ros_messages import nanoseconds
 
 _CHUNK_SIZE = 32 * 1024
-"""A chunk [bytes] is lost when the process dies: this is a quarter of a second at 100 steps/s, and still compresses well."""
+"""A chunk [bytes] is lost when the process dies: this is a quarter of a second at 100 steps/s, and
+still compresses well.
+"""
 _BUFFER_SIZE = 512
-"""Smaller than a chunk [bytes], so that each one goes to the operating system as soon as it is finished."""
+"""Smaller than a chunk [bytes], so that each one goes to the operating system as soon as it is
+finished.
+"""
 
 
 class McapLog:
     """An open recording; every method may raise OSError.
 
-    Log times are dates, so that viewers show when it was; the stamps inside the messages stay on the flight's own clock.
+    Log times are dates, so that viewers show when it was; the stamps inside the messages stay on
+    the flight's own clock.
 
     Args:
         path: file to write.
@@ -40,7 +45,12 @@ class McapLog:
 
     def add(self, topic: str, at: float, message: Any) -> None:
         """Append a message of a standard ROS 2 type at a time [s]."""
-        self._append(topic, at, message.__msgtype__, bytes(type_store().serialize_cdr(message, message.__msgtype__)))
+        self._append(
+            topic,
+            at,
+            message.__msgtype__,
+            bytes(type_store().serialize_cdr(message, message.__msgtype__)),
+        )
 
     def add_own(self, topic: str, at: float, message: object) -> None:
         """Append one of our own messages at a time [s]."""
@@ -56,7 +66,9 @@ class McapLog:
     def _append(self, topic: str, at: float, type_name: str, data: bytes) -> None:
         channel = self._channels.get(topic)
         if channel is None:
-            schema = self._writer.register_schema(type_name, "ros2msg", definition(type_name).encode())
+            schema = self._writer.register_schema(
+                type_name, "ros2msg", definition(type_name).encode()
+            )
             channel = self._channels[topic] = self._writer.register_channel(topic, "cdr", schema)
         count = self._counts[topic] = self._counts.get(topic, -1) + 1
         if self._epoch is None:

@@ -18,7 +18,8 @@ _OPTIONS = {"movflags": "hybrid_fragmented+frag_keyframe", "flush_packets": "1"}
 
 
 class Movie:
-    """An MP4 file that grows with each H.264 access unit; starts with the first key frame that can be understood.
+    """An MP4 file that grows with each H.264 access unit; starts with the first key frame that can
+    be understood.
 
     Pictures of another size than the first are left out: one MP4 track has one size.
 
@@ -35,7 +36,9 @@ class Movie:
         self._last_pts = -1
 
     def add(self, frame: VideoFrame) -> None:
-        """Append one picture, shown from its ``received_at`` on; may raise OSError and av.FFmpegError."""
+        """Append one picture, shown from its ``received_at`` on; may raise OSError and
+        av.FFmpegError.
+        """
         if self._container is None and not (frame.keyframe and self._open(frame)):
             return
         if (frame.width, frame.height) != self._size or self._container is None:

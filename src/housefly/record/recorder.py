@@ -1,4 +1,5 @@
-"""The flight recorder: everything that happened, into one folder, without ever getting in the way of the flight.
+"""The flight recorder: everything that happened, into one folder, without ever getting in the way
+of the flight.
 
 flight.mcap    every step, whole, and standard ROS 2 topics beside it
 video.mp4      the drone's pictures
@@ -18,7 +19,7 @@ from typing import Any
 
 import av
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.errors import RecordingError, WireError
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record import ros_messages
@@ -37,11 +38,14 @@ _log = logging.getLogger(__name__)
 _QUEUE_SIZE = 2000
 """Messages that wait for the disk: more than ten seconds of a flight with pictures."""
 _PATIENCE = 2.0
-"""How long [s] a sender waits for room in the queue: a lock-step flight is faster than the disk, a real one never is."""
+"""How long [s] a sender waits for room in the queue: a lock-step flight is faster than the disk, a
+real one never is.
+"""
 
 
 class FlightRecorder:
-    """Records one flight; ``step``, ``video`` and ``link`` may be called from any thread and never raise.
+    """Records one flight; ``step``, ``video`` and ``link`` may be called from any thread and never
+    raise.
 
     Args:
         directory: where the files go; made if need be.
@@ -59,7 +63,9 @@ class FlightRecorder:
         self._map_written = False
         try:
             directory.mkdir(parents=True, exist_ok=True)
-            (directory / "site.json").write_text(site.model_dump_json(indent=1) + "\n", encoding="utf-8")
+            (directory / "site.json").write_text(
+                site.model_dump_json(indent=1) + "\n", encoding="utf-8"
+            )
             (directory / "video.mp4").unlink(missing_ok=True)
             self._mcap: McapLog | None = McapLog(
                 directory / "flight.mcap", {"site": site.name, "mode": site.mode, "room": room.name}
@@ -90,7 +96,9 @@ class FlightRecorder:
         self._put(lambda: self._write_link(status))
 
     def finish(self, outcome: str) -> Summary:
-        """Close the recording, write summary and report, and return the summary; a second call returns the same one."""
+        """Close the recording, write summary and report, and return the summary; a second call
+        returns the same one.
+        """
         if self._summary is None:
             self._queue.put(None)
             self._thread.join()
@@ -127,7 +135,9 @@ class FlightRecorder:
 
     def _write_video(self, frame: VideoFrame) -> None:
         self._video_frames += 1
-        self._into_mcap(lambda log: log.add("/video", frame.received_at, ros_messages.compressed_video(frame)))
+        self._into_mcap(
+            lambda log: log.add("/video", frame.received_at, ros_messages.compressed_video(frame))
+        )
         movie = self._movie
         if movie is not None and not self._guard("video.mp4", lambda: movie.add(frame)):
             self._movie = None
@@ -140,7 +150,9 @@ class FlightRecorder:
             self._mcap = None
 
     def _guard(self, name: str, work: Callable[[], Any]) -> bool:
-        """Do the work and return whether the file can go on; a failure is told, and the flight goes on in any case."""
+        """Do the work and return whether the file can go on; a failure is told, and the flight goes
+        on in any case.
+        """
         try:
             work()
         except WireError as error:
@@ -158,11 +170,25 @@ class FlightRecorder:
     def _conclude(self, outcome: str) -> Summary:
         flight = collect(self._readable(), self._site.tracking.body)
         summary = summarize(
-            flight, outcome, self._site, self._room, self._grid, video_frames=self._video_frames, problems=self.problems
+            flight,
+            outcome,
+            self._site,
+            self._room,
+            self._grid,
+            video_frames=self._video_frames,
+            problems=self.problems,
         )
-        self._guard("summary.json", lambda: (self._directory / "summary.json").write_text(summary.to_json(), encoding="utf-8"))
+        self._guard(
+            "summary.json",
+            lambda: (self._directory / "summary.json").write_text(
+                summary.to_json(), encoding="utf-8"
+            ),
+        )
         report = self._directory / "report.html"
-        self._guard("report.html", lambda: write_report(report, flight, summary, self._site, self._room, self._grid))
+        self._guard(
+            "report.html",
+            lambda: write_report(report, flight, summary, self._site, self._room, self._grid),
+        )
         return summary
 
     def _readable(self) -> Iterable[PilotStep]:

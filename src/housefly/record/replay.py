@@ -30,13 +30,15 @@ _HEAD = struct.Struct("<BQ")
 
 
 def replay(path: Path) -> Iterator[PilotStep]:
-    """Yield the steps of a recording in order; one that was cut short yields what is readable and then ends.
+    """Yield the steps of a recording in order; one that was cut short yields what is readable and
+    then ends.
 
     Args:
         path: ``flight.mcap``, or the folder that holds it.
 
     Raises:
-        RecordingError: the file is absent, is not a recording of Housefly, or is damaged in the middle.
+        RecordingError: the file is absent, is not a recording of Housefly, or is damaged in the
+            middle.
     """
     path = path / "flight.mcap" if path.is_dir() else path
     try:
@@ -64,7 +66,9 @@ def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
 
 
 def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
-    """Yield the records of an MCAP file, chunk by chunk; ends quietly at the last one that is whole."""
+    """Yield the records of an MCAP file, chunk by chunk; ends quietly at the last one that is
+    whole.
+    """
     if file.read(len(MCAP0_MAGIC)) != MCAP0_MAGIC:
         raise RecordingError(f"{path} is not a recording")
     while len(head := file.read(_HEAD.size)) == _HEAD.size:
@@ -75,17 +79,33 @@ def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
         if len(body) < length or opcode == Opcode.FOOTER:
             return
         try:
-            yield from StreamReader(BytesIO(head + body), skip_magic=True, validate_crcs=True).records
+            yield from StreamReader(
+                BytesIO(head + body), skip_magic=True, validate_crcs=True
+            ).records
         except EndOfFile:
             # The end of this one record, which is whole.
             continue
-        except (McapError, ZstdError, struct.error, ValueError, OverflowError, MemoryError) as error:
+        except (
+            McapError,
+            ZstdError,
+            struct.error,
+            ValueError,
+            OverflowError,
+            MemoryError,
+        ) as error:
             raise RecordingError(f"{path} is damaged: {error}") from error
 
 
 def _check(schema: Schema | None, path: Path) -> None:
-    if schema is None or schema.name != _STEP_TYPE or schema.data.decode(errors="replace") != definition(_STEP_TYPE):
-        raise RecordingError(f"{path} was recorded with other message definitions; replay it with the version that recorded it")
+    if (
+        schema is None
+        or schema.name != _STEP_TYPE
+        or schema.data.decode(errors="replace") != definition(_STEP_TYPE)
+    ):
+        raise RecordingError(
+            f"{path} was recorded with other message definitions; replay it with the version that"
+            " recorded it"
+        )
 
 
 class SteppedPilot(Protocol):
@@ -105,7 +125,10 @@ class Difference:
 
     def __str__(self) -> str:
         recorded = self.step.outputs.command
-        return f"step {self.step.sequence} at {self.step.now:.3f} s: recorded {recorded}, replayed {self.replayed}"
+        return (
+            f"step {self.step.sequence} at {self.step.now:.3f} s: recorded {recorded}, replayed"
+            f" {self.replayed}"
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +137,8 @@ class Verdict:
 
     Attributes:
         steps: steps compared.
-        missing: steps that the recording lacks; a pilot that never saw them may rightly decide otherwise.
+        missing: steps that the recording lacks; a pilot that never saw them may rightly decide
+            otherwise.
         difference: the first difference, or None when every command is the same bit for bit.
     """
 
@@ -124,7 +148,9 @@ class Verdict:
 
 
 def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> Verdict:
-    """Give a recording to a fresh pilot and compare each command bit for bit; raises RecordingError like ``replay``."""
+    """Give a recording to a fresh pilot and compare each command bit for bit; raises RecordingError
+    like ``replay``.
+    """
     pilot = pilot_factory()
     count, missing, last = 0, 0, None
     for step in replay(path):

@@ -1,4 +1,6 @@
-"""The flight report: one HTML file with everything in it, readable in ten years without this program."""
+"""The flight report: one HTML file with everything in it, readable in ten years without this
+program.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ import html
 from datetime import UTC, datetime
 from pathlib import Path
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.record.map_plot import map_svg
 from housefly.record.report_style import STYLE
 from housefly.record.series import FlightSeries
@@ -19,19 +21,43 @@ _MARKS = {"info": "", "warning": "\u25b2", "fault": "\u25a0"}
 """Shapes beside the words, for those who do not see colours."""
 
 
-def write_report(path: Path, flight: FlightSeries, summary: Summary, site: Site, room: Room, grid: OccupancyGrid) -> None:
+def write_report(
+    path: Path, flight: FlightSeries, summary: Summary, site: Site, room: Room, grid: OccupancyGrid
+) -> None:
     """Write ``report.html``; raises OSError when that fails."""
     sections = [
         (
             "The flight",
             _figure(
-                map_svg(flight, room, grid), "From above. The line that was flown is where the tracking system saw the drone."
+                map_svg(flight, room, grid),
+                "From above. The line that was flown is where the tracking system saw the drone.",
             ),
         ),
-        ("Errand, behavior, safety", _figure(states_svg(flight), "Who was in charge, and of what, at every moment.")),
-        ("Position", _figure(position_svg(flight), "Estimate of the Kalman filter against the reference of the path.")),
-        ("Commands", _figure(commands_svg(flight, site), "What the drone was asked for. Dotted: the site's limits.")),
-        ("Battery and ages", _figure(health_svg(flight, site), "Dotted: what makes the last gate level or land the drone.")),
+        (
+            "Errand, behavior, safety",
+            _figure(states_svg(flight), "Who was in charge, and of what, at every moment."),
+        ),
+        (
+            "Position",
+            _figure(
+                position_svg(flight),
+                "Estimate of the Kalman filter against the reference of the path.",
+            ),
+        ),
+        (
+            "Commands",
+            _figure(
+                commands_svg(flight, site),
+                "What the drone was asked for. Dotted: the site's limits.",
+            ),
+        ),
+        (
+            "Battery and ages",
+            _figure(
+                health_svg(flight, site),
+                "Dotted: what makes the last gate level or land the drone.",
+            ),
+        ),
         ("Events", _events(summary.events)),
     ]
     body = "\n".join(f"<section><h2>{title}</h2>{content}</section>" for title, content in sections)
@@ -59,13 +85,21 @@ def _page(header: str, body: str) -> str:
 
 
 def _header(summary: Summary, site: Site, room: Room) -> str:
-    simulated = f"simulated room, seed {summary.seed}" if summary.seed is not None else "real hardware"
+    simulated = (
+        f"simulated room, seed {summary.seed}" if summary.seed is not None else "real hardware"
+    )
     written = datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC")
     where = (
-        f"<p>{_text(site.name)} \u00b7 room {_text(room.name)} \u00b7 mode {summary.mode} \u00b7 {simulated} \u00b7 {written}</p>"
+        f"<p>{_text(site.name)} \u00b7 room {_text(room.name)} \u00b7 mode {summary.mode} \u00b7"
+        f" {simulated} \u00b7 {written}</p>"
     )
-    problems = "".join(f'<p class="problem">\u25b2 {_text(problem)}</p>' for problem in summary.problems)
-    return f"<header><h1>Flight report</h1>{_outcome(summary.outcome)}{where}{problems}{_numbers(summary)}</header>"
+    problems = "".join(
+        f'<p class="problem">\u25b2 {_text(problem)}</p>' for problem in summary.problems
+    )
+    return (
+        "<header><h1>Flight"
+        f" report</h1>{_outcome(summary.outcome)}{where}{problems}{_numbers(summary)}</header>"
+    )
 
 
 def _outcome(outcome: str) -> str:
@@ -85,15 +119,27 @@ def _numbers(summary: Summary) -> str:
         ("smallest clearance", summary.min_clearance_m, 2, "m"),
         ("tracking rate", summary.mocap_rate_hz, 1, "Hz"),
         ("pictures", summary.video_frames, 0, ""),
-        ("battery used", None if summary.battery_used is None else 100.0 * summary.battery_used, 1, "%"),
-        ("steps recorded", summary.steps, 0, "" if not summary.missing_steps else f"({summary.missing_steps} missing)"),
+        (
+            "battery used",
+            None if summary.battery_used is None else 100.0 * summary.battery_used,
+            1,
+            "%",
+        ),
+        (
+            "steps recorded",
+            summary.steps,
+            0,
+            "" if not summary.missing_steps else f"({summary.missing_steps} missing)",
+        ),
     )
     return "<dl>" + "".join(_number(*row) for row in rows) + "</dl>"
 
 
 def _number(name: str, value: float | None, digits: int, unit: str) -> str:
     shown = "\u2014" if value is None else f"{value:,.{digits}f}".replace(",", "\u202f")
-    return f"<div><dt>{name}</dt><dd>{shown} <small>{'' if value is None else unit}</small></dd></div>"
+    return (
+        f"<div><dt>{name}</dt><dd>{shown} <small>{'' if value is None else unit}</small></dd></div>"
+    )
 
 
 def _figure(svg: str, caption: str) -> str:
@@ -104,7 +150,8 @@ def _events(events: tuple[EventRecord, ...]) -> str:
     if not events:
         return "<p>Nothing was reported.</p>"
     rows = "".join(
-        f'<tr class="{event.severity}"><td>{event.at_s:.2f}</td><td>{_MARKS[event.severity]} {event.severity}</td>'
+        f'<tr class="{event.severity}"><td>{event.at_s:.2f}</td><td>{_MARKS[event.severity]}'
+        f" {event.severity}</td>"
         f"<td>{_text(event.text)}</td><td><code>{_text(event.code)}</code></td></tr>"
         for event in events
     )

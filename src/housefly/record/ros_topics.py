@@ -31,7 +31,9 @@ class StepTopics:
         self._path: Path | None = None
 
     def of(self, step: PilotStep) -> Iterator[Sample]:
-        """Yield what one step adds: sightings, odometry, command, and battery, path and events when they are new."""
+        """Yield what one step adds: sightings, odometry, command, and battery, path and events when
+        they are new.
+        """
         now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
         for sighting in step.inputs.sightings:
             stamped = ros_messages.pose_stamped(sighting.captured_at, sighting.pose)
@@ -39,12 +41,16 @@ class StepTopics:
         if outputs.estimate is not None:
             yield Sample("/odom", now, ros_messages.odometry(outputs.estimate))
         yield Sample("/cmd_vel", now, ros_messages.velocity_command(now, outputs.command.setpoint))
-        if telemetry is not None and (self._telemetry is None or telemetry.battery != self._telemetry.battery):
+        if telemetry is not None and (
+            self._telemetry is None or telemetry.battery != self._telemetry.battery
+        ):
             self._telemetry = telemetry
             yield Sample("/battery", now, ros_messages.battery_state(telemetry))
         if outputs.path != self._path:
             self._path = outputs.path
-            yield Sample("/path", now, ros_messages.planned_path(now, outputs.path, self._flight_height))
+            yield Sample(
+                "/path", now, ros_messages.planned_path(now, outputs.path, self._flight_height)
+            )
         for event in outputs.events:
             yield Sample("/events", now, ros_messages.log(event))
 

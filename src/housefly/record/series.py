@@ -1,4 +1,6 @@
-"""A recorded flight as arrays: one row a step, one row a sighting. Summary and report are computed from these."""
+"""A recorded flight as arrays: one row a step, one row a sighting. Summary and report are computed
+from these.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,12 @@ from housefly.messages import Behavior, DroneStatus, Event, Path, Phase, PilotSt
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.int64]
 
-PHASES, BEHAVIORS, SAFETY_MODES, STATUSES = tuple(Phase), tuple(Behavior), tuple(SafetyMode), tuple(DroneStatus)
+PHASES, BEHAVIORS, SAFETY_MODES, STATUSES = (
+    tuple(Phase),
+    tuple(Behavior),
+    tuple(SafetyMode),
+    tuple(DroneStatus),
+)
 """What the numbers in the arrays of states mean."""
 
 _NOWHERE = (nan, nan, nan)
@@ -22,7 +29,8 @@ _NOWHERE = (nan, nan, nan)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FlightSeries:
-    """One flight; unknown values are not a number, states are indices into the tuples of this module.
+    """One flight; unknown values are not a number, states are indices into the tuples of this
+    module.
 
     Attributes:
         time: of each step [s], shape (n,).

@@ -1,8 +1,7 @@
 """What a flight was like, in numbers that can be looked up.
 
-All errors are measured in the horizontal plane, and where the tracking system saw the drone, not where the filter believed it
-to be.
-A number that could not be measured is None.
+All errors are measured in the horizontal plane, and where the tracking system saw the drone, not
+where the filter believed it to be. A number that could not be measured is None.
 """
 
 from __future__ import annotations
@@ -15,16 +14,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import Vec2
 from housefly.messages import DroneStatus, Event, Path, Phase
 from housefly.record.series import SAFETY_MODES, STATUSES, FlightSeries, Floats
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
-_AIRBORNE = [STATUSES.index(status) for status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)]
+_AIRBORNE = [
+    STATUSES.index(status)
+    for status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+]
 _TRACK_PERIOD = 0.2
-"""Spacing [s] of the points that the length of the way is measured with; closer ones would add up the noise."""
+"""Spacing [s] of the points that the length of the way is measured with; closer ones would add up
+the noise.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,13 +52,15 @@ class Summary:
         duration_s: from the first step of the errand to its last.
         path_length_m: planned length of the way to the goal.
         flown_length_m: length of the way that the drone took in the air, from the estimate.
-        rms_error_m, max_error_m: distance of the sightings from the planned path while flying to the goal and back.
+        rms_error_m, max_error_m: distance of the sightings from the planned path while flying to
+            the goal and back.
         arrival_error_m: mean distance of the sightings from the goal's viewpoint while looking.
-        min_clearance_m: smallest distance of a sighting in the air from an obstacle at the flight height, less half the
-            hull's diagonal; exact to half a cell of the grid.
+        min_clearance_m: smallest distance of a sighting in the air from an obstacle at the flight
+            height, less half the hull's diagonal; exact to half a cell of the grid.
         mocap_rate_hz: sightings of the drone per second of the recording.
         video_frames: pictures received.
-        landed_error_m: distance of the last sighting from the middle of the home pad, when the drone flew and is down.
+        landed_error_m: distance of the last sighting from the middle of the home pad, when the
+            drone flew and is down.
         behavior_switches_per_s: changes of the acceptor's state per second of the errand.
         battery_used: charge at the start less charge at the end.
         safety_modes: decisions of the last gate that occurred, mildest first.
@@ -182,7 +188,9 @@ def _arrival_error(flight: FlightSeries, room: Room) -> float | None:
 
 
 def _goal(flight: FlightSeries, looking: NDArray[np.int64], room: Room) -> Vec2 | None:
-    """Return the viewpoint that was asked for: the named place's, else the end of the path that led there."""
+    """Return the viewpoint that was asked for: the named place's, else the end of the path that led
+    there.
+    """
     if not looking.size:
         return None
     try:
@@ -195,7 +203,9 @@ def _goal(flight: FlightSeries, looking: NDArray[np.int64], room: Room) -> Vec2 
 
 def _min_clearance(flight: FlightSeries, site: Site, grid: OccupancyGrid) -> float | None:
     airborne = np.isin(flight.status[flight.sighting_step], _AIRBORNE)
-    cells = np.floor((flight.sighting[airborne, :2] - np.array(grid.origin)) / grid.resolution).astype(np.int64)
+    cells = np.floor(
+        (flight.sighting[airborne, :2] - np.array(grid.origin)) / grid.resolution
+    ).astype(np.int64)
     on_map = np.all((cells >= 0) & (cells < grid.cells.shape), axis=1)
     if not on_map.any():
         return None
@@ -205,19 +215,27 @@ def _min_clearance(flight: FlightSeries, site: Site, grid: OccupancyGrid) -> flo
 
 def _mocap_rate(flight: FlightSeries) -> float | None:
     captured = np.unique(flight.sighting_time)
-    return _number((captured.size - 1) / (captured[-1] - captured[0])) if captured.size > 1 else None
+    return (
+        _number((captured.size - 1) / (captured[-1] - captured[0])) if captured.size > 1 else None
+    )
 
 
 def _landed_error(flight: FlightSeries, home: Vec2) -> float | None:
     flew = np.isin(flight.status, _AIRBORNE).any()
-    if not flew or STATUSES[flight.status[-1]] is not DroneStatus.LANDED or not len(flight.sighting):
+    if (
+        not flew
+        or STATUSES[flight.status[-1]] is not DroneStatus.LANDED
+        or not len(flight.sighting)
+    ):
         return None
     return _number(np.linalg.norm(flight.sighting[-1, :2] - np.array(home)))
 
 
 def _switch_rate(flight: FlightSeries, duration: float | None) -> float | None:
     steps = _errand(flight)
-    return _number(np.count_nonzero(np.diff(flight.behavior[steps])) / duration) if duration else None
+    return (
+        _number(np.count_nonzero(np.diff(flight.behavior[steps])) / duration) if duration else None
+    )
 
 
 def _battery_used(flight: FlightSeries) -> float | None:
@@ -226,4 +244,6 @@ def _battery_used(flight: FlightSeries) -> float | None:
 
 
 def _event(event: Event, flight: FlightSeries) -> EventRecord:
-    return EventRecord(round(event.at - float(flight.time[0]), 3), event.severity.value, event.code, event.text)
+    return EventRecord(
+        round(event.at - float(flight.time[0]), 3), event.severity.value, event.code, event.text
+    )

@@ -1,6 +1,7 @@
 """Plots as SVG that takes its colours from the page, so that one picture serves light and dark.
 
-Figures are drawn with stand-in colours; on the way out each becomes a variable of the page's style sheet.
+Figures are drawn with stand-in colours; on the way out each becomes a variable of the page's style
+sheet.
 """
 
 from __future__ import annotations
@@ -21,8 +22,24 @@ OCCUPIED, INFLATED, VIRTUAL, OUTSIDE, FURNITURE = (f"#{n:02x}{n:02x}{n:02x}" for
 STATES = tuple(f"#{n:02x}{n:02x}{n:02x}" for n in range(13, 20))
 """Fills of the bands of states."""
 
-_NAMES = ("ink", "muted", "line", "accent", "second", "warn", "fault", "occupied", "inflated", "virtual", "outside", "furniture")
-_VARIABLES = {f"#{n:02x}{n:02x}{n:02x}": f"var(--{name})" for n, name in enumerate((*_NAMES, *(f"s{i}" for i in range(7))), 1)}
+_NAMES = (
+    "ink",
+    "muted",
+    "line",
+    "accent",
+    "second",
+    "warn",
+    "fault",
+    "occupied",
+    "inflated",
+    "virtual",
+    "outside",
+    "furniture",
+)
+_VARIABLES = {
+    f"#{n:02x}{n:02x}{n:02x}": f"var(--{name})"
+    for n, name in enumerate((*_NAMES, *(f"s{i}" for i in range(7))), 1)
+}
 
 _STYLE: Any = {
     "svg.fonttype": "none",
@@ -58,14 +75,18 @@ _STYLE: Any = {
 
 
 def drawing(name: str) -> AbstractContextManager[None]:
-    """Return the context to draw the figure of this name in; names keep the ids of several pictures of one page apart."""
+    """Return the context to draw the figure of this name in; names keep the ids of several pictures
+    of one page apart.
+    """
     return matplotlib.rc_context({**_STYLE, "svg.hashsalt": name})
 
 
 def to_svg(figure: Figure, title: str) -> str:
     """Return the figure as an ``<svg>`` element with a title for those who cannot see it."""
     buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None})
+    figure.savefig(
+        buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None}
+    )
     text = buffer.getvalue()
     text = text[text.index("<svg") :]
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.record import svg
 from housefly.record.series import BEHAVIORS, PHASES, SAFETY_MODES, FlightSeries, Floats, Numbers
 
@@ -27,8 +27,20 @@ def position_svg(flight: FlightSeries) -> str:
         estimate, reference = _unwound(flight)
         for column, (axes, name) in enumerate(zip(rows, names, strict=True)):
             axes.set_title(name)
-            axes.plot(_elapsed(flight), estimate[:, column], color=svg.ACCENT, linewidth=2.0, label="estimate")
-            axes.plot(_elapsed(flight), reference[:, column], color=svg.SECOND, linestyle=(0, (4, 3)), label="reference")
+            axes.plot(
+                _elapsed(flight),
+                estimate[:, column],
+                color=svg.ACCENT,
+                linewidth=2.0,
+                label="estimate",
+            )
+            axes.plot(
+                _elapsed(flight),
+                reference[:, column],
+                color=svg.SECOND,
+                linestyle=(0, (4, 3)),
+                label="reference",
+            )
         rows[0].legend(loc="upper right", ncols=2, bbox_to_anchor=(1.0, 1.4))
         return svg.to_svg(figure, "Position and heading over time, with their references")
 
@@ -65,7 +77,9 @@ def states_svg(flight: FlightSeries) -> str:
 
 
 def health_svg(flight: FlightSeries, site: Site) -> str:
-    """Return battery charge, and how old pose and telemetry were, with the limits that safety watches."""
+    """Return battery charge, and how old pose and telemetry were, with the limits that safety
+    watches.
+    """
     limits = site.limits
     with svg.drawing("health"):
         figure, rows = _strips(flight, 3)
@@ -79,14 +93,18 @@ def health_svg(flight: FlightSeries, site: Site) -> str:
         _limit(pose, limits.pose_age_land, "land")
         _draw_age(telemetry, "age of the telemetry [s]", flight, flight.telemetry_age)
         _limit(telemetry, limits.telemetry_age, "land")
-        return svg.to_svg(figure, "Battery, age of the pose and age of the telemetry over time, with their limits")
+        return svg.to_svg(
+            figure, "Battery, age of the pose and age of the telemetry over time, with their limits"
+        )
 
 
 def _strips(flight: FlightSeries, count: int, row: float = _ROW) -> tuple[Figure, list[Axes]]:
     height = row * count + 0.6
     figure = Figure(figsize=(_WIDTH, height))
     # The same margins everywhere: one moment stands at one place in all pictures of the page.
-    figure.subplots_adjust(left=0.06, right=0.985, bottom=0.42 / height, top=1.0 - 0.3 / height, hspace=0.45)
+    figure.subplots_adjust(
+        left=0.06, right=0.985, bottom=0.42 / height, top=1.0 - 0.3 / height, hspace=0.45
+    )
     rows = list(np.atleast_1d(figure.subplots(count, 1, sharex=True)))
     rows[-1].set_xlabel("time [s]")
     elapsed = _elapsed(flight)
@@ -103,12 +121,19 @@ def _unwound(flight: FlightSeries) -> tuple[Floats, Floats]:
     estimate, reference = flight.estimate.copy(), flight.reference.copy()
     known = np.isfinite(estimate[:, 3])
     estimate[known, 3] = np.unwrap(estimate[known, 3])
-    reference[:, 3] = estimate[:, 3] + np.remainder(reference[:, 3] - estimate[:, 3] + pi, 2.0 * pi) - pi
+    reference[:, 3] = (
+        estimate[:, 3] + np.remainder(reference[:, 3] - estimate[:, 3] + pi, 2.0 * pi) - pi
+    )
     return estimate, reference
 
 
 def _draw_bands(
-    axes: Axes, title: str, flight: FlightSeries, numbers: Numbers, states: tuple[Enum, ...], colours: tuple[str, ...]
+    axes: Axes,
+    title: str,
+    flight: FlightSeries,
+    numbers: Numbers,
+    states: tuple[Enum, ...],
+    colours: tuple[str, ...],
 ) -> None:
     axes.set_title(title)
     axes.set(ylim=(0.0, 1.0), yticks=[])
@@ -117,22 +142,43 @@ def _draw_bands(
     if not numbers.size:
         return
     elapsed = _elapsed(flight)
-    present = [Patch(facecolor=colours[number], label=states[number].value) for number in np.unique(numbers)]
-    axes.legend(handles=present, loc="lower right", bbox_to_anchor=(1.0, 0.92), ncols=7, handlelength=1.0, columnspacing=1.2)
+    present = [
+        Patch(facecolor=colours[number], label=states[number].value)
+        for number in np.unique(numbers)
+    ]
+    axes.legend(
+        handles=present,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 0.92),
+        ncols=7,
+        handlelength=1.0,
+        columnspacing=1.2,
+    )
     starts = np.concatenate(([0], np.flatnonzero(np.diff(numbers)) + 1))
     for start, end in zip(starts, np.append(starts[1:], numbers.size - 1), strict=True):
         left, width = float(elapsed[start]), float(elapsed[end] - elapsed[start])
         state = int(numbers[start])
         axes.broken_barh([(left, width)], (0.08, 0.84), facecolor=colours[state], edgecolor="none")
         if width * _WIDTH / max(float(elapsed[-1]), 1e-9) > 0.068 * len(states[state].value):
-            axes.text(left + width / 2, 0.48, states[state].value, ha="center", va="center", fontsize=8, color=svg.INK)
+            axes.text(
+                left + width / 2,
+                0.48,
+                states[state].value,
+                ha="center",
+                va="center",
+                fontsize=8,
+                color=svg.INK,
+            )
 
 
 def _draw_age(axes: Axes, title: str, flight: FlightSeries, age: Floats) -> None:
     axes.set_title(title)
     axes.plot(_elapsed(flight), np.maximum(age, 1e-3), color=svg.ACCENT, linewidth=0.8)
     axes.set(
-        yscale="log", ylim=(5e-4, 10.0), yticks=[1e-3, 1e-2, 1e-1, 1.0, 10.0], yticklabels=["0.001", "0.01", "0.1", "1", "10"]
+        yscale="log",
+        ylim=(5e-4, 10.0),
+        yticks=[1e-3, 1e-2, 1e-1, 1.0, 10.0],
+        yticklabels=["0.001", "0.01", "0.1", "1", "10"],
     )
     axes.minorticks_off()
 

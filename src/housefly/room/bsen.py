@@ -1,7 +1,10 @@
-"""B-sen, the paper's room, written by us from the facts: its furniture poses, its 0.1 m grid, its camera calibration.
+"""B-sen, the paper's room, written by us from the facts: its furniture poses, its 0.1 m grid, its
+camera calibration.
 
-World frame: B-sen's own, 15 m x 8 m, x along the long wall. Lengths in metres, angles in radians. Furniture stands where
-B-sen's robot model puts it; walls and free floor follow its grid; the entrance door and windows follow its 3-D model.
+World frame: B-sen's own, 15 m x 8 m, x along the long wall. Lengths in metres, angles in radians.
+    Furniture stands where
+B-sen's robot model puts it; walls and free floor follow its grid; the entrance door and windows
+follow its 3-D model.
 """
 
 from __future__ import annotations
@@ -65,8 +68,9 @@ SENSOR = {"Bonita 10": (1024, 1024), "Bonita 3": (640, 480)}
 MARKER = 0.014
 """Diameter of the reflecting spheres on tracked bodies [m]."""
 
-# Number, kind, position [m], camera to world (w, x, y, z), focal length [px], from the calibration of 2016-05-19. It measures
-# some cameras up to 0.34 m inside our walls, which follow another survey: those (10, 11, 12, 14 to 17) hang 7 cm in front.
+# Number, kind, position [m], camera to world (w, x, y, z), focal length [px], from the calibration
+# of 2016-05-19. It measures some cameras up to 0.34 m inside our walls, which follow another
+# survey: those (10, 11, 12, 14 to 17) hang 7 cm in front.
 CAMERAS: tuple[tuple[int, str, Vec3, Quaternion, float], ...] = (
     (0, "Bonita 10", (0.270, 4.460, 2.428), (0.2092, -0.5122, 0.7278, -0.4052), 710.2),
     (1, "Bonita 10", (4.670, 4.380, 2.394), (0.1671, -0.4044, 0.8343, -0.3354), 721.6),
@@ -113,8 +117,12 @@ def _solids() -> Iterator[Solid]:
     yield from home_pad(HOME)
 
 
-def _camera(number: int, kind: str, position: Vec3, orientation: Quaternion, focal_px: float) -> TrackingCamera:
-    """Return a tracking camera that sees a marker as long as its picture is at least 0.8 pixels wide (our choice)."""
+def _camera(
+    number: int, kind: str, position: Vec3, orientation: Quaternion, focal_px: float
+) -> TrackingCamera:
+    """Return a tracking camera that sees a marker as long as its picture is at least 0.8 pixels
+    wide (our choice).
+    """
     width, height = SENSOR[kind]
     field = (2 * atan(width / 2 / focal_px), 2 * atan(height / 2 / focal_px))
     reach = round(MARKER * focal_px / 0.8, 2)

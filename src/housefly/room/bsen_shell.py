@@ -1,9 +1,24 @@
-"""B-sen's walls, windows and doors, from its 0.1 m grid and the door and windows of its 3-D model; lengths in metres."""
+"""B-sen's walls, windows and doors, from its 0.1 m grid and the door and windows of its 3-D model;
+lengths in metres.
+"""
 
 from __future__ import annotations
 
 from housefly.room.model import Solid
-from housefly.room.parts import BIRCH, CHARCOAL, CREAM, GLASS, OAK, STEEL, WALNUT, WHITE, Part, box, paint, placed
+from housefly.room.parts import (
+    BIRCH,
+    CHARCOAL,
+    CREAM,
+    GLASS,
+    OAK,
+    STEEL,
+    WALNUT,
+    WHITE,
+    Part,
+    box,
+    paint,
+    placed,
+)
 
 HEIGHT = 2.70
 SKIRTING = 0.012
@@ -14,7 +29,8 @@ DOOR_LEAF = paint(0.36, 0.22, 0.14)
 
 Rectangle = tuple[float, float, float, float]
 
-# Inner faces: corridor x 0.15..4.75, y 3.35..5.05; living area x 4.75..14.75, y 0.55..6.25; an alcove at its north-west.
+# Inner faces: corridor x 0.15..4.75, y 3.35..5.05; living area x 4.75..14.75, y 0.55..6.25; an
+# alcove at its north-west.
 WALLS: tuple[tuple[str, Rectangle], ...] = (
     ("corridor south", (0.05, 3.25, 4.75, 3.35)),
     ("corridor north", (0.05, 5.05, 6.15, 5.15)),
@@ -56,7 +72,10 @@ def _east_wall() -> list[Part]:
     return [
         box("east sill", (x0, 0.45, 0.0), (x1, 6.25, WINDOW_BOTTOM), WALL, "wall"),
         box("east lintel", (x0, 0.45, WINDOW_TOP), (x1, 6.25, HEIGHT), WALL, "wall"),
-        *(box(f"east pier {i}", (x0, a, WINDOW_BOTTOM), (x1, b, WINDOW_TOP), WALL, "wall") for i, (a, b) in enumerate(piers)),
+        *(
+            box(f"east pier {i}", (x0, a, WINDOW_BOTTOM), (x1, b, WINDOW_TOP), WALL, "wall")
+            for i, (a, b) in enumerate(piers)
+        ),
     ]
 
 
@@ -64,8 +83,19 @@ def _windows() -> list[Part]:
     parts: list[Part] = []
     for i, (a, b) in enumerate(WINDOWS):
         parts += [
-            box(f"pane {i}", (14.79, a, WINDOW_BOTTOM), (14.81, b, WINDOW_TOP), paint(0.62, 0.74, 0.82), "daylight"),
-            box(f"bar {i}", (14.76, (a + b) / 2 - 0.02, WINDOW_BOTTOM), (14.80, (a + b) / 2 + 0.02, WINDOW_TOP), WHITE),
+            box(
+                f"pane {i}",
+                (14.79, a, WINDOW_BOTTOM),
+                (14.81, b, WINDOW_TOP),
+                paint(0.62, 0.74, 0.82),
+                "daylight",
+            ),
+            box(
+                f"bar {i}",
+                (14.76, (a + b) / 2 - 0.02, WINDOW_BOTTOM),
+                (14.80, (a + b) / 2 + 0.02, WINDOW_TOP),
+                WHITE,
+            ),
             box(f"sill {i}", (14.66, a, WINDOW_BOTTOM - 0.03), (14.75, b, WINDOW_BOTTOM), WHITE),
         ]
     return parts
@@ -87,10 +117,25 @@ def _entrance() -> list[Part]:
         box("frame middle", (0.05, side_left, 0.0), (0.19, leaf_right, 2.21), WHITE),
         box("frame rail", (0.05, side_right, 2.21), (0.19, leaf_left, 2.26), WHITE),
         box("frame top", (0.05, side_right, 2.57), (0.19, leaf_left, 2.61), WHITE),
-        box("fanlight", (0.09, side_right, 2.26), (0.11, leaf_left, 2.57), paint(0.56, 0.68, 0.76), "daylight"),
-        box("side glass", (0.09, side_right, 0.20), (0.11, side_left, 2.21), paint(0.56, 0.68, 0.76), "daylight"),
+        box(
+            "fanlight",
+            (0.09, side_right, 2.26),
+            (0.11, leaf_left, 2.57),
+            paint(0.56, 0.68, 0.76),
+            "daylight",
+        ),
+        box(
+            "side glass",
+            (0.09, side_right, 0.20),
+            (0.11, side_left, 2.21),
+            paint(0.56, 0.68, 0.76),
+            "daylight",
+        ),
         box("side foot", (0.07, side_right, 0.0), (0.13, side_left, 0.20), DOOR_LEAF, "wood"),
-        *(box(f"side bar {i}", (0.08, side_right, z), (0.13, side_left, z + 0.03), WHITE) for i, z in enumerate((0.86, 1.53))),
+        *(
+            box(f"side bar {i}", (0.08, side_right, z), (0.13, side_left, z + 0.03), WHITE)
+            for i, z in enumerate((0.86, 1.53))
+        ),
     ]
     leaf = [
         box("leaf", (0.07, leaf_right, 0.01), (0.13, leaf_left, 2.21), DOOR_LEAF, "wood"),
@@ -106,7 +151,9 @@ def _entrance() -> list[Part]:
             )
         ),
         box("lock plate", (0.13, leaf_right + 0.03, 0.90), (0.145, leaf_right + 0.09, 1.16), STEEL),
-        box("handle stem", (0.145, leaf_right + 0.05, 1.03), (0.19, leaf_right + 0.07, 1.05), STEEL),
+        box(
+            "handle stem", (0.145, leaf_right + 0.05, 1.03), (0.19, leaf_right + 0.07, 1.05), STEEL
+        ),
         box("handle", (0.175, leaf_right + 0.05, 1.03), (0.195, leaf_right + 0.20, 1.055), STEEL),
         box(
             "viewer",
@@ -141,7 +188,10 @@ def _decoration() -> list[Part]:
         ("alcove west", (6.15, 5.15, 6.15 + s, 6.65)),
         ("living north", (13.95, 6.25 - s, 14.75, 6.25)),
     )
-    boards = [box(f"{name} skirting", (r[0], r[1], 0.0), (r[2], r[3], top), WALNUT, collides=False) for name, r in runs]
+    boards = [
+        box(f"{name} skirting", (r[0], r[1], 0.0), (r[2], r[3], top), WALNUT, collides=False)
+        for name, r in runs
+    ]
     return boards + _picture("north", (3.40, 5.05), -1) + _picture("south", (1.60, 3.35), 1)
 
 
@@ -158,5 +208,13 @@ def _picture(name: str, middle: tuple[float, float], side: int) -> list[Part]:
     parts = []
     for depth, (part, half, bottom, top, colour) in enumerate(layers):
         near, far = sorted((wall, wall + side * (0.018 + 0.003 * depth)))
-        parts.append(box(f"{name} picture {part}", (x - half, near, bottom), (x + half, far, top), colour, collides=False))
+        parts.append(
+            box(
+                f"{name} picture {part}",
+                (x - half, near, bottom),
+                (x + half, far, top),
+                colour,
+                collides=False,
+            )
+        )
     return parts

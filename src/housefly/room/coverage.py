@@ -22,7 +22,8 @@ def seen_by(room: Room, points: Floats) -> Mask:
     """Return which cameras see which points.
 
     Args:
-        room: its cameras and solids; a cylinder hides what the largest square pillar inside it would.
+        room: its cameras and solids; a cylinder hides what the largest square pillar inside it
+            would.
         points: world [m], shape (n, 3).
 
     Returns:
@@ -40,7 +41,9 @@ def seen_by(room: Room, points: Floats) -> Mask:
 
 
 def tracked(room: Room, points: Floats, cameras: int = 2) -> Mask:
-    """Return which points at least this many cameras see; all of them in a room without cameras. Shape (n,)."""
+    """Return which points at least this many cameras see; all of them in a room without cameras.
+    Shape (n,).
+    """
     if not room.cameras:
         return np.ones(len(points), dtype=np.bool_)
     enough: Mask = seen_by(room, points).sum(axis=1) >= cameras
@@ -48,7 +51,10 @@ def tracked(room: Room, points: Floats, cameras: int = 2) -> Mask:
 
 
 def _in_view(camera: TrackingCamera, points: Floats) -> Mask:
-    right, down, ahead = (np.array(rotate(camera.orientation, axis)) for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0)))
+    right, down, ahead = (
+        np.array(rotate(camera.orientation, axis))
+        for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
+    )
     rays = points - np.array(camera.position)
     depth = rays @ ahead
     horizontal, vertical = (tan(angle / 2) for angle in camera.field_of_view)
@@ -62,7 +68,9 @@ def _in_view(camera: TrackingCamera, points: Floats) -> Mask:
 
 
 def _hides(solid: Solid, eye: Floats, points: Floats) -> Mask:
-    """Return which segments from the eye to the points pass through the solid's box (slab test in the solid's own frame)."""
+    """Return which segments from the eye to the points pass through the solid's box (slab test in
+    the solid's own frame).
+    """
     c, s = cos(solid.yaw), sin(solid.yaw)
     turn = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     start = turn @ (eye - np.array(solid.position))

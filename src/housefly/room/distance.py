@@ -1,7 +1,7 @@
 """Exact distances from points of the floor plan to the footprints of solids, compiled.
 
-A footprint is one row (kind, x, y, half length, half width, cos yaw, sin yaw): kind 0 is a rectangle, 1 a disc whose radius is
-the half length. Lengths in metres.
+A footprint is one row (kind, x, y, half length, half width, cos yaw, sin yaw): kind 0 is a
+rectangle, 1 a disc whose radius is the half length. Lengths in metres.
 """
 
 from __future__ import annotations
@@ -20,7 +20,9 @@ Floats = NDArray[np.float64]
 
 
 def footprints(solids: Iterable[Solid], bottom: float, top: float) -> Floats:
-    """Return the footprints of the solids that the drone can touch between two heights [m]; shape (n, 7)."""
+    """Return the footprints of the solids that the drone can touch between two heights [m]; shape
+    (n, 7).
+    """
     rows = [
         (
             float(solid.shape is Shape.CYLINDER),
@@ -32,7 +34,9 @@ def footprints(solids: Iterable[Solid], bottom: float, top: float) -> Floats:
             sin(solid.yaw),
         )
         for solid in solids
-        if solid.collides and solid.position[2] - solid.size[2] / 2 < top and solid.position[2] + solid.size[2] / 2 > bottom
+        if solid.collides
+        and solid.position[2] - solid.size[2] / 2 < top
+        and solid.position[2] + solid.size[2] / 2 > bottom
     ]
     return np.array(rows, dtype=np.float64).reshape(-1, 7)
 
@@ -62,7 +66,9 @@ def _nearest(rows: Any, reaches: Any, xs: Any, ys: Any, cap: float, out: Any) ->
 
 
 @compiled_with_arrays
-def _shares(rows: Any, xs: Any, ys: Any, edge: float, samples: int, clearance: Any, out: Any) -> None:
+def _shares(
+    rows: Any, xs: Any, ys: Any, edge: float, samples: int, clearance: Any, out: Any
+) -> None:
     near = edge * 0.7072
     for i in range(xs.size):
         for j in range(ys.size):
@@ -82,14 +88,20 @@ def _shares(rows: Any, xs: Any, ys: Any, edge: float, samples: int, clearance: A
 
 
 def clearance_field(rows: Floats, xs: Floats, ys: Floats, cap: float) -> Floats:
-    """Return the distance [m] from each point (xs[i], ys[j]) to the nearest footprint, at most cap; shape (nx, ny)."""
+    """Return the distance [m] from each point (xs[i], ys[j]) to the nearest footprint, at most cap;
+    shape (nx, ny).
+    """
     out = np.empty((xs.size, ys.size))
     _nearest(rows, np.hypot(rows[:, 3], rows[:, 4]), xs, ys, cap, out)
     return out
 
 
-def covered_shares(rows: Floats, xs: Floats, ys: Floats, edge: float, clearance: Floats, samples: int = 8) -> Floats:
-    """Return which share of the square of this edge [m] around each point lies under a footprint, 0 to 1; shape (nx, ny)."""
+def covered_shares(
+    rows: Floats, xs: Floats, ys: Floats, edge: float, clearance: Floats, samples: int = 8
+) -> Floats:
+    """Return which share of the square of this edge [m] around each point lies under a footprint, 0
+    to 1; shape (nx, ny).
+    """
     out = np.zeros((xs.size, ys.size))
     _shares(rows, xs, ys, edge, samples, clearance, out)
     return out

@@ -30,7 +30,9 @@ LOOK: dict[Cell, tuple[str, str, str]] = {
     Cell.OUTSIDE: ("#ffffff", " ", "outside"),
 }
 INK, QUIET, ACCENT, PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
-UNLABELLED = frozenset({"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"})
+UNLABELLED = frozenset(
+    {"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"}
+)
 INCHES_PER_METRE = 0.92
 TEXT_COLUMNS = 110
 LABEL_SPACING = 0.42
@@ -38,9 +40,15 @@ LABEL_SPACING = 0.42
 
 
 def draw_room(
-    room: Room, grid: OccupancyGrid, path: Path, *, route: Sequence[Vec2] | None = None, trail: Sequence[Vec2] | None = None
+    room: Room,
+    grid: OccupancyGrid,
+    path: Path,
+    *,
+    route: Sequence[Vec2] | None = None,
+    trail: Sequence[Vec2] | None = None,
 ) -> None:
-    """Write a PNG of the map with furniture, places, tracking cameras and home, and optionally a route and a flown trail.
+    """Write a PNG of the map with furniture, places, tracking cameras and home, and optionally a
+    route and a flown trail.
 
     Args:
         room: what stands where.
@@ -57,7 +65,9 @@ def draw_room(
     width, height = max(5.0, (x_max - x_min) * scale), (y_max - y_min) * scale
     figure = Figure(figsize=(width + 0.6, height + 1.5), dpi=120, facecolor="white")
     FigureCanvasAgg(figure)
-    axes = figure.add_axes((0.4 / (width + 0.6), 0.85 / (height + 1.5), width / (width + 0.6), height / (height + 1.5)))
+    axes = figure.add_axes(
+        (0.4 / (width + 0.6), 0.85 / (height + 1.5), width / (width + 0.6), height / (height + 1.5))
+    )
     _cells(axes, grid)
     for solid in sorted(room.solids, key=lambda s: s.position[2] + s.size[2] / 2):
         axes.add_patch(_patch(solid))
@@ -65,7 +75,9 @@ def draw_room(
     _cameras(axes, room)
     _lines(axes, route, trail)
     _landmarks(axes, room)
-    _frame_and_legend(figure, axes, room, grid, (x_min, y_min, x_max, y_max), bool(route), bool(trail))
+    _frame_and_legend(
+        figure, axes, room, grid, (x_min, y_min, x_max, y_max), bool(route), bool(trail)
+    )
     try:
         figure.savefig(path)
     except OSError as error:
@@ -73,16 +85,21 @@ def draw_room(
 
 
 def text_map(room: Room, grid: OccupancyGrid) -> str:
-    """Return the map as text, north (+y) up: cells, H for home, capital initials for places, a legend below.
+    """Return the map as text, north (+y) up: cells, H for home, capital initials for places, a
+    legend below.
 
-    Fine grids are thinned to about a hundred columns; a character shows the worst cell that it stands for, blocked before free.
+    Fine grids are thinned to about a hundred columns; a character shows the worst cell that it
+    stands for, blocked before free.
     """
     nx, ny = grid.shape
     step = max(1, -(-nx // TEXT_COLUMNS))
     rank = np.array([0, 4, 3, 2, 1])
     cells = np.array(grid.cells)
     canvas = [
-        [_worst(cells[i : i + step, j : j + 2 * step if step > 1 else j + 1], rank) for i in range(0, nx, step)]
+        [
+            _worst(cells[i : i + step, j : j + 2 * step if step > 1 else j + 1], rank)
+            for i in range(0, nx, step)
+        ]
         for j in range(0, ny, 2 * step if step > 1 else 1)
     ]
     marks = {place.name: place.name[0].upper() for place in room.places}
@@ -95,7 +112,9 @@ def text_map(room: Room, grid: OccupancyGrid) -> str:
         rows.pop(0)
     while rows and not rows[-1]:
         rows.pop()
-    legend = "  ".join(f"{letter} {words}" for kind, (_, letter, words) in LOOK.items() if kind is not Cell.OUTSIDE)
+    legend = "  ".join(
+        f"{letter} {words}" for kind, (_, letter, words) in LOOK.items() if kind is not Cell.OUTSIDE
+    )
     names = "  ".join(f"{mark} {name}" for name, mark in marks.items())
     return "\n".join([*rows, "", f"{legend}  (cells of {grid.resolution:g} m)", names])
 
@@ -106,10 +125,20 @@ def _worst(block: Any, rank: Any) -> str:
 
 
 def _frame(room: Room, grid: OccupancyGrid) -> tuple[float, float, float, float]:
-    """Return the part of the plan worth drawing: all solids, the grid's cells that are not outside, and a margin [m]."""
+    """Return the part of the plan worth drawing: all solids, the grid's cells that are not outside,
+    and a margin [m].
+    """
     inside = np.argwhere(grid.cells != Cell.OUTSIDE)
-    low = np.array(grid.origin) + inside.min(axis=0) * grid.resolution if inside.size else np.array(grid.origin)
-    high = np.array(grid.origin) + (inside.max(axis=0) + 1) * grid.resolution if inside.size else low + 1.0
+    low = (
+        np.array(grid.origin) + inside.min(axis=0) * grid.resolution
+        if inside.size
+        else np.array(grid.origin)
+    )
+    high = (
+        np.array(grid.origin) + (inside.max(axis=0) + 1) * grid.resolution
+        if inside.size
+        else low + 1.0
+    )
     corners = np.vstack([low, high, *(outline(solid) for solid in room.solids)])
     (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 0.3, corners.max(axis=0) + 0.3
     return float(x_min), float(y_min), float(x_max), float(y_max)
@@ -120,7 +149,9 @@ def _cells(axes: Axes, grid: OccupancyGrid) -> None:
     nx, ny = grid.shape
     x, y = grid.origin
     extent = (x, x + nx * grid.resolution, y, y + ny * grid.resolution)
-    axes.imshow(colours[grid.cells.T], origin="lower", extent=extent, interpolation="nearest", zorder=0)
+    axes.imshow(
+        colours[grid.cells.T], origin="lower", extent=extent, interpolation="nearest", zorder=0
+    )
     if grid.resolution >= 0.25:
         for k in range(nx + 1):
             axes.plot([x + k * grid.resolution] * 2, extent[2:], color="#c9ced2", lw=0.6, zorder=1)
@@ -130,7 +161,12 @@ def _cells(axes: Axes, grid: OccupancyGrid) -> None:
 
 def _patch(solid: Solid) -> Patch:
     fill = to_rgba(solid.colour[:3], 0.5 if solid.collides else 0.25)
-    style: dict[str, Any] = {"facecolor": fill, "edgecolor": to_rgba(INK, 0.45), "linewidth": 0.4, "zorder": 2}
+    style: dict[str, Any] = {
+        "facecolor": fill,
+        "edgecolor": to_rgba(INK, 0.45),
+        "linewidth": 0.4,
+        "zorder": 2,
+    }
     if solid.thing in ("wall", "unexplored"):
         style |= {"facecolor": LOOK[Cell.OCCUPIED][0], "edgecolor": "none"}
     if solid.shape is Shape.CYLINDER:
@@ -153,7 +189,18 @@ def _labels(axes: Axes, room: Room) -> None:
         written.append((x, y))
         extent = np.ptp(outline(solid), axis=0)
         upright = 90.0 if extent[1] > 1.6 * extent[0] and len(thing) > 3 else 0.0
-        axes.text(x, y, thing, fontsize=7.5, color=INK, ha="center", va="center", rotation=upright, zorder=6, **_halo())
+        axes.text(
+            x,
+            y,
+            thing,
+            fontsize=7.5,
+            color=INK,
+            ha="center",
+            va="center",
+            rotation=upright,
+            zorder=6,
+            **_halo(),
+        )
 
 
 def _halo(width: float = 2.2) -> dict[str, Any]:
@@ -169,7 +216,9 @@ def _cameras(axes: Axes, room: Room) -> None:
         x, y, _ = camera.position
         ahead = rotate(camera.orientation, (0.0, 0.0, 1.0))
         heading = degrees(atan2(ahead[1], ahead[0]))
-        axes.plot(x, y, marker=(3, 0, heading - 90.0), color=QUIET, ms=7, mec="white", mew=0.6, zorder=7)
+        axes.plot(
+            x, y, marker=(3, 0, heading - 90.0), color=QUIET, ms=7, mec="white", mew=0.6, zorder=7
+        )
 
 
 def _lines(axes: Axes, route: Sequence[Vec2] | None, trail: Sequence[Vec2] | None) -> None:
@@ -196,14 +245,38 @@ def _landmarks(axes: Axes, room: Room) -> None:
             )
             axes.plot(x, y, marker="o", ms=6.5, mfc=ACCENT, mec="white", mew=1.0, zorder=10)
             title = place.title or place.name
-            axes.text(x, y - 0.20, title, fontsize=8.5, weight="bold", color=ACCENT, ha="center", va="top", zorder=11, **_halo(3))
+            axes.text(
+                x,
+                y - 0.20,
+                title,
+                fontsize=8.5,
+                weight="bold",
+                color=ACCENT,
+                ha="center",
+                va="top",
+                zorder=11,
+                **_halo(3),
+            )
     x, y = room.home
     axes.plot(x, y, marker="o", ms=15, mfc=ACCENT, mec="white", mew=1.6, zorder=10)
-    axes.text(x, y, "H", fontsize=9, weight="bold", color="white", ha="center", va="center", zorder=11)
+    axes.text(
+        x, y, "H", fontsize=9, weight="bold", color="white", ha="center", va="center", zorder=11
+    )
     if room.visitor:
         x, y = room.visitor
         axes.plot(x, y, marker="o", ms=12, mfc=PERSON, mec="white", mew=1.4, zorder=10)
-        axes.text(x, y - 0.28, "visitor", fontsize=8.5, weight="bold", color=PERSON, ha="center", va="top", zorder=11, **_halo(3))
+        axes.text(
+            x,
+            y - 0.28,
+            "visitor",
+            fontsize=8.5,
+            weight="bold",
+            color=PERSON,
+            ha="center",
+            va="top",
+            zorder=11,
+            **_halo(3),
+        )
 
 
 def _frame_and_legend(
@@ -223,7 +296,10 @@ def _frame_and_legend(
     for spine in axes.spines.values():
         spine.set_visible(False)
     axes.set_title(
-        f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution:g} m", fontsize=12, color=INK, loc="left"
+        f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution:g} m",
+        fontsize=12,
+        color=INK,
+        loc="left",
     )
     present = set(np.unique(grid.cells).tolist())
     entries: list[Any] = [
@@ -232,10 +308,21 @@ def _frame_and_legend(
         if int(kind) in present and kind is not Cell.OUTSIDE
     ]
     if room.cameras:
-        entries.append(Line2D([], [], ls="", marker=(3, 0, 0), color=QUIET, ms=7, label="tracking camera"))
+        entries.append(
+            Line2D([], [], ls="", marker=(3, 0, 0), color=QUIET, ms=7, label="tracking camera")
+        )
     if route:
         entries.append(Line2D([], [], color=ACCENT, lw=2.6, label="planned route"))
     if trail:
         entries.append(Line2D([], [], color=PERSON, lw=1.4, label="flown"))
-    entries.append(Line2D([], [], ls="", marker="o", color=ACCENT, ms=6, label="viewpoint (H: home)"))
-    figure.legend(handles=entries, loc="lower center", ncols=min(len(entries), 7), fontsize=8, frameon=False, labelcolor=INK)
+    entries.append(
+        Line2D([], [], ls="", marker="o", color=ACCENT, ms=6, label="viewpoint (H: home)")
+    )
+    figure.legend(
+        handles=entries,
+        loc="lower center",
+        ncols=min(len(entries), 7),
+        fontsize=8,
+        frameon=False,
+        labelcolor=INK,
+    )

@@ -1,7 +1,9 @@
-"""Versions of a room's edits as files: ``0001.json``, ``0002.json``, ...; nothing is ever changed or deleted.
+"""Versions of a room's edits as files: ``0001.json``, ``0002.json``, ...; nothing is ever changed
+or deleted.
 
-Version 0 is the room without edits. Undo saves a new version equal to the one before. A file that cannot be read is moved
-aside, in words, and the version before it counts; its number is not used again.
+Version 0 is the room without edits. Undo saves a new version equal to the one before. A file that
+cannot be read is moved aside, in words, and the version before it counts; its number is not used
+again.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from housefly.config_edits import Edits
+from housefly.config.edits import Edits
 from housefly.errors import EditsError, StaleEdits
 from housefly.room.edits import edits_from_tree
 
@@ -33,7 +35,8 @@ class Version:
     Attributes:
         number: rises by one or more; 0 is the room without edits.
         edits: what applies.
-        equals: the number of the version that an undo went back to; its own number when it was saved by hand.
+        equals: the number of the version that an undo went back to; its own number when it was
+            saved by hand.
         saved_at: Unix time [s].
         by: who saved it, as people see it.
     """
@@ -75,7 +78,9 @@ class EditVersions:
         return self._save(edits, based_on, None, by)
 
     def undo(self, based_on: int, by: str = "") -> Version:
-        """Save a version equal to the one before, and before that when pressed again; raises as ``save``."""
+        """Save a version equal to the one before, and before that when pressed again; raises as
+        ``save``.
+        """
         before = self.before(self._checked(based_on))
         if before is None:
             raise EditsError("there is nothing to undo: this is the room as its file has it")
@@ -94,13 +99,18 @@ class EditVersions:
         newest = self.newest()
         if newest.number != based_on:
             who = f" by {newest.by}" if newest.by else ""
-            raise StaleEdits(f"version {newest.number} was saved{who} in between: look at it, then change it again")
+            raise StaleEdits(
+                f"version {newest.number} was saved{who} in between: look at it, then change it"
+                " again"
+            )
         return newest
 
     def _save(self, edits: Edits, based_on: int, equals: int | None, by: str) -> Version:
         good, bad = self._numbers()
         number = max((*good, *bad, 0)) + 1
-        self._checked(based_on)  # after the number was chosen: who saves from now on takes it, and the link below fails
+        self._checked(
+            based_on
+        )  # after the number was chosen: who saves from now on takes it, and the link below fails
         version = Version(number, edits, number if equals is None else equals, self._now(), by)
         text = json.dumps({**_head(version), "edits": edits.model_dump(mode="json")}, indent=1)
         draft = self.folder / f".{number:04d}.{secrets.token_hex(4)}.draft"
@@ -113,9 +123,13 @@ class EditVersions:
             # A link, unlike a rename, does not replace what another writer has put there meanwhile.
             os.link(draft, self._path(number))
         except FileExistsError as error:
-            raise StaleEdits(f"version {number} was saved in between: look at it, then change it again") from error
+            raise StaleEdits(
+                f"version {number} was saved in between: look at it, then change it again"
+            ) from error
         except OSError as error:
-            raise EditsError(f"the edits cannot be saved in {self.folder}: {error.strerror}") from error
+            raise EditsError(
+                f"the edits cannot be saved in {self.folder}: {error.strerror}"
+            ) from error
         finally:
             with suppress(OSError):
                 draft.unlink()
@@ -131,7 +145,9 @@ class EditVersions:
         except FileNotFoundError:
             return set(), set()
         except OSError as error:
-            raise EditsError(f"the edits in {self.folder} cannot be read: {error.strerror}") from error
+            raise EditsError(
+                f"the edits in {self.folder} cannot be read: {error.strerror}"
+            ) from error
         found = {name: int(match.group(1)) for name in names if (match := NUMBERED.match(name))}
         good = {number for name, number in found.items() if name == f"{number:04d}.json"}
         return good, set(found.values()) - good
@@ -141,7 +157,11 @@ class EditVersions:
         try:
             tree: Any = json.loads(path.read_text(encoding="utf-8"))
             version = Version(
-                number, edits_from_tree(tree["edits"]), int(tree["equals"]), float(tree["saved_at"]), str(tree["by"])
+                number,
+                edits_from_tree(tree["edits"]),
+                int(tree["equals"]),
+                float(tree["saved_at"]),
+                str(tree["by"]),
             )
             if not 0 <= version.equals <= number:
                 raise ValueError(f"equals is {version.equals}; allowed: 0 to {number}")
@@ -161,9 +181,15 @@ class EditVersions:
         with suppress(OSError):
             path.rename(aside)
         self.problem = (
-            f"{path.name} in {self.folder} is damaged ({error!s:.160}): it is now {aside.name}, and the version before it counts"
+            f"{path.name} in {self.folder} is damaged ({error!s:.160}): it is now {aside.name}, and"
+            " the version before it counts"
         )
 
 
 def _head(version: Version) -> dict[str, Any]:
-    return {"version": version.number, "equals": version.equals, "saved_at": version.saved_at, "by": version.by}
+    return {
+        "version": version.number,
+        "equals": version.equals,
+        "saved_at": version.saved_at,
+        "by": version.by,
+    }

@@ -1,7 +1,7 @@
 """Places and no-fly zones that people change: checked against the room, in words, and applied.
 
-Whoever reads a site gets them with it (``site.edits``): ``room_of`` applies the places, ``room.grid`` the zones. Mode ``paper``
-flies the paper's own map and knows no edits.
+Whoever reads a site gets them with it (``site.edits``): ``room_of`` applies the places,
+``room.grid`` the zones. Mode ``paper`` flies the paper's own map and knows no edits.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from housefly.config import Site
-from housefly.config_edits import NAME_MAX, Edits, NoFlyZone, PlaceEdit
-from housefly.config_section import explain
+from housefly.config.edits import NAME_MAX, Edits, NoFlyZone, PlaceEdit
+from housefly.config.section import explain
+from housefly.config.site import Site
 from housefly.errors import EditsError
 from housefly.geometry import Vec2
 from housefly.room.files import load_room
@@ -27,14 +27,18 @@ from housefly.room.model import Place, Room
 from housefly.room.reach import Mask, flood
 
 ZONE_MIN = 0.2
-"""Shortest side of a zone [m]; never less than a cell of the grid, so that no zone falls between the cells' middles."""
+"""Shortest side of a zone [m]; never less than a cell of the grid, so that no zone falls between
+the cells' middles.
+"""
 HOME = "home"
 SHOWN = 160
 """A refused value is repeated up to this many letters."""
 
 
 def room_of(site: Site, base: Path | None = None) -> Room:
-    """Return the room that a site names, with the places of its edits; raises RoomError or ConfigError as ``load_room``."""
+    """Return the room that a site names, with the places of its edits; raises RoomError or
+    ConfigError as ``load_room``.
+    """
     return with_places(load_room(site.room.model, base), site)
 
 
@@ -42,14 +46,25 @@ def with_places(room: Room, site: Site) -> Room:
     """Return the room with the places that its site's edits make of its own."""
     if site.mode == "paper" or not (site.edits.places or site.edits.removed):
         return room
-    changed = {edit.name: Place(edit.name, edit.viewpoint, edit.look_at, edit.title) for edit in site.edits.places}
+    changed = {
+        edit.name: Place(edit.name, edit.viewpoint, edit.look_at, edit.title)
+        for edit in site.edits.places
+    }
     own = {place.name for place in room.places}
-    kept = tuple(changed.get(place.name, place) for place in room.places if place.name not in site.edits.removed)
-    return replace(room, places=(*kept, *(place for name, place in changed.items() if name not in own)))
+    kept = tuple(
+        changed.get(place.name, place)
+        for place in room.places
+        if place.name not in site.edits.removed
+    )
+    return replace(
+        room, places=(*kept, *(place for name, place in changed.items() if name not in own))
+    )
 
 
 def edits_from_tree(tree: Any) -> Edits:
-    """Return edits from plain values; raises EditsError for the first bad one, naming the item and what is allowed."""
+    """Return edits from plain values; raises EditsError for the first bad one, naming the item and
+    what is allowed.
+    """
     try:
         return Edits.model_validate(tree)
     except ValidationError as error:
@@ -59,10 +74,14 @@ def edits_from_tree(tree: Any) -> Edits:
         if location[-1:] == ["reason"] and first["type"] != "string_too_long":
             words = "say why: the reason is shown on the map"
         if location[-1:] == ["name"] and first["type"].startswith("string"):
-            words = f"is {first['input']!r}; allowed: 1 to {NAME_MAX} of a-z, 0-9, space, - and _, a letter or digit first"
+            words = (
+                f"is {first['input']!r}; allowed: 1 to {NAME_MAX} of a-z, 0-9, space, - and _, a"
+                " letter or digit first"
+            )
         where = f"{'.'.join(location)}: " if location else ""
         raise EditsError(
-            where + (words if len(words) <= 2 * SHOWN else f"{words[:SHOWN]} ..."), ".".join(location[:2])
+            where + (words if len(words) <= 2 * SHOWN else f"{words[:SHOWN]} ..."),
+            ".".join(location[:2]),
         ) from error
 
 
@@ -78,7 +97,10 @@ def edited(room: Room, site: Site, edits: Edits) -> tuple[Room, Site]:
         EditsError: naming the item, what is allowed with its unit, and what would be cut off.
     """
     if site.mode == "paper" and edits != Edits():
-        raise EditsError("mode paper flies the paper's own map: places and zones can be edited in mode default only")
+        raise EditsError(
+            "mode paper flies the paper's own map: places and zones can be edited in mode default"
+            " only"
+        )
     site = site.model_copy(update={"edits": edits})
     changed = with_places(room, site)
     _check_names(room, changed, edits)
@@ -95,10 +117,16 @@ def edited(room: Room, site: Site, edits: Edits) -> tuple[Room, Site]:
 def _check_names(room: Room, changed: Room, edits: Edits) -> None:
     own = {place.name: place for place in room.places}
     if HOME in edits.removed:
-        raise EditsError("home cannot be removed: the drone starts and lands there", f"removed.{edits.removed.index(HOME)}")
+        raise EditsError(
+            "home cannot be removed: the drone starts and lands there",
+            f"removed.{edits.removed.index(HOME)}",
+        )
     for number, name in enumerate(edits.removed):
         if name not in own:
-            raise EditsError(f"no place called {name!r} to remove; the room has: {', '.join(own)}", f"removed.{number}")
+            raise EditsError(
+                f"no place called {name!r} to remove; the room has: {', '.join(own)}",
+                f"removed.{number}",
+            )
     names: set[str] = set()
     for number, edit in enumerate(edits.places):
         item = f"places.{number}"
@@ -109,23 +137,36 @@ def _check_names(room: Room, changed: Room, edits: Edits) -> None:
         if edit.name in edits.removed:
             raise EditsError(f"{edit.name!r} is removed and changed at once", item)
         if _shares_title(edit, changed):
-            raise EditsError(f"two places are shown as {edit.title or edit.name!r}: choose another name", item)
+            raise EditsError(
+                f"two places are shown as {edit.title or edit.name!r}: choose another name", item
+            )
         names.add(edit.name)
 
 
 def _shares_title(edit: PlaceEdit, room: Room) -> bool:
     shown = (edit.title or edit.name).casefold()
-    return any(place.name != edit.name and (place.title or place.name).casefold() == shown for place in room.places)
+    return any(
+        place.name != edit.name and (place.title or place.name).casefold() == shown
+        for place in room.places
+    )
 
 
-def _check_place(edit: PlaceEdit, item: str, room: Room, site: Site, bare: OccupancyGrid, reached: Mask) -> None:
+def _check_place(
+    edit: PlaceEdit, item: str, room: Room, site: Site, bare: OccupancyGrid, reached: Mask
+) -> None:
     shown, (x, y) = edit.title or edit.name, edit.viewpoint
     if not _within(room, x, y):
-        raise EditsError(f"{shown}: ({x:.2f}, {y:.2f}) m is outside the room; allowed: {_bounds(room)}", item)
+        raise EditsError(
+            f"{shown}: ({x:.2f}, {y:.2f}) m is outside the room; allowed: {_bounds(room)}", item
+        )
     look_x, look_y, look_z = edit.look_at
     if not (_within(room, look_x, look_y) and 0.0 <= look_z <= room.height):
         allowed = f"{_bounds(room)}, z from 0 to {room.height:.2f} m"
-        raise EditsError(f"{shown}: ({look_x:.2f}, {look_y:.2f}, {look_z:.2f}) m cannot be looked at; allowed: {allowed}", item)
+        raise EditsError(
+            f"{shown}: ({look_x:.2f}, {look_y:.2f}, {look_z:.2f}) m cannot be looked at; allowed:"
+            f" {allowed}",
+            item,
+        )
     if _at(reached, bare, edit.viewpoint):
         return
     match bare.kind(bare.cell_of(edit.viewpoint)):
@@ -137,9 +178,14 @@ def _check_place(edit: PlaceEdit, item: str, room: Room, site: Site, bare: Occup
             why = "it is behind a wall or inside something"
         case _:
             near = bare.clearance_at(edit.viewpoint)
-            why = f"the nearest obstacle is {near:.2f} m away and the drone keeps {inflation(site):.2f} m"
+            why = (
+                f"the nearest obstacle is {near:.2f} m away and the drone keeps"
+                f" {inflation(site):.2f} m"
+            )
     raise EditsError(
-        f"{shown}: the drone cannot hover at ({x:.2f}, {y:.2f}) m: {why}{_instead(bare, reached, edit.viewpoint)}", item
+        f"{shown}: the drone cannot hover at ({x:.2f}, {y:.2f}) m:"
+        f" {why}{_instead(bare, reached, edit.viewpoint)}",
+        item,
     )
 
 
@@ -151,19 +197,23 @@ def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> No
     least = max(ZONE_MIN, resolution)
     if min(x_max - x_min, y_max - y_min) < least - 1e-9:
         size = f"{x_max - x_min:.2f} m x {y_max - y_min:.2f} m"
-        raise EditsError(f"{shown} is too small ({size}); allowed: sides of {least:.2f} m and more", item)
+        raise EditsError(
+            f"{shown} is too small ({size}); allowed: sides of {least:.2f} m and more", item
+        )
     home_x, home_y = room.home
     away = hypot(max(x_min - home_x, 0.0, home_x - x_max), max(y_min - home_y, 0.0, home_y - y_max))
     if away < HOME_RADIUS:
         raise EditsError(
-            f"{shown} covers the home pad, where the drone starts and lands; allowed: {HOME_RADIUS:.2f} m and more from "
-            f"({home_x:.2f}, {home_y:.2f}) m",
+            f"{shown} covers the home pad, where the drone starts and lands; allowed:"
+            f" {HOME_RADIUS:.2f} m and more from ({home_x:.2f}, {home_y:.2f}) m",
             item,
         )
 
 
 def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -> None:
-    """Refuse zones that cut places off that could be reached without them, and name the first zone that does."""
+    """Refuse zones that cut places off that could be reached without them, and name the first zone
+    that does.
+    """
     counted = [place for place in changed.places if _at(reached, bare, place.viewpoint)]
     for number, grid in _grids(changed, site, counted):
         left = _reached(grid, changed.home)
@@ -171,15 +221,22 @@ def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -
         if lost:
             zone = site.edits.zones[number]
             names = ", ".join(place.title or place.name for place in lost)
-            count = "every place" if len(lost) == len(counted) else f"{len(lost)} of {len(counted)} places"
+            count = (
+                "every place"
+                if len(lost) == len(counted)
+                else f"{len(lost)} of {len(counted)} places"
+            )
             raise EditsError(
-                f"zone {zone.reason!r} cuts off {count} from home: {names}; make it smaller, move it, or remove what it cuts off",
+                f"zone {zone.reason!r} cuts off {count} from home: {names}; make it smaller, move"
+                " it, or remove what it cuts off",
                 f"zones.{number}",
             )
 
 
 def _grids(room: Room, site: Site, places: list[Place]) -> Iterator[tuple[int, OccupancyGrid]]:
-    """Yield the grid with the first zone, with the first two, ...; nothing when all zones together cut nothing off."""
+    """Yield the grid with the first zone, with the first two, ...; nothing when all zones together
+    cut nothing off.
+    """
     zones = site.edits.zones
     if not zones or _all_reached(build_grid(room, site), room, places):
         return
@@ -196,7 +253,11 @@ def _all_reached(grid: OccupancyGrid, room: Room, places: list[Place]) -> bool:
 def _reached(grid: OccupancyGrid, home: Vec2) -> Mask:
     free = grid.cells == Cell.FREE
     cell = grid.cell_of(home)
-    return np.asarray(flood(free, *cell), dtype=np.bool_) if grid.contains(cell) else np.zeros_like(free)
+    return (
+        np.asarray(flood(free, *cell), dtype=np.bool_)
+        if grid.contains(cell)
+        else np.zeros_like(free)
+    )
 
 
 def _at(mask: Mask, grid: OccupancyGrid, point: Vec2) -> bool:

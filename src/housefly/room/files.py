@@ -21,7 +21,20 @@ from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
 BUILT_IN = {"bsen": bsen}
 FILE_NAME = "room.toml"
 UNITS: dict[int | str, str] = {
-    **dict.fromkeys(("bounds", "height", "home", "visitor", "position", "size", "viewpoint", "look_at", "reach"), " m"),
+    **dict.fromkeys(
+        (
+            "bounds",
+            "height",
+            "home",
+            "visitor",
+            "position",
+            "size",
+            "viewpoint",
+            "look_at",
+            "reach",
+        ),
+        " m",
+    ),
     **dict.fromkeys(("home_yaw", "visitor_yaw", "yaw", "field_of_view"), " rad"),
 }
 
@@ -66,7 +79,8 @@ class CameraEntry(_Entry):
     position: tuple[Coordinate, Coordinate, Coordinate]
     orientation: tuple[Coordinate, Coordinate, Coordinate, Coordinate]
     field_of_view: tuple[
-        Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)], Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)]
+        Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)],
+        Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)],
     ]
     reach: Extent = 12.0
 
@@ -89,13 +103,22 @@ class RoomEntry(_Entry):
     def _combinations(self) -> Self:
         x_min, y_min, x_max, y_max = self.bounds
         if not (x_min < x_max and y_min < y_max):
-            raise ValueError("bounds are x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max")
+            raise ValueError(
+                "bounds are x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max"
+            )
         if not (x_min <= self.home[0] <= x_max and y_min <= self.home[1] <= y_max):
             raise ValueError(f"home {self.home} m must lie within bounds {self.bounds} m")
         if "home" not in {place.name for place in self.places}:
             raise ValueError('places must contain one called "home"')
-        for kind, names in (("solids", [s.name for s in self.solids]), ("places", [p.name for p in self.places])):
-            twice = sorted({name for name in names if names.count(name) > 1}) if len(set(names)) < len(names) else []
+        for kind, names in (
+            ("solids", [s.name for s in self.solids]),
+            ("places", [p.name for p in self.places]),
+        ):
+            twice = (
+                sorted({name for name in names if names.count(name) > 1})
+                if len(set(names)) < len(names)
+                else []
+            )
             if twice:
                 raise ValueError(f"names of {kind} must differ; used twice: {twice[0]!r}")
         return self
@@ -120,7 +143,8 @@ def load_room(model: str, base: Path | None = None) -> Room:
     except (OSError, UnicodeDecodeError) as error:
         known = ", ".join(sorted(BUILT_IN))
         raise RoomError(
-            f"room.model {model!r} is neither a built-in room ({known}) nor a directory with a readable {FILE_NAME}: {error}"
+            f"room.model {model!r} is neither a built-in room ({known}) nor a directory with a"
+            f" readable {FILE_NAME}: {error}"
         ) from error
     return room_from_toml(text, str(path))
 
@@ -155,7 +179,9 @@ def room_to_toml(room: Room) -> str:
 
 
 def save_room(room: Room, directory: Path) -> Path:
-    """Write ``room.toml`` into a directory, made when absent, and return its path; raises RoomError when that fails."""
+    """Write ``room.toml`` into a directory, made when absent, and return its path; raises RoomError
+    when that fails.
+    """
     path = directory / FILE_NAME
     try:
         directory.mkdir(parents=True, exist_ok=True)
@@ -166,15 +192,25 @@ def save_room(room: Room, directory: Path) -> Path:
 
 
 def _lines(room: Room) -> Iterator[str]:
-    yield "# A room for Housefly. Metres, radians; sizes are full extents; colours are red, green, blue, alpha from 0 to 1."
+    yield (
+        "# A room for Housefly. Metres, radians; sizes are full extents; colours are red, green,"
+        " blue, alpha from 0 to 1."
+    )
     for key in ("name", "bounds", "height", "home", "home_yaw", "visitor", "visitor_yaw"):
         value = getattr(room, key)
         if value is not None:
             yield f"{key} = {_toml(value)}"
-    for key, entries in (("places", room.places), ("cameras", room.cameras), ("solids", room.solids)):
+    for key, entries in (
+        ("places", room.places),
+        ("cameras", room.cameras),
+        ("solids", room.solids),
+    ):
         yield f"{key} = ["
         for entry in entries:
-            fields = ", ".join(f"{name} = {_toml(getattr(entry, name))}" for name in type(entry).__dataclass_fields__)
+            fields = ", ".join(
+                f"{name} = {_toml(getattr(entry, name))}"
+                for name in type(entry).__dataclass_fields__
+            )
             yield f"  {{ {fields} }},"
         yield "]"
 
@@ -203,7 +239,11 @@ def _camera(number: int, entry: CameraEntry, source: str) -> TrackingCamera:
 def _unit(q: Quaternion, key: str, source: str) -> Quaternion:
     length = sum(part * part for part in q) ** 0.5
     if abs(length - 1.0) > 0.01:
-        raise ConfigError(key, f"is {q!r}; allowed: a unit quaternion w, x, y, z (its length is {length:.3g})", source)
+        raise ConfigError(
+            key,
+            f"is {q!r}; allowed: a unit quaternion w, x, y, z (its length is {length:.3g})",
+            source,
+        )
     return q if abs(length - 1.0) < 1e-9 else normalized(q)
 
 

@@ -1,6 +1,8 @@
-"""The furniture of B-sen as tables of parts; outer sizes follow B-sen's own models, the rest is drawn by us.
+"""The furniture of B-sen as tables of parts; outer sizes follow B-sen's own models, the rest is
+drawn by us.
 
-Every table is in the frame of ``room.parts``: x to the front, origin on the floor under the middle [m].
+Every table is in the frame of ``room.parts``: x to the front, origin on the floor under the middle
+[m].
 """
 
 from __future__ import annotations
@@ -31,7 +33,9 @@ SAGE = paint(0.55, 0.66, 0.62)
 SCREEN = paint(0.05, 0.07, 0.10)
 
 
-def legs(length: float, width: float, top: float, inset: float, thick: float, colour: tuple[float, ...]) -> tuple[Part, ...]:
+def legs(
+    length: float, width: float, top: float, inset: float, thick: float, colour: tuple[float, ...]
+) -> tuple[Part, ...]:
     """Return four square legs under a table top of length x width [m]."""
     x, y, h = length / 2 - inset, width / 2 - inset, thick / 2
     tint = paint(*colour)
@@ -58,7 +62,13 @@ SOFA = (
     box("left arm", (-0.40, 0.97, 0.30), (0.38, 1.175, 0.58), TEAL, "fabric"),
     box("right arm", (-0.40, -1.175, 0.30), (0.38, -0.97, 0.58), TEAL, "fabric"),
     *(
-        box(f"seat {i}", (-0.16, low + 0.01, 0.30), (0.40, low + 0.64, 0.44), paint(0.20, 0.50, 0.52), "fabric")
+        box(
+            f"seat {i}",
+            (-0.16, low + 0.01, 0.30),
+            (0.40, low + 0.64, 0.44),
+            paint(0.20, 0.50, 0.52),
+            "fabric",
+        )
         for i, low in enumerate((-0.97, -0.325, 0.32))
     ),
     Part("cushion", (-0.08, 0.72, 0.58), (0.14, 0.38, 0.34), paint(0.90, 0.66, 0.27), "fabric"),
@@ -75,8 +85,22 @@ SOFA_TABLE = (
 )
 
 CARPET = (
-    box("pile", (-0.88, -1.275, 0.0), (0.88, 1.275, 0.012), paint(0.80, 0.72, 0.60), "rug", collides=False),
-    box("field", (-0.74, -1.135, 0.012), (0.74, 1.135, 0.015), paint(0.62, 0.30, 0.26), "rug", collides=False),
+    box(
+        "pile",
+        (-0.88, -1.275, 0.0),
+        (0.88, 1.275, 0.012),
+        paint(0.80, 0.72, 0.60),
+        "rug",
+        collides=False,
+    ),
+    box(
+        "field",
+        (-0.74, -1.135, 0.012),
+        (0.74, 1.135, 0.015),
+        paint(0.62, 0.30, 0.26),
+        "rug",
+        collides=False,
+    ),
 )
 
 TV_TABLE = (
@@ -117,7 +141,10 @@ KITCHEN = (
     ),
     pillar("pot", (0.08, 0.99), 0.834, 0.98, 0.20, BRICK),
     box("wall cupboards", (-0.325, -1.56, 1.55), (0.02, 0.50, 2.20), CREAM),
-    *(box(f"wall front {i}", (0.02, y - 0.32, 1.57), (0.035, y + 0.32, 2.18), SAGE) for i, y in enumerate((-1.21, -0.53, 0.15))),
+    *(
+        box(f"wall front {i}", (0.02, y - 0.32, 1.57), (0.035, y + 0.32, 2.18), SAGE)
+        for i, y in enumerate((-1.21, -0.53, 0.15))
+    ),
     box("hood", (-0.325, 0.55, 1.62), (0.10, 1.15, 1.80), STEEL),
     box("hood duct", (-0.325, 0.72, 1.80), (-0.05, 0.98, 2.70), STEEL),
     box("splashback", (-0.325, -1.56, 0.82), (-0.31, 1.56, 1.55), WHITE, "tiles"),
@@ -148,7 +175,13 @@ WORK_DESK = (
     box("monitor foot", (-0.20, -0.14, 0.71), (0.0, 0.14, 0.73), CHARCOAL),
     box("monitor stand", (-0.14, -0.03, 0.73), (-0.11, 0.03, 0.90), CHARCOAL),
     box("monitor", (-0.11, -0.30, 0.84), (-0.07, 0.30, 1.19), CHARCOAL),
-    box("monitor picture", (-0.07, -0.285, 0.855), (-0.065, 0.285, 1.175), paint(0.20, 0.42, 0.62), "screen"),
+    box(
+        "monitor picture",
+        (-0.07, -0.285, 0.855),
+        (-0.065, 0.285, 1.175),
+        paint(0.20, 0.42, 0.62),
+        "screen",
+    ),
     box("keyboard", (0.08, -0.22, 0.71), (0.22, 0.22, 0.73), STEEL),
     box("books", (-0.26, 0.62, 0.71), (-0.02, 0.98, 0.97), BRICK),
     pillar("lamp foot", (-0.12, -0.80), 0.71, 0.73, 0.16, CHARCOAL),
@@ -158,8 +191,14 @@ WORK_DESK = (
 
 DRAWER = (
     box("body", (-0.30, -0.20, 0.0), (0.29, 0.20, 0.60), WHITE),
-    *(box(f"front {i}", (0.29, -0.185, z), (0.305, 0.185, z + 0.17), SAND) for i, z in enumerate((0.02, 0.21, 0.40))),
-    *(box(f"knob {i}", (0.305, -0.05, z + 0.08), (0.32, 0.05, z + 0.10), CHARCOAL) for i, z in enumerate((0.02, 0.21, 0.40))),
+    *(
+        box(f"front {i}", (0.29, -0.185, z), (0.305, 0.185, z + 0.17), SAND)
+        for i, z in enumerate((0.02, 0.21, 0.40))
+    ),
+    *(
+        box(f"knob {i}", (0.305, -0.05, z + 0.08), (0.32, 0.05, z + 0.10), CHARCOAL)
+        for i, z in enumerate((0.02, 0.21, 0.40))
+    ),
 )
 
 WORK_CHAIR = (
@@ -193,7 +232,10 @@ SMART_SHELF = (
     box("left side", (-0.15, 0.21, 0.0), (0.15, 0.23, 0.89), BIRCH, "wood"),
     box("right side", (-0.15, -0.23, 0.0), (0.15, -0.21, 0.89), BIRCH, "wood"),
     box("back", (-0.15, -0.21, 0.0), (-0.14, 0.21, 0.89), BIRCH, "wood"),
-    *(box(f"board {i}", (-0.14, -0.21, z), (0.15, 0.21, z + 0.02), OAK, "wood") for i, z in enumerate((0.02, 0.30, 0.58, 0.87))),
+    *(
+        box(f"board {i}", (-0.14, -0.21, z), (0.15, 0.21, z + 0.02), OAK, "wood")
+        for i, z in enumerate((0.02, 0.30, 0.58, 0.87))
+    ),
     box("books", (-0.10, -0.18, 0.60), (0.10, 0.05, 0.82), TEAL),
     pillar("tea bottle", (0.03, 0.13), 0.32, 0.53, 0.07, LEAF),
     box("box", (-0.08, -0.15, 0.32), (0.10, 0.02, 0.48), BRICK),

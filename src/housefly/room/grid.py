@@ -3,10 +3,13 @@
 Rules, in the order in which they win:
 
 1. OCCUPIED: a footprint covers the middle of the cell or more than a quarter of it.
-2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls, inside furniture).
-3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its edits; these bound the drone's
+2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls,
+  inside furniture).
+3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its
+  edits; these bound the drone's
    middle: no growth.
-4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the hull's diagonal plus the
+4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the
+  hull's diagonal plus the
    tracking bound plus the margin.
 5. FREE.
 """
@@ -20,10 +23,16 @@ from math import floor, hypot, isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.config import Site, VirtualObstacle
-from housefly.config_edits import NoFlyZone
+from housefly.config.edits import NoFlyZone
+from housefly.config.site import Site, VirtualObstacle
 from housefly.geometry import Vec2
-from housefly.room.distance import Floats, clearance_field, covered_shares, footprints, half_diagonal
+from housefly.room.distance import (
+    Floats,
+    clearance_field,
+    covered_shares,
+    footprints,
+    half_diagonal,
+)
 from housefly.room.model import Room
 from housefly.room.reach import reachable
 
@@ -33,7 +42,9 @@ Cells = NDArray[np.uint8]
 COVERED_SHARE = 0.25
 """A cell with more than this share under a footprint is occupied."""
 FINE = 0.1
-"""Largest cell edge [m] that reachability is computed with: walls are thinner than the paper's cells."""
+"""Largest cell edge [m] that reachability is computed with: walls are thinner than the paper's
+cells.
+"""
 
 
 class Cell(IntEnum):
@@ -54,7 +65,8 @@ class OccupancyGrid:
         origin: lower left corner [m].
         resolution: edge of a cell [m].
         cells: ``Cell`` values, shape (nx, ny), read-only.
-        clearance: distance from each cell's middle to the nearest real obstacle [m], shape (nx, ny), read-only.
+        clearance: distance from each cell's middle to the nearest real obstacle [m], shape (nx,
+            ny), read-only.
     """
 
     origin: Vec2
@@ -73,7 +85,9 @@ class OccupancyGrid:
         return nx, ny
 
     def cell_of(self, point: Vec2) -> CellIndex:
-        """Return the cell that a point [m] lies in; it may be off the grid. Points that are not finite are off the grid."""
+        """Return the cell that a point [m] lies in; it may be off the grid. Points that are not
+        finite are off the grid.
+        """
         if not (isfinite(point[0]) and isfinite(point[1])):
             return -1, -1
         return (
@@ -102,7 +116,9 @@ class OccupancyGrid:
         return self.kind(cell) is Cell.FREE
 
     def clearance_at(self, point: Vec2) -> float:
-        """Return the distance [m] from a point to the nearest real obstacle, to half a cell diagonal; 0 off the grid."""
+        """Return the distance [m] from a point to the nearest real obstacle, to half a cell
+        diagonal; 0 off the grid.
+        """
         cell = self.cell_of(point)
         return float(self.clearance[cell]) if self.contains(cell) else 0.0
 
@@ -114,19 +130,36 @@ def extent_of(grid: OccupancyGrid) -> tuple[float, float, float, float]:
 
 
 def inflation(site: Site) -> float:
-    """Return how far [m] the middle of the drone keeps from obstacles: half hull diagonal + tracking bound + margin."""
-    return half_diagonal(site.drone.hull_length, site.drone.hull_width) + site.map.tracking_bound + site.map.margin
+    """Return how far [m] the middle of the drone keeps from obstacles: half hull diagonal +
+    tracking bound + margin.
+    """
+    return (
+        half_diagonal(site.drone.hull_length, site.drone.hull_width)
+        + site.map.tracking_bound
+        + site.map.margin
+    )
 
 
 def build_grid(room: Room, site: Site) -> OccupancyGrid:
     """Return the grid that the site's mode flies on.
 
-    Mode ``paper`` covers ``map.paper_rectangle`` with cells of ``map.paper_resolution`` and grows nothing (25 x 9 cells with the
-    defaults); mode ``default`` covers the whole room with cells of ``map.resolution``.
+    Mode ``paper`` covers ``map.paper_rectangle`` with cells of ``map.paper_resolution`` and grows
+    nothing (25 x 9 cells with the defaults); mode ``default`` covers the whole room with cells of
+    ``map.resolution``.
     """
     if site.mode == "paper":
-        return _grid(room, site, site.map.paper_rectangle, site.map.paper_resolution, 0.0, site.map.paper_virtual_obstacles)
-    virtual: tuple[VirtualObstacle | NoFlyZone, ...] = (*site.map.virtual_obstacles, *site.edits.zones)
+        return _grid(
+            room,
+            site,
+            site.map.paper_rectangle,
+            site.map.paper_resolution,
+            0.0,
+            site.map.paper_virtual_obstacles,
+        )
+    virtual: tuple[VirtualObstacle | NoFlyZone, ...] = (
+        *site.map.virtual_obstacles,
+        *site.edits.zones,
+    )
     return _grid(room, site, room.bounds, site.map.resolution, inflation(site), virtual)
 
 
@@ -138,7 +171,11 @@ def _grid(
     keep: float,
     virtual: tuple[VirtualObstacle | NoFlyZone, ...],
 ) -> OccupancyGrid:
-    rows = footprints(room.solids, site.map.flight_height - site.map.half_band, site.map.flight_height + site.map.half_band)
+    rows = footprints(
+        room.solids,
+        site.map.flight_height - site.map.half_band,
+        site.map.flight_height + site.map.half_band,
+    )
     xs, ys = _middles(rectangle, resolution)
     cap = hypot(room.bounds[2] - room.bounds[0], room.bounds[3] - room.bounds[1])
     clearance = clearance_field(rows, xs, ys, cap)
@@ -152,13 +189,16 @@ def _grid(
     return OccupancyGrid((rectangle[0], rectangle[1]), resolution, cells, clearance)
 
 
-def _middles(rectangle: tuple[float, float, float, float], resolution: float) -> tuple[Floats, Floats]:
+def _middles(
+    rectangle: tuple[float, float, float, float], resolution: float
+) -> tuple[Floats, Floats]:
     x_min, y_min, x_max, y_max = rectangle
     nx = max(1, round((x_max - x_min) / resolution))
     ny = max(1, round((y_max - y_min) / resolution))
-    return x_min + (np.arange(nx, dtype=np.float64) + 0.5) * resolution, y_min + (
-        np.arange(ny, dtype=np.float64) + 0.5
-    ) * resolution
+    return (
+        x_min + (np.arange(nx, dtype=np.float64) + 0.5) * resolution,
+        y_min + (np.arange(ny, dtype=np.float64) + 0.5) * resolution,
+    )
 
 
 def _inside(obstacle: VirtualObstacle | NoFlyZone, xs: Floats, ys: Floats) -> NDArray[np.bool_]:
@@ -166,12 +206,20 @@ def _inside(obstacle: VirtualObstacle | NoFlyZone, xs: Floats, ys: Floats) -> ND
     return ((xs >= x_min) & (xs <= x_max))[:, None] & ((ys >= y_min) & (ys <= y_max))[None, :]
 
 
-def _on_reachable_floor(room: Room, rows: Floats, fine: float, xs: Floats, ys: Floats, cap: float) -> NDArray[np.bool_]:
-    """Return for each point whether a point-sized drone could get there from home without touching a footprint."""
+def _on_reachable_floor(
+    room: Room, rows: Floats, fine: float, xs: Floats, ys: Floats, cap: float
+) -> NDArray[np.bool_]:
+    """Return for each point whether a point-sized drone could get there from home without touching
+    a footprint.
+    """
     fine_xs, fine_ys = _middles(room.bounds, fine)
-    reached = reachable(clearance_field(rows, fine_xs, fine_ys, cap), fine_xs, fine_ys, fine, room.home)
+    reached = reachable(
+        clearance_field(rows, fine_xs, fine_ys, cap), fine_xs, fine_ys, fine, room.home
+    )
     i = np.floor((xs - room.bounds[0]) / fine).astype(np.int64)
     j = np.floor((ys - room.bounds[1]) / fine).astype(np.int64)
     within = ((i >= 0) & (i < fine_xs.size))[:, None] & ((j >= 0) & (j < fine_ys.size))[None, :]
-    inside: NDArray[np.bool_] = reached[np.clip(i, 0, fine_xs.size - 1)][:, np.clip(j, 0, fine_ys.size - 1)] & within
+    inside: NDArray[np.bool_] = (
+        reached[np.clip(i, 0, fine_xs.size - 1)][:, np.clip(j, 0, fine_ys.size - 1)] & within
+    )
     return inside

@@ -1,7 +1,7 @@
 """A room as a value: solids, places, tracking cameras, home pad, visitor.
 
-The same value becomes the occupancy grid (``room.grid``), the MuJoCo model (``room.mjcf``) and the drawing (``room.draw``).
-World frame, metres, radians.
+The same value becomes the occupancy grid (``room.grid``), the MuJoCo model (``room.mjcf``) and the
+drawing (``room.draw``). World frame, metres, radians.
 """
 
 from __future__ import annotations
@@ -29,7 +29,8 @@ class Solid:
     Attributes:
         name: unique name; parts of one thing share ``thing``.
         thing: the piece of furniture or building part that it belongs to ("sofa", "wall", ...).
-        shape: BOX with size (length x, width y, height z) or CYLINDER with size (diameter, diameter, height) [m].
+        shape: BOX with size (length x, width y, height z) or CYLINDER with size (diameter,
+            diameter, height) [m].
         position: centre [m].
         yaw: rotation about z [rad].
         size: full extents before rotation [m].
@@ -68,12 +69,14 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class TrackingCamera:
-    """One camera of the motion capture system: pinhole at ``position``, looking along its own +z (see ``room.coverage``).
+    """One camera of the motion capture system: pinhole at ``position``, looking along its own +z
+    (see ``room.coverage``).
 
     Attributes:
         name: for people.
         position: world [m].
-        orientation: (w, x, y, z), camera to world; the camera looks along +z, x right in the image, y down.
+        orientation: (w, x, y, z), camera to world; the camera looks along +z, x right in the image,
+            y down.
         field_of_view: full horizontal and vertical angle [rad].
         reach: farthest distance at which it sees a marker [m].
     """
@@ -118,4 +121,6 @@ class Room:
         for place in self.places:
             if place.name == name.lower():
                 return place
-        raise KeyError(f"no place called {name!r}; known places: {', '.join(p.name for p in self.places)}")
+        raise KeyError(
+            f"no place called {name!r}; known places: {', '.join(p.name for p in self.places)}"
+        )

@@ -1,6 +1,7 @@
 """Furniture is a table of parts in its own frame; ``placed`` puts a table of parts into the room.
 
-The frame of a piece of furniture: origin on the floor under its middle, x to its front, y to its left, z up.
+The frame of a piece of furniture: origin on the floor under its middle, x to its front, y to its
+    left, z up.
 """
 
 from __future__ import annotations
@@ -46,7 +47,9 @@ class Part:
     collides: bool = True
 
 
-def box(name: str, low: Vec3, high: Vec3, colour: Colour, texture: str = "", collides: bool = True) -> Part:
+def box(
+    name: str, low: Vec3, high: Vec3, colour: Colour, texture: str = "", collides: bool = True
+) -> Part:
     """Return the box between two opposite corners."""
     position = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2)
     size = (high[0] - low[0], high[1] - low[1], high[2] - low[2])
@@ -54,14 +57,22 @@ def box(name: str, low: Vec3, high: Vec3, colour: Colour, texture: str = "", col
 
 
 def pillar(
-    name: str, centre: tuple[float, float], bottom: float, top: float, diameter: float, colour: Colour, texture: str = ""
+    name: str,
+    centre: tuple[float, float],
+    bottom: float,
+    top: float,
+    diameter: float,
+    colour: Colour,
+    texture: str = "",
 ) -> Part:
     """Return an upright cylinder between two heights."""
     position = (centre[0], centre[1], (bottom + top) / 2)
     return Part(name, position, (diameter, diameter, top - bottom), colour, texture, Shape.CYLINDER)
 
 
-def placed(thing: str, parts: Iterable[Part], x: float, y: float, yaw: float = 0.0, name: str = "") -> tuple[Solid, ...]:
+def placed(
+    thing: str, parts: Iterable[Part], x: float, y: float, yaw: float = 0.0, name: str = ""
+) -> tuple[Solid, ...]:
     """Return the solids of a piece of furniture that stands at (x, y) [m], turned by yaw [rad].
 
     Args:
@@ -81,7 +92,11 @@ def _solid(thing: str, prefix: str, part: Part, x: float, y: float, yaw: float) 
         name=f"{prefix} {part.name}",
         thing=thing,
         shape=part.shape,
-        position=(round(x + px * cos(yaw) - py * sin(yaw), 6), round(y + px * sin(yaw) + py * cos(yaw), 6), pz),
+        position=(
+            round(x + px * cos(yaw) - py * sin(yaw), 6),
+            round(y + px * sin(yaw) + py * cos(yaw), 6),
+            pz,
+        ),
         size=part.size,
         yaw=wrap_angle(yaw + part.yaw),
         colour=part.colour,

@@ -1,4 +1,6 @@
-"""Which floor belongs to the room: a flood from the home pad that no wall, however thin, lets through."""
+"""Which floor belongs to the room: a flood from the home pad that no wall, however thin, lets
+through.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,9 @@ Mask = NDArray[np.bool_]
 
 @compiled_with_arrays
 def flood(open_cells: Any, i: int, j: int) -> Any:
-    """Return the mask of open cells that are 4-connected to the cell (i, j); all false when that one is closed."""
+    """Return the mask of open cells that are 4-connected to the cell (i, j); all false when that
+    one is closed.
+    """
     nx, ny = open_cells.shape
     seen = np.zeros((nx, ny), dtype=np.bool_)
     if not open_cells[i, j]:
@@ -39,8 +43,10 @@ def flood(open_cells: Any, i: int, j: int) -> Any:
 def reachable(clearance: Floats, xs: Floats, ys: Floats, edge: float, home: Vec2) -> Mask:
     """Return the cells from whose middle a point can move to the home pad; shape (nx, ny).
 
-    Only cells with more than half their diagonal of clearance conduct: of two neighbours on both sides of a wall at least one is
-    closer than that, so even a line of no thickness is tight. Cells that touch a conducting one belong to the floor as well.
+    Only cells with more than half their diagonal of clearance conduct: of two neighbours on both
+        sides of a wall at least one is
+    closer than that, so even a line of no thickness is tight. Cells that touch a conducting one
+    belong to the floor as well.
 
     Args:
         clearance: distance from each middle to the nearest footprint [m], shape (nx, ny).

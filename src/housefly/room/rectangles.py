@@ -9,7 +9,8 @@ Rectangle = tuple[int, int, int, int]
 
 
 def rectangles(mask: NDArray[np.bool_]) -> tuple[Rectangle, ...]:
-    """Return disjoint rectangles (i0, j0, i1, j1), ends excluded, that cover exactly the true cells of a mask.
+    """Return disjoint rectangles (i0, j0, i1, j1), ends excluded, that cover exactly the true cells
+    of a mask.
 
     Both directions of runs are tried and the shorter answer is taken.
     """

@@ -1,4 +1,6 @@
-"""Reads a ROS map (a picture and its yaml) into occupied, free and unknown pixels in the world's axes."""
+"""Reads a ROS map (a picture and its yaml) into occupied, free and unknown pixels in the world's
+axes.
+"""
 
 from __future__ import annotations
 
@@ -49,19 +51,33 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     resolution = _number(tree, "resolution", 0.005, 1.0, "m per pixel", yaml_path)
     origin = tree.get("origin")
     if not (isinstance(origin, list) and len(origin) == 3 and all(_is_number(v) for v in origin)):
-        raise RoomError(f"{yaml_path}: origin is {origin!r}; allowed: a list x, y, yaw of three numbers [m, m, rad]")
+        raise RoomError(
+            f"{yaml_path}: origin is {origin!r}; allowed: a list x, y, yaw of three numbers [m, m,"
+            " rad]"
+        )
     if abs(origin[2]) > 1e-6:
-        raise RoomError(f"{yaml_path}: origin has yaw {origin[2]} rad; only 0 can be imported: turn the picture and set yaw to 0")
+        raise RoomError(
+            f"{yaml_path}: origin has yaw {origin[2]} rad; only 0 can be imported: turn the picture"
+            " and set yaw to 0"
+        )
     mode = tree.get("mode", "trinary")
     if mode not in MODES:
-        raise RoomError(f"{yaml_path}: mode is {mode!r}; allowed: {', '.join(MODES)} (save the map again in that mode)")
+        raise RoomError(
+            f"{yaml_path}: mode is {mode!r}; allowed: {', '.join(MODES)} (save the map again in"
+            " that mode)"
+        )
     occupied_from = _number(tree, "occupied_thresh", 0.0, 1.0, "", yaml_path)
     free_to = _number(tree, "free_thresh", 0.0, 1.0, "", yaml_path)
     if free_to >= occupied_from:
-        raise RoomError(f"{yaml_path}: free_thresh ({free_to}) must be below occupied_thresh ({occupied_from})")
+        raise RoomError(
+            f"{yaml_path}: free_thresh ({free_to}) must be below occupied_thresh ({occupied_from})"
+        )
     image = tree.get("image")
     if not isinstance(image, str) or not image:
-        raise RoomError(f"{yaml_path}: image is {image!r}; allowed: the name of a pgm or png file beside the yaml")
+        raise RoomError(
+            f"{yaml_path}: image is {image!r}; allowed: the name of a pgm or png file beside the"
+            " yaml"
+        )
     grey, known = _picture(yaml_path.parent / image)
     darkness = grey if tree.get("negate", 0) in (1, True) else 1.0 - grey
     return RosMap(
@@ -85,7 +101,9 @@ def _tree(path: Path) -> dict[str, Any]:
     except yaml.YAMLError as error:
         raise RoomError(f"{path} is not a yaml file: {error}") from error
     if not isinstance(tree, dict):
-        raise RoomError(f"{path} is not a map's yaml file: it has no keys image, resolution, origin")
+        raise RoomError(
+            f"{path} is not a map's yaml file: it has no keys image, resolution, origin"
+        )
     return tree
 
 
@@ -93,10 +111,14 @@ def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
 
 
-def _number(tree: dict[str, Any], key: str, low: float, high: float, unit: str, path: Path) -> float:
+def _number(
+    tree: dict[str, Any], key: str, low: float, high: float, unit: str, path: Path
+) -> float:
     value = tree.get(key)
     if not _is_number(value) or not low <= float(value) <= high:  # type: ignore[arg-type]
-        raise RoomError(f"{path}: {key} is {value!r}; allowed: a number from {low:g} to {high:g} {unit}".rstrip())
+        raise RoomError(
+            f"{path}: {key} is {value!r}; allowed: a number from {low:g} to {high:g} {unit}".rstrip()
+        )
     return float(value)  # type: ignore[arg-type]
 
 
@@ -105,8 +127,13 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
     try:
         with Image.open(path) as image:
             if max(image.size) > LARGEST:
-                raise RoomError(f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {LARGEST} a side can be imported")
+                raise RoomError(
+                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {LARGEST} a side"
+                    " can be imported"
+                )
             pixels = np.asarray(image.convert("LA"), dtype=np.float64) / 255.0
     except (OSError, UnidentifiedImageError, ValueError, Image.DecompressionBombError) as error:
-        raise RoomError(f"the map's picture {path} cannot be read: {error}; allowed: pgm or png") from error
+        raise RoomError(
+            f"the map's picture {path} cannot be read: {error}; allowed: pgm or png"
+        ) from error
     return pixels[:, :, 0], pixels[:, :, 1] > 0.5

@@ -1,4 +1,6 @@
-"""Makes a room of a ROS map: occupied pixels become walls, home and a few places are chosen where there is most space."""
+"""Makes a room of a ROS map: occupied pixels become walls, home and a few places are chosen where
+there is most space.
+"""
 
 from __future__ import annotations
 
@@ -27,11 +29,14 @@ LARGEST_AREA = 40_000.0
 """Largest room [m^2]."""
 
 
-def import_ros_map(yaml_path: Path, out: Path, *, name: str = "", wall_height: float = WALL_HEIGHT) -> Room:
+def import_ros_map(
+    yaml_path: Path, out: Path, *, name: str = "", wall_height: float = WALL_HEIGHT
+) -> Room:
     """Make a room of a ROS map and write ``room.toml`` and ``site.toml`` into a directory.
 
-    Unknown pixels beside free ones become walls of their own kind ("unexplored"): what nobody saw may hold anything. A room made
-    of a map has no tracking cameras, so that tracking sees everywhere. The whole room is moved so that it begins at (0, 0).
+    Unknown pixels beside free ones become walls of their own kind ("unexplored"): what nobody saw
+    may hold anything. A room made of a map has no tracking cameras, so that tracking sees
+    everywhere. The whole room is moved so that it begins at (0, 0).
 
     Args:
         yaml_path: the map's yaml file.
@@ -44,11 +49,16 @@ def import_ros_map(yaml_path: Path, out: Path, *, name: str = "", wall_height: f
     """
     ros_map = _cropped(read_ros_map(yaml_path), yaml_path)
     title = name or yaml_path.resolve().parent.name.replace("_", " ") or "map"
-    shell = Room(title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0))
+    shell = Room(
+        title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0)
+    )
     manner, home = manner_and_home(shell, ros_map, yaml_path)
     site = site_for(manner)
     grid = build_grid(replace(shell, home=home), site)
-    places = (Place("home", home, (home[0] + LOOK_DISTANCE, home[1], site.map.flight_height), "Home"), *places_around(grid, home))
+    places = (
+        Place("home", home, (home[0] + LOOK_DISTANCE, home[1], site.map.flight_height), "Home"),
+        *places_around(grid, home),
+    )
     room = replace(shell, solids=(*shell.solids, *home_pad(home)), places=places, home=home)
     save_room(room, out)
     _write_site(out / "site.toml", room, manner, yaml_path)
@@ -56,14 +66,23 @@ def import_ros_map(yaml_path: Path, out: Path, *, name: str = "", wall_height: f
 
 
 def _cropped(ros_map: RosMap, source: Path) -> RosMap:
-    """Return the part with free pixels and a border of two; its lower left corner is the new origin (0, 0)."""
-    columns, rows = np.flatnonzero(ros_map.free.any(axis=1)), np.flatnonzero(ros_map.free.any(axis=0))
+    """Return the part with free pixels and a border of two; its lower left corner is the new origin
+    (0, 0).
+    """
+    columns, rows = (
+        np.flatnonzero(ros_map.free.any(axis=1)),
+        np.flatnonzero(ros_map.free.any(axis=0)),
+    )
     if columns.size == 0:
-        raise RoomError(f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh")
+        raise RoomError(
+            f"{source}: the map has no free pixel; check negate (0 or 1) and free_thresh"
+        )
     part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
     occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
     if occupied.size * ros_map.resolution**2 > LARGEST_AREA:
-        raise RoomError(f"{source}: the map covers more than {LARGEST_AREA:.0f} m^2; cut out the part to fly in")
+        raise RoomError(
+            f"{source}: the map covers more than {LARGEST_AREA:.0f} m^2; cut out the part to fly in"
+        )
     return RosMap((0.0, 0.0), ros_map.resolution, occupied, free)
 
 
@@ -76,10 +95,15 @@ def _walls(ros_map: RosMap, height: float) -> tuple[Solid, ...]:
     unknown = ~ros_map.occupied & ~ros_map.free
     solids = (
         *_extruded("wall", ros_map.occupied, ros_map.resolution, height, WALL),
-        *_extruded("unexplored", unknown & _beside(ros_map.free), ros_map.resolution, height, UNEXPLORED),
+        *_extruded(
+            "unexplored", unknown & _beside(ros_map.free), ros_map.resolution, height, UNEXPLORED
+        ),
     )
     if len(solids) > MOST_SOLIDS:
-        raise RoomError(f"the map needs {len(solids)} boxes, at most {MOST_SOLIDS} are supported; clean it of single pixels")
+        raise RoomError(
+            f"the map needs {len(solids)} boxes, at most {MOST_SOLIDS} are supported; clean it of"
+            " single pixels"
+        )
     return solids
 
 
@@ -94,7 +118,9 @@ def _beside(mask: Mask) -> Mask:
     return grown
 
 
-def _extruded(thing: str, mask: Mask, edge: float, height: float, colour: Colour) -> tuple[Solid, ...]:
+def _extruded(
+    thing: str, mask: Mask, edge: float, height: float, colour: Colour
+) -> tuple[Solid, ...]:
     return tuple(
         Solid(
             name=f"{thing} {n}",

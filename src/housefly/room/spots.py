@@ -1,4 +1,6 @@
-"""Chooses, in a room made of a map, how close to fly to walls, where home is, and a few roomy places."""
+"""Chooses, in a room made of a map, how close to fly to walls, where home is, and a few roomy
+places.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.config import Site, changed
+from housefly.config.site import Site, changed
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
@@ -23,14 +25,20 @@ PLACE_SPACING = 1.5
 """Places are at least this far apart [m]."""
 LOOK_DISTANCE = 2.0
 ROOMINESS = 3.0
-"""A place gives up this many metres towards its side for one metre more from walls, up to 1 m from walls."""
+"""A place gives up this many metres towards its side for one metre more from walls, up to 1 m from
+walls.
+"""
 CONNECTED = 0.6
-"""Keep less distance from walls as long as a smaller share than this of the flyable floor hangs together."""
+"""Keep less distance from walls as long as a smaller share than this of the flyable floor hangs
+together.
+"""
 
 
 @dataclass(frozen=True, slots=True)
 class Manner:
-    """How to fly in a map: distances that are added to the hull [m], cell edge [m], speed [m/s], and a word about it."""
+    """How to fly in a map: distances that are added to the hull [m], cell edge [m], speed [m/s],
+    and a word about it.
+    """
 
     tracking_bound: float
     margin: float
@@ -41,20 +49,33 @@ class Manner:
 
 MANNERS = (
     Manner(0.10, 0.05, 0.10, 0.50, "the usual distance from walls"),
-    Manner(0.05, 0.02, 0.05, 0.35, "narrow: at the usual distance from walls this map falls into parts; fly slower and closer"),
-    Manner(0.03, 0.00, 0.05, 0.25, "very narrow: hardly more than the hull fits through; fly slowly"),
+    Manner(
+        0.05,
+        0.02,
+        0.05,
+        0.35,
+        "narrow: at the usual distance from walls this map falls into parts; fly slower and closer",
+    ),
+    Manner(
+        0.03, 0.00, 0.05, 0.25, "very narrow: hardly more than the hull fits through; fly slowly"
+    ),
 )
 
 
 def site_for(manner: Manner) -> Site:
     """Return a site that flies in this manner."""
     return changed(
-        Site(), map__tracking_bound=manner.tracking_bound, map__margin=manner.margin, map__resolution=manner.resolution
+        Site(),
+        map__tracking_bound=manner.tracking_bound,
+        map__margin=manner.margin,
+        map__resolution=manner.resolution,
     )
 
 
 def manner_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[Manner, Vec2]:
-    """Return the most careful manner in which most of the map can be flown, and the roomiest spot of its largest part."""
+    """Return the most careful manner in which most of the map can be flown, and the roomiest spot
+    of its largest part.
+    """
     choices = [(manner, *_flyable(shell, site_for(manner), ros_map)) for manner in MANNERS]
     for manner, home, share in choices:
         if home and share >= CONNECTED:
@@ -63,15 +84,22 @@ def manner_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[Manner,
         if home:
             return manner, home
     needed = inflation(site_for(MANNERS[-1]))
-    raise RoomError(f"{source}: the drone fits nowhere: it keeps {needed:.2f} m from walls; check resolution in the yaml file")
+    raise RoomError(
+        f"{source}: the drone fits nowhere: it keeps {needed:.2f} m from walls; check resolution in"
+        " the yaml file"
+    )
 
 
 def _flyable(shell: Room, site: Site, ros_map: RosMap) -> tuple[Vec2 | None, float]:
-    """Return the roomiest spot of the largest part that the drone can fly in, and that part's share of all flyable floor."""
+    """Return the roomiest spot of the largest part that the drone can fly in, and that part's share
+    of all flyable floor.
+    """
     grid = build_grid(shell, site)
     xs = [grid.centre_of((i, 0))[0] for i in range(grid.shape[0])]
     ys = [grid.centre_of((0, j))[1] for j in range(grid.shape[1])]
-    flyable = (grid.clearance >= inflation(site)) & _sampled(ros_map.free, xs, ys, ros_map.resolution)
+    flyable = (grid.clearance >= inflation(site)) & _sampled(
+        ros_map.free, xs, ys, ros_map.resolution
+    )
     area = _largest_area(flyable)
     if area is None:
         return None, 0.0

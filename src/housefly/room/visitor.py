@@ -11,8 +11,19 @@ from housefly.geometry import Vec2
 
 NAME = "visitor"
 
-SKIN, HAIR, COAT, TROUSERS = "0.93 0.74 0.62 1", "0.20 0.13 0.10 1", "0.75 0.23 0.20 1", "0.18 0.21 0.30 1"
-SHOE, SCARF, BAG, DARK, WHITE = "0.14 0.12 0.12 1", "0.93 0.80 0.45 1", "0.55 0.38 0.22 1", "0.10 0.09 0.10 1", "0.97 0.97 0.96 1"
+SKIN, HAIR, COAT, TROUSERS = (
+    "0.93 0.74 0.62 1",
+    "0.20 0.13 0.10 1",
+    "0.75 0.23 0.20 1",
+    "0.18 0.21 0.30 1",
+)
+SHOE, SCARF, BAG, DARK, WHITE = (
+    "0.14 0.12 0.12 1",
+    "0.93 0.80 0.45 1",
+    "0.55 0.38 0.22 1",
+    "0.10 0.09 0.10 1",
+    "0.97 0.97 0.96 1",
+)
 SLEEVE, LIPS = "0.70 0.20 0.18 1", "0.72 0.32 0.30 1"
 
 # Kind, numbers as MuJoCo takes them (fromto for capsules, pos and half sizes for the rest), colour.
@@ -77,21 +88,34 @@ MARKERS = (
 
 
 def visitor_body(feet: Vec2, yaw: float) -> str:
-    """Return the MJCF of the visitor as mocap body "visitor" with sites "visitor_marker_0" to "visitor_marker_5".
+    """Return the MJCF of the visitor as mocap body "visitor" with sites "visitor_marker_0" to
+    "visitor_marker_5".
 
     Args:
         feet: where the visitor stands [m].
         yaw: where the visitor faces [rad].
     """
-    lines = [f'<body name="{NAME}" mocap="true" pos="{feet[0]} {feet[1]} 0" quat="{cos(yaw / 2):.9g} 0 0 {sin(yaw / 2):.9g}">']
+    lines = [
+        f'<body name="{NAME}" mocap="true" pos="{feet[0]} {feet[1]} 0" quat="{cos(yaw / 2):.9g} 0 0'
+        f' {sin(yaw / 2):.9g}">'
+    ]
     shapes = (
-        *(f'type="capsule" fromto="{line}" size="{radius}" rgba="{rgba}"' for line, radius, rgba in CAPSULES),
-        *(f'type="ellipsoid" pos="{at}" size="{size}" rgba="{rgba}"' for at, size, rgba in ELLIPSOIDS),
+        *(
+            f'type="capsule" fromto="{line}" size="{radius}" rgba="{rgba}"'
+            for line, radius, rgba in CAPSULES
+        ),
+        *(
+            f'type="ellipsoid" pos="{at}" size="{size}" rgba="{rgba}"'
+            for at, size, rgba in ELLIPSOIDS
+        ),
         *(f'type="box" pos="{at}" size="{size}" rgba="{rgba}"' for at, size, rgba in BOXES),
     )
-    lines += [f'  <geom name="{NAME} {n}" {shape} material="cloth"/>' for n, shape in enumerate(shapes)]
     lines += [
-        f'  <site name="{NAME}_marker_{n}" pos="{x} {y} {z}" size="0.007" rgba="0.9 0.9 0.9 1" group="4"/>'
+        f'  <geom name="{NAME} {n}" {shape} material="cloth"/>' for n, shape in enumerate(shapes)
+    ]
+    lines += [
+        f'  <site name="{NAME}_marker_{n}" pos="{x} {y} {z}" size="0.007" rgba="0.9 0.9 0.9 1"'
+        ' group="4"/>'
         for n, (x, y, z) in enumerate(MARKERS)
     ]
     return "\n".join([*lines, "</body>"])

@@ -1,4 +1,6 @@
-"""The book of one device: what was heard, what was dropped and why, and how it does now; pure, times are given."""
+"""The book of one device: what was heard, what was dropped and why, and how it does now; pure,
+times are given.
+"""
 
 from __future__ import annotations
 
@@ -10,14 +12,17 @@ from housefly.sensors.pulse import Budget, Pulse
 from housefly.wires.devices import Address, DeviceKind, Reading
 
 FRESH = 5.0
-"""For this long after it was dropped [s] a flood, garbage or a wrong clock is a problem; then it is history."""
+"""For this long after it was dropped [s] a flood, garbage or a wrong clock is a problem; then it is
+history.
+"""
 
 
 class DeviceWatch:
     """Counts and judges the messages of one device.
 
     Attributes:
-        counts: messages by what became of them: heard, malformed, flooded, clock refused, unknown keys, past events.
+        counts: messages by what became of them: heard, malformed, flooded, clock refused, unknown
+            keys, past events.
     """
 
     def __init__(self, address: Address, kind: DeviceKind, rate_max_hz: float) -> None:
@@ -36,7 +41,11 @@ class DeviceWatch:
         """Tell whether the next message may be read; what is beyond the device's rate may not."""
         if self._budget.spend(now):
             return True
-        self._note("flooded", now, f"sends more than {self._rate_max:g} messages a second; the rest is dropped")
+        self._note(
+            "flooded",
+            now,
+            f"sends more than {self._rate_max:g} messages a second; the rest is dropped",
+        )
         return False
 
     def heard(self, reading: Reading, now: float, retained: bool) -> None:
@@ -50,7 +59,10 @@ class DeviceWatch:
             self._pulse.beat(now)
         if reading.clock_error is not None:
             side = "ahead of" if reading.clock_error > 0 else "behind"
-            text = f"its clock is {abs(reading.clock_error):.0f} s {side} ours; times of arrival are taken instead"
+            text = (
+                f"its clock is {abs(reading.clock_error):.0f} s {side} ours; times of arrival are"
+                " taken instead"
+            )
             self._note("clock refused", now, text)
 
     def passed_over(self) -> None:
@@ -78,11 +90,19 @@ class DeviceWatch:
 
     def _problem(self, now: float) -> str:
         """Return the gravest problem."""
-        checks: tuple[Callable[[float], str], ...] = (self._absence, self._latest_complaint, self._silence)
+        checks: tuple[Callable[[float], str], ...] = (
+            self._absence,
+            self._latest_complaint,
+            self._silence,
+        )
         return next((words for check in checks if (words := check(now))), "")
 
     def _absence(self, now: float) -> str:
-        return "offline: its last will says so; is it switched on and in reach of the network?" if self._online is False else ""
+        return (
+            "offline: its last will says so; is it switched on and in reach of the network?"
+            if self._online is False
+            else ""
+        )
 
     def _latest_complaint(self, now: float) -> str:
         recent = [(at, text) for at, text in self._complaints.values() if now - at <= FRESH]
@@ -93,7 +113,10 @@ class DeviceWatch:
             return ""
         age = self._pulse.age(now)
         since = f"silent for {age:.0f} s" if age < float("inf") else "not heard yet"
-        return f"{since}; a {self._kind.name} sends its state at least every {self._kind.heartbeat:g} s"
+        return (
+            f"{since}; a {self._kind.name} sends its state at least every"
+            f" {self._kind.heartbeat:g} s"
+        )
 
     def _is_silent(self, now: float) -> bool:
         return self._pulse.age(now) > 2 * self._kind.heartbeat
@@ -104,5 +127,7 @@ class DeviceWatch:
 
 
 def titled(kind: str, device: str) -> str:
-    """Return what people call a device: a lone "cabinet" is not called "Intelligent cabinet cabinet"."""
+    """Return what people call a device: a lone "cabinet" is not called "Intelligent cabinet
+    cabinet".
+    """
     return kind if device in kind.lower().split() else f"{kind} {device}"

@@ -1,4 +1,6 @@
-"""A client of one scanning range finder: connects, asks what it is, has it measure, and reconnects for ever."""
+"""A client of one scanning range finder: connects, asks what it is, has it measure, and reconnects
+for ever.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +9,11 @@ import socket
 from collections.abc import Callable
 from math import inf
 
+from housefly.bus.reconnect import Trouble, reconnect_for_ever
 from housefly.clock import Clock, RealClock
-from housefly.config_laser import LaserConfig
+from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
-from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.wires.scip import (
     Ask,
     Measure,
@@ -91,7 +93,9 @@ class LaserClient:
             request = Measure("MD", parameters.first, parameters.last, 1)
             answer = await self._ask(reader, writer, request)
             if not answer.is_good:
-                raise LinkError(f"the scanner at {self._where} does not measure (status {answer.status})")
+                raise LinkError(
+                    f"the scanner at {self._where} does not measure (status {answer.status})"
+                )
             self.parameters, self._stamp, self._problem = parameters, -1, ""
             while True:
                 found = measurement_of(await self._reply(reader))
@@ -104,7 +108,9 @@ class LaserClient:
 
     def _hand_on(self, found: Measurement, parameters: Parameters, sink: Sink) -> None:
         if len(found.ranges) != parameters.beams:
-            raise WireError(f"a scan of {len(found.ranges)} beams where {parameters.beams} were asked for")
+            raise WireError(
+                f"a scan of {len(found.ranges)} beams where {parameters.beams} were asked for"
+            )
         if found.stamp == self._stamp:
             self.stale += 1
             return
@@ -116,13 +122,19 @@ class LaserClient:
     async def _connect(self) -> tuple[asyncio.StreamReader, asyncio.StreamWriter]:
         try:
             async with asyncio.timeout(_CONNECT_TIMEOUT):
-                reader, writer = await asyncio.open_connection(self._config.address, self._config.port, limit=LONGEST)
+                reader, writer = await asyncio.open_connection(
+                    self._config.address, self._config.port, limit=LONGEST
+                )
         except (OSError, UnicodeError) as error:
-            raise LinkError(f"nobody answers at {self._where}; is the scanner on, and in this network?") from error
+            raise LinkError(
+                f"nobody answers at {self._where}; is the scanner on, and in this network?"
+            ) from error
         writer.get_extra_info("socket").setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return reader, writer
 
-    async def _ask(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, request: Request) -> Reply:
+    async def _ask(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, request: Request
+    ) -> Reply:
         """Send a request and return its reply; replies to anything else before it are dropped."""
         line = encode_request(request)
         writer.write(line)
@@ -142,8 +154,11 @@ class LaserClient:
             raise WireError("a reply without an end") from error
 
 
-def scan_of(ranges: tuple[int, ...], parameters: Parameters, config: LaserConfig, received_at: float) -> Scan:
-    """Return a scan in metres; distances that the scanner cannot measure, its error codes among them, become infinite.
+def scan_of(
+    ranges: tuple[int, ...], parameters: Parameters, config: LaserConfig, received_at: float
+) -> Scan:
+    """Return a scan in metres; distances that the scanner cannot measure, its error codes among
+    them, become infinite.
 
     Args:
         ranges: one number a beam [mm].
@@ -151,6 +166,10 @@ def scan_of(ranges: tuple[int, ...], parameters: Parameters, config: LaserConfig
         config: its name and latency.
         received_at: [s].
     """
-    metres = tuple(mm / 1000.0 if parameters.shortest <= mm <= parameters.longest else inf for mm in ranges)
+    metres = tuple(
+        mm / 1000.0 if parameters.shortest <= mm <= parameters.longest else inf for mm in ranges
+    )
     captured_at = received_at - config.latency
-    return Scan(config.name, captured_at, received_at, parameters.first_angle, parameters.step, metres)
+    return Scan(
+        config.name, captured_at, received_at, parameters.first_angle, parameters.step, metres
+    )

@@ -1,4 +1,6 @@
-"""Driver of the devices that speak through an MQTT broker: door contacts, doorbells, floors, cabinets and their like."""
+"""Driver of the devices that speak through an MQTT broker: door contacts, doorbells, floors,
+cabinets and their like.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +12,11 @@ from math import inf
 
 import aiomqtt
 
+from housefly.bus.mqtt import TROUBLES, client, words
 from housefly.clock import Clock, RealClock
-from housefly.config_devices import MqttConfig
+from housefly.config.devices import MqttConfig
 from housefly.errors import ConfigError, WireError
 from housefly.messages import Happening, Observation
-from housefly.mqtt_link import TROUBLES, client, words
 from housefly.sensors.contracts import SensorHealth, Sink
 from housefly.sensors.device_watch import DeviceWatch
 from housefly.sensors.pulse import Pulse
@@ -51,12 +53,16 @@ class MqttSensors:
         counts: messages that belong to no device, and connections.
     """
 
-    def __init__(self, config: MqttConfig, clock: Clock | None = None, wall: Callable[[], float] = time.time) -> None:
+    def __init__(
+        self, config: MqttConfig, clock: Clock | None = None, wall: Callable[[], float] = time.time
+    ) -> None:
         self.counts: Counter[str] = Counter()
         self._config, self._clock, self._wall = config, clock or RealClock(), wall
         self._bounds = ClockBounds(config.clock_ahead, config.clock_behind)
         self._things = {row.tag: row.thing for row in config.tags}
-        self._placements = {row.id: Placement(row.position, row.yaw, self._things) for row in config.devices}
+        self._placements = {
+            row.id: Placement(row.position, row.yaw, self._things) for row in config.devices
+        }
         self._watches: dict[str, tuple[Address, DeviceWatch]] = {}
         self._pulse = Pulse()
         self._complaint = (-inf, "")
@@ -130,7 +136,9 @@ class MqttSensors:
             return
         if watch.admit(now):
             payload = message.payload if isinstance(message.payload, bytes) else b""
-            self._read(Delivered(address, channel, payload, self._wall(), message.retain), watch, now, sink)
+            self._read(
+                Delivered(address, channel, payload, self._wall(), message.retain), watch, now, sink
+            )
 
     def _read(self, message: Delivered, watch: DeviceWatch, now: float, sink: Sink) -> None:
         if message.retained and message.channel is Channel.EVENT:
@@ -139,7 +147,11 @@ class MqttSensors:
         if not message.payload:
             return  # how one clears what the broker keeps: it says nothing about the device
         try:
-            reading = decode(message, self._placements.get(message.address.id, Placement(things=self._things)), self._bounds)
+            reading = decode(
+                message,
+                self._placements.get(message.address.id, Placement(things=self._things)),
+                self._bounds,
+            )
         except WireError as error:
             watch.malformed(str(error), now)
             return
@@ -152,11 +164,18 @@ class MqttSensors:
         """Return the book of a device; raises WireError for a device that we do not listen to."""
         if address.id not in self._watches:
             if len(self._watches) >= MOST_DEVICES:
-                raise WireError(f"{address.id}: more than {MOST_DEVICES} devices; this one is not listened to")
-            self._watches[address.id] = (address, DeviceWatch(address, kind_of(address), self._config.rate_max_hz))
+                raise WireError(
+                    f"{address.id}: more than {MOST_DEVICES} devices; this one is not listened to"
+                )
+            self._watches[address.id] = (
+                address,
+                DeviceWatch(address, kind_of(address), self._config.rate_max_hz),
+            )
         known, watch = self._watches[address.id]
         if known != address:
-            raise WireError(f"{address.id} is a {known.kind} already; a {address.kind} needs another id")
+            raise WireError(
+                f"{address.id} is a {known.kind} already; a {address.kind} needs another id"
+            )
         return watch
 
 

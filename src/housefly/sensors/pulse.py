@@ -1,4 +1,6 @@
-"""How often something is heard, how long ago, and whether it speaks too much; pure, times are given."""
+"""How often something is heard, how long ago, and whether it speaks too much; pure, times are
+given.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,8 @@ class Budget:
     """A bucket of one second's worth of messages that fills at a constant rate.
 
     Args:
-        rate_hz: messages per second that are let through in the long run [Hz]; one at once is always allowed.
+        rate_hz: messages per second that are let through in the long run [Hz]; one at once is
+            always allowed.
     """
 
     def __init__(self, rate_hz: float) -> None:

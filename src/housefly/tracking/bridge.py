@@ -1,8 +1,10 @@
 """Client of all tracking systems that PyPI ``motioncapture`` reads, Qualisys among them.
 
-The library tells no capture times: they are the times of arrival less ``tracking.latency``, so jitter on the way moves the drone;
-systems with a client of their own are better read by that. It blocks for ever when data stop, even while connecting with the
-interpreter's lock held. So it runs in a child process, which is ended and started anew when it falls silent.
+The library tells no capture times: they are the times of arrival less ``tracking.latency``, so
+    jitter on the way moves the drone;
+systems with a client of their own are better read by that. It blocks for ever when data stop, even
+while connecting with the interpreter's lock held. So it runs in a child process, which is ended and
+started anew when it falls silent.
 """
 
 from __future__ import annotations
@@ -16,10 +18,10 @@ from asyncio.subprocess import PIPE, Process
 from collections.abc import Callable
 from contextlib import suppress
 
+from housefly.bus.reconnect import Trouble, reconnect_for_ever
 from housefly.clock import Clock, RealClock
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, MissingPartError, WireError
-from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.bridge_lines import BridgeLines
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
@@ -27,7 +29,8 @@ from housefly.tracking.counts import FrameCounts
 FRESH = 1.0
 """``connected`` means a new pose within this time [s]."""
 SILENCE = 5.0
-"""A child that says nothing for this long [s] is ended and started anew; starting takes a second."""
+"""A child that says nothing for this long [s] is ended and started anew; starting takes a second.
+"""
 
 
 class BridgeTracker:
@@ -54,11 +57,16 @@ class BridgeTracker:
         """Why no poses arrive, in words, or ""."""
         if self._problem or self.connected:
             return self._problem
-        return f"connected to {self._where}, but no new poses arrive; is the body seen, the system not paused?"
+        return (
+            f"connected to {self._where}, but no new poses arrive; is the body seen, the system not"
+            " paused?"
+        )
 
     async def run(self, sink: Sink) -> None:
         """Read for ever; ends only when cancelled."""
-        await reconnect_for_ever(lambda: self._session(sink), lambda: self.counts.frames, self._ended)
+        await reconnect_for_ever(
+            lambda: self._session(sink), lambda: self.counts.frames, self._ended
+        )
 
     def _ended(self, error: Trouble) -> None:
         if isinstance(error, WireError):
@@ -102,7 +110,9 @@ class BridgeTracker:
             async with asyncio.timeout(SILENCE):
                 line = await child.stdout.readline()
         except TimeoutError as error:
-            raise LinkError(f"{self._where} is silent; is it there, streaming, and this body seen?") from error
+            raise LinkError(
+                f"{self._where} is silent; is it there, streaming, and this body seen?"
+            ) from error
         except ValueError as error:
             raise WireError("bridge line: longer than 64 kB") from error
         if not line:
@@ -112,7 +122,9 @@ class BridgeTracker:
 
 def settings_of(config: TrackingConfig) -> dict[str, str]:
     """Return what ``motioncapture`` wants to know about a system."""
-    more: Callable[[TrackingConfig], dict[str, str]] = _SETTINGS.get(config.bridge_system, lambda _: {})
+    more: Callable[[TrackingConfig], dict[str, str]] = _SETTINGS.get(
+        config.bridge_system, lambda _: {}
+    )
     return {"hostname": config.address} | more(config)
 
 
@@ -128,6 +140,9 @@ def _our_address(config: TrackingConfig) -> str:
 
 _SETTINGS: dict[str, Callable[[TrackingConfig], dict[str, str]]] = {
     "vicon": lambda config: {"hostname": f"{config.address}:{config.port}"},
-    "optitrack": lambda config: {"port_command": str(config.natnet_port), "interface_ip": _our_address(config)},
+    "optitrack": lambda config: {
+        "port_command": str(config.natnet_port),
+        "interface_ip": _our_address(config),
+    },
     "vrpn": lambda config: {"hostname": f"{config.address}:{config.vrpn_port}"},
 }

@@ -1,7 +1,7 @@
 """Reads any tracking system that PyPI ``motioncapture`` knows and writes one line a frame.
 
-A process of its own, since ``motioncapture`` connects with the interpreter's lock held and waits for frames for ever: neither can
-be ended from inside. Started by ``tracking.bridge``, ends with it.
+A process of its own, since ``motioncapture`` connects with the interpreter's lock held and waits
+for frames for ever: neither can be ended from inside. Started by ``tracking.bridge``, ends with it.
 """
 
 from __future__ import annotations

@@ -15,8 +15,9 @@ from housefly.tracking.poses import checked_pose
 class BridgeLines:
     """Turns lines into sightings.
 
-    ``motioncapture`` tells no capture time: it is the time of arrival less the configured latency, so jitter on the way moves the
-    drone. It repeats the last pose of a lost body with some systems: a pose that is the last one to the bit is dropped.
+    ``motioncapture`` tells no capture time: it is the time of arrival less the configured latency,
+    so jitter on the way moves the drone. It repeats the last pose of a lost body with some systems:
+    a pose that is the last one to the bit is dropped.
 
     Args:
         latency: from exposure to arrival [s].
@@ -38,7 +39,9 @@ class BridgeLines:
             WireError: the line makes no sense.
         """
         bodies = _bodies(line)
-        fresh = {name: numbers for name, numbers in bodies.items() if self._last.get(name) != numbers}
+        fresh = {
+            name: numbers for name, numbers in bodies.items() if self._last.get(name) != numbers
+        }
         self._last = bodies
         if not fresh:
             self._counts.repeated += bool(bodies)
@@ -61,7 +64,10 @@ def _bodies(line: bytes) -> dict[str, list[float]]:
         tree: Any = json.loads(line)
         if "problem" in tree:
             raise LinkError(f"motioncapture says: {tree['problem']}")
-        bodies = {str(name): [float(number) for number in numbers] for name, numbers in tree["bodies"].items()}
+        bodies = {
+            str(name): [float(number) for number in numbers]
+            for name, numbers in tree["bodies"].items()
+        }
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
         raise WireError(f"bridge line: {line[:40]!r} is no frame") from error
     if any(len(numbers) != 7 for numbers in bodies.values()):

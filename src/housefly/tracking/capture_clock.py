@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections import deque
 
 WINDOW = 1.0
-"""Time over which the least delayed frame counts [s]: long against jitter, short against a server's clock that slips."""
+"""Time over which the least delayed frame counts [s]: long against jitter, short against a server's
+clock that slips.
+"""
 
 
 class CaptureClock:
     """Maps frame numbers to our monotonic clock by a min-filter.
 
-    A frame arrives at ``received = number * period + offset + latency + delay`` where delay >= 0 is the network's. The smallest
-    ``received - latency - number * period`` of the last second is the best offset known, so jitter on the way does not reach the
-    capture time. Times never run backwards.
+    A frame arrives at ``received = number * period + offset + latency + delay`` where delay >= 0 is
+    the network's. The smallest ``received - latency - number * period`` of the last second is the
+    best offset known, so jitter on the way does not reach the capture time. Times never run
+    backwards.
     """
 
     def __init__(self) -> None:
@@ -35,12 +38,16 @@ class CaptureClock:
         """
         captured = latest = received_at - latency
         if period > 0:
-            captured = min(latest, number * period + self._offset(latest - number * period, received_at))
+            captured = min(
+                latest, number * period + self._offset(latest - number * period, received_at)
+            )
         self._last = max(captured, self._last)
         return self._last
 
     def _offset(self, offset: float, received_at: float) -> float:
-        """Return the smallest offset of the window; the queue keeps only offsets that can still become the smallest."""
+        """Return the smallest offset of the window; the queue keeps only offsets that can still
+        become the smallest.
+        """
         while self._offsets and self._offsets[-1][1] >= offset:
             self._offsets.pop()
         self._offsets.append((received_at, offset))

@@ -15,7 +15,9 @@ class Tracker(Protocol):
     """One motion capture system; all calls belong to one asyncio loop."""
 
     async def run(self, sink: Sink) -> None:
-        """Connect, hand each frame's sightings to the sink, reconnect for ever; ends only when cancelled."""
+        """Connect, hand each frame's sightings to the sink, reconnect for ever; ends only when
+        cancelled.
+        """
         ...
 
     @property

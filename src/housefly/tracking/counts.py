@@ -14,7 +14,8 @@ class FrameCounts:
         repeated: frames dropped because they were the last one again.
         backward: frames dropped because they were older than the last one.
         refused: poses dropped because they were not finite, not a rotation, or a kilometre away.
-        misstamped: frames whose latency could not be, and whose capture time was taken from their arrival.
+        misstamped: frames whose latency could not be, and whose capture time was taken from their
+            arrival.
         jumps: how often the server's clock leapt by a second or more.
         flooded: frames dropped because more came than any tracking system sends.
         malformed: datagrams or messages that are not the protocol.

@@ -1,10 +1,12 @@
-"""Client of OptiTrack's Motive (and of all that streams NatNet 3 or 4), unicast or multicast as the server has it."""
+"""Client of OptiTrack's Motive (and of all that streams NatNet 3 or 4), unicast or multicast as the
+server has it.
+"""
 
 from __future__ import annotations
 
+from housefly.bus.reconnect import Trouble, reconnect_for_ever
 from housefly.clock import Clock, RealClock
-from housefly.config import TrackingConfig
-from housefly.reconnecting import Trouble, reconnect_for_ever
+from housefly.config.site import TrackingConfig
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.natnet_session import NatNetSession
@@ -14,7 +16,8 @@ FRESH = 1.0
 
 
 class NatNetTracker:
-    """Asks who serves, listens where it streams, hands each frame to a sink as it arrives, and reconnects for ever.
+    """Asks who serves, listens where it streams, hands each frame to a sink as it arrives, and
+    reconnects for ever.
 
     Attributes:
         counts: frames and what was dropped.
@@ -42,7 +45,9 @@ class NatNetTracker:
 
     async def run(self, sink: Sink) -> None:
         """Connect and listen for ever; ends only when cancelled."""
-        await reconnect_for_ever(lambda: self._listen(sink), lambda: self.counts.frames, self._ended)
+        await reconnect_for_ever(
+            lambda: self._listen(sink), lambda: self.counts.frames, self._ended
+        )
 
     async def _listen(self, sink: Sink) -> None:
         """Listen to one server to the end; raises LinkError."""
@@ -56,4 +61,6 @@ class NatNetTracker:
         self._problem = str(error)
 
     def _last_frame_at(self) -> float:
-        return self._frame_at if self._session is None else max(self._frame_at, self._session.frame_at)
+        return (
+            self._frame_at if self._session is None else max(self._frame_at, self._session.frame_at)
+        )

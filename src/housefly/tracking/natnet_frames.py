@@ -57,7 +57,9 @@ class NatNetFrames:
         return tuple(self._sightings(frame, captured_at, received_at))
 
     def _captured_at(self, frame: Frame, received_at: float) -> float | None:
-        """Return the middle of the exposure on our clock; cameras that do not tell it leave the time of sending."""
+        """Return the middle of the exposure on our clock; cameras that do not tell it leave the
+        time of sending.
+        """
         if not frame.exposed:
             return self._clock.captured_at(frame.sent, self._period, self._latency, received_at)
         latency = (frame.sent - frame.exposed) * self._period
@@ -66,7 +68,9 @@ class NatNetFrames:
             latency = self._latency
         return self._clock.captured_at(frame.exposed, self._period, latency, received_at)
 
-    def _sightings(self, frame: Frame, captured_at: float, received_at: float) -> Iterable[Sighting]:
+    def _sightings(
+        self, frame: Frame, captured_at: float, received_at: float
+    ) -> Iterable[Sighting]:
         for body in frame.bodies:
             name = self._names.get(body.identity)
             if name is None:

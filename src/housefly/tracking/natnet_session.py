@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 
 from housefly.clock import Clock
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
@@ -29,9 +29,13 @@ from housefly.wires.natnet import (
 )
 
 WISH: Version = (4, 1)
-"""The newest version that was checked against others; servers that speak a newer one are asked for it."""
+"""The newest version that was checked against others; servers that speak a newer one are asked for
+it.
+"""
 SILENCE = 5.0
-"""A server silent for this long [s] is greeted anew, by a new session: it may have come back as another."""
+"""A server silent for this long [s] is greeted anew, by a new session: it may have come back as
+another.
+"""
 QUIET = 1.0
 """After this long without a frame [s] a server is greeted again: it may have forgotten us."""
 _GREETINGS, _GREETING_PERIOD = 8, 0.25
@@ -51,7 +55,9 @@ class NatNetSession:
         frame_at: when the last new frame came [s].
     """
 
-    def __init__(self, config: TrackingConfig, clock: Clock, sink: Sink, counts: FrameCounts) -> None:
+    def __init__(
+        self, config: TrackingConfig, clock: Clock, sink: Sink, counts: FrameCounts
+    ) -> None:
         self.frame_at = float("-inf")
         self._config = config
         self._clock = clock
@@ -78,22 +84,35 @@ class NatNetSession:
     def flood_problem(self) -> str:
         """Whether more comes than can be, in words, or ""."""
         flooded = self._clock.now() - self._flooded_at <= QUIET
-        return f"{self._where} sends more than {MOST} datagrams a second; the others are dropped" if flooded else ""
+        return (
+            f"{self._where} sends more than {MOST} datagrams a second; the others are dropped"
+            if flooded
+            else ""
+        )
 
     @property
     def silence(self) -> str:
         """Why no new frame comes, in words."""
         now = self._clock.now()
         if now - self._arrived_at <= QUIET:
-            return f"frames arrive from {self._where}, but their time stands still; is Motive paused?"
+            return (
+                f"frames arrive from {self._where}, but their time stands still; is Motive paused?"
+            )
         if self._garbage:
-            return f"what arrives from {self._where} is not NatNet {self._version[0]}.{self._version[1]} ({self._garbage})"
+            return (
+                f"what arrives from {self._where} is not NatNet"
+                f" {self._version[0]}.{self._version[1]} ({self._garbage})"
+            )
         if self._stranger:
-            return f"frames come from {self._stranger}, not from {self._host}; set tracking.address to {self._stranger}"
+            return (
+                f"frames come from {self._stranger}, not from {self._host}; set tracking.address to"
+                f" {self._stranger}"
+            )
         if self._info is not None and self._info.multicast:
             return (
-                f"{self._where} streams to the multicast group {self._info.group}:{self._info.data_port}, but nothing arrives at "
-                f"{self._interface}; let firewall and switch pass it, or choose unicast in Motive"
+                f"{self._where} streams to the multicast group"
+                f" {self._info.group}:{self._info.data_port}, but nothing arrives at"
+                f" {self._interface}; let firewall and switch pass it, or choose unicast in Motive"
             )
         return f"connected to {self._where}, but it is silent; is Motive live, not paused?"
 
@@ -106,7 +125,9 @@ class NatNetSession:
             if info.multicast:
                 await self._join(info)
             self._greeted_at = self._clock.now()
-            self._frames = NatNetFrames(info.clock_hz, self._config.latency, self._config.y_up, self._counts)
+            self._frames = NatNetFrames(
+                info.clock_hz, self._config.latency, self._config.y_up, self._counts
+            )
             await self._listen(self._frames, info.multicast)
         finally:
             for transport in self._transports:
@@ -120,7 +141,9 @@ class NatNetSession:
         loop = asyncio.get_running_loop()
         target = (self._config.address, self._config.natnet_port)
         try:
-            transport, _ = await loop.create_datagram_endpoint(lambda: self._ear, remote_addr=target)
+            transport, _ = await loop.create_datagram_endpoint(
+                lambda: self._ear, remote_addr=target
+            )
         except (OSError, UnicodeError) as error:
             raise LinkError(f"{self._where} cannot be reached ({error})") from error
         self._transports.append(transport)
@@ -130,17 +153,29 @@ class NatNetSession:
     async def _greet(self) -> ServerInfo:
         for _ in range(_GREETINGS):
             self._send(Connect(WISH))
-            if await self._comes(lambda: self._info is not None, _GREETING_PERIOD) and self._info is not None:
+            if (
+                await self._comes(lambda: self._info is not None, _GREETING_PERIOD)
+                and self._info is not None
+            ):
                 return self._info
         if self._garbage:
-            raise LinkError(f"what answers at {self._where} does not speak NatNet ({self._garbage})")
-        raise LinkError(f"nobody answers at {self._where}; is Motive running, with streaming switched on?")
+            raise LinkError(
+                f"what answers at {self._where} does not speak NatNet ({self._garbage})"
+            )
+        raise LinkError(
+            f"nobody answers at {self._where}; is Motive running, with streaming switched on?"
+        )
 
     async def _settle_version(self, info: ServerInfo) -> None:
-        """Use the server's version, or the one that we wish for where it is newer and the server lets us."""
+        """Use the server's version, or the one that we wish for where it is newer and the server
+        lets us.
+        """
         major, minor, *_ = info.version
         if major not in (3, 4):
-            raise LinkError(f"{self._where} speaks NatNet {major}.{minor}; Housefly reads 3.0 to 4.x (Motive 2.0 to 3.x)")
+            raise LinkError(
+                f"{self._where} speaks NatNet {major}.{minor}; Housefly reads 3.0 to 4.x (Motive"
+                " 2.0 to 3.x)"
+            )
         self._version = (major, minor)
         if self._version > WISH and not info.multicast:
             self._send(Request(f"Bitstream,{WISH[0]}.{WISH[1]}"))
@@ -153,8 +188,8 @@ class NatNetSession:
             receiver = multicast_receiver(info.group, info.data_port, self._interface)
         except OSError as error:
             raise LinkError(
-                f"cannot join the multicast group {info.group}:{info.data_port} at {self._interface} ({error.strerror}); "
-                "choose unicast in Motive"
+                f"cannot join the multicast group {info.group}:{info.data_port} at"
+                f" {self._interface} ({error.strerror}); choose unicast in Motive"
             ) from error
         transport, _ = await loop.create_datagram_endpoint(lambda: Ear(self._heard), sock=receiver)
         self._transports.append(transport)
@@ -168,7 +203,10 @@ class NatNetSession:
             if self._another:
                 raise LinkError(f"another server answers at {self._where} now")
             if self._ear.refused and quiet > QUIET:
-                raise LinkError(f"the server at {self._where} is gone; is Motive running, with streaming switched on?")
+                raise LinkError(
+                    f"the server at {self._where} is gone; is Motive running, with streaming"
+                    " switched on?"
+                )
             if quiet > QUIET:
                 self._send(Connect(WISH))
             elif not multicast:

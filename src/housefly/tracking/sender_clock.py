@@ -6,7 +6,9 @@ from housefly.tracking.capture_clock import CaptureClock
 from housefly.tracking.counts import FrameCounts
 
 LEAP = 1.0
-"""Stamps that run this much before or behind the time that passed here [s] are a clock that was set anew."""
+"""Stamps that run this much before or behind the time that passed here [s] are a clock that was set
+anew.
+"""
 
 
 class SenderClock:
@@ -22,7 +24,9 @@ class SenderClock:
         self._stamp: int | None = None
         self._received_at = float("-inf")
 
-    def captured_at(self, stamp: int, period: float, latency: float, received_at: float) -> float | None:
+    def captured_at(
+        self, stamp: int, period: float, latency: float, received_at: float
+    ) -> float | None:
         """Return when a frame was captured [s], or None when it is not newer than the last one.
 
         Args:

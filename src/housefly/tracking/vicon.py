@@ -1,14 +1,16 @@
-"""Client of a Vicon motion capture system (Vicon Tracker, Nexus, Blade), over its DataStream protocol."""
+"""Client of a Vicon motion capture system (Vicon Tracker, Nexus, Blade), over its DataStream
+protocol.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import socket
 
+from housefly.bus.reconnect import Trouble, reconnect_for_ever
 from housefly.clock import Clock, RealClock
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.vicon_frames import FrameReader
@@ -29,7 +31,16 @@ from housefly.wires.vicon import (
 )
 
 WANTED = frozenset(
-    item.KIND for item in (StreamInfo, SubjectInfo, FrameInfo, GlobalSegments, LatencyInfo, ApplicationInfo, Contents)
+    item.KIND
+    for item in (
+        StreamInfo,
+        SubjectInfo,
+        FrameInfo,
+        GlobalSegments,
+        LatencyInfo,
+        ApplicationInfo,
+        Contents,
+    )
 )
 FRESH = 1.0
 """``connected`` means a frame within this time [s]."""
@@ -64,16 +75,23 @@ class ViconTracker:
         """Why no poses arrive, in words, or ""."""
         if self._problem or self.connected:
             return self._problem
-        return f"connected to {self._where}, but no frames arrive; is the Vicon Tracker live, not paused?"
+        return (
+            f"connected to {self._where}, but no frames arrive; is the Vicon Tracker live, not"
+            " paused?"
+        )
 
     async def run(self, sink: Sink) -> None:
         """Connect and read for ever; ends only when cancelled."""
-        await reconnect_for_ever(lambda: self._session(sink), lambda: self.counts.frames, self._ended)
+        await reconnect_for_ever(
+            lambda: self._session(sink), lambda: self.counts.frames, self._ended
+        )
 
     def _ended(self, error: Trouble) -> None:
         if isinstance(error, WireError):
             self.malformed += 1
-            self._problem = f"what answers at {self._where} does not speak Vicon DataStream ({error})"
+            self._problem = (
+                f"what answers at {self._where} does not speak Vicon DataStream ({error})"
+            )
         else:
             self._problem = str(error)
 
@@ -94,7 +112,11 @@ class ViconTracker:
                 if sightings is None:
                     continue
                 self._frame_at = now
-                self._problem = "" if not frames.y_up else f"{self._where} streams with y up; choose z up in the Vicon software"
+                self._problem = (
+                    ""
+                    if not frames.y_up
+                    else f"{self._where} streams with y up; choose z up in the Vicon software"
+                )
                 sink(sightings)
         except (asyncio.IncompleteReadError, OSError) as error:
             raise LinkError(f"the connection to {self._where} was lost") from error
@@ -104,15 +126,23 @@ class ViconTracker:
     async def _connect(self) -> tuple[asyncio.StreamReader, asyncio.StreamWriter]:
         try:
             async with asyncio.timeout(_CONNECT_TIMEOUT):
-                reader, writer = await asyncio.open_connection(self._config.address, self._config.port)
+                reader, writer = await asyncio.open_connection(
+                    self._config.address, self._config.port
+                )
         except (OSError, UnicodeError) as error:
-            raise LinkError(f"nobody answers at {self._where}; is the Vicon Tracker running and streaming?") from error
+            raise LinkError(
+                f"nobody answers at {self._where}; is the Vicon Tracker running and streaming?"
+            ) from error
         writer.get_extra_info("socket").setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         return reader, writer
 
     async def _ask(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         """Wait for the server's offer, then ask for poses and for every frame."""
-        offers = [item.kinds for item in decode_packet(await self._packet(reader)) if isinstance(item, ObjectEnums)]
+        offers = [
+            item.kinds
+            for item in decode_packet(await self._packet(reader))
+            if isinstance(item, ObjectEnums)
+        ]
         if not offers:
             raise WireError("the server's first packet does not say what it offers")
         if GlobalSegments.KIND not in offers[0]:
@@ -127,4 +157,7 @@ class ViconTracker:
                 length = packet_length(await reader.readexactly(HEADER_SIZE))
                 return await reader.readexactly(length)
         except TimeoutError as error:
-            raise LinkError(f"connected to {self._where}, but it is silent; is the Vicon Tracker live, not paused?") from error
+            raise LinkError(
+                f"connected to {self._where}, but it is silent; is the Vicon Tracker live, not"
+                " paused?"
+            ) from error

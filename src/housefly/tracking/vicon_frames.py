@@ -61,7 +61,9 @@ class FrameReader:
                 case ApplicationInfo(y_up):
                     self.y_up = y_up
                 case SubjectInfo(identity, name, segments):
-                    root = next((segment.identity for segment in segments if segment.parent == ROOT), None)
+                    root = next(
+                        (segment.identity for segment in segments if segment.parent == ROOT), None
+                    )
                     if root is not None:
                         subjects[identity] = (name, root)
                 case FrameInfo(found):
@@ -99,7 +101,9 @@ class FrameReader:
             self._counts.backward += 1
         return False
 
-    def _sightings(self, seen: list[GlobalSegments], captured_at: float, received_at: float) -> Iterable[Sighting]:
+    def _sightings(
+        self, seen: list[GlobalSegments], captured_at: float, received_at: float
+    ) -> Iterable[Sighting]:
         for body in seen:
             name, root = self._subjects.get(body.subject, ("", ROOT))
             for segment in body.segments:

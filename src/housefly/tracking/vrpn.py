@@ -1,20 +1,29 @@
-"""Client of VRPN 07.x servers: Motive, Vicon Tracker, ART, PhaseSpace, Qualisys and many others can be one."""
+"""Client of VRPN 07.x servers: Motive, Vicon Tracker, ART, PhaseSpace, Qualisys and many others can
+be one.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import socket
 
+from housefly.bus.reconnect import Trouble, reconnect_for_ever
 from housefly.clock import Clock, RealClock
-from housefly.config import TrackingConfig
+from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.reconnecting import Trouble, reconnect_for_ever
 from housefly.tracking.contracts import Sink
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.flood import MOST, FloodGate
 from housefly.tracking.vrpn_frames import VrpnFrames
 from housefly.tracking.vrpn_link import CONNECT_TIMEOUT, Stream, be_connected, connect
-from housefly.wires.vrpn import COOKIE_SIZE, MAJOR, Message, MessageStream, decode_cookie, encode_cookie
+from housefly.wires.vrpn import (
+    COOKIE_SIZE,
+    MAJOR,
+    Message,
+    MessageStream,
+    decode_cookie,
+    encode_cookie,
+)
 
 FRESH = 1.0
 """``connected`` means a pose within this time [s]."""
@@ -51,11 +60,16 @@ class VrpnTracker:
             return f"{self._where} sends more than {MOST} messages a second; the others are dropped"
         if self._problem or self.connected:
             return self._problem
-        return f"connected to {self._where}, but no new poses arrive; is the body seen, the server not paused?"
+        return (
+            f"connected to {self._where}, but no new poses arrive; is the body seen, the server not"
+            " paused?"
+        )
 
     async def run(self, sink: Sink) -> None:
         """Connect and read for ever; ends only when cancelled."""
-        await reconnect_for_ever(lambda: self._session(sink), lambda: self.counts.frames, self._ended)
+        await reconnect_for_ever(
+            lambda: self._session(sink), lambda: self.counts.frames, self._ended
+        )
 
     def _ended(self, error: Trouble) -> None:
         if isinstance(error, WireError):
@@ -70,10 +84,15 @@ class VrpnTracker:
 
     async def _session(self, sink: Sink) -> None:
         """Read one connection to its end; raises WireError or LinkError."""
-        reader, writer = await _WAYS[self._config.vrpn_transport](self._config.address, self._config.vrpn_port)
+        reader, writer = await _WAYS[self._config.vrpn_transport](
+            self._config.address, self._config.vrpn_port
+        )
         try:
             await self._greet((reader, writer))
-            stream, frames = MessageStream(), VrpnFrames(self._config.latency, self._config.y_up, self.counts)
+            stream, frames = (
+                MessageStream(),
+                VrpnFrames(self._config.latency, self._config.y_up, self.counts),
+            )
             while True:
                 messages = stream.feed(await self._piece(reader))
                 now = self._clock.now()
@@ -94,9 +113,13 @@ class VrpnTracker:
             async with asyncio.timeout(CONNECT_TIMEOUT):
                 version = decode_cookie(await reader.readexactly(COOKIE_SIZE))
         except TimeoutError as error:
-            raise LinkError(f"connected to {self._where}, but it sends no VRPN cookie; is it a VRPN server?") from error
+            raise LinkError(
+                f"connected to {self._where}, but it sends no VRPN cookie; is it a VRPN server?"
+            ) from error
         if not version.startswith(MAJOR):
-            raise LinkError(f"the server at {self._where} speaks VRPN {version}; Housefly speaks {MAJOR}.x")
+            raise LinkError(
+                f"the server at {self._where} speaks VRPN {version}; Housefly speaks {MAJOR}.x"
+            )
         self._problem = ""
 
     async def _piece(self, reader: asyncio.StreamReader) -> bytes:
@@ -104,13 +127,18 @@ class VrpnTracker:
             async with asyncio.timeout(SILENCE):
                 piece = await reader.read(_CHUNK)
         except TimeoutError as error:
-            raise LinkError(f"connected to {self._where}, but it is silent; is the body seen, the server not paused?") from error
+            raise LinkError(
+                f"connected to {self._where}, but it is silent; is the body seen, the server not"
+                " paused?"
+            ) from error
         if not piece:
             raise LinkError(f"the connection to {self._where} was lost")
         return piece
 
     def _within_limit(self, messages: tuple[Message, ...], now: float) -> list[Message]:
-        kept = [message for message in messages if message.kind < 0 or self._gate.admits(now)]  # names are always heard
+        kept = [
+            message for message in messages if message.kind < 0 or self._gate.admits(now)
+        ]  # names are always heard
         if len(kept) < len(messages):
             self.counts.flooded += len(messages) - len(kept)
             self._flooded_at = now

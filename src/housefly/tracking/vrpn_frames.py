@@ -20,7 +20,8 @@ _MICROSECOND = 1e-6
 class VrpnFrames:
     """Turns the messages of one connection into sightings.
 
-    A body is called as its tracker; where a tracker has several sensors, as tracker/sensor from sensor 1 on.
+    A body is called as its tracker; where a tracker has several sensors, as tracker/sensor from
+    sensor 1 on.
 
     Args:
         latency: from exposure to arrival [s]; VRPN does not tell it.
@@ -36,11 +37,17 @@ class VrpnFrames:
         self._clocks: dict[tuple[int, int], SenderClock] = {}
 
     def read(self, messages: Iterable[Message], received_at: float) -> list[tuple[Sighting, ...]]:
-        """Return the sightings of some messages, those of one time stamp together; raises WireError."""
+        """Return the sightings of some messages, those of one time stamp together; raises
+        WireError.
+        """
         poses = [message for message in messages if self._is_pose(message)]
         frames = []
         for _, group in groupby(poses, key=lambda message: message.stamp):
-            sightings = tuple(seen for message in group if (seen := self._sighting(message, received_at)) is not None)
+            sightings = tuple(
+                seen
+                for message in group
+                if (seen := self._sighting(message, received_at)) is not None
+            )
             if sightings:
                 self._counts.frames += 1
                 frames.append(sightings)

@@ -20,7 +20,9 @@ async def connect(address: str, port: int) -> Stream:
         async with asyncio.timeout(CONNECT_TIMEOUT):
             return await asyncio.open_connection(address, port)
     except (OSError, UnicodeError) as error:
-        raise LinkError(f"nobody answers at {address}:{port} (TCP); is the VRPN server running?") from error
+        raise LinkError(
+            f"nobody answers at {address}:{port} (TCP); is the VRPN server running?"
+        ) from error
 
 
 async def be_connected(address: str, port: int) -> Stream:
@@ -28,7 +30,9 @@ async def be_connected(address: str, port: int) -> Stream:
     loop = asyncio.get_running_loop()
     called: asyncio.Future[Stream] = loop.create_future()
     try:
-        transport, _ = await loop.create_datagram_endpoint(lambda: Ear(lambda data, sender: None), remote_addr=(address, port))
+        transport, _ = await loop.create_datagram_endpoint(
+            lambda: Ear(lambda data, sender: None), remote_addr=(address, port)
+        )
     except (OSError, UnicodeError) as error:
         raise LinkError(f"{address}:{port} cannot be reached ({error})") from error
     host = transport.get_extra_info("sockname")[0]
@@ -49,8 +53,8 @@ async def be_connected(address: str, port: int) -> Stream:
             if done:
                 return called.result()
         raise LinkError(
-            f"the VRPN server at {address}:{port} (UDP) does not connect back to {host}:{own_port}; is it running, does the "
-            'firewall let it in? Or set tracking.vrpn_transport = "tcp"'
+            f"the VRPN server at {address}:{port} (UDP) does not connect back to {host}:{own_port};"
+            ' is it running, does the firewall let it in? Or set tracking.vrpn_transport = "tcp"'
         )
     finally:
         listener.close()

@@ -21,6 +21,12 @@ def check_address(key: str, address: str, beyond_loopback: bool) -> None:
     try:
         loopback = ip_address(address).is_loopback
     except ValueError as error:
-        raise ConfigError(key, f"is {address!r}; allowed: an IP address in numbers, as 127.0.0.1") from error
+        raise ConfigError(
+            key, f"is {address!r}; allowed: an IP address in numbers, as 127.0.0.1"
+        ) from error
     if not (loopback or beyond_loopback):
-        raise ConfigError(key, f"is {address}; the twin serves other machines only when started with --beyond-loopback")
+        raise ConfigError(
+            key,
+            f"is {address}; the twin serves other machines only when started with"
+            " --beyond-loopback",
+        )

@@ -1,7 +1,8 @@
 """What the twin's wire servers may ask of the simulated world, and nothing more.
 
-``twin.world`` implements ``World``; ``twin.ardrone_server``, ``twin.vicon_server`` and ``twin.lockstep`` use it.
-World frame and body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone`` and the server.
+``twin.world`` implements ``World``; ``twin.ardrone_server``, ``twin.vicon_server`` and
+``twin.lockstep`` use it. World frame and body frame (forward, left, up) as everywhere; native
+AR.Drone signs live only in ``wires.ardrone`` and the server.
 """
 
 from __future__ import annotations
@@ -16,9 +17,11 @@ from housefly.messages import Pose
 
 @dataclass(frozen=True, slots=True)
 class Stick:
-    """What PCMD asks: fractions from -1 to 1 of the configured maxima, body signs (forward, left, up, counter-clockwise).
+    """What PCMD asks: fractions from -1 to 1 of the configured maxima, body signs (forward, left,
+    up, counter-clockwise).
 
-    ``hover`` is the cleared progressive bit: the drone holds its place by optical flow and ignores the rest.
+    ``hover`` is the cleared progressive bit: the drone holds its place by optical flow and ignores
+    the rest.
     """
 
     forward: float = 0.0
@@ -48,7 +51,9 @@ class Camera(Enum):
 
 @dataclass(frozen=True, slots=True)
 class OnboardLimits:
-    """Maxima that the firmware scales the stick by: tilt [rad], climb [m/s], yaw rate [rad/s], altitude [m]."""
+    """Maxima that the firmware scales the stick by: tilt [rad], climb [m/s], yaw rate [rad/s],
+    altitude [m].
+    """
 
     tilt: float = 0.20943952
     climb: float = 0.7
@@ -135,7 +140,9 @@ class World(Protocol):
         ...
 
     def keep_alive(self) -> None:
-        """Any command arrived: feed the firmware's communication watchdogs (50 ms flag, 2 s landing)."""
+        """Any command arrived: feed the firmware's communication watchdogs (50 ms flag, 2 s
+        landing).
+        """
         ...
 
     def request_take_off(self) -> None:

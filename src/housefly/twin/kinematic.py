@@ -1,7 +1,8 @@
 """A World without MuJoCo: a point that leans, climbs and turns as told, in an empty room.
 
-For tests of the wires and for machines without the simulated room. Tilt and turn follow at once, speed follows tilt against
-linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows at once; no noise, no delays, no tracking.
+For tests of the wires and for machines without the simulated room. Tilt and turn follow at once,
+speed follows tilt against linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows
+at once; no noise, no delays, no tracking.
 """
 
 from __future__ import annotations
@@ -119,7 +120,9 @@ class KinematicWorld:
         x, y, z = self._position
         theta, phi = self._tilt
         pose = Pose((x, y, z), quaternion_from_euler(phi, theta, self._psi))
-        return Truth(self._now, pose, (self._speed[0], self._speed[1], self._climb), 0 if z > 0.0 else 1)
+        return Truth(
+            self._now, pose, (self._speed[0], self._speed[1], self._climb), 0 if z > 0.0 else 1
+        )
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return nothing: no cameras hang here."""
@@ -131,7 +134,11 @@ class KinematicWorld:
 
     def _step(self, dt: float) -> None:
         self._now += dt
-        stick = Stick() if self.asked.hover or self.flight not in (Flight.FLYING, Flight.HOVERING) else self.asked
+        stick = (
+            Stick()
+            if self.asked.hover or self.flight not in (Flight.FLYING, Flight.HOVERING)
+            else self.asked
+        )
         self._tilt = (stick.forward * self.limits.tilt, -stick.left * self.limits.tilt)
         self._climb = self._wanted_climb(stick)
         self._psi = wrap_angle(self._psi + dt * self._turn_rate())
@@ -159,7 +166,11 @@ class KinematicWorld:
         return min(climb, 0.0) if self._position[2] >= self.limits.altitude else climb
 
     def _turn_rate(self) -> float:
-        return 0.0 if self.asked.hover or self.flight is not Flight.FLYING else self.asked.turn * self.limits.yaw_rate
+        return (
+            0.0
+            if self.asked.hover or self.flight is not Flight.FLYING
+            else self.asked.turn * self.limits.yaw_rate
+        )
 
     def _push(self) -> tuple[float, float]:
         theta, phi = self._tilt

@@ -1,18 +1,20 @@
-"""The simulated room as the pilot's shell sees it, with the wires cut out: stepped time, same rates, delays and habits.
+"""The simulated room as the pilot's shell sees it, with the wires cut out: stepped time, same
+rates, delays and habits.
 
-What the AR.Drone driver does on its wire happens here by calls: a change of action leaves at once, setpoints leave at the drone's
-cadence, a silent pilot makes the drone hover and then land, flat trim comes before each take-off, the take-off bit is raised only
-on the ground, and the emergency toggle is pressed only while the drone is in the other state.
+What the AR.Drone driver does on its wire happens here by calls: a change of action leaves at once,
+setpoints leave at the drone's cadence, a silent pilot makes the drone hover and then land, flat
+trim comes before each take-off, the take-off bit is raised only on the ground, and the emergency
+toggle is pressed only while the drone is in the other state.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Sighting, Telemetry
+from housefly.twin.ardrone.firmware import AIRBORNE
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, World
-from housefly.twin.firmware import AIRBORNE
 from housefly.wires.ardrone.signs import Maxima, pcmd_from_setpoint, stick_from_pcmd
 
 CADENCE = 0.027
@@ -50,7 +52,9 @@ class LockstepRoom:
     def __init__(self, world: World, site: Site) -> None:
         limits = site.limits
         self._world = world
-        self._limits = OnboardLimits(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max, limits.height_max)
+        self._limits = OnboardLimits(
+            limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max, limits.height_max
+        )
         world.set_limits(self._limits)
         self._command = Command(Action.IDLE)
         self._ordered_at = self._since = self._sent_at = world.now
@@ -59,7 +63,9 @@ class LockstepRoom:
         self._actions: dict[Action, Callable[[Flight], None]] = {
             Action.IDLE: self._idle,
             Action.TAKE_OFF: self._take_off,
-            Action.FLY: lambda flight: self._world.stick(stick_of(self._command.setpoint, self._limits)),
+            Action.FLY: lambda flight: self._world.stick(
+                stick_of(self._command.setpoint, self._limits)
+            ),
             Action.HOVER: lambda flight: self._world.stick(Stick()),
             Action.LAND: lambda flight: self._world.request_land(),
             Action.CUT: lambda flight: self._press(flight is not Flight.EMERGENCY),
@@ -81,10 +87,14 @@ class LockstepRoom:
 
     def sightings(self) -> tuple[Sighting, ...]:
         """Return what tracking reported since the last call, oldest first."""
-        return tuple(sighting for frame in self._world.mocap_frames() for sighting in sightings_of(frame))
+        return tuple(
+            sighting for frame in self._world.mocap_frames() for sighting in sightings_of(frame)
+        )
 
     def telemetry(self) -> Telemetry:
-        """Return the drone's newest report; battery in whole percent and no vertical speed, as on the wire."""
+        """Return the drone's newest report; battery in whole percent and no vertical speed, as on
+        the wire.
+        """
         onboard = self._world.onboard()
         forward, left, _ = onboard.velocity
         return Telemetry(
@@ -158,10 +168,16 @@ _CUTTING = frozenset({Action.CUT, Action.RESET})
 
 def stick_of(setpoint: Setpoint, limits: OnboardLimits) -> Stick:
     """Return the stick that asks for a setpoint, by the same mapping that the wire carries."""
-    asked = stick_from_pcmd(pcmd_from_setpoint(setpoint, Maxima(limits.tilt, limits.climb, limits.yaw_rate)))
+    asked = stick_from_pcmd(
+        pcmd_from_setpoint(setpoint, Maxima(limits.tilt, limits.climb, limits.yaw_rate))
+    )
     return Stick(asked.forward, asked.left, asked.up, asked.turn, hover=False)
 
 
 def sightings_of(frame: MocapFrame) -> tuple[Sighting, ...]:
     """Return the sightings of the bodies that a frame shows."""
-    return tuple(Sighting(name, pose, frame.captured_at, frame.due_at) for name, pose in frame.bodies if pose is not None)
+    return tuple(
+        Sighting(name, pose, frame.captured_at, frame.due_at)
+        for name, pose in frame.bodies
+        if pose is not None
+    )

@@ -1,4 +1,6 @@
-"""Things of the simulated room that can be put elsewhere: what no map shows, as a chair, and furniture that carries markers."""
+"""Things of the simulated room that can be put elsewhere: what no map shows, as a chair, and
+furniture that carries markers.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import Vec3, rotate, wrap_angle
 from housefly.messages import Pose
 from housefly.room.mjcf import geom
@@ -33,8 +35,10 @@ class Movable:
     """Something that can be put anywhere.
 
     Attributes:
-        name: of the thing; one that is called like the body of a piece of the site's furniture carries markers.
-        radius: its markers lie within this around its middle [m]; without solids it is an upright cylinder of this radius.
+        name: of the thing; one that is called like the body of a piece of the site's furniture
+            carries markers.
+        radius: its markers lie within this around its middle [m]; without solids it is an upright
+            cylinder of this radius.
         height: at the top of which the markers are [m].
         solids: what it is made of, in its own frame.
         start: where it stands at first.
@@ -61,7 +65,9 @@ def markers_on(movable: Movable, pose: Pose) -> NDArray[np.float64]:
     """Return the world positions [m] of the four markers on top of a movable thing, shape (4, 3)."""
     out, up = 0.8 * movable.radius, movable.height + MARKER
     corners: tuple[Vec3, ...] = ((out, 0.0, up), (0.0, out, up), (-out, 0.0, up), (0.0, -out, up))
-    positions: NDArray[np.float64] = np.array([rotate(pose.orientation, corner) for corner in corners]) + pose.position
+    positions: NDArray[np.float64] = (
+        np.array([rotate(pose.orientation, corner) for corner in corners]) + pose.position
+    )
     return positions
 
 
@@ -70,12 +76,14 @@ def movable_body(movable: Movable) -> str:
     (x, y, z), quaternion = movable.start.position, movable.start.orientation
     turn = " ".join(f"{number:.9g}" for number in quaternion)
     cylinder = (
-        f'<geom type="cylinder" pos="0 0 {movable.height / 2:.9g}" size="{movable.radius:.9g} {movable.height / 2:.9g}" '
-        'rgba="0.35 0.42 0.55 1" material="cloth"/>'
+        f'<geom type="cylinder" pos="0 0 {movable.height / 2:.9g}" size="{movable.radius:.9g}'
+        f' {movable.height / 2:.9g}" rgba="0.35 0.42 0.55 1" material="cloth"/>'
     )
     parts = "".join(geom(solid) for solid in movable.solids) or cylinder
     name = quoteattr(MOVABLE + movable.name)
-    return f'<body name={name} mocap="true" pos="{x:.9g} {y:.9g} {z:.9g}" quat="{turn}">{parts}</body>'
+    return (
+        f'<body name={name} mocap="true" pos="{x:.9g} {y:.9g} {z:.9g}" quat="{turn}">{parts}</body>'
+    )
 
 
 def _seen_from(pose: Pose, solid: Solid) -> Solid:

@@ -1,7 +1,7 @@
 """The rigid body in its room: MuJoCo integrates it, touches furniture with it, and answers rays.
 
-The free joint's forces act in the world at the origin, its torques about the body axes; horizontal drag is the joint's own
-damping, so that MuJoCo integrates it implicitly.
+The free joint's forces act in the world at the origin, its torques about the body axes; horizontal
+drag is the joint's own damping, so that MuJoCo integrates it implicitly.
 """
 
 from __future__ import annotations
@@ -12,21 +12,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import Quaternion, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
-from housefly.twin.body import BODY, MASS, STANDING_HEIGHT
+from housefly.twin.ardrone.body import BODY, MASS, STANDING_HEIGHT
+from housefly.twin.ardrone.onboard_loops import Wrench
+from housefly.twin.ardrone.onboard_sensors import PERIOD, BodyState
 from housefly.twin.engine import mujoco
 from housefly.twin.movable import AWAY, MOVABLE, OUT, Movable
-from housefly.twin.onboard_loops import Wrench
 from housefly.twin.people.bodies import PREFIX
 from housefly.twin.people.script import PersonScript
 from housefly.twin.scene import scene_mjcf
-from housefly.twin.sensors import PERIOD, BodyState
 
 SUBSTEPS = 2
-"""Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full speed."""
+"""Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full
+speed.
+"""
 CUSHION = 0.02
 CUSHION_HEIGHT = 0.15
 """Extra share of thrust on the floor, and the height [m] over which it fades."""
@@ -37,7 +39,13 @@ VISITOR = "visitor"
 class Physics:
     """One drone among the furniture; moves by whole control periods."""
 
-    def __init__(self, site: Site, room: Room, people: tuple[PersonScript, ...] = (), movables: tuple[Movable, ...] = ()) -> None:
+    def __init__(
+        self,
+        site: Site,
+        room: Room,
+        people: tuple[PersonScript, ...] = (),
+        movables: tuple[Movable, ...] = (),
+    ) -> None:
         self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people, movables))
         self.model.opt.timestep = PERIOD / SUBSTEPS
         self.data: Any = mujoco.MjData(self.model)
@@ -49,11 +57,19 @@ class Physics:
         self._qvel = self.data.qvel[joint : joint + 6]
         self._qacc = self.data.qacc[joint : joint + 6]
         self._force = self.data.qfrc_applied[joint : joint + 6]
-        self._floors = frozenset(np.flatnonzero(self.model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist())
+        self._floors = frozenset(
+            np.flatnonzero(self.model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
+        )
         self.visitor_id: int = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, VISITOR)
-        self._visitor = int(self.model.body_mocapid[self.visitor_id]) if self.visitor_id >= 0 else -1
+        self._visitor = (
+            int(self.model.body_mocapid[self.visitor_id]) if self.visitor_id >= 0 else -1
+        )
         self._visitor_at = self.data.mocap_pos[self._visitor].copy() if self._visitor >= 0 else None
-        self._visitor_sites = [n for n in range(self.model.nsite) if self.model.site(n).name.startswith("visitor_marker_")]
+        self._visitor_sites = [
+            n
+            for n in range(self.model.nsite)
+            if self.model.site(n).name.startswith("visitor_marker_")
+        ]
         self._people = mocap_ids(self.model)
         mujoco.mj_forward(self.model, self.data)
 
@@ -79,7 +95,11 @@ class Physics:
         pairs = data.contact.geom[: data.ncon]
         bodies = self.model.geom_bodyid[pairs]
         touching = (bodies == self.drone_id).any(axis=1)
-        return sum(1 for a, b in pairs[touching].tolist() if a not in self._floors and b not in self._floors)
+        return sum(
+            1
+            for a, b in pairs[touching].tolist()
+            if a not in self._floors and b not in self._floors
+        )
 
     def place(self, position: Vec3, orientation: Quaternion) -> None:
         """Put the drone somewhere, at rest."""
@@ -91,23 +111,34 @@ class Physics:
         """Move the visitor, where the room has one, to the door or out of the building."""
         if self._visitor_at is None:
             return
-        self.data.mocap_pos[self._visitor] = self._visitor_at + (0.0 if present else np.array((0.0, 0.0, AWAY)))
+        self.data.mocap_pos[self._visitor] = self._visitor_at + (
+            0.0 if present else np.array((0.0, 0.0, AWAY))
+        )
         mujoco.mj_kinematics(self.model, self.data)
 
     def set_people(self, poses: tuple[Pose, ...]) -> None:
-        """Put the people there, in the order in which they were given; sight and touch follow with the next step."""
+        """Put the people there, in the order in which they were given; sight and touch follow with
+        the next step.
+        """
         for number, pose in zip(self._people, poses, strict=True):
-            self.data.mocap_pos[number], self.data.mocap_quat[number] = pose.position, pose.orientation
+            self.data.mocap_pos[number], self.data.mocap_quat[number] = (
+                pose.position,
+                pose.orientation,
+            )
 
     def put(self, name: str, place: Vec2 | None, yaw: float) -> None:
-        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of the building."""
+        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of
+        the building.
+        """
         number = self.model.body_mocapid[self.model.body(f"{MOVABLE}{name}").id]
         self.data.mocap_pos[number] = OUT.position if place is None else (*place, 0.0)
         self.data.mocap_quat[number] = quaternion_from_euler(0.0, 0.0, yaw)
         mujoco.mj_kinematics(self.model, self.data)
 
     def movable(self, name: str) -> tuple[int, Pose | None]:
-        """Return the body of a movable thing and where it stands; None while it is out of the building."""
+        """Return the body of a movable thing and where it stands; None while it is out of the
+        building.
+        """
         body = int(self.model.body(f"{MOVABLE}{name}").id)
         number = self.model.body_mocapid[body]
         x, y, z = self.data.mocap_pos[number].tolist()
@@ -135,5 +166,7 @@ def mocap_ids(model: Any) -> tuple[int, ...]:
 
 
 def _near_floor(height: float) -> float:
-    """Return the gain of thrust at a height of the origin [m]: the part of the ground cushion that the loops do not cancel."""
+    """Return the gain of thrust at a height of the origin [m]: the part of the ground cushion that
+    the loops do not cancel.
+    """
     return 1.0 + CUSHION * exp(-(height - STANDING_HEIGHT) / CUSHION_HEIGHT)

@@ -1,6 +1,8 @@
-"""The twin as one process: the simulated room in real time behind the drone's and the tracking system's real ports.
+"""The twin as one process: the simulated room in real time behind the drone's and the tracking
+system's real ports.
 
-``kill -USR1`` makes the visitor come or go. Nothing of the world's truth leaves this process but pictures and tracked poses.
+``kill -USR1`` makes the visitor come or go. Nothing of the world's truth leaves this process but
+pictures and tracked poses.
 """
 
 from __future__ import annotations
@@ -16,20 +18,20 @@ from pathlib import Path
 from housefly.bus.bus import Bus
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Rate, RealClock
-from housefly.config import Site, load_site
+from housefly.config.site import Site, load_site
 from housefly.errors import HouseflyError
 from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.address import check_address
-from housefly.twin.ardrone_server import ArDroneServer
-from housefly.twin.camera import CameraProcess
-from housefly.twin.depth_feed import DepthFeed
-from housefly.twin.device_link import DeviceLink
-from housefly.twin.devices import Devices
-from housefly.twin.laser_feed import LaserFeed
+from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.camera.camera import CameraProcess
+from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTime
-from housefly.twin.tracking_servers import tracking_servers
+from housefly.twin.sensors.depth_feed import DepthFeed
+from housefly.twin.sensors.device_link import DeviceLink
+from housefly.twin.sensors.devices import Devices
+from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.world import SimulatedWorld
 
 
@@ -48,7 +50,12 @@ class Twin:
     """
 
     def __init__(
-        self, site: Site, room: Room, beyond_loopback: bool = False, scene: Scene | None = None, bus: Bus | None = None
+        self,
+        site: Site,
+        room: Room,
+        beyond_loopback: bool = False,
+        scene: Scene | None = None,
+        bus: Bus | None = None,
     ) -> None:
         check_address("tracking.address", site.tracking.address, beyond_loopback)
         if scene is not None and site.mqtt.broker:
@@ -56,11 +63,17 @@ class Twin:
         self._site = site
         self._world = SimulatedWorld(site, room, scene)
         self._time = RealTime(self._world, RealClock())
-        self._drone = ArDroneServer(self._world, site.drone.address, beyond_loopback=beyond_loopback)
+        self._drone = ArDroneServer(
+            self._world, site.drone.address, beyond_loopback=beyond_loopback
+        )
         self._tracking = tracking_servers(site)
         self._lasers = LaserFeed(site, self._world, beyond_loopback)
         self._depth = DepthFeed(site, self._world, bus, RealClock()) if bus else None
-        self._camera = CameraProcess(site, room, scene.script.people if scene else ()) if site.twin.video else None
+        self._camera = (
+            CameraProcess(site, room, scene.script.people if scene else ())
+            if site.twin.video
+            else None
+        )
         self._camera_state = (0, "")
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
 
@@ -95,18 +108,28 @@ class Twin:
         """Return one line about the whole run."""
         counters = self._drone.counters
         return (
-            f"twin ends after {self._world.now:.1f} s: {counters.commands} commands, {counters.malformed} malformed, "
-            f"{counters.navdata_sent} reports, {counters.frames_sent} pictures sent, {counters.frames_dropped} dropped, "
-            f"{self._time.slipped:.2f} s lost to stalls"
+            f"twin ends after {self._world.now:.1f} s: {counters.commands} commands,"
+            f" {counters.malformed} malformed, {counters.navdata_sent} reports,"
+            f" {counters.frames_sent} pictures sent, {counters.frames_dropped} dropped,"
+            f" {self._time.slipped:.2f} s lost to stalls"
         )
 
     def _greeting(self) -> str:
         drone, tracking = self._site.drone, self._site.tracking
         video = "on" if self._camera is not None else "off"
-        scanners = "".join(f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers)
-        places = ", ".join(f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires)
-        depth = "".join(f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth)
-        return f"twin ready: drone at {drone.address}, tracking at {places}, video {video}{scanners}{depth}"
+        scanners = "".join(
+            f", {laser.name} at {laser.address}:{laser.port}" for laser in self._site.lasers
+        )
+        places = ", ".join(
+            f"{tracking.address}:{tracking.port_of(wire)}" for wire in self._site.served_wires
+        )
+        depth = "".join(
+            f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth
+        )
+        return (
+            f"twin ready: drone at {drone.address}, tracking at {places}, video"
+            f" {video}{scanners}{depth}"
+        )
 
     def _device_link(self, scene: Scene) -> DeviceLink:
         return DeviceLink(
@@ -129,7 +152,13 @@ class Twin:
         while True:
             await rate.sleep()
             truth = self._world.truth()
-            camera.show(truth.pose, self._world.visitor_present, self._drone.camera, truth.at, self._world.people())
+            camera.show(
+                truth.pose,
+                self._world.visitor_present,
+                self._drone.camera,
+                truth.at,
+                self._world.people(),
+            )
             self._tell_of(camera)
 
     def _tell_of(self, camera: CameraProcess) -> None:
@@ -138,14 +167,22 @@ class Twin:
         if state == self._camera_state:
             return
         if camera.restarts != self._camera_state[0]:
-            print(f"twin: the camera process ended and is started again ({camera.restarts})", flush=True)
+            print(
+                f"twin: the camera process ended and is started again ({camera.restarts})",
+                flush=True,
+            )
         if camera.problem != self._camera_state[1]:
             print(f"twin: the picture is a plain card: {camera.problem}", flush=True)
         self._camera_state = state
 
 
 async def run_twin(
-    site: Site, room: Room, *, beyond_loopback: bool = False, scene: Scene | None = None, bus: Bus | None = None
+    site: Site,
+    room: Room,
+    *,
+    beyond_loopback: bool = False,
+    scene: Scene | None = None,
+    bus: Bus | None = None,
 ) -> None:
     """Serve the simulated room until SIGTERM, SIGINT or cancellation.
 
@@ -166,19 +203,29 @@ async def run_twin(
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the twin of a site file and return the exit code."""
-    parser = argparse.ArgumentParser(prog="housefly.twin.process", description=__doc__.splitlines()[0] if __doc__ else None)
+    parser = argparse.ArgumentParser(
+        prog="housefly.twin.process", description=__doc__.splitlines()[0] if __doc__ else None
+    )
     parser.add_argument("--site", type=Path, required=True, help="site file")
     parser.add_argument(
-        "--beyond-loopback", action="store_true", help="serve other machines too; nothing on these ports is secured"
+        "--beyond-loopback",
+        action="store_true",
+        help="serve other machines too; nothing on these ports is secured",
     )
-    parser.add_argument("--bus", default="", help="zenoh endpoint that depth images are sent to, for example tcp/127.0.0.1:7447")
+    parser.add_argument(
+        "--bus",
+        default="",
+        help="zenoh endpoint that depth images are sent to, for example tcp/127.0.0.1:7447",
+    )
     options = parser.parse_args(argv)
     try:
         site = load_site(options.site)
         room = load_room(site.room.model, options.site.parent)
         scene = load_scene(site.twin.scene, options.site.parent) if site.twin.scene else None
         with ZenohBus(connect=options.bus) if options.bus else contextlib.nullcontext() as bus:
-            asyncio.run(run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene, bus=bus))
+            asyncio.run(
+                run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene, bus=bus)
+            )
     except HouseflyError as error:
         print(f"twin: {error}", file=sys.stderr)
         return 1

@@ -37,7 +37,9 @@ class RealTime:
             self._world.advance(behind)
 
     async def run(self, after_step: Callable[[], None] = lambda: None) -> None:
-        """Keep the world in the present until cancelled, and call ``after_step`` each time it moved."""
+        """Keep the world in the present until cancelled, and call ``after_step`` each time it
+        moved.
+        """
         rate = Rate(TICK_HZ, self._clock)
         while True:
             await rate.sleep()

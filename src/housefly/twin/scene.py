@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.room.mjcf import room_to_mjcf
 from housefly.room.model import Room
-from housefly.twin.body import drone_body
+from housefly.twin.ardrone.body import drone_body
 from housefly.twin.movable import Movable, movable_body
 from housefly.twin.people.bodies import people_bodies
 from housefly.twin.people.script import PersonScript
 
 
-def scene_mjcf(site: Site, room: Room, people: tuple[PersonScript, ...] = (), movables: tuple[Movable, ...] = ()) -> str:
-    """Return the MuJoCo model text of the room with the drone on its pad and what can move, all away; needs no MuJoCo."""
+def scene_mjcf(
+    site: Site,
+    room: Room,
+    people: tuple[PersonScript, ...] = (),
+    movables: tuple[Movable, ...] = (),
+) -> str:
+    """Return the MuJoCo model text of the room with the drone on its pad and what can move, all
+    away; needs no MuJoCo.
+    """
     drone = drone_body(site.drone, room.home, room.home_yaw)
-    return room_to_mjcf(room, bodies=drone + people_bodies(people) + "".join(movable_body(movable) for movable in movables))
+    return room_to_mjcf(
+        room,
+        bodies=drone
+        + people_bodies(people)
+        + "".join(movable_body(movable) for movable in movables),
+    )

@@ -1,6 +1,8 @@
-"""The simulated room with one drone in it: physics, firmware, tracking, battery and visitor on one clock.
+"""The simulated room with one drone in it: physics, firmware, tracking, battery and visitor on one
+clock.
 
-World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed, and no observer can change
+World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed,
+and no observer can change
 the course of a flight: the same seed and the same commands give the same flight bit for bit.
 """
 
@@ -11,25 +13,25 @@ from collections.abc import Callable
 
 import numpy as np
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
-from housefly.twin.battery import Battery
-from housefly.twin.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
+from housefly.twin.ardrone.battery import Battery
+from housefly.twin.ardrone.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
+from housefly.twin.ardrone.firmware import WATCHDOG_FLAG, Firmware
+from housefly.twin.ardrone.onboard_loops import REST, THRUST_MAX, Wrench
+from housefly.twin.ardrone.onboard_sensors import PERIOD, Sensors
 from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
-from housefly.twin.depth_camera import DepthCamera
-from housefly.twin.firmware import WATCHDOG_FLAG, Firmware
-from housefly.twin.mocap import Cameras, FrameMaker
+from housefly.twin.mocap.mocap import Cameras, FrameMaker
 from housefly.twin.movable import Movable, furniture_of, markers_on
-from housefly.twin.onboard_loops import REST, THRUST_MAX, Wrench
 from housefly.twin.people import Scene
+from housefly.twin.people.stage import Stage
+from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
-from housefly.twin.scanner import Scanner
-from housefly.twin.sensors import PERIOD, Sensors
-from housefly.twin.stage import Stage
-from housefly.twin.visitor import Visitor
+from housefly.twin.sensors.depth_camera import DepthCamera
+from housefly.twin.sensors.scanner import Scanner
 
 WEIGHT = MASS * GRAVITY
 
@@ -41,16 +43,23 @@ class SimulatedWorld:
         site: drone, tracking, scanners, depth cameras, noise, seed.
         room: what stands where.
         scene: the people in it; its time is the world's.
-        movables: things that no map shows; out of the building until they are put somewhere. The furniture of the room that the
-            site's tracking system sees can be put elsewhere, too, by the names of its bodies.
+        movables: things that no map shows; out of the building until they are put somewhere. The
+            furniture of the room that the site's tracking system sees can be put elsewhere, too, by
+            the names of its bodies.
     """
 
-    def __init__(self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()) -> None:
-        sensing, tracking = (np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2))
+    def __init__(
+        self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()
+    ) -> None:
+        sensing, tracking = (
+            np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2)
+        )
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
         movables = (*movables, *furniture_of(site, room))
-        self._physics = Physics(site, untracked(room, site), scene.script.people if scene else (), movables)
+        self._physics = Physics(
+            site, untracked(room, site), scene.script.people if scene else (), movables
+        )
         self._sensors = Sensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
@@ -59,9 +68,15 @@ class SimulatedWorld:
         marked = {piece.body for piece in site.furniture}
         self._marked = tuple(movable for movable in movables if movable.name in marked)
         self._visitor = Visitor(self._physics, self._cameras)
-        self._scanners = {laser.name: Scanner(laser, site.twin, n, self._physics) for n, laser in enumerate(site.lasers)}
+        self._scanners = {
+            laser.name: Scanner(laser, site.twin, n, self._physics)
+            for n, laser in enumerate(site.lasers)
+        }
         seed = site.twin.seed
-        self._depth = {camera.name: DepthCamera(camera, seed, n, self._physics) for n, camera in enumerate(site.depth_cameras)}
+        self._depth = {
+            camera.name: DepthCamera(camera, seed, n, self._physics)
+            for n, camera in enumerate(site.depth_cameras)
+        }
         self._orders: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
@@ -125,7 +140,9 @@ class SimulatedWorld:
         return self._stage.poses if self._stage else ()
 
     def put(self, name: str, place: Vec2 | None, yaw: float = 0.0) -> None:
-        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of the building."""
+        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of
+        the building.
+        """
         self._physics.put(name, place, yaw)
 
     def scan(self, laser: str) -> tuple[int, ...]:
@@ -143,7 +160,12 @@ class SimulatedWorld:
     def truth(self) -> Truth:
         """Return what really is now."""
         body = self._body
-        return Truth(self._ticks * PERIOD, Pose(body.position, body.orientation), body.velocity, self._physics.contacts())
+        return Truth(
+            self._ticks * PERIOD,
+            Pose(body.position, body.orientation),
+            body.velocity,
+            self._physics.contacts(),
+        )
 
     def onboard(self) -> Onboard:
         """Return what the firmware believes now."""
@@ -188,7 +210,9 @@ class SimulatedWorld:
         while self._orders and self._orders[0][0] <= began + _ROUNDING:
             self._orders.popleft()[1]()
         self._measured = self._sensors.read(self._body)
-        self._wrench = self._firmware.step(self._measured, self._battery.voltage, began - self._heard_at)
+        self._wrench = self._firmware.step(
+            self._measured, self._battery.voltage, began - self._heard_at
+        )
         if self._stage is not None:
             self._stage.play(self._ticks, began)
         self._physics.advance(self._wrench, self._body)
@@ -204,21 +228,35 @@ class SimulatedWorld:
         seen = self._cameras.see(markers, self._physics.drone_id)
         drone = Pose(body.position, body.orientation) if seen else None
         things = tuple((movable.name, self._seen(movable)) for movable in self._marked)
-        self._frames.expose(now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen), *things))
+        self._frames.expose(
+            now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen), *things)
+        )
 
     def _seen(self, movable: Movable) -> Pose | None:
         body, pose = self._physics.movable(movable.name)
-        return pose if pose is not None and self._cameras.see(markers_on(movable, pose), body) else None
+        return (
+            pose
+            if pose is not None and self._cameras.see(markers_on(movable, pose), body)
+            else None
+        )
 
 
 _ROUNDING = 1e-9
 
 
 def motor_duties(wrench: Wrench) -> tuple[float, float, float, float]:
-    """Return the duty cycles from 0 to 1 of front left, front right, rear right and rear left motor."""
+    """Return the duty cycles from 0 to 1 of front left, front right, rear right and rear left
+    motor.
+    """
     if wrench.thrust <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
-    lift, roll, pitch = wrench.thrust / 4, wrench.roll / (4 * MOTOR_ARM), wrench.pitch / (4 * MOTOR_ARM)
+    lift, roll, pitch = (
+        wrench.thrust / 4,
+        wrench.roll / (4 * MOTOR_ARM),
+        wrench.pitch / (4 * MOTOR_ARM),
+    )
     forces = (lift + roll - pitch, lift - roll - pitch, lift - roll + pitch, lift + roll + pitch)
-    front_left, front_right, rear_right, rear_left = (min(max(4 * force / THRUST_MAX, 0.0), 1.0) for force in forces)
+    front_left, front_right, rear_right, rear_left = (
+        min(max(4 * force / THRUST_MAX, 0.0), 1.0) for force in forces
+    )
     return front_left, front_right, rear_right, rear_left

@@ -1,12 +1,14 @@
-"""What the server tells all browsers by itself: the state twenty times a second, events, link, path, the room."""
+"""What the server tells all browsers by itself: the state twenty times a second, events, link,
+path, the room.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import logging
 
-from housefly.bus.queries import PlanRequest
 from housefly.errors import HouseflyError
+from housefly.hub.api.queries import PlanRequest
 from housefly.web.console import Console
 from housefly.web.vocabulary import LinkNews, RoomNews, to_text
 

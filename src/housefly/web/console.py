@@ -9,9 +9,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from housefly.bus.queries import PlanRequest, RoomView
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
+from housefly.hub.api.queries import PlanRequest, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.lease import Lease
 from housefly.web.news import PilotNews, on_the_ground
@@ -56,7 +56,9 @@ OPENED_ELSEWHERE = 4001
 class Console:
     """All open browsers of one drone; everything happens on one asyncio loop."""
 
-    def __init__(self, news: PilotNews, link: PilotLink, doorkeeper: Doorkeeper, clock: Clock) -> None:
+    def __init__(
+        self, news: PilotNews, link: PilotLink, doorkeeper: Doorkeeper, clock: Clock
+    ) -> None:
         self.news, self.link, self.lease = news, link, Lease()
         self.room: RoomView | None = None
         self.viewers: set[Viewer] = set()
@@ -74,7 +76,8 @@ class Console:
             InviteRequest: self._invite,
         }
 
-    # --- sockets ------------------------------------------------------------------------------------
+    # --- sockets
+    # ------------------------------------------------------------------------------------
 
     def enter(self, viewer: Viewer) -> bool:
         """Let a new socket in; False when the house is full."""
@@ -125,7 +128,11 @@ class Console:
         """Free control when its holder has gone silent."""
         holder = self.lease.holder
         if self.lease.expired(self._clock.now()):
-            self.news.note(Severity.WARNING, "control", f"{self._name(holder)} lost contact and with it control")
+            self.news.note(
+                Severity.WARNING,
+                "control",
+                f"{self._name(holder)} lost contact and with it control",
+            )
             self.show_viewers()
 
     def name_at(self, tab: str) -> str:
@@ -141,7 +148,8 @@ class Console:
         log.info("%s", words)
         self.news.note(Severity.INFO, "room", words)
 
-    # --- messages -----------------------------------------------------------------------------------
+    # --- messages
+    # -----------------------------------------------------------------------------------
 
     def _count(self, viewer: Viewer) -> bool:
         if viewer.bucket.spend(self._clock.now()):
@@ -154,7 +162,11 @@ class Console:
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
         for other in self.viewers:
-            if other is not viewer and other.present and other.number == self._numbers.get(message.tab):
+            if (
+                other is not viewer
+                and other.present
+                and other.number == self._numbers.get(message.tab)
+            ):
                 other.number = 0
                 other.close(OPENED_ELSEWHERE, "this console was opened in another tab")
         viewer.number = self._numbers.setdefault(message.tab, len(self._numbers) + 1)
@@ -223,7 +235,9 @@ class Console:
             self._start(self._answer_plans(viewer))
 
     async def _answer_plans(self, viewer: Viewer) -> None:
-        """Answer the newest question; those that came while another was being answered are out of date."""
+        """Answer the newest question; those that came while another was being answered are out of
+        date.
+        """
         while (question := viewer.question) is not None:
             viewer.question = None
             try:
@@ -242,7 +256,10 @@ class Console:
         elif message.action == "release":
             problem, words = self.lease.release(me), "laid down control"
         elif message.to in {other.number for other in self.viewers if other.present}:
-            problem, words = self.lease.give(me, message.to, now), f"handed control to {self._name(message.to)}"
+            problem, words = (
+                self.lease.give(me, message.to, now),
+                f"handed control to {self._name(message.to)}",
+            )
         else:
             problem, words = "that viewer is not here any more", ""
         if problem:
@@ -255,7 +272,8 @@ class Console:
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
         viewer.send(InviteNews(message.id, f"/?token={self._doorkeeper.invite()}"))
 
-    # --- helpers ------------------------------------------------------------------------------------
+    # --- helpers
+    # ------------------------------------------------------------------------------------
 
     @property
     def flying(self) -> bool:
@@ -269,10 +287,14 @@ class Console:
         return f"Viewer {number}"
 
     def _audit(self, sender: str, words: str) -> None:
-        """Keep who asked for what; the pilot writes it into the event log itself, unless it cannot be heard."""
+        """Keep who asked for what; the pilot writes it into the event log itself, unless it cannot
+        be heard.
+        """
         log.info("%s: %s", sender, words)
         if self.news.age > PILOT_SILENT:
-            self.news.note(Severity.WARNING, "order", f"{sender}: {words}, but the pilot is not heard")
+            self.news.note(
+                Severity.WARNING, "order", f"{sender}: {words}, but the pilot is not heard"
+            )
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)
@@ -282,4 +304,6 @@ class Console:
 
 def _is_free(message: Any) -> bool:
     """STOP and LAND pass the limit on commands."""
-    return isinstance(message, StopRequest) or (isinstance(message, OrderRequest) and message.order in FOR_EVERYONE)
+    return isinstance(message, StopRequest) or (
+        isinstance(message, OrderRequest) and message.order in FOR_EVERYONE
+    )

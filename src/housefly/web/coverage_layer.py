@@ -1,4 +1,6 @@
-"""How many tracking cameras see each part of the room, as a coarse grid for the map; computed once, beside the loop."""
+"""How many tracking cameras see each part of the room, as a coarse grid for the map; computed once,
+beside the loop.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Where places and zones of a room are edited: what is there, saving, undoing. Blocking; the server calls it on a thread."""
+"""Where places and zones of a room are edited: what is there, saving, undoing. Blocking; the server
+calls it on a thread.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +8,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from housefly.bus.queries import PlaceView
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.errors import EditsError
+from housefly.hub.api.queries import PlaceView
 from housefly.room.edit_versions import EditVersions, Version
 from housefly.room.edits import edited, edits_from_tree, with_places
 from housefly.room.model import Place, Room
 
-FROM_NEXT_START = "The drone keeps the map that it started with: this applies from the next start of Housefly on."
+FROM_NEXT_START = (
+    "The drone keeps the map that it started with: this applies from the next start of Housefly on."
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +71,11 @@ class EditDesk:
         """Why nothing can be edited here, or ""."""
         if not self._site.hub.edits:
             return "editing is switched off here: hub.edits = false in the site file"
-        return "mode paper flies the paper's own map: edit in mode default" if self._site.mode == "paper" else ""
+        return (
+            "mode paper flies the paper's own map: edit in mode default"
+            if self._site.mode == "paper"
+            else ""
+        )
 
     def view(self) -> EditsView:
         """Return the newest version; raises EditsError or RoomError."""
@@ -113,4 +121,6 @@ class EditDesk:
 
 
 def _place(place: Place) -> PlaceView:
-    return PlaceView(place.name, place.title or place.name.capitalize(), place.viewpoint, place.look_at)
+    return PlaceView(
+        place.name, place.title or place.name.capitalize(), place.viewpoint, place.look_at
+    )

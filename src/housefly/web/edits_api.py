@@ -1,7 +1,9 @@
 """Places and zones over HTTP: ``GET /edits``, ``POST /edits`` and ``POST /edits/undo``.
 
-Only pages of this server with a session may change them, and of those the one that has control. Whoever saves names the version
-that the change is based on: 409 when somebody saved in between, 422 in words when the room would not be flyable.
+Only pages of this server with a session may change them, and of those the one that has control.
+Whoever saves names the version
+that the change is based on: 409 when somebody saved in between, 422 in words when the room would
+    not be flyable.
 """
 
 from __future__ import annotations
@@ -79,12 +81,18 @@ class EditsApi:
         return await self._answer(lambda desk: desk.view())
 
     async def _save(self, request: Request) -> Response:
-        return await self._changed(request, lambda desk, wish, by: desk.save(wish.edits, wish.based_on, by), "saved")
+        return await self._changed(
+            request, lambda desk, wish, by: desk.save(wish.edits, wish.based_on, by), "saved"
+        )
 
     async def _undo(self, request: Request) -> Response:
-        return await self._changed(request, lambda desk, wish, by: desk.undo(wish.based_on, by), "undid a change of")
+        return await self._changed(
+            request, lambda desk, wish, by: desk.undo(wish.based_on, by), "undid a change of"
+        )
 
-    async def _changed(self, request: Request, work: Callable[[EditDesk, _Wish, str], EditsView], did: str) -> Response:
+    async def _changed(
+        self, request: Request, work: Callable[[EditDesk, _Wish, str], EditsView], did: str
+    ) -> Response:
         if not (same_origin(request) and self._doorkeeper.knows(request)):
             return _refused(403, "this page may not change the room")
         body = await _body(request)
@@ -104,16 +112,24 @@ class EditsApi:
 
     async def _answer(self, work: Callable[[EditDesk], EditsView]) -> Response:
         if self._desk is None or self._desk.closed:
-            return _refused(404, self._desk.closed if self._desk else "places and zones cannot be edited here")
+            return _refused(
+                404, self._desk.closed if self._desk else "places and zones cannot be edited here"
+            )
         try:
-            view = await asyncio.get_running_loop().run_in_executor(self._thread, partial(work, self._desk))
+            view = await asyncio.get_running_loop().run_in_executor(
+                self._thread, partial(work, self._desk)
+            )
         except StaleEdits as error:
             return _refused(409, str(error))
         except EditsError as error:
             return JSONResponse({"error": str(error), "item": error.item}, status_code=422)
         except HouseflyError as error:
             return _refused(503, str(error))
-        return Response(_VIEW.dump_json(view), media_type="application/json", headers={"cache-control": "no-store"})
+        return Response(
+            _VIEW.dump_json(view),
+            media_type="application/json",
+            headers={"cache-control": "no-store"},
+        )
 
 
 async def _body(request: Request) -> bytes | None:
@@ -136,7 +152,9 @@ def _wish(body: bytes) -> _Wish:
         raise ValueError(f"the body is an object with {', '.join(sorted(KEYS))}")
     based_on, tab = tree.get("based_on"), tree.get("tab")
     if not isinstance(based_on, int) or isinstance(based_on, bool) or not 0 <= based_on <= 10**9:
-        raise ValueError("based_on: the number of the version that the change is based on, 0 or more")
+        raise ValueError(
+            "based_on: the number of the version that the change is based on, 0 or more"
+        )
     if not isinstance(tab, str) or len(tab) > 64:
         raise ValueError("tab: which tab of the console asks, as text")
     return _Wish(based_on, tab, tree.get("edits", {}))

@@ -12,7 +12,9 @@ BURST = 40.0
 
 @dataclass(slots=True)
 class Bucket:
-    """A token bucket: ``RATE`` tokens a second, ``BURST`` at most. ``over`` counts refusals since the last pause."""
+    """A token bucket: ``RATE`` tokens a second, ``BURST`` at most. ``over`` counts refusals since
+    the last pause.
+    """
 
     tokens: float = BURST
     at: float = 0.0

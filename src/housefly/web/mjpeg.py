@@ -1,4 +1,5 @@
-"""The drone's pictures as JPEG, for browsers without WebCodecs (it exists on secure addresses only).
+"""The drone's pictures as JPEG, for browsers without WebCodecs (it exists on secure addresses
+only).
 
 Pictures are decoded only while such a browser watches.
 """
@@ -25,7 +26,9 @@ QUALITY = 75
 def stream(video: VideoRoom) -> StreamingResponse:
     """Answer with pictures until the browser leaves."""
     kind = f"multipart/x-mixed-replace; boundary={BOUNDARY}"
-    return StreamingResponse(_pictures(video), media_type=kind, headers={"cache-control": "no-store"})
+    return StreamingResponse(
+        _pictures(video), media_type=kind, headers={"cache-control": "no-store"}
+    )
 
 
 async def _pictures(video: VideoRoom) -> AsyncIterator[bytes]:
@@ -40,7 +43,10 @@ async def _pictures(video: VideoRoom) -> AsyncIterator[bytes]:
                 watcher.waiting.clear()
                 picture = await asyncio.to_thread(_newest, decoder, messages)
                 if picture:
-                    head = f"--{BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length: {len(picture)}\r\n\r\n"
+                    head = (
+                        f"--{BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length:"
+                        f" {len(picture)}\r\n\r\n"
+                    )
                     yield head.encode() + picture + b"\r\n"
 
 

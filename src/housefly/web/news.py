@@ -1,4 +1,6 @@
-"""What the console knows of the pilot: the newest step, the link, the event log, the trail. Fed by the bus's threads."""
+"""What the console knows of the pilot: the newest step, the link, the event log, the trail. Fed by
+the bus's threads.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,7 @@ from math import dist, inf
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK, STEP
 from housefly.clock import Clock
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
 from housefly.geometry import Vec2
 from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity, Sighting
 from housefly.room.tracked import footprint_of
@@ -23,7 +25,9 @@ TRAIL_KEPT = 600
 TRAIL_STEP = 0.04
 """Distance between two points of the trail [m]."""
 BODY_MEMORY = 2.0
-"""Other tracked bodies than furniture vanish from the map when they were not seen for this long [s]."""
+"""Other tracked bodies than furniture vanish from the map when they were not seen for this long
+[s].
+"""
 
 
 @dataclass(slots=True)
@@ -104,7 +108,9 @@ class PilotNews:
         """Return the path in use."""
         with self._lock:
             way = self._path
-            return PathNews(self._path_number, way.waypoints if way else (), way.length if way else 0.0)
+            return PathNews(
+                self._path_number, way.waypoints if way else (), way.length if way else 0.0
+            )
 
     def state(self, home_s: float) -> State | None:
         """Return the newest step as the browser wants it; ``home_s`` is the flight time home [s]."""
@@ -141,7 +147,9 @@ class PilotNews:
             if step.outputs.path != self._path:
                 self._path, self._path_number = step.outputs.path, self._path_number + 1
             estimate = step.outputs.estimate
-            if estimate is not None and (not self._trail or dist(self._trail[-1], estimate.position[:2]) > TRAIL_STEP):
+            if estimate is not None and (
+                not self._trail or dist(self._trail[-1], estimate.position[:2]) > TRAIL_STEP
+            ):
                 self._trail.append(estimate.position[:2])
 
     def _on_link(self, link: LinkStatus) -> None:
@@ -154,12 +162,20 @@ class PilotNews:
 
 
 def on_the_ground(step: PilotStep | None) -> bool:
-    """Tell whether the drone says that it does not fly; a drone that is not heard counts as on the ground."""
+    """Tell whether the drone says that it does not fly; a drone that is not heard counts as on the
+    ground.
+    """
     telemetry = step.inputs.telemetry if step else None
-    return telemetry is None or telemetry.status in (DroneStatus.UNKNOWN, DroneStatus.LANDED, DroneStatus.EMERGENCY)
+    return telemetry is None or telemetry.status in (
+        DroneStatus.UNKNOWN,
+        DroneStatus.LANDED,
+        DroneStatus.EMERGENCY,
+    )
 
 
-def _state(step: PilotStep, heard_at: float, home_s: float, path: int, others: tuple[OtherBody, ...]) -> State:
+def _state(
+    step: PilotStep, heard_at: float, home_s: float, path: int, others: tuple[OtherBody, ...]
+) -> State:
     telemetry, out = step.inputs.telemetry, step.outputs
     estimate = out.estimate
     return State(

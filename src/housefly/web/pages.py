@@ -26,7 +26,9 @@ _PAGE = """<!doctype html>
 """
 
 
-def page(title: str, *paragraphs: str, status: int = 200, link: tuple[str, str] | None = None) -> HTMLResponse:
+def page(
+    title: str, *paragraphs: str, status: int = 200, link: tuple[str, str] | None = None
+) -> HTMLResponse:
     """Return a plain page with a title, paragraphs, and perhaps one link (address, text)."""
     body = [f"<p>{escape(text)}</p>" for text in paragraphs]
     if link:
@@ -39,9 +41,11 @@ def link_used() -> HTMLResponse:
     """Return the page for a link that was used before, or was never good."""
     return page(
         "This link was already used",
-        "A link opens the console in one browser only, so that nobody can fly the drone with a link that was left lying about.",
-        "For another browser or person: open “Control” in a console that is already open and choose “Invite”. It makes a fresh "
-        "link. Without an open console, start Housefly again; it prints a new address.",
+        "A link opens the console in one browser only, so that nobody can fly the drone with a link"
+        " that was left lying about.",
+        "For another browser or person: open “Control” in a console that is already open and choose"
+        " “Invite”. It makes a fresh link. Without an open console, start Housefly again; it prints"
+        " a new address.",
         status=403,
         link=("/", "I have the console open in this browser"),
     )
@@ -51,8 +55,9 @@ def no_session() -> HTMLResponse:
     """Return the page for a browser that has no session."""
     return page(
         "Who is there?",
-        "This browser does not have the console open yet. Use the address that Housefly printed when it started; it looks like "
-        "http://127.0.0.1:8080/?token=… and opens the console in one browser.",
+        "This browser does not have the console open yet. Use the address that Housefly printed"
+        " when it started; it looks like http://127.0.0.1:8080/?token=… and opens the console in"
+        " one browser.",
         "If you came here through such a link on another page, try again:",
         status=403,
         link=("/", "Open the console"),

@@ -1,4 +1,6 @@
-"""The console's line to the pilot: STOP at once, orders in their order, questions without holding anybody up."""
+"""The console's line to the pilot: STOP at once, orders in their order, questions without holding
+anybody up.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +10,11 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
-from housefly.bus.queries import PlanRequest, RoomView
-from housefly.bus.queries_json import from_json, to_json
 from housefly.bus.topics import ORDER, PLAN_QUERY, ROOM_QUERY
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
+from housefly.hub.api.queries import PlanRequest, RoomView
+from housefly.hub.api.queries_json import from_json, to_json
 from housefly.messages import Order, OrderKind, PlanAnswer
 
 log = logging.getLogger(__name__)
@@ -38,7 +40,9 @@ class PilotLink:
             self._stop()
         except (OSError, HouseflyError):
             log.exception("the STOP path failed; STOP goes over the bus alone")
-        self._orders.submit(self._publish, Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender))
+        self._orders.submit(
+            self._publish, Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender)
+        )
 
     def send(self, order: Order) -> asyncio.Future[str]:
         """Publish an order after those before it; the future holds "" or what went wrong."""
@@ -58,7 +62,9 @@ class PilotLink:
         self._questions.shutdown(wait=False, cancel_futures=True)
 
     async def _ask(self, query: str, request: str) -> str:
-        return await asyncio.get_running_loop().run_in_executor(self._questions, self._bus.ask, query, request)
+        return await asyncio.get_running_loop().run_in_executor(
+            self._questions, self._bus.ask, query, request
+        )
 
     def _publish(self, order: Order) -> str:
         try:

@@ -1,7 +1,9 @@
 """The console's process: ``python -m housefly.web.process --site FILE --bus ENDPOINT``.
 
-The launcher hands over secrets in the environment, where other users of the machine cannot read them: the token of the first
-link, the key of the STOP path (hexadecimal; sessions are signed with it too), and the port of the STOP path.
+The launcher hands over secrets in the environment, where other users of the machine cannot read
+    them: the token of the first
+link, the key of the STOP path (hexadecimal; sessions are signed with it too), and the port of the
+STOP path.
 """
 
 from __future__ import annotations
@@ -25,11 +27,11 @@ from starlette.applications import Starlette
 
 from housefly.bus.stop import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config import Site, load_site
+from housefly.config.site import Site, load_site
+from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
-from housefly.state import edits_folder
 from housefly.web.coverage_layer import coverage_view
 from housefly.web.edit_desk import EditDesk
 from housefly.web.security import LOOPBACK_NAMES, check_bind
@@ -53,7 +55,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         site = load_site(options.site)
         folder = options.site.parent
         serving = run_web(
-            site, options.bus, options.host, options.port, insecure=options.insecure, names=options.name, folder=folder
+            site,
+            options.bus,
+            options.host,
+            options.port,
+            insecure=options.insecure,
+            names=options.name,
+            folder=folder,
         )
         asyncio.run(serving)
     except HouseflyError as error:
@@ -89,7 +97,10 @@ async def run_web(
     host, port = host or site.web.host, site.web.port if port is None else port
     check_bind(host, insecure=insecure)
     if host in ANY_ADDRESS and not names:
-        raise ConfigError("web.host", f"is {host!r}: say with --name under which names browsers will ask for the console")
+        raise ConfigError(
+            "web.host",
+            f"is {host!r}: say with --name under which names browsers will ask for the console",
+        )
     token = os.environ.get(TOKEN) or secrets.token_urlsafe(24)
     stop = _stop_sender()
     with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus:
@@ -101,8 +112,12 @@ async def run_web(
             secret=os.environ.get(SECRET, ""),
             drone_body=site.tracking.body,
             furniture=site.furniture,
-            coverage=lambda: coverage_view(load_room(site.room.model, folder), site.map.flight_height),
-            edits=EditDesk(lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))),
+            coverage=lambda: coverage_view(
+                load_room(site.room.model, folder), site.map.flight_height
+            ),
+            edits=EditDesk(
+                lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))
+            ),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
         gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits
@@ -111,7 +126,9 @@ async def run_web(
 
 
 def make_server(app: Starlette) -> uvicorn.Server:
-    """Return the HTTP server for the application; it leaves within a second even with browsers connected."""
+    """Return the HTTP server for the application; it leaves within a second even with browsers
+    connected.
+    """
     return uvicorn.Server(
         uvicorn.Config(
             app,
@@ -131,16 +148,21 @@ def _leave(number: int, frame: FrameType | None) -> None:
 
 def _listening(host: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    # The protocol is named, else asyncio does not switch off Nagle and every answer waits 40 ms for an acknowledgement.
+    # The protocol is named, else asyncio does not switch off Nagle and every answer waits 40 ms for
+    # an acknowledgement.
     listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
-        # Browsers that come before the application is up wait in the queue instead of being refused.
+        # Browsers that come before the application is up wait in the queue instead of being
+        # refused.
         listener.listen()
     except OSError as error:
         listener.close()
-        raise ConfigError("web.port", f"cannot listen on {host} port {port} ({error.strerror}); choose another port") from error
+        raise ConfigError(
+            "web.port",
+            f"cannot listen on {host} port {port} ({error.strerror}); choose another port",
+        ) from error
     return listener
 
 
@@ -153,17 +175,34 @@ def _stop_sender() -> StopSender:
     try:
         return StopSender("127.0.0.1", int(os.environ[STOP_PORT]), os.environ[SECRET])
     except (KeyError, ValueError) as error:
-        raise ConfigError("environment", f"{error}: the console is started by `housefly run` or `housefly demo`") from error
+        raise ConfigError(
+            "environment", f"{error}: the console is started by `housefly run` or `housefly demo`"
+        ) from error
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="python -m housefly.web.process", description="Serve the console of one site.")
+    parser = argparse.ArgumentParser(
+        prog="python -m housefly.web.process", description="Serve the console of one site."
+    )
     parser.add_argument("--site", type=Path, required=True, help="site file")
-    parser.add_argument("--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447")
+    parser.add_argument(
+        "--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447"
+    )
     parser.add_argument("--host", help="address to listen on instead of the site's")
-    parser.add_argument("--port", type=int, help="TCP port instead of the site's; 0 takes a free one")
-    parser.add_argument("--name", action="append", default=[], help="further host name to answer to; may be repeated")
-    parser.add_argument("--insecure", action="store_true", help="allow an address that other machines reach, without encryption")
+    parser.add_argument(
+        "--port", type=int, help="TCP port instead of the site's; 0 takes a free one"
+    )
+    parser.add_argument(
+        "--name",
+        action="append",
+        default=[],
+        help="further host name to answer to; may be repeated",
+    )
+    parser.add_argument(
+        "--insecure",
+        action="store_true",
+        help="allow an address that other machines reach, without encryption",
+    )
     return parser
 
 

@@ -1,7 +1,9 @@
-"""A pretended pilot, to work on the console without room, drone or twin: ``python -m housefly.web.rehearsal``.
+"""A pretended pilot, to work on the console without room, drone or twin: ``python -m
+housefly.web.rehearsal``.
 
-It answers the pilot's queries, obeys orders with the kinematics of a point, and publishes the same topics. The browser tests and
-the console's benchmark use it as well. It decides nothing that the real pilot decides, and it never leaves this machine.
+It answers the pilot's queries, obeys orders with the kinematics of a point, and publishes the same
+topics. The browser tests and the console's benchmark use it as well. It decides nothing that the
+real pilot decides, and it never leaves this machine.
 """
 
 from __future__ import annotations
@@ -17,11 +19,11 @@ import uvicorn
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
-from housefly.bus.queries import PlanRequest, RoomView
-from housefly.bus.queries_json import from_json, to_json
 from housefly.bus.topics import LINK, ORDER, PLAN_QUERY, ROOM_QUERY, STEP
 from housefly.clock import Clock, RealClock
 from housefly.geometry import Vec2, wrap_angle
+from housefly.hub.api.queries import PlanRequest, RoomView
+from housefly.hub.api.queries_json import from_json, to_json
 from housefly.messages import (
     Action,
     Behavior,
@@ -89,7 +91,9 @@ class PretendedPilot:
         self.position = self.room.home
         self.bus.subscribe(ORDER, self._obey)
         self.bus.answer(ROOM_QUERY, lambda _: to_json(self.room))
-        self.bus.answer(PLAN_QUERY, lambda text: to_json(self._answer(from_json(PlanRequest, text))))
+        self.bus.answer(
+            PLAN_QUERY, lambda text: to_json(self._answer(from_json(PlanRequest, text)))
+        )
 
     async def run(self, rate_hz: float = 100.0) -> None:
         """Fly in real time until cancelled."""
@@ -102,7 +106,10 @@ class PretendedPilot:
     def tell_link(self) -> None:
         """Publish a healthy link."""
         if self.publishing:
-            self.bus.publish(LINK, LinkStatus(self.clock.now(), True, True, True, 100.0, 15.0, 30.0, 1e-4, 4e-4, 2e-3))
+            self.bus.publish(
+                LINK,
+                LinkStatus(self.clock.now(), True, True, True, 100.0, 15.0, 30.0, 1e-4, 4e-4, 2e-3),
+            )
 
     def advance(self, dt: float) -> None:
         """Move by dt [s] and publish the step."""
@@ -118,12 +125,17 @@ class PretendedPilot:
         with self._lock:
             self._events.append(Event(self.clock.now(), severity, code, text))
 
-    # --- orders -------------------------------------------------------------------------------------
+    # --- orders
+    # -------------------------------------------------------------------------------------
 
     def _obey(self, order: Order) -> None:
         with self._lock:
             self.orders.append(order)
-            self.say(Severity.INFO, "order_accepted", f"{order.kind.value} {order.place} by {order.sender}")
+            self.say(
+                Severity.INFO,
+                "order_accepted",
+                f"{order.kind.value} {order.place} by {order.sender}",
+            )
             flying = self.status in (DroneStatus.FLYING, DroneStatus.TAKING_OFF)
             match order.kind:
                 case OrderKind.TAKE_OFF:
@@ -142,7 +154,12 @@ class PretendedPilot:
                     self.stopped, self.path, self.errand = False, None, None
                     self.phase = Phase.HOLDING if flying else Phase.IDLE
                 case OrderKind.CUT:
-                    self.status, self.path, self.errand, self.phase = DroneStatus.EMERGENCY, None, None, Phase.IDLE
+                    self.status, self.path, self.errand, self.phase = (
+                        DroneStatus.EMERGENCY,
+                        None,
+                        None,
+                        Phase.IDLE,
+                    )
                     self.say(Severity.FAULT, "cut", "Motors cut by order")
                 case OrderKind.RESET:
                     self.status = DroneStatus.LANDED
@@ -156,7 +173,11 @@ class PretendedPilot:
         self.errand = order
         answer = self._answer(PlanRequest(order.place, order.goal))
         self.path, self.waypoint = answer.path, 1
-        self.say(Severity.INFO, "errand", f"Path of {answer.path.length:.1f} m planned" if answer.path else answer.reason)
+        self.say(
+            Severity.INFO,
+            "errand",
+            f"Path of {answer.path.length:.1f} m planned" if answer.path else answer.reason,
+        )
         if flying:
             self.phase = Phase.OUTBOUND
         else:
@@ -166,7 +187,8 @@ class PretendedPilot:
         answer = self._answer(PlanRequest(goal=self.room.home))
         self.path, self.waypoint, self.phase = answer.path, 1, Phase.RETURNING
 
-    # --- motion -------------------------------------------------------------------------------------
+    # --- motion
+    # -------------------------------------------------------------------------------------
 
     def _move(self, dt: float) -> None:
         if self.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
@@ -201,7 +223,10 @@ class PretendedPilot:
             turn = wrap_angle(atan2(dy, dx) - self.yaw)
             self.yaw = wrap_angle(self.yaw + max(-TURN * dt, min(TURN * dt, turn)))
             stride = min(left, SPEED * dt)
-            self.position = (self.position[0] + dx / left * stride, self.position[1] + dy / left * stride)
+            self.position = (
+                self.position[0] + dx / left * stride,
+                self.position[1] + dy / left * stride,
+            )
         if left <= SPEED * dt:
             self.waypoint += 1
             if self.waypoint >= len(self.path.waypoints):
@@ -217,7 +242,8 @@ class PretendedPilot:
         else:
             self.phase = Phase.HOLDING
 
-    # --- what it says -------------------------------------------------------------------------------
+    # --- what it says
+    # -------------------------------------------------------------------------------
 
     def _goal_name(self) -> str:
         if self.phase is Phase.RETURNING:
@@ -231,7 +257,9 @@ class PretendedPilot:
         now = self.clock.now()
         self.sequence += 1
         x, y = self.position
-        estimate = Estimate(now, (x, y, self.height), (0.0, 0.0, 0.0), self.yaw, self.pose_age, 0.004)
+        estimate = Estimate(
+            now, (x, y, self.height), (0.0, 0.0, 0.0), self.yaw, self.pose_age, 0.004
+        )
         sightings: tuple[Sighting, ...] = ()
         if self.room.visitor is not None:
             sightings = (Sighting("visitor", Pose((*self.room.visitor, 1.0)), now, now),)
@@ -240,7 +268,11 @@ class PretendedPilot:
             Command(Action.FLY if self.status is DroneStatus.FLYING else Action.IDLE),
             estimate,
             Reference((x, y, self.room.flight_height), (0.0, 0.0, 0.0), self.yaw),
-            Behavior.PATH_TRACKING if self.path and self.status is DroneStatus.FLYING else Behavior.HOVER,
+            (
+                Behavior.PATH_TRACKING
+                if self.path and self.status is DroneStatus.FLYING
+                else Behavior.HOVER
+            ),
             self.phase,
             SafetyMode.STOPPED if self.stopped else SafetyMode.NOMINAL,
             self._goal_name(),
@@ -255,7 +287,9 @@ class PretendedPilot:
         start = request.start or self.position
         goal = request.goal
         if request.place:
-            goal = next((place.viewpoint for place in self.room.places if place.name == request.place), None)
+            goal = next(
+                (place.viewpoint for place in self.room.places if place.name == request.place), None
+            )
         if goal is None:
             return PlanAnswer(start, start, None, f"no place called {request.place!r}")
         return plan_on(self.room.grid, start, goal)
@@ -268,7 +302,12 @@ async def rehearse(port: int = 8080) -> None:
     token = secrets.token_urlsafe(24)
     print(f"rehearsal: http://127.0.0.1:{port}/?token={token}", flush=True)
     flying = asyncio.create_task(pilot.run())
-    config = uvicorn.Config(create_app(bus, token, lambda: None), port=port, log_level="warning", timeout_graceful_shutdown=1)
+    config = uvicorn.Config(
+        create_app(bus, token, lambda: None),
+        port=port,
+        log_level="warning",
+        timeout_graceful_shutdown=1,
+    )
     await uvicorn.Server(config).serve()
     flying.cancel()
 

@@ -6,8 +6,8 @@ from collections import deque
 from itertools import pairwise
 from math import dist
 
-from housefly.bus.queries import GridView, OutlineView, PlaceView, RoomView
 from housefly.geometry import Vec2
+from housefly.hub.api.queries import GridView, OutlineView, PlaceView, RoomView
 from housefly.messages import Path, PlanAnswer
 
 SPEED = 0.5
@@ -48,15 +48,25 @@ def example_room() -> RoomView:
         home=(1.0, 1.0),
         flight_height=1.1,
         visitor=(7.1, 1.0),
-        limits={"speed": SPEED, "height_max": 2.0, "battery_floor": 0.15, "pose_age_level": 0.25, "pose_age_land": 2.0},
+        limits={
+            "speed": SPEED,
+            "height_max": 2.0,
+            "battery_floor": 0.15,
+            "pose_age_level": 0.25,
+            "pose_age_land": 2.0,
+        },
     )
 
 
 def plan_on(grid: GridView, start: Vec2, goal: Vec2) -> PlanAnswer:
-    """Return a shortest way over the free cells of a view of the grid (breadth first, for show only)."""
+    """Return a shortest way over the free cells of a view of the grid (breadth first, for show
+    only).
+    """
     first, last = _cell(grid, start), _cell(grid, goal)
     if not _free(grid, last):
-        return PlanAnswer(start, goal, None, "an obstacle is too close to this point", _nearest_free(grid, goal))
+        return PlanAnswer(
+            start, goal, None, "an obstacle is too close to this point", _nearest_free(grid, goal)
+        )
     came: dict[Cell, Cell] = {first: first}
     waiting = deque([first])
     while waiting and last not in came:
@@ -85,17 +95,28 @@ def _corners(cells: list[Cell]) -> list[Cell]:
 
 
 def _cell(grid: GridView, point: Vec2) -> Cell:
-    return int((point[0] - grid.origin[0]) / grid.resolution), int((point[1] - grid.origin[1]) / grid.resolution)
+    return int((point[0] - grid.origin[0]) / grid.resolution), int(
+        (point[1] - grid.origin[1]) / grid.resolution
+    )
 
 
 def _centre(grid: GridView, cell: Cell) -> Vec2:
-    return grid.origin[0] + (cell[0] + 0.5) * grid.resolution, grid.origin[1] + (cell[1] + 0.5) * grid.resolution
+    return (
+        grid.origin[0] + (cell[0] + 0.5) * grid.resolution,
+        grid.origin[1] + (cell[1] + 0.5) * grid.resolution,
+    )
 
 
 def _free(grid: GridView, cell: Cell) -> bool:
-    return 0 <= cell[0] < grid.width and 0 <= cell[1] < grid.height and grid.rows[cell[1]][cell[0]] == "."
+    return (
+        0 <= cell[0] < grid.width
+        and 0 <= cell[1] < grid.height
+        and grid.rows[cell[1]][cell[0]] == "."
+    )
 
 
 def _nearest_free(grid: GridView, point: Vec2) -> Vec2 | None:
     free = ((i, j) for j in range(grid.height) for i in range(grid.width) if _free(grid, (i, j)))
-    return min((_centre(grid, cell) for cell in free), key=lambda centre: dist(centre, point), default=None)
+    return min(
+        (_centre(grid, cell) for cell in free), key=lambda centre: dist(centre, point), default=None
+    )

@@ -1,6 +1,7 @@
 """The room over HTTP: ``/api/v1``, read only; every path is one question of ``bus.room_questions``.
 
-Asked with the session of the console, or with the key of this run as a bearer token (``housefly.connect()`` finds it).
+Asked with the session of the console, or with the key of this run as a bearer token
+(``housefly.connect()`` finds it).
 """
 
 from __future__ import annotations
@@ -20,10 +21,20 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.bus.bus import Bus
-from housefly.bus.room_json import complaint, question_to_json
-from housefly.bus.room_questions import Catalogue, Contents, Events, Near, Picture, Question, Sensors, Trajectory, Where
 from housefly.bus.topics import HUB_QUERY, ROOM_NEWS
 from housefly.errors import HouseflyError
+from housefly.hub.api.questions import (
+    Catalogue,
+    Contents,
+    Events,
+    Near,
+    Picture,
+    Question,
+    Sensors,
+    Trajectory,
+    Where,
+)
+from housefly.hub.api.room_json import complaint, question_to_json
 from housefly.messages import RoomNews
 from housefly.web.room_openapi import openapi
 from housefly.web.security import Doorkeeper, same_origin
@@ -70,7 +81,9 @@ class RoomApi:
     def routes(self) -> list[BaseRoute]:
         """Return the routes below ``PREFIX``."""
         document = openapi(ENDPOINTS, PREFIX)
-        asked = [Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS]
+        asked = [
+            Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS
+        ]
         described = Route("/openapi.json", lambda request: JSONResponse(document), methods=["GET"])
         return [Mount(PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])]
 
@@ -83,7 +96,11 @@ class RoomApi:
 
         async def answer(request: Request) -> Response:
             if not self._may_ask(request):
-                return _refused(401, "ask with the session of the console, or with the key of this run as a bearer token")
+                return _refused(
+                    401,
+                    "ask with the session of the console, or with the key of this run as a bearer"
+                    " token",
+                )
             try:
                 question = _question(reader, request)
             except ValidationError as error:
@@ -97,7 +114,9 @@ class RoomApi:
     async def _asked(self, question: Question) -> Response:
         loop = asyncio.get_running_loop()
         try:
-            text = await loop.run_in_executor(self._asking, self._bus.ask, HUB_QUERY, question_to_json(question), 10.0)
+            text = await loop.run_in_executor(
+                self._asking, self._bus.ask, HUB_QUERY, question_to_json(question), 10.0
+            )
         except HouseflyError as error:
             return _refused(503, f"the room's memory does not answer: {error}")
         if text.startswith('{"error"'):
@@ -106,8 +125,12 @@ class RoomApi:
         return Response(text, media_type="application/json", headers={"cache-control": "no-store"})
 
     async def _watch(self, websocket: WebSocket) -> None:
-        if not self._may_ask(websocket) or (websocket.headers.get("origin") and not same_origin(websocket)):
-            await websocket.close(1008, "ask with the session of the console, or with the key of this run")
+        if not self._may_ask(websocket) or (
+            websocket.headers.get("origin") and not same_origin(websocket)
+        ):
+            await websocket.close(
+                1008, "ask with the session of the console, or with the key of this run"
+            )
             return
         await websocket.accept()
         loop = asyncio.get_running_loop()

@@ -7,8 +7,8 @@ from typing import Any, Protocol
 
 from pydantic import TypeAdapter
 
-from housefly.bus.room_answers import ANSWERS
-from housefly.bus.room_questions import Question
+from housefly.hub.api.answers import ANSWERS
+from housefly.hub.api.questions import Question
 
 VERSION = "1.0"
 REFERENCE = "#/components/schemas/{model}"
@@ -35,24 +35,48 @@ class Described(Protocol):
 
 def openapi(endpoints: Sequence[Described], prefix: str) -> dict[str, Any]:
     """Return the document."""
-    schemas: dict[str, Any] = {"Error": {"type": "object", "properties": {"error": {"type": "string"}}, "required": ["error"]}}
-    paths = {prefix + endpoint.path: {"get": _operation(endpoint, schemas)} for endpoint in endpoints}
+    schemas: dict[str, Any] = {
+        "Error": {
+            "type": "object",
+            "properties": {"error": {"type": "string"}},
+            "required": ["error"],
+        }
+    }
+    paths = {
+        prefix + endpoint.path: {"get": _operation(endpoint, schemas)} for endpoint in endpoints
+    }
     return {
         "openapi": "3.1.0",
-        "info": {"title": "Housefly: the room", "version": VERSION, "description": "What is where, and what happened."},
+        "info": {
+            "title": "Housefly: the room",
+            "version": VERSION,
+            "description": "What is where, and what happened.",
+        },
         "security": [{"key": []}],
         "paths": paths,
-        "components": {"schemas": schemas, "securitySchemes": {"key": {"type": "http", "scheme": "bearer"}}},
+        "components": {
+            "schemas": schemas,
+            "securitySchemes": {"key": {"type": "http", "scheme": "bearer"}},
+        },
     }
 
 
 def _operation(endpoint: Described, schemas: dict[str, Any]) -> dict[str, Any]:
-    answer = TypeAdapter(ANSWERS[endpoint.question]).json_schema(ref_template=REFERENCE, mode="serialization")
+    answer = TypeAdapter(ANSWERS[endpoint.question]).json_schema(
+        ref_template=REFERENCE, mode="serialization"
+    )
     schemas.update(answer.pop("$defs", {}))
     name = ANSWERS[endpoint.question].__name__
     schemas[name] = answer
-    described = {200: ("the answer", name), 401: ("no key", "Error"), 422: ("a parameter is wrong", "Error")}
-    described |= {404: ("there is no such thing", "Error"), 503: ("the room's memory does not answer", "Error")}
+    described = {
+        200: ("the answer", name),
+        401: ("no key", "Error"),
+        422: ("a parameter is wrong", "Error"),
+    }
+    described |= {
+        404: ("there is no such thing", "Error"),
+        503: ("the room's memory does not answer", "Error"),
+    }
     return {
         "summary": endpoint.summary,
         "operationId": endpoint.question.__name__.lower(),
@@ -60,7 +84,9 @@ def _operation(endpoint: Described, schemas: dict[str, Any]) -> dict[str, Any]:
         "responses": {
             str(status): {
                 "description": words,
-                "content": {"application/json": {"schema": {"$ref": REFERENCE.format(model=model)}}},
+                "content": {
+                    "application/json": {"schema": {"$ref": REFERENCE.format(model=model)}}
+                },
             }
             for status, (words, model) in sorted(described.items())
         },
@@ -75,7 +101,14 @@ def _parameters(endpoint: Described) -> list[dict[str, Any]]:
             continue
         in_path = f"{{{name}}}" in endpoint.path
         required = in_path or name in schema.get("required", ())
-        found.append({"name": name, "in": "path" if in_path else "query", "required": required, "schema": _plain(own)})
+        found.append(
+            {
+                "name": name,
+                "in": "path" if in_path else "query",
+                "required": required,
+                "schema": _plain(own),
+            }
+        )
     return found
 
 

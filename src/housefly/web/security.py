@@ -1,7 +1,9 @@
-"""Who may come in: one-time links, sessions, and the checks on every request against pages of other sites.
+"""Who may come in: one-time links, sessions, and the checks on every request against pages of other
+sites.
 
-A link ``/?token=...`` is good for one browser; it is exchanged for a signed session cookie that scripts cannot read and other
-sites cannot send. Host names are allow-listed (DNS rebinding), WebSockets must name their own page as Origin.
+A link ``/?token=...`` is good for one browser; it is exchanged for a signed session cookie that
+scripts cannot read and other sites cannot send. Host names are allow-listed (DNS rebinding),
+WebSockets must name their own page as Origin.
 """
 
 from __future__ import annotations
@@ -24,8 +26,10 @@ LOOPBACK_NAMES = frozenset({"127.0.0.1", "localhost", "::1"})
 INVITES_MAX = 20
 
 HEADERS = {
-    "content-security-policy": "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'none'",
+    "content-security-policy": (
+        "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
+        "frame-ancestors 'none'"
+    ),
     "x-content-type-options": "nosniff",
     "referrer-policy": "no-referrer",
     "cross-origin-opener-policy": "same-origin",
@@ -47,15 +51,17 @@ def check_bind(host: str, *, insecure: bool) -> None:
     if not is_loopback and not insecure:
         raise ConfigError(
             "web.host",
-            f"is {host!r}: other machines could reach the console over an unencrypted link; allowed: a loopback address such as "
-            "127.0.0.1 (use an SSH tunnel from elsewhere), or the option --insecure if you trust everyone on that network",
+            f"is {host!r}: other machines could reach the console over an unencrypted link;"
+            " allowed: a loopback address such as 127.0.0.1 (use an SSH tunnel from elsewhere), or"
+            " the option --insecure if you trust everyone on that network",
         )
 
 
 class Doorkeeper:
     """Knows the links that are still good and the sessions that were made from them.
 
-    Sessions are signed, not stored: a console that is started again with the same secret knows its browsers.
+    Sessions are signed, not stored: a console that is started again with the same secret knows its
+        browsers.
 
     Args:
         token: the first one-time link's token.
@@ -73,7 +79,9 @@ class Doorkeeper:
         return token
 
     def redeem(self, token: str) -> str | None:
-        """Use up a token and return the value of a new session's cookie, or None when the token is not good (any more)."""
+        """Use up a token and return the value of a new session's cookie, or None when the token is
+        not good (any more).
+        """
         for known in self._open:
             if hmac.compare_digest(known.encode(), token.encode()):
                 self._open.remove(known)
@@ -96,12 +104,16 @@ def api_key(secret: str) -> str:
 
 
 def cookie_name(connection: HTTPConnection) -> str:
-    """Return the name of our cookie; browsers do not keep the cookies of two ports of one machine apart, so it holds the port."""
+    """Return the name of our cookie; browsers do not keep the cookies of two ports of one machine
+    apart, so it holds the port.
+    """
     return f"{COOKIE}_{connection.url.port or 'default'}"
 
 
 def same_origin(connection: HTTPConnection) -> bool:
-    """Tell whether a request comes from a page of this very server; requests without an Origin do not."""
+    """Tell whether a request comes from a page of this very server; requests without an Origin do
+    not.
+    """
     scheme = "https" if connection.url.scheme in ("https", "wss") else "http"
     return connection.headers.get("origin") == f"{scheme}://{connection.headers.get('host')}"
 

@@ -30,7 +30,7 @@ from starlette.websockets import WebSocket
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
-from housefly.config_furniture import FurnitureConfig
+from housefly.config.furniture import FurnitureConfig
 from housefly.errors import HouseflyError
 from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
@@ -42,7 +42,14 @@ from housefly.web.news import PilotNews
 from housefly.web.pages import link_used, no_session
 from housefly.web.pilot_link import PilotLink
 from housefly.web.room_api import RoomApi
-from housefly.web.security import LOOPBACK_NAMES, Doorkeeper, Guard, api_key, cookie_name, same_origin
+from housefly.web.security import (
+    LOOPBACK_NAMES,
+    Doorkeeper,
+    Guard,
+    api_key,
+    cookie_name,
+    same_origin,
+)
 from housefly.web.video import VideoRoom
 
 log = logging.getLogger(__name__)
@@ -70,7 +77,8 @@ def create_app(
         token: one-time token of the first link.
         stop: sends STOP on its own path, past the bus; must return at once.
         hosts: names that the server answers to.
-        secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty makes a fresh one.
+        secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty
+            makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
         furniture: things that the tracking system sees.
         clock: tests may bring their own.
@@ -122,7 +130,9 @@ def create_app(
         if not doorkeeper.knows(request):
             return JSONResponse({"error": "this browser has no session"}, status_code=401)
         if layer is None:
-            return JSONResponse({"error": "nobody knows what the cameras of this site see"}, status_code=404)
+            return JSONResponse(
+                {"error": "nobody knows what the cameras of this site see"}, status_code=404
+            )
         try:
             text = await layer.text()
         except HouseflyError as error:
@@ -155,7 +165,9 @@ def create_app(
 
 
 def _leave_on_failure(task: asyncio.Task[None]) -> None:
-    """A console that no longer tells the truth must not stay up: end, and let the launcher start a fresh one."""
+    """A console that no longer tells the truth must not stay up: end, and let the launcher start a
+    fresh one.
+    """
     if not task.cancelled() and (error := task.exception()) is not None:
         log.critical("the console cannot go on", exc_info=error)
         signal.raise_signal(signal.SIGTERM)
@@ -170,5 +182,7 @@ def _enter(request: Request, doorkeeper: Doorkeeper, token: str) -> Response:
         return link_used()
     answer = RedirectResponse("/", 303, headers={"cache-control": "no-store"})
     secure = request.url.scheme == "https"
-    answer.set_cookie(cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/")
+    answer.set_cookie(
+        cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/"
+    )
     return answer

@@ -1,4 +1,6 @@
-"""Writes the console's TypeScript types from the values that it hears: ``python -m housefly.web.typescript``."""
+"""Writes the console's TypeScript types from the values that it hears: ``python -m
+housefly.web.typescript``.
+"""
 
 from __future__ import annotations
 
@@ -8,14 +10,20 @@ from enum import Enum
 from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from housefly.bus import room_answers
+from housefly.hub.api import answers as room_answers
 from housefly.web import coverage_layer, edit_desk, vocabulary
 
 WIRE = Path(__file__).parent / "client" / "src" / "wire"
 TARGET = WIRE / "messages.ts"
 ROOM_TARGET = WIRE / "room-messages.ts"
 HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
-PLAIN: dict[Any, str] = {float: "number", int: "number", str: "string", bool: "boolean", types.NoneType: "null"}
+PLAIN: dict[Any, str] = {
+    float: "number",
+    int: "number",
+    str: "string",
+    bool: "boolean",
+    types.NoneType: "null",
+}
 
 
 def files() -> dict[Path, str]:

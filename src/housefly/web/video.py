@@ -1,7 +1,9 @@
-"""Live video: the drone's own H.264, passed through to any number of browsers (WebSocket, decoded there by WebCodecs).
+"""Live video: the drone's own H.264, passed through to any number of browsers (WebSocket, decoded
+there by WebCodecs).
 
-One message is one access unit behind a header of ``HEADER``: version, flags (bit 0: key frame), width, height, sequence number,
-time received [s, server clock]. The browser answers every picture with one byte; one that does not keep up skips to a key frame.
+One message is one access unit behind a header of ``HEADER``: version, flags (bit 0: key frame),
+width, height, sequence number, time received [s, server clock]. The browser answers every picture
+with one byte; one that does not keep up skips to a key frame.
 """
 
 from __future__ import annotations
@@ -31,7 +33,14 @@ UNANSWERED_MAX = 4
 
 def pack(frame: VideoFrame) -> bytes:
     """Return a picture as one WebSocket message."""
-    head = HEADER.pack(VERSION, int(frame.keyframe), frame.width, frame.height, frame.sequence % 2**64, frame.received_at)
+    head = HEADER.pack(
+        VERSION,
+        int(frame.keyframe),
+        frame.width,
+        frame.height,
+        frame.sequence % 2**64,
+        frame.received_at,
+    )
     return head + frame.data
 
 

@@ -12,12 +12,15 @@ from housefly.web.limits import Bucket
 from housefly.web.vocabulary import PlanQuestion, ServerMessage, to_text
 
 WAITING_MAX = 1000
-"""Answers and events that may wait for one browser; when more do, its socket is closed and it starts afresh."""
+"""Answers and events that may wait for one browser; when more do, its socket is closed and it
+starts afresh.
+"""
 
 
 @dataclass(eq=False, slots=True)
 class Viewer:
-    """A socket with its queue of messages that must arrive and its slots of which only the newest counts.
+    """A socket with its queue of messages that must arrive and its slots of which only the newest
+    counts.
 
     Attributes:
         number: who this is; kept over reconnects of the same tab.

@@ -1,7 +1,9 @@
-"""What the browser and the server say to each other, one JSON object a message, told apart by ``type``.
+"""What the browser and the server say to each other, one JSON object a message, told apart by
+``type``.
 
-``client/src/wire/messages.ts`` is generated from this file by ``housefly.web.typescript``. All times are seconds of the
-server's monotonic clock, all lengths metres in the world frame, all angles radians.
+``client/src/wire/messages.ts`` is generated from this file by ``housefly.web.typescript``. All
+times are seconds of the server's monotonic clock, all lengths metres in the world frame, all angles
+radians.
 """
 
 from __future__ import annotations
@@ -11,8 +13,8 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import ConfigDict, Field, TypeAdapter
 
-from housefly.bus.queries import RoomView
 from housefly.geometry import Vec2, Vec3
+from housefly.hub.api.queries import RoomView
 from housefly.messages import (
     Action,
     Behavior,
@@ -32,12 +34,15 @@ Number = Annotated[int, Field(ge=0, le=2**53)]
 PlaceName = Annotated[str, Field(max_length=PLACE_MAX)]
 Metres = Annotated[float, Field(ge=-1e4, le=1e4)]
 
-# --- from the browser -------------------------------------------------------------------------------
+# --- from the browser
+# -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """First message of a socket: which tab it is (to be known again after a reconnect) and who sits before it."""
+    """First message of a socket: which tab it is (to be known again after a reconnect) and who sits
+    before it.
+    """
 
     __pydantic_config__: ClassVar[ConfigDict] = STRICT
     type: Literal["hello"]
@@ -65,7 +70,9 @@ class StopRequest:
 
 @dataclass(frozen=True, slots=True)
 class OrderRequest:
-    """An order for the pilot; ``place`` or ``goal`` for those that go somewhere, ``look_s`` [s] for the service."""
+    """An order for the pilot; ``place`` or ``goal`` for those that go somewhere, ``look_s`` [s] for
+    the service.
+    """
 
     __pydantic_config__: ClassVar[ConfigDict] = STRICT
     type: Literal["order"]
@@ -89,7 +96,9 @@ class PlanQuestion:
 
 @dataclass(frozen=True, slots=True)
 class LeaseRequest:
-    """Take control, release it, or give it to viewer ``to``; ``held`` says that a take-over was confirmed by holding."""
+    """Take control, release it, or give it to viewer ``to``; ``held`` says that a take-over was
+    confirmed by holding.
+    """
 
     __pydantic_config__: ClassVar[ConfigDict] = STRICT
     type: Literal["lease"]
@@ -108,11 +117,16 @@ class InviteRequest:
     id: Number
 
 
-ClientMessage = Hello | Ping | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest
+ClientMessage = (
+    Hello | Ping | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest
+)
 
-CLIENT_MESSAGE: TypeAdapter[ClientMessage] = TypeAdapter(Annotated[ClientMessage, Field(discriminator="type")])
+CLIENT_MESSAGE: TypeAdapter[ClientMessage] = TypeAdapter(
+    Annotated[ClientMessage, Field(discriminator="type")]
+)
 
-# --- from the server --------------------------------------------------------------------------------
+# --- from the server
+# --------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,7 +161,9 @@ class RoomNews:
 
 @dataclass(frozen=True, slots=True)
 class OtherBody:
-    """Another tracked body: the visitor, or furniture, whose footprint has a size (length and width [m]) and a yaw [rad]."""
+    """Another tracked body: the visitor, or furniture, whose footprint has a size (length and width
+    [m]) and a yaw [rad].
+    """
 
     name: str
     position: Vec2
@@ -276,7 +292,9 @@ class Pong:
 
 @dataclass(frozen=True, slots=True)
 class InviteNews:
-    """Answer to InviteRequest: the path of the one-time link, to be put behind the console's own address."""
+    """Answer to InviteRequest: the path of the one-time link, to be put behind the console's own
+    address.
+    """
 
     id: int
     path: str
@@ -284,7 +302,18 @@ class InviteNews:
 
 
 ServerMessage = (
-    Welcome | RoomNews | State | PathNews | LinkNews | EventNews | ViewersNews | PlanNews | Accepted | Refused | Pong | InviteNews
+    Welcome
+    | RoomNews
+    | State
+    | PathNews
+    | LinkNews
+    | EventNews
+    | ViewersNews
+    | PlanNews
+    | Accepted
+    | Refused
+    | Pong
+    | InviteNews
 )
 
 _SERVER_MESSAGE: TypeAdapter[ServerMessage] = TypeAdapter(ServerMessage)

@@ -1,1 +1,3 @@
-"""Byte layouts of other people's protocols: pure encode and decode, used by drivers and by the twin."""
+"""Byte layouts of other people's protocols: pure encode and decode, used by drivers and by the
+twin.
+"""

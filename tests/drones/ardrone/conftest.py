@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 import pytest
 
-from housefly.config import DroneConfig, LimitsConfig
+from housefly.config.site import DroneConfig, LimitsConfig
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import LEVEL, Action, Command, Setpoint
-from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.kinematic import KinematicWorld
 
 UDP_PORTS = (5554, 5556)
@@ -23,12 +23,14 @@ Address = tuple[str, int]
 
 
 class RadioLink:
-    """Stands at one address and passes everything on to the drone at another; loses, repeats and delays as told.
+    """Stands at one address and passes everything on to the drone at another; loses, repeats and
+    delays as told.
 
     Attributes:
         loss: share of UDP datagrams lost, both ways.
         duplicates: share of UDP datagrams that arrive twice.
-        delay: largest extra delay of a UDP datagram [s]; drawn anew for each, so that they overtake each other.
+        delay: largest extra delay of a UDP datagram [s]; drawn anew for each, so that they overtake
+            each other.
         up, down: whether anything passes towards the drone, and from it.
         swallows: commands that hold these bytes are lost.
         commands: the datagrams that came for the drone's port 5556.
@@ -55,7 +57,9 @@ class RadioLink:
         for port in UDP_PORTS:
             await self._relay_udp(port)
         for port in TCP_PORTS:
-            serve: Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]] = self._tcp_relay(port)
+            serve: Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]] = (
+                self._tcp_relay(port)
+            )
             self._open.append(await asyncio.start_server(serve, self._here, port))
 
     async def stop(self) -> None:
@@ -79,8 +83,12 @@ class RadioLink:
             if port in self.clients:
                 self._pass(self.down, lambda: inside.sendto(data, self.clients[port]))
 
-        outside, _ = await loop.create_datagram_endpoint(lambda: _Ear(from_drone), remote_addr=(self.drone, port))
-        inside, _ = await loop.create_datagram_endpoint(lambda: _Ear(from_client), local_addr=(self._here, port))
+        outside, _ = await loop.create_datagram_endpoint(
+            lambda: _Ear(from_drone), remote_addr=(self.drone, port)
+        )
+        inside, _ = await loop.create_datagram_endpoint(
+            lambda: _Ear(from_client), local_addr=(self._here, port)
+        )
         self._open += (outside, inside)
         self._sockets[port] = inside
 
@@ -99,7 +107,9 @@ class RadioLink:
         for _ in range(2 if self._chance.random() < self.duplicates else 1):
             asyncio.get_running_loop().call_later(self._chance.random() * self.delay, send)
 
-    def _tcp_relay(self, port: int) -> Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]:
+    def _tcp_relay(
+        self, port: int
+    ) -> Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]:
         async def relay(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
             task = asyncio.current_task()
             assert task is not None

@@ -1,4 +1,6 @@
-"""The driver on real sockets against the simulated drone's own server, through a radio link that can be bad."""
+"""The driver on real sockets against the simulated drone's own server, through a radio link that
+can be bad.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.config import DroneConfig, LimitsConfig
+from housefly.config.site import DroneConfig, LimitsConfig
 from housefly.drones.ardrone import driver as driver_module
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.errors import LinkError
@@ -62,7 +64,9 @@ async def test_a_whole_flight(flight) -> None:
     assert flight.drone.telemetry_rate_hz > 100
 
 
-async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the_cadence(flight) -> None:
+async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the_cadence(
+    flight,
+) -> None:
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
     heard = len(flight.radio.commands)
@@ -80,7 +84,11 @@ async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the
 async def test_numbers_only_rise_in_a_steady_flight(flight) -> None:
     await flying(flight)
     await flight.hold(Action.FLY, FORWARD, seconds=0.5)
-    numbers = [numbered.sequence for datagram in flight.radio.commands for numbered in at.parse(datagram).commands]
+    numbers = [
+        numbered.sequence
+        for datagram in flight.radio.commands
+        for numbered in at.parse(datagram).commands
+    ]
     assert numbers == list(range(1, len(numbers) + 1))
     assert flight.server.counters.stale_commands == 0
 
@@ -124,7 +132,11 @@ async def test_a_link_that_was_gone_is_found_again(flight) -> None:
     await flight.hold(Action.HOVER, seconds=2.0)
     assert flight.world.onboard().com_lost
     flight.radio.up = flight.radio.down = True
-    await flight.until(lambda: flight.drone.connected and not flight.world.onboard().com_lost, Action.LAND, seconds=3.0)
+    await flight.until(
+        lambda: flight.drone.connected and not flight.world.onboard().com_lost,
+        Action.LAND,
+        seconds=3.0,
+    )
     await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.LAND)
 
 
@@ -144,8 +156,12 @@ async def test_a_drone_that_was_switched_off_and_on_is_configured_again(flight, 
     world.limits = twin.OnboardLimits()
     await again.start()
     try:
-        await flight.until(lambda: world.limits.tilt == pytest.approx(0.21), Action.IDLE, seconds=8.0)
-        await flight.until(lambda: flight.drone.connected and flight.drone.telemetry_rate_hz > 50, Action.IDLE)
+        await flight.until(
+            lambda: world.limits.tilt == pytest.approx(0.21), Action.IDLE, seconds=8.0
+        )
+        await flight.until(
+            lambda: flight.drone.connected and flight.drone.telemetry_rate_hz > 50, Action.IDLE
+        )
     finally:
         await again.stop()
 
@@ -165,7 +181,13 @@ async def test_reports_from_a_stranger_are_not_heard(flight) -> None:
 
 async def test_garbage_from_the_drone_is_survived(flight) -> None:
     await flight.drone.connect()
-    for data in (b"\0", b"\x88\x77\x66\x55", bytes(3000), b"PaVE" * 100, encode_navdata(0, 2**31)[:-1] + b"\1"):
+    for data in (
+        b"\0",
+        b"\x88\x77\x66\x55",
+        bytes(3000),
+        b"PaVE" * 100,
+        encode_navdata(0, 2**31)[:-1] + b"\1",
+    ):
         flight.radio.say(NAVDATA_PORT, data)
         flight.radio.say(at.COMMAND_PORT, data)
     await flight.hold(Action.IDLE, seconds=0.3)
@@ -173,7 +195,9 @@ async def test_garbage_from_the_drone_is_survived(flight) -> None:
     assert status(flight) is DroneStatus.LANDED
 
 
-async def test_recorded_pictures_arrive_from_the_first_key_frame_on_and_again_after_a_break(flight, shared_data: Path) -> None:
+async def test_recorded_pictures_arrive_from_the_first_key_frame_on_and_again_after_a_break(
+    flight, shared_data: Path
+) -> None:
     recorded = (shared_data / "ardrone" / "pave_64byte_headers_node-ar-drone.bin").read_bytes()
     frames = VideoReassembler().feed(recorded)
     pictures: list[VideoFrame] = []
@@ -200,7 +224,11 @@ async def test_recorded_pictures_arrive_from_the_first_key_frame_on_and_again_af
 
 class _Picture:
     def __init__(self, frame) -> None:
-        self.number, self.data, self.keyframe = frame.header.frame_number, frame.payload, frame.keyframe
+        self.number, self.data, self.keyframe = (
+            frame.header.frame_number,
+            frame.payload,
+            frame.keyframe,
+        )
         self.width, self.height, self.at = 640, 360, frame.header.timestamp_ms / 1000
 
 
@@ -218,7 +246,9 @@ async def test_camera_lights_and_trim(flight) -> None:
         flight.drone.flat_trim()
 
 
-async def test_where_no_drone_is_the_error_says_where_and_what_to_look_for(loopback: str, monkeypatch) -> None:
+async def test_where_no_drone_is_the_error_says_where_and_what_to_look_for(
+    loopback: str, monkeypatch
+) -> None:
     monkeypatch.setattr(driver_module, "ANSWER", 0.3)
     drone = ArDrone(DroneConfig(address=loopback), LimitsConfig())
     drone.send(Command(Action.IDLE))
@@ -239,7 +269,9 @@ async def test_a_drone_that_does_not_acknowledge_is_named_with_the_key(flight) -
 
 
 async def test_short_reports_for_a_weak_radio(flight) -> None:
-    drone = ArDrone(DroneConfig(address=flight.radio.drone, has_video=False), LimitsConfig(), full_navdata=False)
+    drone = ArDrone(
+        DroneConfig(address=flight.radio.drone, has_video=False), LimitsConfig(), full_navdata=False
+    )
     await drone.connect()
     await asyncio.sleep(1.0)
     assert 5 < drone.telemetry_rate_hz < 25

@@ -10,16 +10,26 @@ import pytest
 
 pytest.importorskip("mujoco")
 
-from housefly.config import Site
+from housefly.config.site import Site
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint
 from housefly.room.model import Place, Room
-from housefly.twin.ardrone_server import ArDroneServer
+from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.world import SimulatedWorld
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
-HALL = Room("hall", (0.0, 0.0, 12.0, 5.0), 2.6, (), (Place("home", (2.0, 2.5), (3.0, 2.5, 1.0)),), (), (2.0, 2.5), 0.0, None)
+HALL = Room(
+    "hall",
+    (0.0, 0.0, 12.0, 5.0),
+    2.6,
+    (),
+    (Place("home", (2.0, 2.5), (3.0, 2.5, 1.0)),),
+    (),
+    (2.0, 2.5),
+    0.0,
+    None,
+)
 
 
 @pytest.fixture
@@ -46,7 +56,12 @@ async def test_take_off_move_hover_cut_reset_and_land(world, loopback: str) -> N
     drone = ArDrone(Site().drone.model_copy(update={"address": loopback}), Site().limits)
     await drone.connect()
 
-    async def until(holds: Callable[[], bool], action: Action, setpoint: Setpoint = LEVEL, patience: float = 10.0) -> None:
+    async def until(
+        holds: Callable[[], bool],
+        action: Action,
+        setpoint: Setpoint = LEVEL,
+        patience: float = 10.0,
+    ) -> None:
         end = time.monotonic() + patience
         while not holds():
             assert time.monotonic() < end, f"{action}: {drone.telemetry}"
@@ -59,8 +74,13 @@ async def test_take_off_move_hover_cut_reset_and_land(world, loopback: str) -> N
     try:
         await until(says(DroneStatus.FLYING), Action.TAKE_OFF)
         start = world.truth().pose.position
-        await until(lambda: world.truth().pose.position[0] > start[0] + 0.5, Action.FLY, Setpoint(theta=0.1))
-        await until(lambda: drone.telemetry is not None and abs(drone.telemetry.velocity[0]) < 0.15, Action.HOVER)
+        await until(
+            lambda: world.truth().pose.position[0] > start[0] + 0.5, Action.FLY, Setpoint(theta=0.1)
+        )
+        await until(
+            lambda: drone.telemetry is not None and abs(drone.telemetry.velocity[0]) < 0.15,
+            Action.HOVER,
+        )
         await until(says(DroneStatus.LANDED), Action.LAND)
         await until(says(DroneStatus.EMERGENCY), Action.CUT)
         await until(says(DroneStatus.LANDED), Action.RESET)

@@ -41,7 +41,9 @@ def test_short_complaints_do_not_count() -> None:
 
 
 @given(st.integers(2, 2**30), st.lists(st.booleans(), max_size=60))
-def test_a_drone_that_obeyed_another_client_before_hears_us_soon(last: int, arrives: list[bool]) -> None:
+def test_a_drone_that_obeyed_another_client_before_hears_us_soon(
+    last: int, arrives: list[bool]
+) -> None:
     numbers, drone = Numbering(), StrictDrone(last)
     arriving = [*arrives, *[True] * 40]
     for step, passes in enumerate(arriving):

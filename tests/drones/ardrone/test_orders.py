@@ -33,7 +33,9 @@ def orders(action: Action, setpoint: Setpoint = LEVEL, now: float = 0.0) -> Orde
 
 
 def test_sticks_are_fractions_of_the_maxima() -> None:
-    assert orders(Action.FLY, Setpoint(theta=0.1)).next(0.0, told(DroneStatus.FLYING, 0.0)) == (STICKS,)
+    assert orders(Action.FLY, Setpoint(theta=0.1)).next(0.0, told(DroneStatus.FLYING, 0.0)) == (
+        STICKS,
+    )
 
 
 def test_hover_is_the_cleared_flag() -> None:
@@ -53,31 +55,44 @@ def test_take_off_trims_first_and_is_repeated_until_flying_then_hovers() -> None
     sent = []
     for step in range(40):
         now = step * 0.03
-        status = DroneStatus.LANDED if step < 20 else DroneStatus.TAKING_OFF if step < 30 else DroneStatus.FLYING
+        status = (
+            DroneStatus.LANDED
+            if step < 20
+            else DroneStatus.TAKING_OFF
+            if step < 30
+            else DroneStatus.FLYING
+        )
         rising.take(Command(Action.TAKE_OFF), now)
         sent.append(rising.next(now, told(status, now)))
     trims = [datagram for datagram in sent if at.FlatTrim() in datagram]
-    assert sent[: len(trims)] == trims and len(trims) == len([n for n in range(40) if n * 0.03 < TRIM_TIME])
+    assert sent[: len(trims)] == trims and len(trims) == len(
+        [n for n in range(40) if n * 0.03 < TRIM_TIME]
+    )
     assert all(RISE in datagram for datagram in sent[len(trims) : 30])
     assert all(datagram == (HOVER,) for datagram in sent[30:])
 
 
 def test_a_drone_that_landed_by_itself_does_not_rise_again_under_the_same_order() -> None:
     rising = orders(Action.TAKE_OFF)
-    for step, status in enumerate([DroneStatus.LANDED] * 10 + [DroneStatus.FLYING] * 10 + [DroneStatus.LANDED] * 30):
+    for step, status in enumerate(
+        [DroneStatus.LANDED] * 10 + [DroneStatus.FLYING] * 10 + [DroneStatus.LANDED] * 30
+    ):
         rising.take(Command(Action.TAKE_OFF), step * 0.03)
         sent = rising.next(step * 0.03, told(status, step * 0.03))
         assert step < 20 or RISE not in sent
 
 
 @given(
-    st.sampled_from([Action.FLY, Action.HOVER, Action.LAND, Action.IDLE, Action.CUT, Action.RESET]), st.sampled_from(DroneStatus)
+    st.sampled_from([Action.FLY, Action.HOVER, Action.LAND, Action.IDLE, Action.CUT, Action.RESET]),
+    st.sampled_from(DroneStatus),
 )
 def test_the_take_off_bit_is_sent_under_no_other_order(action: Action, status: DroneStatus) -> None:
     assert RISE not in orders(action).next(0.0, told(status, 0.0))
 
 
-@pytest.mark.parametrize("report", [None, told(DroneStatus.LANDED, -FRESH - 0.1), told(DroneStatus.EMERGENCY, 0.2)])
+@pytest.mark.parametrize(
+    "report", [None, told(DroneStatus.LANDED, -FRESH - 0.1), told(DroneStatus.EMERGENCY, 0.2)]
+)
 def test_nobody_takes_off_blindly_or_out_of_an_emergency(report: Telemetry | None) -> None:
     rising = orders(Action.TAKE_OFF)
     assert RISE not in rising.next(0.2, report)
@@ -154,7 +169,9 @@ def test_reset_right_after_cut_lets_go_of_the_button_in_between() -> None:
     for step in range(100):
         now = step * 0.03
         button.take(Command(Action.CUT if now < 0.2 else Action.RESET), now)
-        drone.hear(button.next(now, told(DroneStatus.EMERGENCY if drone.on else DroneStatus.LANDED, now)))
+        drone.hear(
+            button.next(now, told(DroneStatus.EMERGENCY if drone.on else DroneStatus.LANDED, now))
+        )
     assert not drone.on and drone.toggles == 2
 
 
@@ -214,7 +231,12 @@ def test_cutting_the_motors_passes_the_watchdog() -> None:
     assert cutting.next(3.1, told(DroneStatus.LANDING, 3.1)) == (PRESS,)
 
 
-@given(st.lists(st.tuples(st.sampled_from(Action), st.sampled_from([None, *DroneStatus]), st.floats(0, 3)), max_size=30))
+@given(
+    st.lists(
+        st.tuples(st.sampled_from(Action), st.sampled_from([None, *DroneStatus]), st.floats(0, 3)),
+        max_size=30,
+    )
+)
 def test_every_order_in_every_state_is_answered_with_something_that_can_be_sent(
     story: list[tuple[Action, DroneStatus | None, float]],
 ) -> None:

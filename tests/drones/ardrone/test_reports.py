@@ -12,7 +12,11 @@ from housefly.wires.ardrone.navdata_options import Demo, MajorState
 
 
 def report(sequence: int, height: int = 1000, state: int = 0) -> bytes:
-    return encode_navdata(state, sequence, [Demo(ctrl_state=MajorState.FLYING << 16, battery_percent=50, altitude=height)])
+    return encode_navdata(
+        state,
+        sequence,
+        [Demo(ctrl_state=MajorState.FLYING << 16, battery_percent=50, altitude=height)],
+    )
 
 
 def test_the_newest_report_is_told_in_our_units() -> None:
@@ -21,7 +25,12 @@ def test_the_newest_report_is_told_in_our_units() -> None:
     assert reports.take(report(1), 10.0)
     told = reports.telemetry
     assert told is not None
-    assert (told.status, told.battery, told.height, told.received_at) == (DroneStatus.FLYING, 0.5, 1.0, 10.0)
+    assert (told.status, told.battery, told.height, told.received_at) == (
+        DroneStatus.FLYING,
+        0.5,
+        1.0,
+        10.0,
+    )
 
 
 @given(st.permutations(range(20)))

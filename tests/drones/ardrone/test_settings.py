@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.config import LimitsConfig
+from housefly.config.site import LimitsConfig
 from housefly.drones.ardrone.settings import differences, maxima_in, maxima_of, wanted_settings
 from housefly.wires.ardrone.config import encode_dump, format_value, key_named, parse_dump
 from housefly.wires.ardrone.signs import Maxima
@@ -37,7 +37,9 @@ def test_a_drone_that_took_everything_differs_in_nothing() -> None:
 
 
 def test_what_the_drone_kept_is_told_and_counts() -> None:
-    dump = parse_dump(encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35}))
+    dump = parse_dump(
+        encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35})
+    )
     (note,) = differences(dump, LIMITS)
     assert "control:euler_angle_max" in note and "3.5" in note
     assert maxima_in(dump, maxima_of(LIMITS)).tilt == pytest.approx(0.35)

@@ -23,7 +23,9 @@ CUP = {"name": "cup", "tag": "t1", "inside": "cabinet"}
 
 def scene(*steps: dict[str, Any], **keys: Any) -> Scene:
     person = {"name": "ann", "start": [0.0, 0.0], "steps": list(steps)}
-    return scene_from_tree({"name": "test", "people": [person], "things": [CUP], "devices": [CUPBOARD], **keys})
+    return scene_from_tree(
+        {"name": "test", "people": [person], "things": [CUP], "devices": [CUPBOARD], **keys}
+    )
 
 
 GO = {"do": "go", "to": [4.0, 0.0], "speed": 1.0}
@@ -39,7 +41,9 @@ def test_the_shipped_scene_is_the_same_whenever_it_is_asked(time: float) -> None
 def test_nobody_walks_faster_than_people_do(time: float, step: float) -> None:
     for before, after in zip(BSEN.at(time).people, BSEN.at(time + step).people, strict=True):
         if {before.posture, after.posture} <= {Posture.WALKING, Posture.STANDING}:
-            moved = hypot(after.position[0] - before.position[0], after.position[1] - before.position[1])
+            moved = hypot(
+                after.position[0] - before.position[0], after.position[1] - before.position[1]
+            )
             assert moved <= 1.0 * step + 1e-6
 
 
@@ -55,7 +59,9 @@ def test_every_thing_is_somewhere_inside_something_or_in_one_hand(time: float) -
 
 
 @given(st.lists(st.floats(0.0, 400.0), min_size=2, max_size=6))
-def test_what_happened_between_two_times_is_told_once_however_the_time_is_cut(times: list[float]) -> None:
+def test_what_happened_between_two_times_is_told_once_however_the_time_is_cut(
+    times: list[float],
+) -> None:
     cuts = sorted(times)
     parts = [act for since, until in pairwise(cuts) for act in BSEN.between(since, until)]
     assert tuple(parts) == BSEN.between(cuts[0], cuts[-1])
@@ -82,11 +88,17 @@ def test_the_shipped_scene_tells_the_story() -> None:
         (Act.OPEN, "entrance-door", ""),
     ]
     assert [row for row in told if row in story and row] == story
-    assert {person.posture for t in range(110) for person in BSEN.at(float(t)).people} == set(Posture)
+    assert {person.posture for t in range(110) for person in BSEN.at(float(t)).people} == set(
+        Posture
+    )
 
 
 def test_nobody_of_the_shipped_scene_walks_through_furniture() -> None:
-    obstacles = [s for s in load_room("bsen").solids if s.collides and s.position[2] - s.size[2] / 2 < 1.6 and s.size[2] > 0.05]
+    obstacles = [
+        s
+        for s in load_room("bsen").solids
+        if s.collides and s.position[2] - s.size[2] / 2 < 1.6 and s.size[2] > 0.05
+    ]
     for step in range(round(BSEN.length / 0.05)):
         for person in BSEN.at(step * 0.05).people:
             if person.posture in (Posture.WALKING, Posture.STANDING):
@@ -118,13 +130,23 @@ def test_a_cup_is_carried_and_put_away() -> None:
     assert errand.at(2.4).things["cup"].held_by == "ann"
     assert errand.at(2.4).things["cup"].position == (2.35, 0.0, 1.0)
     assert [thing.name for thing in errand.at(9.0).inside("cabinet")] == ["cup"]
-    assert [(act.act, act.where) for act in errand.between(-1.0, 9.0)] == [(Act.TAKE, "cabinet"), (Act.PUT, "cabinet")]
+    assert [(act.act, act.where) for act in errand.between(-1.0, 9.0)] == [
+        (Act.TAKE, "cabinet"),
+        (Act.PUT, "cabinet"),
+    ]
 
 
 def test_sitting_and_lying_end_where_one_stood() -> None:
-    rest = scene({"do": "sit", "at": [1, 1], "seconds": 5}, {"do": "lie", "at": [2, 2], "height": 0.5, "seconds": 5})
+    rest = scene(
+        {"do": "sit", "at": [1, 1], "seconds": 5},
+        {"do": "lie", "at": [2, 2], "height": 0.5, "seconds": 5},
+    )
     sitting, lying, after = (rest.at(t).people[0] for t in (2.0, 7.0, 11.0))
-    assert (sitting.posture, sitting.position, sitting.support) == (Posture.SITTING, (1.0, 1.0), 0.44)
+    assert (sitting.posture, sitting.position, sitting.support) == (
+        Posture.SITTING,
+        (1.0, 1.0),
+        0.44,
+    )
     assert (lying.posture, lying.position, lying.support) == (Posture.LYING, (2.0, 2.0), 0.5)
     assert (after.posture, after.position) == (Posture.STANDING, (0.0, 0.0))
 
@@ -150,7 +172,10 @@ def test_another_seed_is_another_afternoon_and_no_variation_none() -> None:
         ((TAKE, TAKE), "people.ann: at 0.8 s takes 'cup', which ann carries"),
         ((PUT,), "puts down 'cup' without carrying it"),
         ((TAKE, {"do": "put", "thing": "cup"}), "puts 'cup' nowhere; give into or at"),
-        ((TAKE, {"do": "put", "thing": "cup", "into": "box"}), "puts 'cup' into 'box'; known devices: cabinet"),
+        (
+            (TAKE, {"do": "put", "thing": "cup", "into": "box"}),
+            "puts 'cup' into 'box'; known devices: cabinet",
+        ),
         (({"do": "take", "thing": "hat"},), "wants 'hat'; known things: cup"),
         (({"do": "press", "what": "bell"},), "handles 'bell'; known devices: cabinet"),
         (({"do": "fly"},), "people.0.steps.0"),

@@ -29,7 +29,9 @@ FLOAT_BITS = {
 
 singles = st.floats(width=32, allow_nan=False, allow_infinity=False)
 small_ints = st.integers(-(2**31), 2**31 - 1)
-words = st.text(st.characters(min_codepoint=32, max_codepoint=126, exclude_characters='"'), max_size=60)
+words = st.text(
+    st.characters(min_codepoint=32, max_codepoint=126, exclude_characters='"'), max_size=60
+)
 moves = (st.builds(at.PcmdFlag, st.integers(0, 7)), singles, singles, singles, singles)
 commands = st.one_of(
     st.builds(at.Ref, st.builds(at.RefBits, st.sampled_from([0, 256, 512, 768]))),
@@ -45,7 +47,9 @@ commands = st.one_of(
     st.builds(at.Animation, small_ints, small_ints),
     st.builds(at.Pmode, small_ints),
     st.builds(at.Misc, small_ints, small_ints, small_ints, small_ints),
-    st.builds(at.Other, st.sampled_from(sorted(at.KNOWN_BY_NAME)), st.tuples(st.just("7"), st.just("-1"))),
+    st.builds(
+        at.Other, st.sampled_from(sorted(at.KNOWN_BY_NAME)), st.tuples(st.just("7"), st.just("-1"))
+    ),
 )
 
 
@@ -68,9 +72,18 @@ def test_ref_carries_the_constant_bits(command: at.Ref, number: int) -> None:
 
 
 def test_the_form_of_each_command_on_the_wire() -> None:
-    assert at.encode(1, at.Pcmd(at.PcmdFlag.PROGRESSIVE, -0.8, 0, 0, 0)) == b"AT*PCMD=1,1,-1085485875,0,0,0\r"
-    assert at.encode(2, at.Config("general:navdata_demo", "TRUE")) == b'AT*CONFIG=2,"general:navdata_demo","TRUE"\r'
-    assert at.encode(3, at.ConfigIds("aabbccdd", "00000001", "00000002")) == b'AT*CONFIG_IDS=3,"aabbccdd","00000001","00000002"\r'
+    assert (
+        at.encode(1, at.Pcmd(at.PcmdFlag.PROGRESSIVE, -0.8, 0, 0, 0))
+        == b"AT*PCMD=1,1,-1085485875,0,0,0\r"
+    )
+    assert (
+        at.encode(2, at.Config("general:navdata_demo", "TRUE"))
+        == b'AT*CONFIG=2,"general:navdata_demo","TRUE"\r'
+    )
+    assert (
+        at.encode(3, at.ConfigIds("aabbccdd", "00000001", "00000002"))
+        == b'AT*CONFIG_IDS=3,"aabbccdd","00000001","00000002"\r'
+    )
     assert at.encode(4, at.Control(at.ControlMode.CLEAR_ACK)) == b"AT*CTRL=4,5,0\r"
     assert at.encode(5, at.ComWatchdog()) == b"AT*COMWDG=5\r"
     assert at.encode(6, at.Misc()) == b"AT*MISC=6,2,20,2000,3000\r"
@@ -81,7 +94,9 @@ def test_what_we_write_we_read_back(sent: list[at.Command], first: int) -> None:
     parsed = at.parse(at.encode_datagram(first, sent))
     assert parsed.rejects == ()
     assert [numbered.command for numbered in parsed.commands] == sent
-    assert [numbered.sequence for numbered in parsed.commands] == list(range(first, first + len(sent)))
+    assert [numbered.sequence for numbered in parsed.commands] == list(
+        range(first, first + len(sent))
+    )
 
 
 def test_every_command_value_can_be_written() -> None:
@@ -90,8 +105,24 @@ def test_every_command_value_can_be_written() -> None:
 
 
 def _one_of_each() -> list[at.Command]:
-    blanks = (at.Ref(), at.Pcmd(), at.PcmdMag(), at.FlatTrim(), at.Calibrate(), at.Config("a", "b"), at.ConfigIds("", "", ""))
-    more = (at.Control(4), at.ComWatchdog(), at.Led(1, 2.0, 3), at.Animation(1, 2), at.Pmode(), at.Misc(), at.Other("ZAP"))
+    blanks = (
+        at.Ref(),
+        at.Pcmd(),
+        at.PcmdMag(),
+        at.FlatTrim(),
+        at.Calibrate(),
+        at.Config("a", "b"),
+        at.ConfigIds("", "", ""),
+    )
+    more = (
+        at.Control(4),
+        at.ComWatchdog(),
+        at.Led(1, 2.0, 3),
+        at.Animation(1, 2),
+        at.Pmode(),
+        at.Misc(),
+        at.Other("ZAP"),
+    )
     written = [at.parse(at.encode(1, command)).commands[0].command for command in (*blanks, *more)]
     assert written == [*blanks, *more]
     return written
@@ -112,10 +143,15 @@ def _one_of_each() -> list[at.Command]:
         (b"AT*COMWDG=1\r\nAT*COMWDG=2\r\n", [at.ComWatchdog(), at.ComWatchdog()]),
         (b"AT*COMWDG=1\r\0\0", [at.ComWatchdog()]),
         (b"AT*COMWDG=1", [at.ComWatchdog()]),
-        (b'AT*CONFIG=1,"leds:leds_anim","3,1073741824,2"\r', [at.Config("leds:leds_anim", "3,1073741824,2")]),
+        (
+            b'AT*CONFIG=1,"leds:leds_anim","3,1073741824,2"\r',
+            [at.Config("leds:leds_anim", "3,1073741824,2")],
+        ),
     ],
 )
-def test_the_parser_tolerates_what_clients_send(datagram: bytes, expected: list[at.Command]) -> None:
+def test_the_parser_tolerates_what_clients_send(
+    datagram: bytes, expected: list[at.Command]
+) -> None:
     parsed = at.parse(datagram)
     assert [numbered.command for numbered in parsed.commands] == expected
     assert parsed.rejects == ()
@@ -151,7 +187,22 @@ def test_no_bytes_make_the_parser_raise(datagram: bytes) -> None:
 
 
 pieces = st.sampled_from(
-    [b"AT*", b"REF", b"PCMD", b"CONFIG", b"=", b",", b"1", b"-7", b'"', b"\r", b"\n", b"99999999999999", b"\xff", b" "]
+    [
+        b"AT*",
+        b"REF",
+        b"PCMD",
+        b"CONFIG",
+        b"=",
+        b",",
+        b"1",
+        b"-7",
+        b'"',
+        b"\r",
+        b"\n",
+        b"99999999999999",
+        b"\xff",
+        b" ",
+    ]
 )
 
 
@@ -162,7 +213,13 @@ def test_no_mixture_of_command_pieces_makes_the_parser_raise(datagram: bytes) ->
 
 @pytest.mark.parametrize(
     "command",
-    [at.Config("a", 'x"y'), at.Config("a", "x\ry"), at.Config("ä", "x"), at.Config("a", "x" * 1024), at.Led(1, 1e39, 1)],
+    [
+        at.Config("a", 'x"y'),
+        at.Config("a", "x\ry"),
+        at.Config("ä", "x"),
+        at.Config("a", "x" * 1024),
+        at.Led(1, 1e39, 1),
+    ],
 )
 def test_what_cannot_stand_on_the_wire_is_not_written(command: at.Command) -> None:
     with pytest.raises(WireError):

@@ -57,7 +57,10 @@ def test_values_are_written_as_the_drone_writes_them() -> None:
     assert written("control:euler_angle_max", 0.20943952) == "2.0943952e-01"
     assert written("general:navdata_demo", True) == "TRUE"
     assert written("control:altitude_max", 3000) == "3000"
-    assert written("control:magneto_offset", (1.0, 2.0, 3.0)) == "{ 1.0000000e+00 2.0000000e+00 3.0000000e+00 }"
+    assert (
+        written("control:magneto_offset", (1.0, 2.0, 3.0))
+        == "{ 1.0000000e+00 2.0000000e+00 3.0000000e+00 }"
+    )
 
 
 @given(st.data(), st.sampled_from(KEYS))
@@ -70,8 +73,13 @@ def test_every_value_is_read_back(data: st.DataObject, key: ConfigKey) -> None:
 FLOATS = {KeyType.FLOAT, KeyType.DOUBLE, KeyType.PAIR, KeyType.VECTOR, KeyType.MATRIX}
 
 
-@given(st.sampled_from(KEYS), st.one_of(st.text(max_size=30), st.booleans(), st.integers(), finite, st.just((1.0,))))
-def test_a_value_of_another_type_is_refused_with_the_key(key: ConfigKey, value: config.Value) -> None:
+@given(
+    st.sampled_from(KEYS),
+    st.one_of(st.text(max_size=30), st.booleans(), st.integers(), finite, st.just((1.0,))),
+)
+def test_a_value_of_another_type_is_refused_with_the_key(
+    key: ConfigKey, value: config.Value
+) -> None:
     try:
         config.format_value(key, value)
     except WireError as error:
@@ -104,7 +112,10 @@ def test_defaults_are_parrots() -> None:
 
 
 def test_bad_lines_of_a_dump_are_collected_and_unknown_keys_kept() -> None:
-    dump = config.parse_dump(b"general:navdata_demo = TRUE\nnonsense\nnew:key = 7\ncontrol:altitude_max = tall\n\0ignored")
+    dump = config.parse_dump(
+        b"general:navdata_demo = TRUE\nnonsense\nnew:key = 7\ncontrol:altitude_max ="
+        b" tall\n\0ignored"
+    )
     assert dump.values == {"general:navdata_demo": True}
     assert dump.texts["new:key"] == "7"
     assert dump.rejects == ("nonsense", "control:altitude_max = tall")

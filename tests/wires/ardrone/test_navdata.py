@@ -15,9 +15,43 @@ from housefly.messages import DroneStatus, Setpoint
 from housefly.wires.ardrone import at, signs
 from housefly.wires.ardrone import navdata_options as options
 from housefly.wires.ardrone.layout import Structure
-from housefly.wires.ardrone.navdata import DroneState, NavdataPacket, RawOption, decode_navdata, encode_navdata
+from housefly.wires.ardrone.navdata import (
+    DroneState,
+    NavdataPacket,
+    RawOption,
+    decode_navdata,
+    encode_navdata,
+)
 
-SIZES = (148, 8, 52, 46, 16, 12, 88, 16, 24, 76, 56, 16, 44, 92, 108, 364, 328, 8, 40, 65, 12, 18, 75, 56, 72, 32, 8)
+SIZES = (
+    148,
+    8,
+    52,
+    46,
+    16,
+    12,
+    88,
+    16,
+    24,
+    76,
+    56,
+    16,
+    44,
+    92,
+    108,
+    364,
+    328,
+    8,
+    40,
+    65,
+    12,
+    18,
+    75,
+    56,
+    72,
+    32,
+    8,
+)
 """Sizes with their header, compiled from Parrot's navdata_common.h (ARDroneLib SDK 2.0.1)."""
 
 RANGES = {
@@ -57,13 +91,21 @@ def test_every_option_has_the_size_of_parrots_header() -> None:
     assert all(len(option().encode()) == option.size() for option in options.OPTIONS)
 
 
-@given(st.integers(0, 2**32 - 1), st.integers(0, 2**32 - 1), st.lists(st.one_of(any_option, raw_option), max_size=5))
-def test_what_we_write_we_read_back(state: int, sequence: int, sent: list[Structure | RawOption]) -> None:
+@given(
+    st.integers(0, 2**32 - 1),
+    st.integers(0, 2**32 - 1),
+    st.lists(st.one_of(any_option, raw_option), max_size=5),
+)
+def test_what_we_write_we_read_back(
+    state: int, sequence: int, sent: list[Structure | RawOption]
+) -> None:
     data = encode_navdata(state, sequence, sent)
     packet = decode_navdata(data)
     assert (packet.state, packet.sequence) == (state, sequence)
     assert packet.decoded() == tuple(option for option in sent if isinstance(option, Structure))
-    assert packet.unknown == tuple((option.tag, option.size) for option in sent if isinstance(option, RawOption))
+    assert packet.unknown == tuple(
+        (option.tag, option.size) for option in sent if isinstance(option, RawOption)
+    )
     assert encode_navdata(packet.state, packet.sequence, packet.options) == data
 
 
@@ -71,7 +113,11 @@ def test_the_packet_recorded_in_flight_says_what_its_owner_saw(shared_data: Path
     packet = decode_navdata(_flying(shared_data))
     demo = packet.option(options.Demo)
     assert packet.state == 0x0F8004F5
-    assert packet.has(DroneState.FLYING) and packet.has(DroneState.NAVDATA_DEMO) and not packet.has(DroneState.EMERGENCY)
+    assert (
+        packet.has(DroneState.FLYING)
+        and packet.has(DroneState.NAVDATA_DEMO)
+        and not packet.has(DroneState.EMERGENCY)
+    )
     assert demo is not None
     assert (demo.major, demo.minor, demo.battery_percent) == (options.MajorState.FLYING, 0, 76)
     assert (demo.theta, demo.phi, demo.psi, demo.altitude) == (-92.0, -440.0, 14668.0, 534)
@@ -80,7 +126,11 @@ def test_the_packet_recorded_in_flight_says_what_its_owner_saw(shared_data: Path
 
 def test_the_packet_recorded_on_the_ground_says_what_its_owner_saw(shared_data: Path) -> None:
     packet = decode_navdata(_full(shared_data))
-    demo, raw, phys = packet.option(options.Demo), packet.option(options.RawMeasures), packet.option(options.PhysMeasures)
+    demo, raw, phys = (
+        packet.option(options.Demo),
+        packet.option(options.RawMeasures),
+        packet.option(options.PhysMeasures),
+    )
     pressure = packet.option(options.PressureRaw)
     assert (packet.state, packet.sequence) == (0x4F8000D0, 300711)
     assert demo is not None and raw is not None and phys is not None and pressure is not None
@@ -95,8 +145,16 @@ def test_the_packet_recorded_on_the_ground_says_what_its_owner_saw(shared_data: 
 def test_recorded_packets_are_written_again_byte_for_byte(shared_data: Path) -> None:
     for data in (_flying(shared_data), _full(shared_data)):
         packet = decode_navdata(data)
-        again = [options.OPTIONS[raw.tag].decode(raw.payload) if raw.tag < 27 else raw for raw in packet.options]
-        assert encode_navdata(packet.state, packet.sequence, again, vision=packet.vision, magic=packet.magic) == data
+        again = [
+            options.OPTIONS[raw.tag].decode(raw.payload) if raw.tag < 27 else raw
+            for raw in packet.options
+        ]
+        assert (
+            encode_navdata(
+                packet.state, packet.sequence, again, vision=packet.vision, magic=packet.magic
+            )
+            == data
+        )
 
 
 def test_the_corrupt_recorded_packet_is_refused(shared_data: Path) -> None:
@@ -140,9 +198,13 @@ def test_no_bytes_make_the_parser_raise_anything_else(data: bytes) -> None:
 
 
 @given(st.binary(max_size=300), st.integers(0, 2**32 - 1))
-def test_no_bytes_behind_a_good_header_and_before_a_good_checksum_do_either(body: bytes, state: int) -> None:
+def test_no_bytes_behind_a_good_header_and_before_a_good_checksum_do_either(
+    body: bytes, state: int
+) -> None:
     head = encode_navdata(state, 1)[:16]
-    _only_wire_errors(head + body + b"\xff\xff\x08\x00" + (sum(head + body) & 0xFFFFFFFF).to_bytes(4, "little"))
+    _only_wire_errors(
+        head + body + b"\xff\xff\x08\x00" + (sum(head + body) & 0xFFFFFFFF).to_bytes(4, "little")
+    )
 
 
 def _only_wire_errors(data: bytes) -> None:
@@ -178,7 +240,9 @@ def test_the_recorded_flight_in_our_signs(shared_data: Path) -> None:
     told = signs.telemetry_from_navdata(decode_navdata(_flying(shared_data)), 5.0)
     assert told.status is DroneStatus.FLYING
     assert (told.battery, told.height, told.received_at) == (0.76, 0.534, 5.0)
-    assert (told.theta, told.phi, told.psi) == pytest.approx((radians(0.092), radians(-0.44), radians(-14.668)))
+    assert (told.theta, told.phi, told.psi) == pytest.approx(
+        (radians(0.092), radians(-0.44), radians(-14.668))
+    )
     assert told.velocity == pytest.approx((0.2685, 0.1953, 0.0), abs=1e-4)
     assert told.faults == ()
 
@@ -196,12 +260,25 @@ speeds = st.floats(-5, 5)
 
 @given(st.floats(0, 1), angles, angles, angles, st.floats(0, 6), st.tuples(speeds, speeds, speeds))
 def test_the_twins_signs_are_the_inverse_of_the_drivers(
-    battery: float, phi: float, theta: float, psi: float, height: float, velocity: tuple[float, float, float]
+    battery: float,
+    phi: float,
+    theta: float,
+    psi: float,
+    height: float,
+    velocity: tuple[float, float, float],
 ) -> None:
     demo = signs.native_demo(
-        options.MajorState.HOVERING, battery, phi=phi, theta=theta, psi=psi, height=height, velocity=velocity
+        options.MajorState.HOVERING,
+        battery,
+        phi=phi,
+        theta=theta,
+        psi=psi,
+        height=height,
+        velocity=velocity,
     )
-    told = signs.telemetry_from_navdata(decode_navdata(encode_navdata(DroneState.FLYING, 1, [demo])), 0.0)
+    told = signs.telemetry_from_navdata(
+        decode_navdata(encode_navdata(DroneState.FLYING, 1, [demo])), 0.0
+    )
     assert (told.phi, told.theta, told.psi) == pytest.approx((phi, theta, psi), abs=1e-5)
     assert told.velocity == pytest.approx(velocity, abs=1e-4)
     assert told.height == pytest.approx(height, abs=6e-4)
@@ -237,8 +314,13 @@ def test_every_major_state_has_our_word_and_emergency_wins() -> None:
     for major in options.MajorState:
         demo = options.Demo(ctrl_state=major << 16)
         assert isinstance(signs.status_of(NavdataPacket(0, 1), demo), DroneStatus)
-        assert signs.status_of(NavdataPacket(DroneState.EMERGENCY, 1), demo) is DroneStatus.EMERGENCY
-    assert signs.status_of(NavdataPacket(0, 1), options.Demo(ctrl_state=99 << 16)) is DroneStatus.UNKNOWN
+        assert (
+            signs.status_of(NavdataPacket(DroneState.EMERGENCY, 1), demo) is DroneStatus.EMERGENCY
+        )
+    assert (
+        signs.status_of(NavdataPacket(0, 1), options.Demo(ctrl_state=99 << 16))
+        is DroneStatus.UNKNOWN
+    )
 
 
 def test_numbers_that_are_not_finite_are_refused() -> None:

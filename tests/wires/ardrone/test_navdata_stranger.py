@@ -1,4 +1,5 @@
-"""Another project against ours: its strict parser reads our packets, and it writes commands as we do.
+"""Another project against ours: its strict parser reads our packets, and it writes commands as we
+do.
 
 Unknown tags, wrong sizes and bad checksums make that parser raise.
 """
@@ -15,10 +16,18 @@ pyardrone_navdata = pytest.importorskip("pyardrone.navdata")
 
 
 def test_pyardrone_reads_our_demo_packet() -> None:
-    demo = options.Demo(ctrl_state=3 << 16, battery_percent=76, theta=-92.0, psi=14668.0, altitude=534, vx=268.5)
-    theirs = pyardrone_navdata.NavData(encode_navdata(DroneState.FLYING, 42, [demo, options.VisionDetect()]))
+    demo = options.Demo(
+        ctrl_state=3 << 16, battery_percent=76, theta=-92.0, psi=14668.0, altitude=534, vx=268.5
+    )
+    theirs = pyardrone_navdata.NavData(
+        encode_navdata(DroneState.FLYING, 42, [demo, options.VisionDetect()])
+    )
     assert (theirs.metadata.sequence_number, theirs.metadata.state) == (42, DroneState.FLYING)
-    assert (theirs.demo.ctrl_state >> 16, theirs.demo.vbat_flying_percentage, theirs.demo.altitude) == (3, 76, 534)
+    assert (
+        theirs.demo.ctrl_state >> 16,
+        theirs.demo.vbat_flying_percentage,
+        theirs.demo.altitude,
+    ) == (3, 76, 534)
     assert (theirs.demo.theta, theirs.demo.psi, theirs.demo.vx) == (-92.0, 14668.0, 268.5)
 
 
@@ -37,7 +46,11 @@ def test_pyardrone_reads_the_fields_where_we_write_them() -> None:
     ]
     theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, sent))
     assert (theirs.raw_measures.vbat_raw, theirs.raw_measures.alt_temp_raw) == (11686, 243)
-    assert (theirs.kalman_pressure.bool_effet_sol, theirs.kalman_pressure.somme_inno, theirs.kalman_pressure.gaz_altitude) == (
+    assert (
+        theirs.kalman_pressure.bool_effet_sol,
+        theirs.kalman_pressure.somme_inno,
+        theirs.kalman_pressure.gaz_altitude,
+    ) == (
         1,
         2.5,
         7.5,
@@ -54,10 +67,16 @@ def test_pyardrone_refuses_what_is_wrong() -> None:
 def test_pyardrone_writes_commands_as_we_do() -> None:
     theirs = pytest.importorskip("pyardrone.at")
     pairs = [
-        (at.Pcmd(at.PcmdFlag.PROGRESSIVE, 0.1, -0.2, 0.05, 1.0), theirs.PCMD(1, 0.1, -0.2, 0.05, 1.0)),
+        (
+            at.Pcmd(at.PcmdFlag.PROGRESSIVE, 0.1, -0.2, 0.05, 1.0),
+            theirs.PCMD(1, 0.1, -0.2, 0.05, 1.0),
+        ),
         (at.Pcmd(), theirs.PCMD(0)),
         (at.Config("general:navdata_demo", "TRUE"), theirs.CONFIG("general:navdata_demo", "TRUE")),
-        (at.ConfigIds("01234567", "89abcdef", "00000000"), theirs.CONFIG_IDS("01234567", "89abcdef", "00000000")),
+        (
+            at.ConfigIds("01234567", "89abcdef", "00000000"),
+            theirs.CONFIG_IDS("01234567", "89abcdef", "00000000"),
+        ),
         (at.Control(at.ControlMode.CLEAR_ACK), theirs.CTRL(5, 0)),
         (at.ComWatchdog(), theirs.COMWDG()),
         (at.FlatTrim(), theirs.FTRIM()),

@@ -27,8 +27,14 @@ from housefly.wires.devices.fields import Flag, Name, Number, Rows
 
 NOW = 1_800_000_000.0
 GOOD: dict[str, dict[str, object]] = {
-    "floor": {"people": [{"id": "person-1", "x": 3.0, "y": 4.0, "sigma": 0.1, "weight": 61.5}], "objects": [{"x": 1, "y": 2}]},
-    "cabinet": {"items": [{"tag": "E2-01", "weight": 0.21, "shelf": 2, "x": 0.1, "y": 0.0, "z": 0.6}], "load": 0.21},
+    "floor": {
+        "people": [{"id": "person-1", "x": 3.0, "y": 4.0, "sigma": 0.1, "weight": 61.5}],
+        "objects": [{"x": 1, "y": 2}],
+    },
+    "cabinet": {
+        "items": [{"tag": "E2-01", "weight": 0.21, "shelf": 2, "x": 0.1, "y": 0.0, "z": 0.6}],
+        "load": 0.21,
+    },
     "refrigerator": {"open": False, "items": [{"tag": "E2-02"}], "temperature_c": 4.5},
     "bed": {"load": 62.0},
     "door": {"open": True},
@@ -37,13 +43,24 @@ GOOD: dict[str, dict[str, object]] = {
 }
 kinds = st.sampled_from(sorted(KINDS))
 json_values = st.recursive(
-    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text(),
-    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=8), inner, max_size=4),
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats(allow_nan=False, allow_infinity=False)
+    | st.text(),
+    lambda inner: (
+        st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=8), inner, max_size=4)
+    ),
     max_leaves=12,
 )
 
 
-def message(kind: str, payload: bytes | dict[str, object], channel: Channel = Channel.STATE, retained: bool = False) -> Delivered:
+def message(
+    kind: str,
+    payload: bytes | dict[str, object],
+    channel: Channel = Channel.STATE,
+    retained: bool = False,
+) -> Delivered:
     data = payload if isinstance(payload, bytes) else json.dumps(payload).encode()
     return Delivered(Address("bsen", kind, f"{kind}-1"), channel, data, NOW, retained)
 
@@ -55,7 +72,9 @@ def assert_sane(reading: Reading) -> None:
 
 
 @given(kinds, st.sampled_from(Channel), st.binary(max_size=200), st.booleans())
-def test_any_bytes_become_observations_or_a_wire_error(kind: str, channel: Channel, payload: bytes, retained: bool) -> None:
+def test_any_bytes_become_observations_or_a_wire_error(
+    kind: str, channel: Channel, payload: bytes, retained: bool
+) -> None:
     try:
         assert_sane(decode(message(kind, payload, channel, retained)))
     except WireError as error:
@@ -63,7 +82,9 @@ def test_any_bytes_become_observations_or_a_wire_error(kind: str, channel: Chann
 
 
 @given(kinds, st.sampled_from(Channel), json_values, st.booleans())
-def test_any_json_becomes_observations_or_a_wire_error(kind: str, channel: Channel, tree: object, retained: bool) -> None:
+def test_any_json_becomes_observations_or_a_wire_error(
+    kind: str, channel: Channel, tree: object, retained: bool
+) -> None:
     try:
         assert_sane(decode(message(kind, json.dumps(tree).encode(), channel, retained)))
     except WireError as error:
@@ -71,7 +92,9 @@ def test_any_json_becomes_observations_or_a_wire_error(kind: str, channel: Chann
 
 
 @given(kinds, st.data())
-def test_any_value_under_a_known_key_is_understood_or_refused_by_the_name_of_its_key(kind: str, data: st.DataObject) -> None:
+def test_any_value_under_a_known_key_is_understood_or_refused_by_the_name_of_its_key(
+    kind: str, data: st.DataObject
+) -> None:
     spec = KINDS[kind].state_spec()
     key = data.draw(st.sampled_from(sorted(spec)))
     tree = {**GOOD[kind], key: data.draw(json_values)}
@@ -81,17 +104,26 @@ def test_any_value_under_a_known_key_is_understood_or_refused_by_the_name_of_its
         assert f"/state.{key}" in str(error)
 
 
-@given(kinds, st.dictionaries(st.from_regex(r"x-[a-z]{1,5}", fullmatch=True), json_values, max_size=5))
+@given(
+    kinds, st.dictionaries(st.from_regex(r"x-[a-z]{1,5}", fullmatch=True), json_values, max_size=5)
+)
 def test_unknown_keys_are_counted_and_change_nothing(kind: str, extra: dict[str, object]) -> None:
-    plain, more = decode(message(kind, GOOD[kind])), decode(message(kind, json.dumps({**GOOD[kind], **extra}).encode()))
+    plain, more = (
+        decode(message(kind, GOOD[kind])),
+        decode(message(kind, json.dumps({**GOOD[kind], **extra}).encode())),
+    )
     assert more.observations == plain.observations
     assert sorted(more.unknown) == sorted(extra)
 
 
 @given(st.floats(min_value=-1e5, max_value=1e5), st.booleans())
-def test_a_time_outside_the_bounds_is_refused_and_one_inside_is_kept(offset: float, retained: bool) -> None:
+def test_a_time_outside_the_bounds_is_refused_and_one_inside_is_kept(
+    offset: float, retained: bool
+) -> None:
     bounds = ClockBounds(ahead=2.0, behind=60.0)
-    reading = decode(message("door", {"open": True, "time": NOW + offset}, retained=retained), bounds=bounds)
+    reading = decode(
+        message("door", {"open": True, "time": NOW + offset}, retained=retained), bounds=bounds
+    )
     (door,) = reading.observations
     offset = NOW + offset - NOW
     if offset > 2.0 or (offset < -60.0 and not retained):
@@ -109,7 +141,9 @@ def test_a_clock_that_was_never_set_is_not_believed_even_of_a_kept_state(told: f
 
 
 @given(st.floats(-100, 100), st.floats(-100, 100), st.floats(-3.1, 3.1))
-def test_a_floor_sensor_that_stands_askew_reports_in_the_world(x: float, y: float, yaw: float) -> None:
+def test_a_floor_sensor_that_stands_askew_reports_in_the_world(
+    x: float, y: float, yaw: float
+) -> None:
     tree = {"people": [{"x": x, "y": y}]}
     back = decode(message("floor", tree), Placement((1.0, 2.0, 0.0), yaw)).observations[1].position
     assert back is not None
@@ -117,16 +151,22 @@ def test_a_floor_sensor_that_stands_askew_reports_in_the_world(x: float, y: floa
 
 
 @pytest.mark.parametrize("kind", sorted(KINDS))
-def test_every_kind_has_a_state_that_reads_and_says_something_of_the_device_itself(kind: str) -> None:
+def test_every_kind_has_a_state_that_reads_and_says_something_of_the_device_itself(
+    kind: str,
+) -> None:
     reading = decode(Delivered(Address("bsen", kind, "it"), Channel.STATE, encode(GOOD[kind]), NOW))
     assert reading.observations[0].thing == reading.observations[0].source == "it"
 
 
-@pytest.mark.parametrize(("kind", "word"), [(kind.name, word) for kind in KINDS.values() for word in kind.events])
+@pytest.mark.parametrize(
+    ("kind", "word"), [(kind.name, word) for kind in KINDS.values() for word in kind.events]
+)
 def test_every_event_becomes_a_happening_and_a_kept_one_nothing(kind: str, word: str) -> None:
     tag = {"tag": "E2-01", "weight": 0.2} if word in ("taken", "put") else {}
     event = {"event": word, **tag}
-    (happening,) = decode(message(kind, event, Channel.EVENT), Placement(things={"E2-01": "cup"})).happenings
+    (happening,) = decode(
+        message(kind, event, Channel.EVENT), Placement(things={"E2-01": "cup"})
+    ).happenings
     assert happening.kind == KINDS[kind].events[word]
     assert happening.thing == ("cup" if tag else f"{kind}-1")
     assert happening.source == f"{kind}-1"
@@ -150,14 +190,25 @@ def test_people_on_the_floor_have_a_covariance_and_the_nameless_a_number() -> No
         NOW,
         NOW,
         (3.0, 4.0, 0.0),
-        covariance=(0.010000000000000002, 0.0, 0.0, 0.010000000000000002, 0.0, 0.010000000000000002),
+        covariance=(
+            0.010000000000000002,
+            0.0,
+            0.0,
+            0.010000000000000002,
+            0.0,
+            0.010000000000000002,
+        ),
         facts=(("kind", "person"), ("weight", 61.5)),
     )
     assert thing.thing == "floor-1-object-1"
 
 
-@pytest.mark.parametrize(("load", "said", "occupied"), [(62.0, None, True), (3.0, None, False), (62.0, False, False)])
-def test_a_bed_knows_whether_somebody_lies_in_it(load: float, said: bool | None, occupied: bool) -> None:
+@pytest.mark.parametrize(
+    ("load", "said", "occupied"), [(62.0, None, True), (3.0, None, False), (62.0, False, False)]
+)
+def test_a_bed_knows_whether_somebody_lies_in_it(
+    load: float, said: bool | None, occupied: bool
+) -> None:
     (bed,) = decode(message("bed", {"load": load, "occupied": said})).observations
     assert dict(bed.facts)["occupied"] is occupied
 
@@ -169,8 +220,16 @@ def test_a_bed_knows_whether_somebody_lies_in_it(load: float, said: bool | None,
         ("bed", {"load": True}, "load is True; allowed: a number"),
         ("bed", {}, "load is missing"),
         ("door", {"open": "yes"}, "open is 'yes'; allowed: true or false"),
-        ("cabinet", {"items": [{"tag": "a"}, {"tag": "b c"}]}, "items[1].tag is 'b c'; allowed: an id"),
-        ("cabinet", {"items": [{"tag": "a", "weight": -1}]}, "items[0].weight is -1; allowed: a number from 0 to 200 kg"),
+        (
+            "cabinet",
+            {"items": [{"tag": "a"}, {"tag": "b c"}]},
+            "items[1].tag is 'b c'; allowed: an id",
+        ),
+        (
+            "cabinet",
+            {"items": [{"tag": "a", "weight": -1}]},
+            "items[0].weight is -1; allowed: a number from 0 to 200 kg",
+        ),
         ("floor", {"people": [{"x": 1}]}, "people[0].y is missing"),
         ("floor", {"people": [{"x": 1, "y": 1}] * 65}, "a list of up to 64 objects"),
         ("motion", [], "is []; allowed: a JSON object"),
@@ -185,7 +244,15 @@ def test_a_bad_field_is_named_with_what_is_allowed(kind: str, tree: object, word
 
 @pytest.mark.parametrize(
     "payload",
-    [b"", b"\xff", b'{"open": NaN}', b"[" * 10_000, b'{"load": 1e999}', b'{"load": ' + b"9" * 5000 + b"}", b" " * (LARGEST + 1)],
+    [
+        b"",
+        b"\xff",
+        b'{"open": NaN}',
+        b"[" * 10_000,
+        b'{"load": 1e999}',
+        b'{"load": ' + b"9" * 5000 + b"}",
+        b" " * (LARGEST + 1),
+    ],
 )
 def test_what_is_not_json_is_refused(payload: bytes) -> None:
     with pytest.raises(WireError, match="housefly/bsen/bed/bed-1/state"):

@@ -29,5 +29,7 @@ def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat
         assert f"| {kind.heartbeat:g} s |" in row
         for word in (*kind.state, *kind.events):
             assert f"`{word}`" in row, f"{kind.name}: {word}"
-        inner = {key for field in kind.state.values() if isinstance(field, Rows) for key in field.spec}
+        inner = {
+            key for field in kind.state.values() if isinstance(field, Rows) for key in field.spec
+        }
         assert all(f"`{key}`" in PAGE for key in inner)

@@ -30,7 +30,10 @@ def test_any_other_text_is_refused_in_a_line(topic: str) -> None:
         assert address.topic(channel) == topic
 
 
-@pytest.mark.parametrize("topic", ["housefly/bsen/door/d/status", "housefly/bsen/door/state", "housefly/B sen/door/d/state"])
+@pytest.mark.parametrize(
+    "topic",
+    ["housefly/bsen/door/d/status", "housefly/bsen/door/state", "housefly/B sen/door/d/state"],
+)
 def test_a_typing_mistake_is_told_the_scheme(topic: str) -> None:
     with pytest.raises(WireError, match="state"):
         parse_topic(topic)

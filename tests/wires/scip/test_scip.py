@@ -25,18 +25,36 @@ from housefly.wires.scip import (
     measurement_of,
     measurement_reply,
 )
-from housefly.wires.scip.characters import checked, checksum, data_lines, decoded, encoded, values_of
+from housefly.wires.scip.characters import (
+    checked,
+    checksum,
+    data_lines,
+    decoded,
+    encoded,
+    values_of,
+)
 from housefly.wires.scip.parameters import told_by
 from housefly.wires.scip.requests import ASKS
 
 notes = st.text("abcXYZ019 ._+@", max_size=16)
 asks = st.builds(Ask, st.sampled_from(sorted(ASKS)), notes)
 steps = st.integers(0, 9999)
-measures = st.builds(Measure, st.just("MD"), steps, steps, st.integers(0, 99), st.integers(0, 9), st.integers(0, 99), notes)
+measures = st.builds(
+    Measure,
+    st.just("MD"),
+    steps,
+    steps,
+    st.integers(0, 99),
+    st.integers(0, 9),
+    st.integers(0, 99),
+    notes,
+)
 newest = st.builds(Measure, st.just("GD"), steps, steps, st.integers(0, 99), note=notes)
 
 
-@pytest.mark.parametrize(("value", "width", "text"), [(1234, 2, "CB"), (5432, 3, "1Dh"), (16000000, 4, "m2@0")])
+@pytest.mark.parametrize(
+    ("value", "width", "text"), [(1234, 2, "CB"), (5432, 3, "1Dh"), (16000000, 4, "m2@0")]
+)
 def test_the_manuals_numbers_are_encoded_as_printed(value: int, width: int, text: str) -> None:
     assert encoded(value, width) == text
     assert decoded(text) == value
@@ -75,7 +93,11 @@ def test_printed_lines_of_real_sensors_have_our_checksum(line: str) -> None:
     assert told_by(Reply("PP", "00", (line,)))
 
 
-@given(st.integers(1, 4).flatmap(lambda width: st.tuples(st.just(width), st.integers(0, (1 << 6 * width) - 1))))
+@given(
+    st.integers(1, 4).flatmap(
+        lambda width: st.tuples(st.just(width), st.integers(0, (1 << 6 * width) - 1))
+    )
+)
 def test_every_number_comes_back_and_one_too_large_is_refused(pair: tuple[int, int]) -> None:
     width, value = pair
     assert decoded(encoded(value, width)) == value
@@ -95,10 +117,16 @@ def test_every_request_comes_back(request: Request) -> None:
     assert decode_request(encode_request(request)[:-1]) == request
 
 
-@given(st.integers(0, (1 << 24) - 1), st.lists(st.integers(0, (1 << 18) - 1), min_size=1, max_size=1081), st.integers(0, 99))
+@given(
+    st.integers(0, (1 << 24) - 1),
+    st.lists(st.integers(0, (1 << 18) - 1), min_size=1, max_size=1081),
+    st.integers(0, 99),
+)
 def test_every_scan_comes_back(stamp: int, ranges: list[int], count: int) -> None:
     request = Measure("MD", 100, 99 + len(ranges), 1, 0, count)
-    found = measurement_of(decode_reply(encode_reply(measurement_reply(request, stamp, tuple(ranges)))))
+    found = measurement_of(
+        decode_reply(encode_reply(measurement_reply(request, stamp, tuple(ranges))))
+    )
     assert found is not None
     assert (found.request, found.stamp, found.ranges) == (request, stamp, tuple(ranges))
 
@@ -114,12 +142,18 @@ def test_one_changed_character_of_a_scan_is_noticed(at: int, change: int) -> Non
         assert found is None or found.ranges == ranges
 
 
-garbage = st.binary(max_size=300) | st.binary(max_size=200).map(lambda tail: b"MD0000000501000\n99b\n" + tail + b"\n\n")
+garbage = st.binary(max_size=300) | st.binary(max_size=200).map(
+    lambda tail: b"MD0000000501000\n99b\n" + tail + b"\n\n"
+)
 
 
 @given(garbage)
 def test_any_bytes_are_decoded_or_refused_with_a_wire_error(data: bytes) -> None:
-    for decode in (decode_request, lambda d: measurement_of(decode_reply(d)), lambda d: Parameters.of(decode_reply(d))):
+    for decode in (
+        decode_request,
+        lambda d: measurement_of(decode_reply(d)),
+        lambda d: Parameters.of(decode_reply(d)),
+    ):
         with contextlib.suppress(WireError):
             decode(data)
 
@@ -136,7 +170,9 @@ def test_parameters_come_back_and_senseless_ones_are_refused(model: Parameters) 
 
 def test_the_angles_of_the_models_are_those_of_their_data_sheets() -> None:
     assert UST_10LX.first_angle == pytest.approx(-2.35619, abs=1e-4)
-    assert UST_10LX.first_angle + (UST_10LX.beams - 1) * UST_10LX.step == pytest.approx(2.35619, abs=1e-4)
+    assert UST_10LX.first_angle + (UST_10LX.beams - 1) * UST_10LX.step == pytest.approx(
+        2.35619, abs=1e-4
+    )
     assert UST_10LX.period == 0.025
     assert URG_04LX.beams == 682 and URG_04LX.period == 0.1
 

@@ -1,7 +1,8 @@
 """The AR.Drone 2.0 as a Drone: four ports, one watchdog, one place where everything meets.
 
-A command whose action differs from the one before leaves in the same call. FLY setpoints leave at the drone's cadence, timed so
-that a regular pilot's setpoint leaves the moment it comes; when the pilot pauses, the newest command is repeated.
+A command whose action differs from the one before leaves in the same call. FLY setpoints leave at
+the drone's cadence, timed so that a regular pilot's setpoint leaves the moment it comes; when the
+pilot pauses, the newest command is repeated.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import contextlib
 from collections.abc import Callable, Coroutine
 
 from housefly.clock import Clock, RealClock
-from housefly.config import DroneConfig, LimitsConfig
+from housefly.config.site import DroneConfig, LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.link import CommandLink, led_value
 from housefly.drones.ardrone.orders import Orders
@@ -29,7 +30,9 @@ CADENCE = 0.030
 EARLY = 0.003
 """A setpoint that comes this much before its time still leaves at once [s]."""
 REPEAT = 0.035
-"""Without a word from the pilot the command in force is repeated after this long [s]; the drone complains after 50 ms."""
+"""Without a word from the pilot the command in force is repeated after this long [s]; the drone
+complains after 50 ms.
+"""
 ANSWER = 5.0
 """How long ``connect`` waits for the first report [s]."""
 RETRY = 1.0
@@ -43,15 +46,22 @@ class ArDrone:
         config: where it answers and whether it has a camera.
         limits: what it may do; written into the drone's own configuration.
         clock: for ages and rates.
-        full_navdata: 200 full reports a second (0.4 MB/s; about 2 % of one core more), or 15 short ones for a weak radio link.
+        full_navdata: 200 full reports a second (0.4 MB/s; about 2 % of one core more), or 15 short
+            ones for a weak radio link.
 
     Attributes:
         notes: settings that the drone did not take, in words.
-        configuration: the drone's configuration as it told it, texts by key; empty before ``connect``.
+        configuration: the drone's configuration as it told it, texts by key; empty before
+            ``connect``.
     """
 
     def __init__(
-        self, config: DroneConfig, limits: LimitsConfig, clock: Clock | None = None, *, full_navdata: bool = True
+        self,
+        config: DroneConfig,
+        limits: LimitsConfig,
+        clock: Clock | None = None,
+        *,
+        full_navdata: bool = True,
     ) -> None:
         self.notes: tuple[str, ...] = ()
         self.configuration: dict[str, str] = {}
@@ -71,7 +81,8 @@ class ArDrone:
         """Open the wire and configure the drone; may be called again after a failure.
 
         Raises:
-            LinkError: no report came, or the configuration was not acknowledged; says which and what to look for.
+            LinkError: no report came, or the configuration was not acknowledged; says which and
+                what to look for.
         """
         await self._commands.open()
         await self._navdata.open()
@@ -133,10 +144,14 @@ class ArDrone:
 
     async def leds(self, animation: int, frequency_hz: float = 2.0, seconds: int = 2) -> None:
         """Play a light animation (0 to 20); raises LinkError when the drone does not answer."""
-        await self._configurator.write("leds:leds_anim", led_value(animation, frequency_hz, seconds))
+        await self._configurator.write(
+            "leds:leds_anim", led_value(animation, frequency_hz, seconds)
+        )
 
     def flat_trim(self) -> None:
-        """Take the present attitude as level; raises LinkError unless the drone stands on the ground."""
+        """Take the present attitude as level; raises LinkError unless the drone stands on the
+        ground.
+        """
         told = self.telemetry
         if told is None or told.status is not DroneStatus.LANDED:
             state = "unknown" if told is None else told.status.value
@@ -144,7 +159,8 @@ class ArDrone:
         self._commands.send(at.FlatTrim())
 
     async def _configure(self) -> None:
-        # each acknowledgement takes two reports; full ones come 5 ms apart, so this is quick even where short ones follow
+        # each acknowledgement takes two reports; full ones come 5 ms apart, so this is quick even
+        # where short ones follow
         await self._configurator.write("general:navdata_demo", False)
         await self._configurator.log_in()
         for name, value in wanted_settings(self._limits):
@@ -158,7 +174,9 @@ class ArDrone:
 
     async def _configure_after_reboot(self) -> None:
         while True:
-            await self._navdata.wait_for(lambda packet: packet.has(DroneState.NAVDATA_BOOTSTRAP), None)
+            await self._navdata.wait_for(
+                lambda packet: packet.has(DroneState.NAVDATA_BOOTSTRAP), None
+            )
             with contextlib.suppress(LinkError):
                 await self._configure()
                 continue

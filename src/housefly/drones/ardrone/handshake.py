@@ -1,7 +1,8 @@
 """Writing and reading the drone's configuration.
 
-Each CONFIG is acknowledged by state bit 6, which is cleared again with CTRL 5; one at a time. Keys of sessions, users and
-applications count only with our three ids, named right before (Parrot ARDroneLib SDK 2.0.1).
+Each CONFIG is acknowledged by state bit 6, which is cleared again with CTRL 5; one at a time. Keys
+of sessions, users and applications count only with our three ids, named right before (Parrot
+ARDroneLib SDK 2.0.1).
 """
 
 from __future__ import annotations
@@ -13,7 +14,17 @@ from housefly.drones.ardrone.link import CommandLink
 from housefly.drones.ardrone.telemetry import Condition, NavdataPort
 from housefly.errors import LinkError, WireError
 from housefly.wires.ardrone import at
-from housefly.wires.ardrone.config import CONTROL_PORT, DUMP_END, MAX_DUMP, Dump, Ids, Value, config_id, format_value, key_named
+from housefly.wires.ardrone.config import (
+    CONTROL_PORT,
+    DUMP_END,
+    MAX_DUMP,
+    Dump,
+    Ids,
+    Value,
+    config_id,
+    format_value,
+    key_named,
+)
 from housefly.wires.ardrone.config import parse_dump as parse
 from housefly.wires.ardrone.config_keys import Category
 from housefly.wires.ardrone.navdata import DroneState, NavdataPacket
@@ -25,7 +36,11 @@ PATIENCE = 3.0
 READ_REPEAT = 0.5
 """The request for the configuration is sent again after this long [s]."""
 
-OURS = Ids(session=config_id("housefly session"), user=config_id("housefly user"), application=config_id("housefly"))
+OURS = Ids(
+    session=config_id("housefly session"),
+    user=config_id("housefly user"),
+    application=config_id("housefly"),
+)
 """The same on every run, so that a drone does not fill up with sessions."""
 
 LOGIN = (
@@ -48,7 +63,9 @@ class Configurator:
         self._one_at_a_time = asyncio.Lock()
 
     async def log_in(self) -> None:
-        """Make our session, user and application those in force; raises LinkError when the drone does not answer."""
+        """Make our session, user and application those in force; raises LinkError when the drone
+        does not answer.
+        """
         for key, value in LOGIN:
             await self.write(key, value)
 
@@ -77,16 +94,24 @@ class Configurator:
                 async with asyncio.timeout(PATIENCE):
                     return parse(await self._download())
             except (OSError, TimeoutError) as error:
-                raise LinkError(f"the drone does not tell its configuration at {where}: {error or 'no answer'}") from error
+                raise LinkError(
+                    f"the drone does not tell its configuration at {where}: {error or 'no answer'}"
+                ) from error
             except WireError as error:
-                raise LinkError(f"the drone's configuration at {where} cannot be read: {error}") from error
+                raise LinkError(
+                    f"the drone's configuration at {where} cannot be read: {error}"
+                ) from error
 
     async def _download(self) -> bytes:
         reader, writer = await asyncio.open_connection(self._address, CONTROL_PORT)
         asking = asyncio.create_task(self._ask_for_dump())
         try:
             received = b""
-            while DUMP_END not in received and len(received) <= MAX_DUMP and (chunk := await reader.read(4096)):
+            while (
+                DUMP_END not in received
+                and len(received) <= MAX_DUMP
+                and (chunk := await reader.read(4096))
+            ):
                 received += chunk
             return received
         finally:
@@ -104,9 +129,13 @@ class Configurator:
         packet = self._navdata.reports.packet
         if packet is None or _is_acknowledged(packet):
             clear = (at.Control(at.ControlMode.CLEAR_ACK),)
-            await self._repeat_until(clear, lambda packet: not _is_acknowledged(packet), f"does not get ready for {what}")
+            await self._repeat_until(
+                clear, lambda packet: not _is_acknowledged(packet), f"does not get ready for {what}"
+            )
 
-    async def _repeat_until(self, commands: tuple[at.Command, ...], condition: Condition, complaint: str) -> None:
+    async def _repeat_until(
+        self, commands: tuple[at.Command, ...], condition: Condition, complaint: str
+    ) -> None:
         for _ in range(round(PATIENCE / REPEAT)):
             self._commands.send(*commands)
             if await self._navdata.wait_for(condition, REPEAT) is not None:

@@ -31,9 +31,14 @@ class CommandLink(asyncio.DatagramProtocol):
             return
         loop = asyncio.get_running_loop()
         try:
-            self._transport, _ = await loop.create_datagram_endpoint(lambda: self, remote_addr=(self._address, at.COMMAND_PORT))
+            self._transport, _ = await loop.create_datagram_endpoint(
+                lambda: self, remote_addr=(self._address, at.COMMAND_PORT)
+            )
         except OSError as error:
-            raise LinkError(f"cannot open a socket to {self._address}:{at.COMMAND_PORT}: {error.strerror or error}") from error
+            raise LinkError(
+                f"cannot open a socket to {self._address}:{at.COMMAND_PORT}:"
+                f" {error.strerror or error}"
+            ) from error
 
     @property
     def is_open(self) -> bool:
@@ -59,5 +64,7 @@ class CommandLink(asyncio.DatagramProtocol):
 
 
 def led_value(animation: int, frequency_hz: float, seconds: int) -> str:
-    """Return the value of ``leds:leds_anim``: animation number, bits of the frequency, duration [s]."""
+    """Return the value of ``leds:leds_anim``: animation number, bits of the frequency, duration
+    [s].
+    """
     return f"{animation},{at.float_to_bits(frequency_hz)},{seconds}"

@@ -1,6 +1,7 @@
 """Sequence numbers of AT commands, and when they start again at 1.
 
-A drone obeys a command only when its number is above the last one it obeyed; 1 always counts (docs/wires.md, section 4).
+A drone obeys a command only when its number is above the last one it obeyed; 1 always counts
+(docs/wires.md, section 4).
 """
 
 from __future__ import annotations
@@ -8,9 +9,11 @@ from __future__ import annotations
 SILENCE = 2.0
 """After this long without a command the drone has forgotten us, and numbers start again [s]."""
 DEAF = 0.3
-"""How long the drone must complain about missing commands, although we send them, before numbers start again [s].
+"""How long the drone must complain about missing commands, although we send them, before numbers
+start again [s].
 
-Long enough that a few lost datagrams do not count: a restart whose own datagram is lost leaves us refused until the next one.
+Long enough that a few lost datagrams do not count: a restart whose own datagram is lost leaves us
+    refused until the next one.
 """
 
 
@@ -32,7 +35,9 @@ class Numbering:
         return first
 
     def drone_hears(self, hears: bool, now: float) -> None:
-        """Note whether the drone's newest report shows that it receives our commands; restart when it has not for long."""
+        """Note whether the drone's newest report shows that it receives our commands; restart when
+        it has not for long.
+        """
         if hears:
             self._heard_at = now
         elif self._last_at is not None and now - self._heard_at > DEAF:

@@ -1,8 +1,10 @@
-"""What the drone must hear next: the command in force against what the drone last said. Pure; the driver sends it.
+"""What the drone must hear next: the command in force against what the drone last said. Pure; the
+driver sends it.
 
-The take-off bit is sent only on the ground and under a take-off order, never while flying: a drone that has landed by itself
-would rise again. The emergency bit is a toggle that acts when it rises, so it is held until the drone's report shows the wanted
-state (any number of lost datagrams make no difference), then released; a second press needs a report newer than the release.
+The take-off bit is sent only on the ground and under a take-off order, never while flying: a drone
+that has landed by itself would rise again. The emergency bit is a toggle that acts when it rises,
+so it is held until the drone's report shows the wanted state (any number of lost datagrams make no
+difference), then released; a second press needs a report newer than the release.
 """
 
 from __future__ import annotations
@@ -50,18 +52,24 @@ class EmergencyButton:
             self._pressed_at, self._released_at = None, now
 
     def hold(self, now: float, told_at: float | None) -> bool:
-        """Return whether the bit is set now; ``told_at`` is when the newest report came that asks for a press [s]."""
+        """Return whether the bit is set now; ``told_at`` is when the newest report came that asks
+        for a press [s].
+        """
         if self._pressed_at is not None:
             if now - self._pressed_at < HOLD_TIME:
                 return True
             self.release(now)
-        elif self._released_at is None or (told_at is not None and told_at - self._released_at > RELEASE_TIME):
+        elif self._released_at is None or (
+            told_at is not None and told_at - self._released_at > RELEASE_TIME
+        ):
             self._pressed_at = now
             return True
         return False
 
     def new_order(self, now: float) -> None:
-        """Begin anew: the first press does not wait for a report, unless the button was held just now."""
+        """Begin anew: the first press does not wait for a report, unless the button was held just
+        now.
+        """
         self.release(now)
         if self._released_at is not None and now - self._released_at > RELEASE_TIME:
             self._released_at = None
@@ -123,7 +131,9 @@ class Orders:
         if self._action in (Action.CUT, Action.RESET):
             return self._action
         if self._must_land:
-            self._has_risen = True  # a take-off order from before the silence must not count again after it
+            self._has_risen = (
+                True  # a take-off order from before the silence must not count again after it
+            )
             return Action.LAND
         if silence > HOVER_AFTER and self._action is not Action.LAND:
             return Action.HOVER if airborne else Action.IDLE
@@ -138,7 +148,12 @@ class Orders:
         if told is not None and told.status in AIRBORNE:
             self._has_risen = self._has_risen or told.status is not DroneStatus.LANDING
             return (RISE, HOVER) if told.status is DroneStatus.TAKING_OFF else (HOVER,)
-        if told is None or now - told.received_at > FRESH or told.status is not DroneStatus.LANDED or self._has_risen:
+        if (
+            told is None
+            or now - told.received_at > FRESH
+            or told.status is not DroneStatus.LANDED
+            or self._has_risen
+        ):
             return self._idle(now, told)
         if now - self._since < TRIM_TIME:
             return (LAND, at.FlatTrim())
@@ -148,13 +163,17 @@ class Orders:
         return (pcmd_from_setpoint(self._setpoint, self.maxima),)
 
     def _cut(self, now: float, told: Telemetry | None) -> Datagram:
-        return self._press(now, told, wanted=told is None or told.status is not DroneStatus.EMERGENCY)
+        return self._press(
+            now, told, wanted=told is None or told.status is not DroneStatus.EMERGENCY
+        )
 
     def _reset(self, now: float, told: Telemetry | None) -> Datagram:
         if told is not None and told.status in AIRBORNE:
             self._button.release(now)
             return self._idle(now, told)
-        return self._press(now, told, wanted=told is not None and told.status is DroneStatus.EMERGENCY)
+        return self._press(
+            now, told, wanted=told is not None and told.status is DroneStatus.EMERGENCY
+        )
 
     def _press(self, now: float, told: Telemetry | None, *, wanted: bool) -> Datagram:
         if wanted and self._button.hold(now, told.received_at if told else None):

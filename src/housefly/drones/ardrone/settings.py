@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isclose
 
-from housefly.config import LimitsConfig
+from housefly.config.site import LimitsConfig
 from housefly.wires.ardrone.config import Dump, Value, VideoChannel, VideoCodec
 from housefly.wires.ardrone.signs import Maxima
 
@@ -16,7 +16,9 @@ FRAME_RATE = 30
 
 
 def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, Value], ...]:
-    """Return keys and values in the order of writing: ``outdoor`` first, because it replaces the limits."""
+    """Return keys and values in the order of writing: ``outdoor`` first, because it replaces the
+    limits.
+    """
     return (
         ("control:outdoor", False),
         ("control:flight_without_shell", False),

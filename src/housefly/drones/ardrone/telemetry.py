@@ -1,7 +1,7 @@
 """The drone's reports: UDP port 5554 into the newest Telemetry.
 
-Only the pinned peer is heard (the socket is connected to it). Full navdata comes 200 times a second; each packet is checked, but
-turned into Telemetry only when someone reads it.
+Only the pinned peer is heard (the socket is connected to it). Full navdata comes 200 times a
+second; each packet is checked, but turned into Telemetry only when someone reads it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,13 @@ from collections.abc import Callable
 from housefly.clock import Clock
 from housefly.errors import LinkError, WireError
 from housefly.messages import Telemetry
-from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_UNICAST, DroneState, NavdataPacket, decode_navdata
+from housefly.wires.ardrone.navdata import (
+    NAVDATA_PORT,
+    REQUEST_UNICAST,
+    DroneState,
+    NavdataPacket,
+    decode_navdata,
+)
 from housefly.wires.ardrone.signs import telemetry_from_navdata
 
 SILENCE = 0.25
@@ -60,8 +66,14 @@ class Reports:
         return True
 
     def _is_news(self, packet: NavdataPacket, now: float) -> bool:
-        """Tell whether it is newer than the last; after a silence any number is, for the drone may have started again."""
-        return self.packet is None or packet.sequence > self.packet.sequence or now - self.received_at > SILENCE
+        """Tell whether it is newer than the last; after a silence any number is, for the drone may
+        have started again.
+        """
+        return (
+            self.packet is None
+            or packet.sequence > self.packet.sequence
+            or now - self.received_at > SILENCE
+        )
 
     @property
     def telemetry(self) -> Telemetry | None:
@@ -91,7 +103,9 @@ class Reports:
 
 
 class NavdataPort(asyncio.DatagramProtocol):
-    """The socket to port 5554: asks for reports, asks again in silence, wakes those who wait for a report."""
+    """The socket to port 5554: asks for reports, asks again in silence, wakes those who wait for a
+    report.
+    """
 
     def __init__(self, address: str, clock: Clock) -> None:
         self.reports = Reports()
@@ -107,9 +121,13 @@ class NavdataPort(asyncio.DatagramProtocol):
             return
         loop = asyncio.get_running_loop()
         try:
-            self._transport, _ = await loop.create_datagram_endpoint(lambda: self, remote_addr=(self._address, NAVDATA_PORT))
+            self._transport, _ = await loop.create_datagram_endpoint(
+                lambda: self, remote_addr=(self._address, NAVDATA_PORT)
+            )
         except OSError as error:
-            raise LinkError(f"cannot open a socket to {self._address}:{NAVDATA_PORT}: {error.strerror or error}") from error
+            raise LinkError(
+                f"cannot open a socket to {self._address}:{NAVDATA_PORT}: {error.strerror or error}"
+            ) from error
         self._asking = asyncio.create_task(self._ask_in_silence(), name="navdata requests")
 
     async def close(self) -> None:
@@ -130,10 +148,16 @@ class NavdataPort(asyncio.DatagramProtocol):
     def hears_us(self) -> bool:
         """Whether the drone receives commands, as far as a fresh report tells."""
         packet = self.reports.packet
-        return not (self.connected and packet is not None and packet.state & (DroneState.COM_WATCHDOG | DroneState.COM_LOST))
+        return not (
+            self.connected
+            and packet is not None
+            and packet.state & (DroneState.COM_WATCHDOG | DroneState.COM_LOST)
+        )
 
     async def wait_for(self, condition: Condition, timeout: float | None) -> NavdataPacket | None:
-        """Return the first report from now on that meets the condition, or None after the timeout [s]."""
+        """Return the first report from now on that meets the condition, or None after the timeout
+        [s].
+        """
         future: asyncio.Future[NavdataPacket] = asyncio.get_running_loop().create_future()
         self._waiting[future] = condition
         try:

@@ -8,17 +8,26 @@ from collections.abc import Callable
 
 from housefly.clock import Clock
 from housefly.messages import VideoFrame
-from housefly.wires.ardrone.pave import CODEC_H264, VIDEO_PORT, KeyframeGate, PaveFrame, VideoReassembler
+from housefly.wires.ardrone.pave import (
+    CODEC_H264,
+    VIDEO_PORT,
+    KeyframeGate,
+    PaveFrame,
+    VideoReassembler,
+)
 
 STALL = 2.0
-"""Without a byte for this long we connect again [s]; also when pictures no longer count as arriving."""
+"""Without a byte for this long we connect again [s]; also when pictures no longer count as
+arriving.
+"""
 RETRY = 0.5
 """Pause before connecting again [s]."""
 CHUNK = 65_536
 
 
 class VideoLink:
-    """Reads pictures and hands on those that can be decoded: from the first key frame on, and after a gap from the next.
+    """Reads pictures and hands on those that can be decoded: from the first key frame on, and after
+    a gap from the next.
 
     Attributes:
         handlers: called with each picture.

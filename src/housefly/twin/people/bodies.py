@@ -1,6 +1,8 @@
-"""People as MuJoCo bodies, a capsule and a head each, so that cameras, rays and the drone's hull meet them.
+"""People as MuJoCo bodies, a capsule and a head each, so that cameras, rays and the drone's hull
+meet them.
 
-Own frame: origin between the feet, x to where the person faces, z up. Who sits sinks into the floor up to their hips, who is not
+Own frame: origin between the feet, x to where the person faces, z up. Who sits sinks into the floor
+    up to their hips, who is not
 there waits far below it. Metres.
 """
 
@@ -28,7 +30,9 @@ _SKIN = "0.93 0.74 0.62 1"
 
 
 def people_bodies(people: tuple[PersonScript, ...]) -> str:
-    """Return the MJCF of the people as mocap bodies, in the order of the script; the room's own visitor is not among them."""
+    """Return the MJCF of the people as mocap bodies, in the order of the script; the room's own
+    visitor is not among them.
+    """
     return "".join(_body(person, number) for number, person in enumerate(bodied(people)))
 
 
@@ -47,12 +51,19 @@ def _upright(person: PersonState, height: float) -> Pose:
 
 
 def _seated(person: PersonState, height: float) -> Pose:
-    return Pose((*person.position, person.support - _HIPS * height + RADIUS), quaternion_from_euler(0.0, 0.0, person.yaw))
+    return Pose(
+        (*person.position, person.support - _HIPS * height + RADIUS),
+        quaternion_from_euler(0.0, 0.0, person.yaw),
+    )
 
 
 def _lying(person: PersonState, height: float) -> Pose:
     x, y = person.position
-    feet = (x - height / 2 * cos(person.yaw), y - height / 2 * sin(person.yaw), person.support + RADIUS)
+    feet = (
+        x - height / 2 * cos(person.yaw),
+        y - height / 2 * sin(person.yaw),
+        person.support + RADIUS,
+    )
     return Pose(feet, quaternion_from_euler(0.0, pi / 2, person.yaw))
 
 
@@ -69,12 +80,13 @@ _POSES: dict[Posture, Callable[[PersonState, float], Pose]] = {
 
 def _body(person: PersonScript, number: int) -> str:
     top = person.height
-    trunk = f"0 0 {_FOOT + RADIUS:.9g} 0 0 {max(_FOOT + RADIUS + 0.01, top - 2 * HEAD - RADIUS):.9g}"
+    trunk = (
+        f"0 0 {_FOOT + RADIUS:.9g} 0 0 {max(_FOOT + RADIUS + 0.01, top - 2 * HEAD - RADIUS):.9g}"
+    )
     name = f"{PREFIX}{person.name}"
     return (
-        f'<body name="{name}" mocap="true" pos="0 0 {AWAY}">'
-        f'<geom name="{name} trunk" type="capsule" fromto="{trunk}" size="{RADIUS}" rgba="{_COATS[number % len(_COATS)]}" '
-        'material="cloth"/>'
-        f'<geom name="{name} head" type="sphere" pos="0 0 {top - HEAD:.9g}" size="{HEAD}" rgba="{_SKIN}" material="cloth"/>'
-        "</body>"
+        f'<body name="{name}" mocap="true" pos="0 0 {AWAY}"><geom name="{name} trunk"'
+        f' type="capsule" fromto="{trunk}" size="{RADIUS}" rgba="{_COATS[number % len(_COATS)]}"'
+        f' material="cloth"/><geom name="{name} head" type="sphere" pos="0 0 {top - HEAD:.9g}"'
+        f' size="{HEAD}" rgba="{_SKIN}" material="cloth"/></body>'
     )

@@ -23,18 +23,24 @@ class Chronicle:
     """Replays the acts of a scene once and keeps what holds after each.
 
     Raises:
-        ConfigError: somebody takes what another carries, puts down what they do not carry, or handles what does not exist.
+        ConfigError: somebody takes what another carries, puts down what they do not carry, or
+            handles what does not exist.
     """
 
     def __init__(self, script: SceneScript, occurrences: list[Occurrence]) -> None:
         self._devices = {device.id: device for device in script.devices}
-        things = {row.name: ThingState(row.name, row.at or self._home(row.inside), row.inside) for row in script.things}
+        things = {
+            row.name: ThingState(row.name, row.at or self._home(row.inside), row.inside)
+            for row in script.things
+        }
         snapshot = Snapshot(things, frozenset())
         self._times: list[float] = []
         self._snapshots = [snapshot]
         self.occurrences: list[Occurrence] = []
         for told in occurrences:
-            known = replace(told, where=self._origin(told, snapshot)) if told.act is Act.TAKE else told
+            known = (
+                replace(told, where=self._origin(told, snapshot)) if told.act is Act.TAKE else told
+            )
             snapshot = _EFFECTS[told.act](self, known, snapshot)
             self._times.append(told.at)
             self._snapshots.append(snapshot)
@@ -59,7 +65,11 @@ class Chronicle:
         if told.position is None and not told.where:
             raise _impossible(told, f"puts {told.what!r} nowhere; give into or at")
         if told.where and told.where not in self._devices:
-            raise _impossible(told, f"puts {told.what!r} into {told.where!r}; known devices: {', '.join(self._devices)}")
+            raise _impossible(
+                told,
+                f"puts {told.what!r} into {told.where!r}; known devices:"
+                f" {', '.join(self._devices)}",
+            )
         position = told.position or self._home(told.where)
         return _with(before, ThingState(thing.name, position, told.where))
 
@@ -81,17 +91,25 @@ class Chronicle:
 
     def _thing(self, told: Occurrence, before: Snapshot) -> ThingState:
         if told.what not in before.things:
-            raise _impossible(told, f"wants {told.what!r}; known things: {', '.join(before.things)}")
+            raise _impossible(
+                told, f"wants {told.what!r}; known things: {', '.join(before.things)}"
+            )
         return before.things[told.what]
 
     def _device(self, told: Occurrence) -> str:
         if told.what not in self._devices:
-            raise _impossible(told, f"handles {told.what!r}; known devices: {', '.join(self._devices)}")
+            raise _impossible(
+                told, f"handles {told.what!r}; known devices: {', '.join(self._devices)}"
+            )
         return told.what
 
     def _home(self, device: str) -> tuple[float, float, float]:
         if device not in self._devices:
-            raise ConfigError("things", f"a thing is inside {device!r}; known devices: {', '.join(self._devices)}", "scene")
+            raise ConfigError(
+                "things",
+                f"a thing is inside {device!r}; known devices: {', '.join(self._devices)}",
+                "scene",
+            )
         return self._devices[device].position
 
 

@@ -1,4 +1,6 @@
-"""A scene: what holds at any time of it, and what happened between two times. The same file gives the same scene, always."""
+"""A scene: what holds at any time of it, and what happened between two times. The same file gives
+the same scene, always.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from housefly import sites
-from housefly.config_section import explain
+from housefly.config.section import explain
 from housefly.errors import ConfigError
 from housefly.twin.people.chronicle import Chronicle
 from housefly.twin.people.script import SceneScript
@@ -48,7 +50,9 @@ class Scene:
             for person, seed in zip(script.people, seeds, strict=True)
         ]
         self._begins = [[leg.begin for leg in line.legs] for line in self._lines]
-        acts = sorted((told for line in self._lines for told in line.occurrences), key=lambda told: told.at)
+        acts = sorted(
+            (told for line in self._lines for told in line.occurrences), key=lambda told: told.at
+        )
         self._chronicle = Chronicle(script, acts)
         self.length = max((line.end for line in self._lines), default=0.0) + script.pause
 
@@ -62,7 +66,11 @@ class Scene:
     def between(self, since: float, until: float) -> tuple[Occurrence, ...]:
         """Return what happened after ``since`` up to and with ``until`` [s], oldest first."""
         rounds = range(self._round(since), self._round(until) + 1) if self.script.loop else range(1)
-        told = (replace(act, at=act.at + number * self.length) for number in rounds for act in self._chronicle.occurrences)
+        told = (
+            replace(act, at=act.at + number * self.length)
+            for number in rounds
+            for act in self._chronicle.occurrences
+        )
         return tuple(act for act in told if since < act.at <= until)
 
     def _person(self, number: int, time: float) -> PersonState:
@@ -112,10 +120,15 @@ def scene_from_tree(tree: Mapping[str, Any], source: str = "") -> Scene:
     return Scene(script)
 
 
-def _carried(things: Mapping[str, ThingState], people: tuple[PersonState, ...]) -> Mapping[str, ThingState]:
+def _carried(
+    things: Mapping[str, ThingState], people: tuple[PersonState, ...]
+) -> Mapping[str, ThingState]:
     """Return the things, those in somebody's hands where the hands are."""
     hands = {person.name: _hand(person) for person in people}
-    return {name: replace(thing, position=hands[thing.held_by]) if thing.held_by else thing for name, thing in things.items()}
+    return {
+        name: replace(thing, position=hands[thing.held_by]) if thing.held_by else thing
+        for name, thing in things.items()
+    }
 
 
 def _hand(person: PersonState) -> tuple[float, float, float]:

@@ -1,4 +1,6 @@
-"""The file of a scene: people with what they do step by step, things, and the devices that notice. Lengths in metres."""
+"""The file of a scene: people with what they do step by step, things, and the devices that notice.
+Lengths in metres.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from housefly.config_section import Section, quantity
+from housefly.config.section import Section, quantity
 
 Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
 Point2 = tuple[Coordinate, Coordinate]
@@ -28,7 +30,9 @@ class Wait(Section):
 
     do: Literal["wait"]
     seconds: float = quantity(1.0, 0.0, 3600.0, "s", "how long")
-    yaw: float | None = Field(default=None, ge=-6.3, le=6.3, description="where to face [rad]; as before when not given")
+    yaw: float | None = Field(
+        default=None, ge=-6.3, le=6.3, description="where to face [rad]; as before when not given"
+    )
 
 
 class Sit(Section):
@@ -88,18 +92,25 @@ class Vanish(Section):
     do: Literal["vanish"]
 
 
-Step = Annotated[Go | Wait | Sit | Lie | Take | Put | Handle | Appear | Vanish, Field(discriminator="do")]
+Step = Annotated[
+    Go | Wait | Sit | Lie | Take | Put | Handle | Appear | Vanish, Field(discriminator="do")
+]
 
 
 class PersonScript(Section):
     """One person."""
 
     name: Name
-    start: Point2 | None = Field(default=None, description="where they stand at first; away when not given")
+    start: Point2 | None = Field(
+        default=None, description="where they stand at first; away when not given"
+    )
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "where they face at first")
     height: float = quantity(1.65, 0.5, 2.3, "m", "body height")
     weight: float = quantity(60.0, 2.0, 300.0, "kg", "body weight")
-    visitor: bool = Field(default=False, description="whether this is the visitor, whose body the room has and who stands still")
+    visitor: bool = Field(
+        default=False,
+        description="whether this is the visitor, whose body the room has and who stands still",
+    )
     steps: tuple[Step, ...] = Field(max_length=1000)
 
 
@@ -121,9 +132,12 @@ class DeviceScript(Section):
     position: Point3 = (0.0, 0.0, 0.0)
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "direction of its x axis")
     area: tuple[Coordinate, Coordinate, Coordinate, Coordinate] = Field(
-        default=(-1000.0, -1000.0, 1000.0, 1000.0), description="x_min, y_min, x_max, y_max of what it notices [m]"
+        default=(-1000.0, -1000.0, 1000.0, 1000.0),
+        description="x_min, y_min, x_max, y_max of what it notices [m]",
     )
-    noise: float = quantity(0.0, 0.0, 10.0, "", "one-sigma error in its own unit: m of a floor, kg of a load cell")
+    noise: float = quantity(
+        0.0, 0.0, 10.0, "", "one-sigma error in its own unit: m of a floor, kg of a load cell"
+    )
 
 
 class SceneScript(Section):
@@ -131,7 +145,9 @@ class SceneScript(Section):
 
     name: str = Field(min_length=1, max_length=80)
     seed: int = Field(default=1, ge=0, le=2**31 - 1)
-    variation: float = quantity(0.0, 0.0, 0.5, "", "largest share by which speeds and waits differ, drawn with the seed")
+    variation: float = quantity(
+        0.0, 0.0, 0.5, "", "largest share by which speeds and waits differ, drawn with the seed"
+    )
     loop: bool = Field(default=False, description="whether it begins anew when everybody is done")
     pause: float = quantity(5.0, 0.0, 3600.0, "s", "rest at the end of each round")
     people: tuple[PersonScript, ...] = ()

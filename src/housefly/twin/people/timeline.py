@@ -51,9 +51,15 @@ class Leg:
 
     def at(self, name: str, time: float) -> PersonState:
         """Return the person at a time; at its ends outside the leg."""
-        share = min(max((time - self.begin) / (self.end - self.begin), 0.0), 1.0) if self.end > self.begin else 1.0
+        share = (
+            min(max((time - self.begin) / (self.end - self.begin), 0.0), 1.0)
+            if self.end > self.begin
+            else 1.0
+        )
         (x, y), (gx, gy) = self.start, self.goal
-        return PersonState(name, (x + share * (gx - x), y + share * (gy - y)), self.yaw, self.support, self.posture)
+        return PersonState(
+            name, (x + share * (gx - x), y + share * (gy - y)), self.yaw, self.support, self.posture
+        )
 
 
 class Timeline:
@@ -86,7 +92,9 @@ class Timeline:
         (x, y), (gx, gy) = self._place, step.to
         self._yaw = atan2(gy - y, gx - x) if (x, y) != (gx, gy) else self._yaw
         duration = hypot(gx - x, gy - y) / (step.speed * self._factor())
-        self._add(Leg(self.end, self.end + duration, (x, y), step.to, self._yaw, 0.0, Posture.WALKING))
+        self._add(
+            Leg(self.end, self.end + duration, (x, y), step.to, self._yaw, 0.0, Posture.WALKING)
+        )
         self._place = step.to
 
     def wait(self, step: Wait) -> None:
@@ -96,7 +104,9 @@ class Timeline:
 
     def rest(self, step: Sit | Lie) -> None:
         """Sit or lie, then stand again."""
-        height, posture = (step.seat, Posture.SITTING) if isinstance(step, Sit) else (step.height, Posture.LYING)
+        height, posture = (
+            (step.seat, Posture.SITTING) if isinstance(step, Sit) else (step.height, Posture.LYING)
+        )
         end = self.end + step.seconds * self._factor()
         self._add(Leg(self.end, end, step.at, step.at, step.yaw, height, posture))
 
@@ -107,7 +117,9 @@ class Timeline:
     def put(self, step: Put) -> None:
         """Put a thing down."""
         self._stay(REACH)
-        self.occurrences.append(Occurrence(self.end, Act.PUT, step.thing, self._name, step.into, step.at))
+        self.occurrences.append(
+            Occurrence(self.end, Act.PUT, step.thing, self._name, step.into, step.at)
+        )
 
     def handle(self, step: Handle) -> None:
         """Open, close or press."""
@@ -126,7 +138,17 @@ class Timeline:
         self.occurrences.append(Occurrence(self.end, act, what, self._name))
 
     def _stay(self, seconds: float) -> None:
-        self._add(Leg(self.end, self.end + seconds, self._place, self._place, self._yaw, 0.0, self._posture))
+        self._add(
+            Leg(
+                self.end,
+                self.end + seconds,
+                self._place,
+                self._place,
+                self._yaw,
+                0.0,
+                self._posture,
+            )
+        )
 
     def _add(self, leg: Leg) -> None:
         self.legs.append(leg)

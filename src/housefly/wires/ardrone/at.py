@@ -1,8 +1,9 @@
 """AT commands: ASCII lines to UDP port 5556.
 
-A line is ``AT*NAME=<sequence>[,argument...]`` and a carriage return; several lines may share a datagram. Arguments are signed
-decimal integers, quoted strings, and floats written as the integer that has the same 32 bits.
-``LAYOUTS`` is the one table of names and argument kinds. Facts: Parrot ARDroneLib SDK 2.0.1, at_msgs.h.
+A line is ``AT*NAME=<sequence>[,argument...]`` and a carriage return; several lines may share a
+datagram. Arguments are signed decimal integers, quoted strings, and floats written as the integer
+that has the same 32 bits. ``LAYOUTS`` is the one table of names and argument kinds. Facts: Parrot
+ARDroneLib SDK 2.0.1, at_msgs.h.
 """
 
 from __future__ import annotations
@@ -98,7 +99,9 @@ class Parsed(NamedTuple):
 
 
 def float_to_bits(value: float) -> int:
-    """Return the signed 32-bit integer with the bits of a single; raises WireError beyond a single's range."""
+    """Return the signed 32-bit integer with the bits of a single; raises WireError beyond a
+    single's range.
+    """
     try:
         return int(struct.unpack("<i", struct.pack("<f", value))[0])
     except (OverflowError, struct.error) as error:
@@ -106,7 +109,9 @@ def float_to_bits(value: float) -> int:
 
 
 def bits_to_float(bits: int) -> float:
-    """Return the single whose bits are a 32-bit integer, signed or not; raises WireError for a wider one."""
+    """Return the single whose bits are a 32-bit integer, signed or not; raises WireError for a
+    wider one.
+    """
     if not -(2**31) <= bits < 2**32:
         raise WireError(f"{bits} has more than 32 bits")
     return float(struct.unpack("<f", struct.pack("<I", bits & 0xFFFFFFFF))[0])
@@ -180,29 +185,37 @@ def encode(sequence: int, command: Command) -> bytes:
     """Return one command as its line, carriage return included.
 
     Raises:
-        WireError: when a number or text does not fit the wire, or the line is longer than ``MAX_LINE``.
+        WireError: when a number or text does not fit the wire, or the line is longer than
+            ``MAX_LINE``.
     """
     if isinstance(command, Other):
         name, arguments = command.name, command.arguments
     else:
         name = _NAMES[type(command)]
         values = (getattr(command, field) for field in command.__match_args__)
-        arguments = tuple(kind.write(value) for kind, value in zip(LAYOUTS[name].kinds, values, strict=True))
+        arguments = tuple(
+            kind.write(value) for kind, value in zip(LAYOUTS[name].kinds, values, strict=True)
+        )
     line = f"AT*{name}={','.join((str(sequence), *arguments))}\r"
     if len(line) > MAX_LINE:
-        raise WireError(f"AT*{name} would be {len(line)} characters long; at most {MAX_LINE} are allowed")
+        raise WireError(
+            f"AT*{name} would be {len(line)} characters long; at most {MAX_LINE} are allowed"
+        )
     return line.encode("ascii")
 
 
 def encode_datagram(first_sequence: int, commands: Iterable[Command]) -> bytes:
     """Return several commands as one datagram, numbered upwards from ``first_sequence``."""
-    return b"".join(encode(first_sequence + offset, command) for offset, command in enumerate(commands))
+    return b"".join(
+        encode(first_sequence + offset, command) for offset, command in enumerate(commands)
+    )
 
 
 def parse(datagram: bytes) -> Parsed:
     """Read all commands of a datagram; never raises.
 
-    Tolerates what clients in the field send: line feeds, lone carriage returns, NUL padding, a trailing comma without arguments,
+    Tolerates what clients in the field send: line feeds, lone carriage returns, NUL padding, a
+        trailing comma without arguments,
     REF without its constant bits.
     """
     commands: list[Numbered] = []
@@ -244,7 +257,9 @@ def _build(name: str, arguments: tuple[str, ...]) -> Command:
         raise WireError(f"unknown command {name}")
     if not layout.required <= len(arguments) <= len(layout.kinds):
         raise WireError(f"{name} takes {len(layout.kinds)} arguments, got {len(arguments)}")
-    return layout.build(*(kind.read(argument) for kind, argument in zip(layout.kinds, arguments, strict=False)))
+    return layout.build(
+        *(kind.read(argument) for kind, argument in zip(layout.kinds, arguments, strict=False))
+    )
 
 
 def _split(text: str) -> tuple[str, ...]:

@@ -1,4 +1,6 @@
-"""The AT commands as values; ``at`` writes and reads them. Facts: Parrot ARDroneLib SDK 2.0.1, at_msgs.h."""
+"""The AT commands as values; ``at`` writes and reads them. Facts: Parrot ARDroneLib SDK 2.0.1,
+at_msgs.h.
+"""
 
 from __future__ import annotations
 
@@ -42,8 +44,8 @@ class Ref:
 class Pcmd:
     """Move; fractions -1..1 of the configured maxima in native signs.
 
-    Positive roll flies right, positive pitch flies backward, positive gaz climbs, positive yaw turns clockwise.
-    The parser does not clamp.
+    Positive roll flies right, positive pitch flies backward, positive gaz climbs, positive yaw
+    turns clockwise. The parser does not clamp.
     """
 
     flags: PcmdFlag = PcmdFlag.HOVER

@@ -1,7 +1,7 @@
 """The drone's configuration: value formats, the dump over TCP port 5559, multiconfig ids.
 
-The dump is lines ``section:key = value`` and ends with a NUL byte. Facts: Parrot ARDroneLib SDK 2.0.1.
-The keys are in ``config_keys``.
+The dump is lines ``section:key = value`` and ends with a NUL byte. Facts: Parrot ARDroneLib SDK
+2.0.1. The keys are in ``config_keys``.
 """
 
 from __future__ import annotations
@@ -69,13 +69,15 @@ def format_value(key: ConfigKey, value: Value) -> str:
             return "TRUE" if value else "FALSE"
         case KeyType.INT, int() if not isinstance(value, bool):
             return str(int(value))
-        case ((KeyType.FLOAT | KeyType.DOUBLE), (int() | float())) if not isinstance(value, bool) and isfinite(value):
+        case ((KeyType.FLOAT | KeyType.DOUBLE), (int() | float())) if not isinstance(
+            value, bool
+        ) and isfinite(value):
             return _float_text(value)
         case KeyType.TEXT, str() if value.isascii() and (value.isprintable() or not value):
             return value
-        case ((KeyType.PAIR | KeyType.VECTOR | KeyType.MATRIX), tuple()) if len(value) == _COUNTS[key.type] and all(
-            map(isfinite, value)
-        ):
+        case ((KeyType.PAIR | KeyType.VECTOR | KeyType.MATRIX), tuple()) if len(value) == _COUNTS[
+            key.type
+        ] and all(map(isfinite, value)):
             return f"{{ {' '.join(map(_float_text, value))} }}"
     raise WireError(f"{key.name} takes a {key.type.value}, got {value!r}")
 
@@ -105,13 +107,17 @@ def default_values() -> dict[str, Value]:
 
 
 def encode_dump(values: Mapping[str, Value]) -> bytes:
-    """Return the dump of these values, NUL included; raises WireError for an unknown key or a value of another type."""
+    """Return the dump of these values, NUL included; raises WireError for an unknown key or a value
+    of another type.
+    """
     lines = (f"{name} = {format_value(key_named(name), value)}\n" for name, value in values.items())
     return "".join(lines).encode("ascii", errors="replace") + DUMP_END
 
 
 class Dump(NamedTuple):
-    """A dump that was read: texts by key, typed values of the keys we know, and the lines that made no sense."""
+    """A dump that was read: texts by key, typed values of the keys we know, and the lines that made
+    no sense.
+    """
 
     texts: dict[str, str]
     values: dict[str, Value]
@@ -171,12 +177,17 @@ def is_id(text: str) -> bool:
 
 
 def encode_custom_list(
-    applications: Iterable[tuple[str, str]], profiles: Iterable[tuple[str, str]], sessions: Iterable[tuple[str, str]]
+    applications: Iterable[tuple[str, str]],
+    profiles: Iterable[tuple[str, str]],
+    sessions: Iterable[tuple[str, str]],
 ) -> bytes:
     """Return the answer to CTRL mode 6: the known ids with their descriptions, NUL included."""
     parts = []
     for section, entries in zip(_SECTIONS, (applications, profiles, sessions), strict=True):
-        parts.append(f"[{section}]\n" + "".join(f"{identity},{description}\r" for identity, description in entries))
+        parts.append(
+            f"[{section}]\n"
+            + "".join(f"{identity},{description}\r" for identity, description in entries)
+        )
     return "\n".join(parts).encode("ascii", errors="replace") + DUMP_END
 
 

@@ -1,8 +1,8 @@
 """The drone's 103 configuration keys: type, category, who may write them, default.
 
-Defaults of limits, rates and codecs are Parrot's (ARDroneLib SDK 2.0.1, config_keys.h). Where the real default belongs to one
-machine (serial number, calibration, build date) the value here is a neutral one of ours. Values are written as on the wire,
-without the exponent form of floats.
+Defaults of limits, rates and codecs are Parrot's (ARDroneLib SDK 2.0.1, config_keys.h). Where the
+real default belongs to one machine (serial number, calibration, build date) the value here is a
+neutral one of ours. Values are written as on the wire, without the exponent form of floats.
 """
 
 from __future__ import annotations
@@ -165,7 +165,9 @@ KEYS: tuple[ConfigKey, ...] = (
     ConfigKey("gps:longitude", DOUBLE, SESSION, BOTH, "500"),
     ConfigKey("gps:altitude", DOUBLE, SESSION, BOTH, "0.0"),
     ConfigKey("custom:application_id", TEXT, SESSION, BOTH, "00000000"),
-    ConfigKey("custom:application_desc", TEXT, APPLICATION, BOTH, "Default application configuration"),
+    ConfigKey(
+        "custom:application_desc", TEXT, APPLICATION, BOTH, "Default application configuration"
+    ),
     ConfigKey("custom:profile_id", TEXT, SESSION, BOTH, "00000000"),
     ConfigKey("custom:profile_desc", TEXT, USER, BOTH, ".Primary Profile"),
     ConfigKey("custom:session_id", TEXT, SESSION, BOTH, "00000000"),

@@ -1,6 +1,7 @@
 """Packed little-endian structures as frozen dataclasses: each field names its own wire format.
 
-``wire("3f")`` declares a tuple of three singles, ``wire("I")`` one unsigned integer; formats are those of ``struct``.
+``wire("3f")`` declares a tuple of three singles, ``wire("I")`` one unsigned integer; formats are
+those of ``struct``.
 """
 
 from __future__ import annotations
@@ -82,4 +83,6 @@ class Structure:
         try:
             return codec.pack(*flat)
         except (struct.error, OverflowError) as error:
-            raise WireError(f"{type(self).__name__} has a value that does not fit: {error}") from error
+            raise WireError(
+                f"{type(self).__name__} has a value that does not fit: {error}"
+            ) from error

@@ -1,8 +1,9 @@
 """Navdata: the drone's report over UDP port 5554.
 
-A packet is a 16-byte header (magic, state bits, sequence, vision flag), options (u16 tag, u16 size with these four bytes,
-payload) and last the checksum option, the sum of all bytes before it. Facts: Parrot ARDroneLib SDK 2.0.1.
-Options are decoded when asked for: at 200 packets a second a client pays only for what it reads.
+A packet is a 16-byte header (magic, state bits, sequence, vision flag), options (u16 tag, u16 size
+with these four bytes, payload) and last the checksum option, the sum of all bytes before it. Facts:
+Parrot ARDroneLib SDK 2.0.1. Options are decoded when asked for: at 200 packets a second a client
+pays only for what it reads.
 """
 
 from __future__ import annotations
@@ -91,7 +92,8 @@ class NavdataPacket:
     """One checked packet.
 
     Attributes:
-        state: the 32 state bits; ask with ``has``. A plain int, so that hostile values cannot fill the flag type's cache.
+        state: the 32 state bits; ask with ``has``. A plain int, so that hostile values cannot fill
+            the flag type's cache.
         sequence: packet number.
         vision: vision flag.
         options: all options but the checksum, undecoded, in order.
@@ -109,9 +111,14 @@ class NavdataPacket:
         return self.state & bits == bits
 
     def option(self, kind: type[S]) -> S | None:
-        """Return the first option of this kind, decoded, or None when the packet has none of its size."""
+        """Return the first option of this kind, decoded, or None when the packet has none of its
+        size.
+        """
         tag, size = TAGS[kind], kind.size()
-        payload = next((raw.payload for raw in self.options if raw.tag == tag and len(raw.payload) == size), None)
+        payload = next(
+            (raw.payload for raw in self.options if raw.tag == tag and len(raw.payload) == size),
+            None,
+        )
         return None if payload is None else kind.decode(payload)
 
     def decoded(self) -> tuple[Structure, ...]:
@@ -137,15 +144,21 @@ def decode_navdata(data: bytes) -> NavdataPacket:
     """Check a datagram and cut it into options.
 
     Raises:
-        WireError: bad length or magic, an option that runs over the end, bytes after the checksum, no or a wrong checksum.
+        WireError: bad length or magic, an option that runs over the end, bytes after the checksum,
+            no or a wrong checksum.
     """
     if not _HEADER.size + _CHECKSUM.size <= len(data) <= MAX_PACKET:
-        raise WireError(f"navdata of {len(data)} bytes; {_HEADER.size + _CHECKSUM.size} to {MAX_PACKET} are possible")
+        raise WireError(
+            f"navdata of {len(data)} bytes; {_HEADER.size + _CHECKSUM.size} to {MAX_PACKET} are"
+            " possible"
+        )
     magic, state, sequence, vision = _HEADER.unpack_from(data)
     if magic not in MAGICS:
         raise WireError(f"navdata starts with {magic:#010x}, expected {MAGIC:#010x}")
     _check_sum(data)
-    return NavdataPacket(state, sequence, vision, _cut_options(data, len(data) - _CHECKSUM.size), magic)
+    return NavdataPacket(
+        state, sequence, vision, _cut_options(data, len(data) - _CHECKSUM.size), magic
+    )
 
 
 def _check_sum(data: bytes) -> None:
@@ -175,7 +188,12 @@ def _cut_options(data: bytes, end: int) -> tuple[RawOption, ...]:
 
 
 def encode_navdata(
-    state: int, sequence: int, options: Iterable[Structure | RawOption] = (), *, vision: int = 1, magic: int = MAGIC
+    state: int,
+    sequence: int,
+    options: Iterable[Structure | RawOption] = (),
+    *,
+    vision: int = 1,
+    magic: int = MAGIC,
 ) -> bytes:
     """Return a packet with its checksum; without options it is the bootstrap packet.
 
@@ -194,7 +212,11 @@ def encode_navdata(
     except struct.error as error:
         raise WireError(f"navdata header value does not fit: {error}") from error
     for option in options:
-        raw = option if isinstance(option, RawOption) else RawOption(TAGS[type(option)], option.encode())
+        raw = (
+            option
+            if isinstance(option, RawOption)
+            else RawOption(TAGS[type(option)], option.encode())
+        )
         parts += (_OPTION.pack(raw.tag, raw.size), raw.payload)
     body = b"".join(parts)
     return body + _CHECKSUM.pack(CHECKSUM_TAG, _CHECKSUM.size, checksum(body))

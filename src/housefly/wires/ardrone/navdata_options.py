@@ -1,4 +1,6 @@
-"""The table of navdata options: tag, type, exact size. Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h."""
+"""The table of navdata options: tag, type, exact size. Facts: Parrot ARDroneLib SDK 2.0.1,
+navdata_common.h.
+"""
 
 from __future__ import annotations
 
@@ -108,4 +110,6 @@ OPTIONS: tuple[type[Structure], ...] = (
 TAGS: dict[type[Structure], int] = {option: tag for tag, option in enumerate(OPTIONS)}
 
 TAG_27_SIZES = (12, 216)
-"""Tag 27 with its header: an engineering option in old firmware, GPS from firmware 2.4 on; we only carry its bytes."""
+"""Tag 27 with its header: an engineering option in old firmware, GPS from firmware 2.4 on; we only
+carry its bytes.
+"""

@@ -1,7 +1,8 @@
 """Navdata options of state, references and motors.
 
-Units are the drone's own (mm, mm/s, millidegrees, mg) in its own frame forward-right-down; ``signs`` turns them into ours.
-Field names follow Parrot's header where that says enough. Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
+Units are the drone's own (mm, mm/s, millidegrees, mg) in its own frame forward-right-down;
+``signs`` turns them into ours. Field names follow Parrot's header where that says enough. Facts:
+Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
 """
 
 from __future__ import annotations
@@ -43,9 +44,9 @@ class MinorFlying(IntEnum):
 class Demo(Structure):
     """What every client needs: state, battery, attitude, height, velocity.
 
-    theta, phi, psi in millidegrees (nose up, right side down, clockwise positive), altitude in mm, battery in percent,
-    velocity forward, right, down in mm/s; a real drone leaves vz at 0.
-    The ``detection`` and ``camera`` parts are deprecated fillers.
+    theta, phi, psi in millidegrees (nose up, right side down, clockwise positive), altitude in mm,
+    battery in percent, velocity forward, right, down in mm/s; a real drone leaves vz at 0. The
+    ``detection`` and ``camera`` parts are deprecated fillers.
     """
 
     ctrl_state: int = wire("I")

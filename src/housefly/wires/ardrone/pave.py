@@ -1,6 +1,8 @@
-"""PaVE: the header before each H.264 picture on TCP port 5555, and the cutting of a TCP stream into pictures.
+"""PaVE: the header before each H.264 picture on TCP port 5555, and the cutting of a TCP stream into
+pictures.
 
-Facts: Parrot ARDroneLib SDK 2.0.1 and recorded streams. Headers have 64 or, in some firmware, 68 bytes; the
+Facts: Parrot ARDroneLib SDK 2.0.1 and recorded streams. Headers have 64 or, in some firmware, 68
+    bytes; the
 field ``header_size`` decides.
 """
 
@@ -17,7 +19,8 @@ VIDEO_PORT = 5555
 MAGIC = b"PaVE"
 HEADER_SIZES = (64, 68)
 MAX_PAYLOAD = 1_000_000
-"""Largest picture that we take [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB."""
+"""Largest picture that we take [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB.
+"""
 CODEC_H264: Final = 4
 
 _HEADER = struct.Struct("<4sBBHI4HII4BIIH4B2sI12s")
@@ -39,7 +42,9 @@ class FrameType(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class PaveHeader:
-    """The fields of a PaVE header; sizes in bytes, pictures in pixels, timestamp in ms of the drone's clock."""
+    """The fields of a PaVE header; sizes in bytes, pictures in pixels, timestamp in ms of the
+    drone's clock.
+    """
 
     payload_size: int
     frame_number: int
@@ -73,7 +78,9 @@ class PaveFrame:
 
     @property
     def keyframe(self) -> bool:
-        """Whether the payload itself brings SPS, PPS and an IDR slice, so that decoding may start here."""
+        """Whether the payload itself brings SPS, PPS and an IDR slice, so that decoding may start
+        here.
+        """
         return {_NAL_SPS, _NAL_PPS, _NAL_IDR} <= nal_types(self.payload)
 
 
@@ -84,7 +91,8 @@ def nal_types(annex_b: bytes) -> frozenset[int]:
         at += len(_START_CODE)
         kind = annex_b[at] & 0x1F
         found.add(kind)
-        # a slice is the last unit of a one-slice picture and by far the longest: searching through it would cost the most
+        # a slice is the last unit of a one-slice picture and by far the longest: searching through
+        # it would cost the most
         if kind in (1, _NAL_IDR):
             break
         at = annex_b.find(_START_CODE, at)
@@ -92,14 +100,23 @@ def nal_types(annex_b: bytes) -> frozenset[int]:
 
 
 def encode_header(header: PaveHeader) -> bytes:
-    """Return the header's bytes, padded to its ``header_size``; raises WireError when a value does not fit."""
+    """Return the header's bytes, padded to its ``header_size``; raises WireError when a value does
+    not fit.
+    """
     h = header
     if h.header_size not in HEADER_SIZES:
         raise WireError(f"PaVE header of {h.header_size} bytes; {HEADER_SIZES} are possible")
     try:
         packed = _HEADER.pack(
             *(MAGIC, h.version, h.codec, h.header_size, h.payload_size),
-            *(h.encoded_width, h.encoded_height, h.display_width, h.display_height, h.frame_number, h.timestamp_ms),
+            *(
+                h.encoded_width,
+                h.encoded_height,
+                h.display_width,
+                h.display_height,
+                h.frame_number,
+                h.timestamp_ms,
+            ),
             *(h.total_chunks, h.chunk_index, h.frame_type, h.control),
             *(h.byte_position & 0xFFFFFFFF, h.byte_position >> 32, h.stream_id),
             *(h.total_slices, h.slice_index, h.sps_size, h.pps_size, b"", h.advertised_size, b""),
@@ -112,7 +129,9 @@ def encode_header(header: PaveHeader) -> bytes:
 def encode_frame(header: PaveHeader, payload: bytes) -> bytes:
     """Return header and payload; raises WireError when the header names another payload size."""
     if header.payload_size != len(payload):
-        raise WireError(f"PaVE header says {header.payload_size} bytes, the picture has {len(payload)}")
+        raise WireError(
+            f"PaVE header says {header.payload_size} bytes, the picture has {len(payload)}"
+        )
     return encode_header(header) + payload
 
 
@@ -125,8 +144,12 @@ def decode_header(data: bytes | bytearray | memoryview) -> PaveHeader:
     if len(data) < _MIN_HEADER:
         raise WireError(f"PaVE header of {len(data)} bytes; at least {_MIN_HEADER} are needed")
     values = _HEADER.unpack_from(data)
-    magic, version, codec, header_size, payload_size, enc_w, enc_h, width, height, number, stamp = values[:11]
-    chunks, chunk, kind, control, low, high, stream, slices, cut, sps, pps, _, advertised, _ = values[11:]
+    magic, version, codec, header_size, payload_size, enc_w, enc_h, width, height, number, stamp = (
+        values[:11]
+    )
+    chunks, chunk, kind, control, low, high, stream, slices, cut, sps, pps, _, advertised, _ = (
+        values[11:]
+    )
     if magic != MAGIC:
         raise WireError("picture does not start with PaVE")
     if not _MIN_HEADER <= header_size <= _MAX_HEADER:
@@ -172,7 +195,9 @@ class VideoReassembler:
         self._buffer = bytearray()
 
     def feed(self, data: bytes) -> tuple[PaveFrame, ...]:
-        """Take the next bytes of the stream, any number of them, and return the pictures now complete."""
+        """Take the next bytes of the stream, any number of them, and return the pictures now
+        complete.
+        """
         self._buffer += data
         frames: list[PaveFrame] = []
         while (frame := self._next()) is not None:
@@ -212,7 +237,9 @@ class VideoReassembler:
 
 
 class KeyframeGate:
-    """Lets pictures through from the first key frame on, and again only from a key frame after a gap in their numbers."""
+    """Lets pictures through from the first key frame on, and again only from a key frame after a
+    gap in their numbers.
+    """
 
     def __init__(self) -> None:
         self._next_number: int | None = None

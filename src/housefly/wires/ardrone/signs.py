@@ -1,7 +1,8 @@
 """The one place where the AR.Drone's signs and units meet ours.
 
-The drone's body frame is forward-right-down with angles in millidegrees and lengths in millimetres; PCMD has signs of its own.
-Ours is forward-left-up (REP-103), radians and metres. Facts: Parrot ARDroneLib SDK 2.0.1, AutonomyLab/ardrone_autonomy.
+The drone's body frame is forward-right-down with angles in millidegrees and lengths in millimetres;
+PCMD has signs of its own. Ours is forward-left-up (REP-103), radians and metres. Facts: Parrot
+ARDroneLib SDK 2.0.1, AutonomyLab/ardrone_autonomy.
 """
 
 from __future__ import annotations
@@ -99,9 +100,17 @@ def status_of(packet: NavdataPacket, demo: Demo) -> DroneStatus:
 
 
 def native_demo(
-    major: MajorState, battery: float, *, phi: float, theta: float, psi: float, height: float, velocity: Vec3
+    major: MajorState,
+    battery: float,
+    *,
+    phi: float,
+    theta: float,
+    psi: float,
+    height: float,
+    velocity: Vec3,
 ) -> Demo:
-    """Return the demo option of a drone whose attitude [rad], height [m] and velocity [m/s] are given in our signs.
+    """Return the demo option of a drone whose attitude [rad], height [m] and velocity [m/s] are
+    given in our signs.
 
     The inverse of ``telemetry_from_navdata``, for the twin.
     """
@@ -126,7 +135,9 @@ def flu_from_frd(vector: Vec3) -> Vec3:
 
 
 def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
-    """Return the PCMD that asks for a setpoint, each part cut to the maxima; a part that is not finite is a centred stick."""
+    """Return the PCMD that asks for a setpoint, each part cut to the maxima; a part that is not
+    finite is a centred stick.
+    """
     return pcmd_from_stick(
         Stick(
             forward=_fraction(setpoint.theta, maxima.tilt),
@@ -139,7 +150,9 @@ def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
 
 def pcmd_from_stick(stick: Stick) -> Pcmd:
     """Return the progressive PCMD of a stick in body signs."""
-    return Pcmd(PcmdFlag.PROGRESSIVE, roll=-stick.left, pitch=-stick.forward, gaz=stick.up, yaw=-stick.turn)
+    return Pcmd(
+        PcmdFlag.PROGRESSIVE, roll=-stick.left, pitch=-stick.forward, gaz=stick.up, yaw=-stick.turn
+    )
 
 
 def stick_from_pcmd(pcmd: Pcmd) -> Stick:

@@ -9,9 +9,15 @@ from housefly.wires.devices.kind import DeviceKind
 CABINET = DeviceKind(
     "cabinet",
     "Intelligent cabinet",
-    {"items": ITEMS, "load": Number(0.0, 500.0, "kg", required=False), "open": Flag(required=False)},
+    {
+        "items": ITEMS,
+        "load": Number(0.0, 500.0, "kg", required=False),
+        "open": Flag(required=False),
+    },
     heartbeat=30.0,
-    observe=lambda state, says: contents(state, says, ("load", state.number_or_none("load")), ("open", opened(state))),
+    observe=lambda state, says: contents(
+        state, says, ("load", state.number_or_none("load")), ("open", opened(state))
+    ),
     events={"taken": "object taken", "put": "object put"},
     event=MOVED,
 )

@@ -18,7 +18,9 @@ from housefly.wires.devices.refrigerator import REFRIGERATOR
 from housefly.wires.devices.switches import DOOR, DOORBELL, MOTION
 from housefly.wires.devices.topics import Address, Channel, shown
 
-KINDS: dict[str, DeviceKind] = {kind.name: kind for kind in (FLOOR, CABINET, REFRIGERATOR, BED, DOOR, DOORBELL, MOTION)}
+KINDS: dict[str, DeviceKind] = {
+    kind.name: kind for kind in (FLOOR, CABINET, REFRIGERATOR, BED, DOOR, DOORBELL, MOTION)
+}
 """Every kind of device that we understand, by its name in topics."""
 LARGEST = 16_384
 """Longest payload [bytes]."""
@@ -27,7 +29,9 @@ PRESENCE = {b"online": True, b"offline": False}
 
 @dataclass(frozen=True, slots=True)
 class ClockBounds:
-    """How far a device's clock may be off before its word on time is refused: ahead of and behind ours [s]."""
+    """How far a device's clock may be off before its word on time is refused: ahead of and behind
+    ours [s].
+    """
 
     ahead: float = 2.0
     behind: float = 60.0
@@ -66,7 +70,8 @@ class Reading:
         happenings: what it reports.
         online: what it says of its presence, None in other messages.
         unknown: keys that we do not know.
-        clock_error: how far its time was off [s] when it was refused, positive ahead; None when it was not.
+        clock_error: how far its time was off [s] when it was refused, positive ahead; None when it
+            was not.
     """
 
     observations: tuple[Observation, ...] = ()
@@ -79,15 +84,22 @@ class Reading:
 def kind_of(address: Address) -> DeviceKind:
     """Return the kind of a device; raises WireError that lists the known kinds."""
     if address.kind not in KINDS:
-        raise WireError(f"{shown(address.topic(Channel.STATE))}: unknown kind of device; known: {', '.join(KINDS)}")
+        raise WireError(
+            f"{shown(address.topic(Channel.STATE))}: unknown kind of device; known:"
+            f" {', '.join(KINDS)}"
+        )
     return KINDS[address.kind]
 
 
-def decode(message: Delivered, placement: Placement = NOWHERE, bounds: ClockBounds = BOUNDS) -> Reading:
+def decode(
+    message: Delivered, placement: Placement = NOWHERE, bounds: ClockBounds = BOUNDS
+) -> Reading:
     """Return what a message says.
 
-    A time outside the bounds is refused: the time of arrival takes its place and the fact ``clock_error`` [s] stays with it. The
-    broker's kept state may be as old as it likes; it carries the fact ``retained``. A kept event says nothing: it is over.
+    A time outside the bounds is refused: the time of arrival takes its place and the fact
+        ``clock_error`` [s] stays with it. The
+    broker's kept state may be as old as it likes; it carries the fact ``retained``. A kept event
+    says nothing: it is over.
 
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
@@ -99,7 +111,9 @@ def decode(message: Delivered, placement: Placement = NOWHERE, bounds: ClockBoun
     record = parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
     says, clock_error = _says(record, message, placement, bounds)
     if not is_event:
-        return Reading(tuple(kind.observe(record, says)), unknown=record.unknown, clock_error=clock_error)
+        return Reading(
+            tuple(kind.observe(record, says)), unknown=record.unknown, clock_error=clock_error
+        )
     happenings = () if message.retained else (_happening(kind, record, says),)
     return Reading(happenings=happenings, unknown=record.unknown, clock_error=clock_error)
 
@@ -122,16 +136,22 @@ def encode(values: Mapping[str, object]) -> bytes:
 
 def _presence(payload: bytes, topic: str) -> bool:
     if payload not in PRESENCE:
-        raise WireError(f"{topic} is {ascii(payload[:40])[1:]}; allowed: online or offline, without quotes")
+        raise WireError(
+            f"{topic} is {ascii(payload[:40])[1:]}; allowed: online or offline, without quotes"
+        )
     return PRESENCE[payload]
 
 
-def _says(record: Record, message: Delivered, placement: Placement, bounds: ClockBounds) -> tuple[Says, float | None]:
+def _says(
+    record: Record, message: Delivered, placement: Placement, bounds: ClockBounds
+) -> tuple[Says, float | None]:
     """Return who says it and when, and how far the time was off when it is refused."""
     now, told = message.received_at, record.number_or_none("time")
     error = None if told is None or _is_plausible(told, message, bounds) else told - now
     captured_at = now if told is None or error is not None else min(told, now)
-    notes: list[tuple[str, Fact]] = [("battery", record.number("battery"))] if "battery" in record.values else []
+    notes: list[tuple[str, Fact]] = (
+        [("battery", record.number("battery"))] if "battery" in record.values else []
+    )
     notes += [("retained", True)] if message.retained else []
     notes += [("clock_error", error)] if error is not None else []
     return Says(message.address.id, captured_at, now, placement, tuple(notes)), error
@@ -139,15 +159,23 @@ def _says(record: Record, message: Delivered, placement: Placement, bounds: Cloc
 
 def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
     ahead = told - message.received_at
-    return ahead <= bounds.ahead and told >= _EARLIEST and (message.retained or -ahead <= bounds.behind)
+    return (
+        ahead <= bounds.ahead
+        and told >= _EARLIEST
+        and (message.retained or -ahead <= bounds.behind)
+    )
 
 
 def _happening(kind: DeviceKind, record: Record, says: Says) -> Happening:
     tag = record.word("tag")
     weight = record.number_or_none("weight")
-    facts: tuple[tuple[str, Fact], ...] = (("weight", weight), *says.notes) if weight is not None else says.notes
+    facts: tuple[tuple[str, Fact], ...] = (
+        (("weight", weight), *says.notes) if weight is not None else says.notes
+    )
     thing = says.placement.thing(tag) if tag else says.source
-    return Happening(kind.events[record.word("event")], thing, says.captured_at, says.source, facts=facts)
+    return Happening(
+        kind.events[record.word("event")], thing, says.captured_at, says.source, facts=facts
+    )
 
 
 def _no_number(word: str) -> Never:

@@ -22,7 +22,9 @@ MOVED: Spec = {"tag": Name(), "weight": Number(0.0, 200.0, "kg", required=False)
 
 
 def contents(state: Record, says: Says, *facts: tuple[str, Fact | None]) -> Iterator[Observation]:
-    """Yield what the container says of itself, with all that is in it, and one observation for each thing in it."""
+    """Yield what the container says of itself, with all that is in it, and one observation for each
+    thing in it.
+    """
     items = state.rows("items")
     named = ",".join(sorted(says.placement.thing(item.word("tag")) for item in items))
     yield says.itself(*facts, ("contents", named))
@@ -30,4 +32,6 @@ def contents(state: Record, says: Says, *facts: tuple[str, Fact | None]) -> Iter
         x, y, z = (item.number_or_none(axis) for axis in "xyz")
         position = says.placement.world(x, y, z or 0.0) if x is not None and y is not None else None
         weighed = ("weight", item.number_or_none("weight")), ("shelf", item.number_or_none("shelf"))
-        yield says.of(says.placement.thing(item.word("tag")), position, *weighed, inside=says.source)
+        yield says.of(
+            says.placement.thing(item.word("tag")), position, *weighed, inside=says.source
+        )

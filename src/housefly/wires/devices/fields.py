@@ -25,7 +25,9 @@ class Field(Protocol):
         ...
 
     def check(self, value: object, where: str) -> Value:
-        """Return the value as we keep it; raises WireError that names ``where``, the value and what is allowed."""
+        """Return the value as we keep it; raises WireError that names ``where``, the value and what
+        is allowed.
+        """
         ...
 
 
@@ -77,8 +79,14 @@ class Number:
 
     def check(self, value: object, where: str) -> float:
         """Return the number."""
-        if isinstance(value, bool) or not isinstance(value, int | float) or not self.low <= value <= self.high:
-            raise refusal(where, value, f"a number from {self.low:g} to {self.high:g} {self.unit}".rstrip())
+        if (
+            isinstance(value, bool)
+            or not isinstance(value, int | float)
+            or not self.low <= value <= self.high
+        ):
+            raise refusal(
+                where, value, f"a number from {self.low:g} to {self.high:g} {self.unit}".rstrip()
+            )
         return float(value)
 
 
@@ -134,7 +142,9 @@ class Rows:
         """Return the objects."""
         if not isinstance(value, list) or len(value) > self.most:
             raise refusal(where, value, f"a list of up to {self.most} objects")
-        return tuple(read(self.spec, entry, f"{where}[{number}]") for number, entry in enumerate(value))
+        return tuple(
+            read(self.spec, entry, f"{where}[{number}]") for number, entry in enumerate(value)
+        )
 
 
 def read(spec: Spec, tree: object, where: str) -> Record:
@@ -150,15 +160,28 @@ def read(spec: Spec, tree: object, where: str) -> Record:
     """
     if not isinstance(tree, dict):
         raise refusal(where, tree, "a JSON object")
-    values = {key: row.check(tree[key], f"{where}.{key}") for key, row in spec.items() if tree.get(key) is not None}
+    values = {
+        key: row.check(tree[key], f"{where}.{key}")
+        for key, row in spec.items()
+        if tree.get(key) is not None
+    }
     missing = [key for key, row in spec.items() if row.required and key not in values]
     if missing:
         raise WireError(f"{where}.{missing[0]} is missing")
-    nested = [name for value in values.values() if isinstance(value, tuple) for record in value for name in record.unknown]
+    nested = [
+        name
+        for value in values.values()
+        if isinstance(value, tuple)
+        for record in value
+        for name in record.unknown
+    ]
     return Record(values, (*(key for key in tree if key not in spec), *nested))
 
 
 def refusal(where: str, value: object, allowed: str) -> WireError:
     """Return the complaint about one value."""
     shown = ascii(value)
-    return WireError(f"{where} is {shown if len(shown) <= _SHOWN else shown[:_SHOWN] + '...'}; allowed: {allowed}")
+    return WireError(
+        f"{where} is {shown if len(shown) <= _SHOWN else shown[:_SHOWN] + '...'}; allowed:"
+        f" {allowed}"
+    )

@@ -22,8 +22,12 @@ SPOT: Spec = {
 
 
 def observe(state: Record, says: Says) -> Iterator[Observation]:
-    """Yield one observation for each person and thing, and one of the sensor itself: it sees that there is nobody, too."""
-    yield says.itself(("people", float(len(state.rows("people")))), ("objects", float(len(state.rows("objects")))))
+    """Yield one observation for each person and thing, and one of the sensor itself: it sees that
+    there is nobody, too.
+    """
+    yield says.itself(
+        ("people", float(len(state.rows("people")))), ("objects", float(len(state.rows("objects"))))
+    )
     for what, key in (("person", "people"), ("object", "objects")):
         for number, spot in enumerate(state.rows(key), start=1):
             yield _seen(spot, says, what, f"{says.source}-{what}-{number}")
@@ -38,5 +42,9 @@ def _seen(spot: Record, says: Says, what: str, nameless: str) -> Observation:
 
 
 FLOOR = DeviceKind(
-    "floor", "Floor sensing", {"people": Rows(SPOT), "objects": Rows(SPOT, required=False)}, heartbeat=1.0, observe=observe
+    "floor",
+    "Floor sensing",
+    {"people": Rows(SPOT), "objects": Rows(SPOT, required=False)},
+    heartbeat=1.0,
+    observe=observe,
 )

@@ -1,4 +1,6 @@
-"""What a kind of device is: tables of its keys and events, and one function that turns a checked state into observations."""
+"""What a kind of device is: tables of its keys and events, and one function that turns a checked
+state into observations.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +39,11 @@ class Placement:
     def world(self, x: float, y: float, z: float) -> Vec3:
         """Return a point of the device's frame in the world [m]."""
         px, py, pz = self.position
-        return px + x * cos(self.yaw) - y * sin(self.yaw), py + x * sin(self.yaw) + y * cos(self.yaw), pz + z
+        return (
+            px + x * cos(self.yaw) - y * sin(self.yaw),
+            py + x * sin(self.yaw) + y * cos(self.yaw),
+            pz + z,
+        )
 
     def thing(self, tag: str) -> str:
         """Return the id of the thing that carries a tag."""
@@ -66,11 +72,19 @@ class Says:
         """Return what the device says of itself; facts that are None are left out."""
         return self.of(self.source, None, *facts)
 
-    def of(self, thing: str, position: Vec3 | None, *facts: tuple[str, Fact | None], inside: str = "") -> Observation:
+    def of(
+        self, thing: str, position: Vec3 | None, *facts: tuple[str, Fact | None], inside: str = ""
+    ) -> Observation:
         """Return what the device says of a thing."""
         known = tuple((name, value) for name, value in facts if value is not None)
         return Observation(
-            thing, self.source, self.captured_at, self.received_at, position, inside=inside, facts=(*known, *self.notes)
+            thing,
+            self.source,
+            self.captured_at,
+            self.received_at,
+            position,
+            inside=inside,
+            facts=(*known, *self.notes),
         )
 
 
@@ -82,7 +96,8 @@ class DeviceKind:
         name: in topics.
         title: for people.
         state: keys of its state beside the common ones.
-        heartbeat: it sends its state at least this often [s]; twice that without one counts as silence.
+        heartbeat: it sends its state at least this often [s]; twice that without one counts as
+            silence.
         observe: what a checked state says.
         events: word of an event on the wire, and what that is called in the room.
         event: keys of an event beside the common ones and "event".

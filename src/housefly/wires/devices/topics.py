@@ -15,7 +15,9 @@ _SHOWN = 100
 
 
 class Channel(Enum):
-    """What a device says: how it is now (retained), what just happened (not retained), whether it is there (its last will)."""
+    """What a device says: how it is now (retained), what just happened (not retained), whether it
+    is there (its last will).
+    """
 
     STATE = "state"
     EVENT = "event"
@@ -29,7 +31,8 @@ class Address:
     Attributes:
         site: short lower-case name of the place.
         kind: name of the kind of device, as in ``KINDS``.
-        id: of the device; unique in the site over all kinds, for it becomes the ``source`` of what the device says.
+        id: of the device; unique in the site over all kinds, for it becomes the ``source`` of what
+            the device says.
     """
 
     site: str
@@ -47,7 +50,9 @@ def subscription(site: str) -> str:
 
 
 def listener_topic(site: str) -> str:
-    """Return where Housefly itself says whether it listens: "online" retained, "offline" as its last will."""
+    """Return where Housefly itself says whether it listens: "online" retained, "offline" as its
+    last will.
+    """
     return f"{ROOT}/{site}/listener/availability"
 
 
@@ -55,8 +60,15 @@ def parse_topic(topic: str) -> tuple[Address, Channel]:
     """Return who speaks and on which channel; raises WireError that names the topic and its scheme."""
     parts = topic.split("/")
     channels = {channel.value: channel for channel in Channel}
-    if len(parts) != 5 or parts[0] != ROOT or not SITE.fullmatch(parts[1]) or not NAME.fullmatch(parts[3]):
-        raise WireError(f"{shown(topic)} is not of the form {ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>")
+    if (
+        len(parts) != 5
+        or parts[0] != ROOT
+        or not SITE.fullmatch(parts[1])
+        or not NAME.fullmatch(parts[3])
+    ):
+        raise WireError(
+            f"{shown(topic)} is not of the form {ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>"
+        )
     if parts[4] not in channels:
         raise WireError(f"{shown(topic)}: unknown channel; allowed: {', '.join(channels)}")
     return Address(parts[1], parts[2], parts[3]), channels[parts[4]]

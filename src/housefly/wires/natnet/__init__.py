@@ -1,4 +1,6 @@
-"""NatNet, the protocol of OptiTrack's Motive: pure codec of versions 3 and 4, both sides of the wire."""
+"""NatNet, the protocol of OptiTrack's Motive: pure codec of versions 3 and 4, both sides of the
+wire.
+"""
 
 from housefly.wires.natnet.buffer import MAX_NAME, Version
 from housefly.wires.natnet.frame import Frame, RigidBody

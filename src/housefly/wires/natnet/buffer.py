@@ -1,4 +1,6 @@
-"""The primitives of NatNet: little-endian numbers, zero-terminated strings, and sections that newer versions give a length."""
+"""The primitives of NatNet: little-endian numbers, zero-terminated strings, and sections that newer
+versions give a length.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ class Reader:
         version: protocol version that they are written in.
     """
 
-    def __init__(self, data: bytes, version: Version, start: int = 0, end: int | None = None) -> None:
+    def __init__(
+        self, data: bytes, version: Version, start: int = 0, end: int | None = None
+    ) -> None:
         self.version = version
         self._data = data
         self._at = start
@@ -51,17 +55,23 @@ class Reader:
         return int(self.take(layout, field)[0])
 
     def count(self, smallest: int, field: str) -> int:
-        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what cannot fit."""
+        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
+        cannot fit.
+        """
         number = self.number(I32, field)
         if not 0 <= number * smallest <= self.left:
             raise WireError(f"NatNet {field}: {number} do not fit into the {self.left} bytes left")
         return number
 
     def text(self, field: str) -> str:
-        """Read a string up to its closing zero; bytes that are not UTF-8 become replacement characters."""
+        """Read a string up to its closing zero; bytes that are not UTF-8 become replacement
+        characters.
+        """
         end = self._data.find(b"\0", self._at, min(self._end, self._at + MAX_NAME))
         if end < 0:
-            raise WireError(f"NatNet {field}: no closing zero within {min(self.left, MAX_NAME)} bytes")
+            raise WireError(
+                f"NatNet {field}: no closing zero within {min(self.left, MAX_NAME)} bytes"
+            )
         start, self._at = self._at, end + 1
         return self._data[start:end].decode("utf-8", errors="replace")
 
@@ -73,8 +83,14 @@ class Reader:
         return Reader(self._data, self.version, start, self._at)
 
     def section(self, field: str) -> Reader:
-        """Return a reader of a section: of the length that it says, or of all that is left where versions say none."""
-        return self.skip(self.number(I32, f"size of {field}"), field) if self.version >= SIZED else self
+        """Return a reader of a section: of the length that it says, or of all that is left where
+        versions say none.
+        """
+        return (
+            self.skip(self.number(I32, f"size of {field}"), field)
+            if self.version >= SIZED
+            else self
+        )
 
 
 class Writer:
@@ -89,17 +105,23 @@ class Writer:
         self.data = bytearray()
 
     def put(self, layout: struct.Struct, *values: float | bytes) -> None:
-        """Append the fields of a fixed layout; raises WireError when a value does not fit its field."""
+        """Append the fields of a fixed layout; raises WireError when a value does not fit its
+        field.
+        """
         try:
             self.data += layout.pack(*values)
         except (struct.error, OverflowError) as error:
-            raise WireError(f"{values} do not fit the NatNet layout {layout.format}: {error}") from error
+            raise WireError(
+                f"{values} do not fit the NatNet layout {layout.format}: {error}"
+            ) from error
 
     def text(self, text: str) -> None:
         """Append a zero-terminated UTF-8 string."""
         encoded = text.encode("utf-8", errors="replace")
         if len(encoded) >= MAX_NAME or b"\0" in encoded:
-            raise WireError(f"a NatNet name has at most {MAX_NAME - 1} bytes and no zero, not {text!r}")
+            raise WireError(
+                f"a NatNet name has at most {MAX_NAME - 1} bytes and no zero, not {text!r}"
+            )
         self.data += encoded + b"\0"
 
     def section(self, body: bytes | bytearray) -> None:

@@ -1,4 +1,6 @@
-"""One frame of mocap data: the rigid bodies and the time stamps; all other sections are stepped over."""
+"""One frame of mocap data: the rigid bodies and the time stamps; all other sections are stepped
+over.
+"""
 
 from __future__ import annotations
 
@@ -71,7 +73,17 @@ class Frame:
         bodies = Writer(out.version)
         for body in self.bodies:
             w, x, y, z = body.orientation
-            bodies.put(_BODY, body.identity, *body.position, x, y, z, w, body.error, _TRACKED * body.tracked)
+            bodies.put(
+                _BODY,
+                body.identity,
+                *body.position,
+                x,
+                y,
+                z,
+                w,
+                body.error,
+                _TRACKED * body.tracked,
+            )
         out.put(I32, len(self.bodies))
         out.section(bodies.data)
         _empty(out, 5 if out.version >= SIZED else 4)
@@ -98,7 +110,16 @@ class Frame:
         if source.version >= SIZED:
             source.take(_PRECISE, "precision time stamp")
         params = source.number(_PARAMS, "frame parameters")
-        return cls(number, bodies, timestamp, exposed, arrived, sent, bool(params & _RECORDING), bool(params & _CHANGED))
+        return cls(
+            number,
+            bodies,
+            timestamp,
+            exposed,
+            arrived,
+            sent,
+            bool(params & _RECORDING),
+            bool(params & _CHANGED),
+        )
 
 
 def _empty(out: Writer, sections: int) -> None:
@@ -110,7 +131,11 @@ def _empty(out: Writer, sections: int) -> None:
 def _bodies(source: Reader) -> tuple[RigidBody, ...]:
     number = source.number(I32, "rigid body count")
     part = source.section("rigid bodies")
-    if number < 0 or number * _BODY.size > part.left or (part is not source and number * _BODY.size != part.left):
+    if (
+        number < 0
+        or number * _BODY.size > part.left
+        or (part is not source and number * _BODY.size != part.left)
+    ):
         raise WireError(f"NatNet rigid body count: {number} bodies do not make {part.left} bytes")
     return tuple(_body(part) for _ in range(number))
 
@@ -156,7 +181,9 @@ def _channels(source: Reader, field: str) -> None:
 
 
 def _few(number: int, source: Reader, field: str) -> range:
-    """Return a range over a list of a length that cannot be true unless each element has four bytes."""
+    """Return a range over a list of a length that cannot be true unless each element has four
+    bytes.
+    """
     if not 0 <= number * I32.size <= source.left:
         raise WireError(f"NatNet {field}: {number} do not fit into the {source.left} bytes left")
     return range(number)

@@ -1,4 +1,6 @@
-"""What client and server agree on before frames flow, and the Item protocol that every message follows."""
+"""What client and server agree on before frames flow, and the Item protocol that every message
+follows.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,9 @@ class Item(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Connect:
-    """A client asks who serves; it may wish for a version (servers from 4.0 on honour it in unicast)."""
+    """A client asks who serves; it may wish for a version (servers from 4.0 on honour it in
+    unicast).
+    """
 
     KIND: ClassVar[int] = 0
     wish: Version | None = None
@@ -91,7 +95,15 @@ class ServerInfo:
             raise WireError("NatNet clock frequency: is 0")
         a, b, c, d, e, f, g, h = versions
         application = name.split(b"\0", 1)[0].decode("utf-8", errors="replace")
-        return cls(application, (a, b, c, d), (e, f, g, h), clock_hz, data_port, multicast, ".".join(map(str, quad)))
+        return cls(
+            application,
+            (a, b, c, d),
+            (e, f, g, h),
+            clock_hz,
+            data_port,
+            multicast,
+            ".".join(map(str, quad)),
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -63,7 +63,9 @@ def decode_message(datagram: bytes, version: Version) -> Item:
         raise WireError(f"NatNet header: {_HEADER.size} bytes wanted, {len(datagram)} came")
     kind, length = _HEADER.unpack_from(datagram)
     if length > len(datagram) - _HEADER.size:
-        raise WireError(f"NatNet length: the header says {length} bytes, {len(datagram) - _HEADER.size} came")
+        raise WireError(
+            f"NatNet length: the header says {length} bytes, {len(datagram) - _HEADER.size} came"
+        )
     item = ITEMS.get(kind)
     if item is None:
         raise WireError(f"NatNet kind: {kind} is unknown")

@@ -1,4 +1,6 @@
-"""Descriptions of what is tracked; Housefly reads names and numbers of the rigid bodies and steps over all else."""
+"""Descriptions of what is tracked; Housefly reads names and numbers of the rigid bodies and steps
+over all else.
+"""
 
 from __future__ import annotations
 

@@ -15,14 +15,20 @@ BLOCK = 64
 
 
 def encoded(value: int, width: int) -> str:
-    """Return a number in ``width`` characters, most significant first; raises WireError when it does not fit."""
+    """Return a number in ``width`` characters, most significant first; raises WireError when it
+    does not fit.
+    """
     if not 0 <= value < 1 << (6 * width):
         raise WireError(f"{value} does not fit into {width} characters")
-    return "".join(chr(BASE + ((value >> shift) & 0x3F)) for shift in range(6 * (width - 1), -1, -6))
+    return "".join(
+        chr(BASE + ((value >> shift) & 0x3F)) for shift in range(6 * (width - 1), -1, -6)
+    )
 
 
 def decoded(text: str) -> int:
-    """Return the number that characters stand for; raises WireError for a character outside "0" to "o"."""
+    """Return the number that characters stand for; raises WireError for a character outside "0" to
+    "o".
+    """
     value = 0
     for character in text:
         six = ord(character) - BASE
@@ -38,7 +44,9 @@ def checksum(text: str) -> str:
 
 
 def checked(line: str) -> str:
-    """Return a line without its last character, the checksum; raises WireError when it does not match."""
+    """Return a line without its last character, the checksum; raises WireError when it does not
+    match.
+    """
     if len(line) < 2 or checksum(line[:-1]) != line[-1]:
         raise WireError(f"the checksum of {line[:80]!r} is wrong")
     return line[:-1]
@@ -47,7 +55,9 @@ def checked(line: str) -> str:
 def data_lines(values: Iterable[int], width: int) -> list[str]:
     """Return numbers as lines of at most 64 characters with a checksum each."""
     text = "".join(encoded(value, width) for value in values)
-    return [text[at : at + BLOCK] + checksum(text[at : at + BLOCK]) for at in range(0, len(text), BLOCK)]
+    return [
+        text[at : at + BLOCK] + checksum(text[at : at + BLOCK]) for at in range(0, len(text), BLOCK)
+    ]
 
 
 def values_of(lines: Sequence[str], width: int) -> tuple[int, ...]:

@@ -57,19 +57,39 @@ class Parameters:
 
     def reply(self) -> Reply:
         """Return the reply to PP."""
-        numbers = (self.shortest, self.longest, self.resolution, self.first, self.last, self.front, self.rpm)
-        return told("PP", [("MODL", self.model), *((name, str(value)) for name, value in zip(_NUMBERS, numbers, strict=True))])
+        numbers = (
+            self.shortest,
+            self.longest,
+            self.resolution,
+            self.first,
+            self.last,
+            self.front,
+            self.rpm,
+        )
+        return told(
+            "PP",
+            [
+                ("MODL", self.model),
+                *((name, str(value)) for name, value in zip(_NUMBERS, numbers, strict=True)),
+            ],
+        )
 
     @staticmethod
     def of(reply: Reply) -> Parameters:
-        """Return what a reply to PP says; raises WireError when it lacks something or makes no sense."""
+        """Return what a reply to PP says; raises WireError when it lacks something or makes no
+        sense.
+        """
         values = told_by(reply)
         try:
             numbers = [int(values[name]) for name in _NUMBERS]
             found = Parameters(values["MODL"], *numbers)
         except (KeyError, ValueError) as error:
             raise WireError(f"the sensor does not tell its parameters: {error}") from error
-        if not (0 <= found.first <= found.last < _MOST_STEPS and 0 < found.resolution < _MOST_STEPS and 0 < found.rpm < 100_000):
+        if not (
+            0 <= found.first <= found.last < _MOST_STEPS
+            and 0 < found.resolution < _MOST_STEPS
+            and 0 < found.rpm < 100_000
+        ):
             raise WireError(f"the parameters of {found.model[:40]!r} make no sense")
         if not (0 <= found.shortest < found.longest < 1 << 18 and 0 <= found.front < _MOST_STEPS):
             raise WireError(f"the parameters of {found.model[:40]!r} make no sense")
@@ -85,7 +105,9 @@ NO_ECHO = {"urg-04lx": 0, "ust-10lx": 65533}
 
 def told(code: str, pairs: list[tuple[str, str]]) -> Reply:
     """Return a reply of named values, "NAME:value;" and a checksum each."""
-    return Reply(code, DONE, tuple(f"{name}:{value};{checksum(f'{name}:{value}')}" for name, value in pairs))
+    return Reply(
+        code, DONE, tuple(f"{name}:{value};{checksum(f'{name}:{value}')}" for name, value in pairs)
+    )
 
 
 def told_by(reply: Reply) -> dict[str, str]:

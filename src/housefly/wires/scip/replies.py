@@ -1,11 +1,20 @@
-"""What a range finder answers: the echo of the request, a status, and lines of data, each with a checksum, then an empty line."""
+"""What a range finder answers: the echo of the request, a status, and lines of data, each with a
+checksum, then an empty line.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 from housefly.errors import WireError
-from housefly.wires.scip.characters import checked, checksum, data_lines, decoded, encoded, values_of
+from housefly.wires.scip.characters import (
+    checked,
+    checksum,
+    data_lines,
+    decoded,
+    encoded,
+    values_of,
+)
 from housefly.wires.scip.requests import Measure, decode_request, encode_request
 
 DONE, SCAN = "00", "99"
@@ -45,7 +54,8 @@ class Measurement:
     Attributes:
         request: what it answers; for MD its count is the number of scans still to come.
         stamp: the sensor's clock [ms], 24 bits.
-        ranges: one number for each step from first to last [mm]; below the sensor's DMIN they are error codes.
+        ranges: one number for each step from first to last [mm]; below the sensor's DMIN they are
+            error codes.
     """
 
     request: Measure
@@ -60,9 +70,11 @@ def encode_reply(reply: Reply) -> bytes:
 
 
 def decode_reply(data: bytes) -> Reply:
-    """Return the reply in one block of lines, which ends with an empty one; raises WireError for anything else.
+    """Return the reply in one block of lines, which ends with an empty one; raises WireError for
+    anything else.
 
-    The lines' own checksums are checked where they are read (``Parameters``, ``measurement_of``), for not every line has one.
+    The lines' own checksums are checked where they are read (``Parameters``, ``measurement_of``),
+    for not every line has one.
     """
     try:
         text = data.decode("ascii")
@@ -87,7 +99,9 @@ def measurement_reply(request: Measure, stamp: int, ranges: tuple[int, ...]) -> 
 
 
 def measurement_of(reply: Reply) -> Measurement | None:
-    """Return the scan that a reply carries, None when it carries none; raises WireError for a damaged one."""
+    """Return the scan that a reply carries, None when it carries none; raises WireError for a
+    damaged one.
+    """
     if reply.echo[:2] not in ("MD", "GD") or not reply.lines:
         return None
     request = decode_request(reply.echo.encode("ascii"))

@@ -36,7 +36,8 @@ class Measure:
     Attributes:
         code: MD (measure and send so many scans) or GD (send the newest).
         first, last: steps.
-        cluster: so many neighbouring steps become one, the smallest distance of them; 0 counts as 1.
+        cluster: so many neighbouring steps become one, the smallest distance of them; 0 counts as
+            1.
         skip: MD: scans left out after each that is sent, 0 to 9.
         count: MD: scans to send, 0 to 99; 0 means until told to stop.
         note: up to 16 characters that come back in the echo.
@@ -57,7 +58,9 @@ Request = Ask | Measure
 def encode_request(request: Request) -> bytes:
     """Return the line of a request, line feed included; raises WireError for what does not fit."""
     if not _NOTE.fullmatch(request.note):
-        raise WireError(f"{request.note!r} is no note: at most 16 letters, digits, spaces and . _ + @")
+        raise WireError(
+            f"{request.note!r} is no note: at most 16 letters, digits, spaces and . _ + @"
+        )
     note = f";{request.note}" if request.note else ""
     text = request.code if isinstance(request, Ask) else _numbers(request)
     return f"{text}{note}\n".encode("ascii")
@@ -74,7 +77,15 @@ def decode_request(line: bytes) -> Request:
         code, first, last, cluster, skip, count, note = found.groups(default="")
         if (code == "MD") != bool(skip):
             raise WireError(f"{code} with the wrong number of digits")
-        return Measure(code, int(first), int(last), int(cluster), int(skip or 0), int(count or 0), _checked(note))
+        return Measure(
+            code,
+            int(first),
+            int(last),
+            int(cluster),
+            int(skip or 0),
+            int(count or 0),
+            _checked(note),
+        )
     found = _ASK.fullmatch(text)
     if not found or found[1] not in ASKS:
         raise WireError(f"{text[:20]!r} is no request")
@@ -82,7 +93,13 @@ def decode_request(line: bytes) -> Request:
 
 
 def _numbers(request: Measure) -> str:
-    ranges = (request.first, 9999), (request.last, 9999), (request.cluster, 99), (request.skip, 9), (request.count, 99)
+    ranges = (
+        (request.first, 9999),
+        (request.last, 9999),
+        (request.cluster, 99),
+        (request.skip, 9),
+        (request.count, 99),
+    )
     if not all(0 <= value <= most for value, most in ranges):
         raise WireError(f"a number of {request} does not fit")
     steps = f"{request.code}{request.first:04}{request.last:04}{request.cluster:02}"

@@ -13,7 +13,13 @@ from housefly.wires.vicon.frame import (
     SubjectInfo,
 )
 from housefly.wires.vicon.handshake import Item, ObjectEnums, Ping, RequestFrame, RequestNextFrame
-from housefly.wires.vicon.packet import HEADER_SIZE, MAX_PACKET, decode_packet, encode_packet, packet_length
+from housefly.wires.vicon.packet import (
+    HEADER_SIZE,
+    MAX_PACKET,
+    decode_packet,
+    encode_packet,
+    packet_length,
+)
 from housefly.wires.vicon.rotation import matrix_from_quaternion, quaternion_from_matrix
 
 TICKS_PER_SECOND = 135_000_000

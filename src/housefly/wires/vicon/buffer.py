@@ -43,17 +43,24 @@ class Reader:
         return int(self.take(U32)[0])
 
     def count(self, smallest: int) -> int:
-        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what cannot fit."""
+        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
+        cannot fit.
+        """
         number = self.u32()
         if number * smallest > self.left:
-            raise WireError(f"Vicon list of {number} elements does not fit into the {self.left} bytes left")
+            raise WireError(
+                f"Vicon list of {number} elements does not fit into the {self.left} bytes left"
+            )
         return number
 
     def text(self) -> str:
         """Read a counted string; bytes that are not UTF-8 become replacement characters."""
         length = self.u32()
         if length > MAX_NAME or length > self.left:
-            raise WireError(f"Vicon name of {length} bytes; at most {min(MAX_NAME, self.left)} are possible here")
+            raise WireError(
+                f"Vicon name of {length} bytes; at most {min(MAX_NAME, self.left)} are possible"
+                " here"
+            )
         start, self._at = self._at, self._at + length
         return self._data[start : self._at].decode("utf-8", errors="replace")
 
@@ -64,7 +71,9 @@ class Reader:
     def skip(self, length: int) -> Reader:
         """Return a reader of the next ``length`` bytes and step over them."""
         if length > self.left:
-            raise WireError(f"Vicon block of {length} bytes in a packet with {self.left} bytes left")
+            raise WireError(
+                f"Vicon block of {length} bytes in a packet with {self.left} bytes left"
+            )
         start, self._at = self._at, self._at + length
         return Reader(self._data, start, self._at)
 
@@ -76,11 +85,15 @@ class Writer:
         self.data = bytearray()
 
     def put(self, layout: struct.Struct, *values: float) -> None:
-        """Append the fields of a fixed layout; raises WireError when a value does not fit its field."""
+        """Append the fields of a fixed layout; raises WireError when a value does not fit its
+        field.
+        """
         try:
             self.data += layout.pack(*values)
         except struct.error as error:
-            raise WireError(f"{values} do not fit the Vicon layout {layout.format}: {error}") from error
+            raise WireError(
+                f"{values} do not fit the Vicon layout {layout.format}: {error}"
+            ) from error
 
     def u32(self, number: int) -> None:
         """Append an unsigned 32-bit number."""

@@ -1,6 +1,7 @@
 """The objects of a frame that Housefly speaks; each knows its own layout.
 
-Layout: whoenig/vicon-datastream-sdk, checked against the SDK's own client. All other kinds are skipped by length.
+Layout: whoenig/vicon-datastream-sdk, checked against the SDK's own client. All other kinds are
+    skipped by length.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ _PAIR = struct.Struct("<II")
 
 @dataclass(frozen=True, slots=True)
 class Contents:
-    """What a frame holds: (kind, number of objects), and the kinds left out because they did not change."""
+    """What a frame holds: (kind, number of objects), and the kinds left out because they did not
+    change.
+    """
 
     KIND: ClassVar[int] = 100004
     numbers: tuple[tuple[int, int], ...]
@@ -137,7 +140,9 @@ class FrameInfo:
 
 @dataclass(frozen=True, slots=True)
 class LatencyInfo:
-    """What the server knows of the delay from exposure to sending: name and duration [s] of each stage."""
+    """What the server knows of the delay from exposure to sending: name and duration [s] of each
+    stage.
+    """
 
     KIND: ClassVar[int] = 26
     samples: tuple[tuple[str, float], ...]

@@ -19,7 +19,9 @@ class Item(Protocol):
 
     @classmethod
     def read(cls, source: Reader) -> Self:
-        """Read the body; raises WireError. What follows the known fields is ignored, as newer servers append fields."""
+        """Read the body; raises WireError. What follows the known fields is ignored, as newer
+        servers append fields.
+        """
         ...
 
 

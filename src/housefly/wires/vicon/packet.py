@@ -55,7 +55,9 @@ def packet_length(header: bytes, largest: int = MAX_PACKET) -> int:
         raise WireError(f"a Vicon packet header has {HEADER_SIZE} bytes, not {len(header)}")
     kind, length = _HEADER.unpack(header)
     if kind != _OBJECTS:
-        raise WireError(f"not a Vicon DataStream packet: it starts with 0x{kind:08x}, not 0x{_OBJECTS:08x}")
+        raise WireError(
+            f"not a Vicon DataStream packet: it starts with 0x{kind:08x}, not 0x{_OBJECTS:08x}"
+        )
     if length > largest:
         raise WireError(f"Vicon packet of {length} bytes; the limit is {largest}")
     return int(length)

@@ -23,7 +23,8 @@ def matrix_from_quaternion(q: Quaternion) -> Matrix:
 
 
 def quaternion_from_matrix(m: Matrix) -> Quaternion:
-    """Return the unit quaternion (w >= 0) of a rotation matrix, by the largest of its four squares (Shepperd 1978).
+    """Return the unit quaternion (w >= 0) of a rotation matrix, by the largest of its four squares
+    (Shepperd 1978).
 
     Raises:
         WireError: a value is not finite, or the matrix is not a rotation.

@@ -1,4 +1,6 @@
-"""How a VRPN connection begins: a datagram that asks to be called back, or none, then a cookie from each side."""
+"""How a VRPN connection begins: a datagram that asks to be called back, or none, then a cookie from
+each side.
+"""
 
 from __future__ import annotations
 
@@ -35,10 +37,14 @@ def decode_lob(datagram: bytes) -> tuple[str, int]:
     """Return the host and TCP port that a client wants to be called at; raises WireError."""
     text = datagram[:_LONGEST_LOB].split(b"\0", 1)[0].decode("ascii", errors="replace")
     host, _, port = text.partition(" ")
-    if not (host and port.isascii() and port.isdecimal() and len(port) <= 5 and 0 < int(port) < 65536):
+    if not (
+        host and port.isascii() and port.isdecimal() and len(port) <= 5 and 0 < int(port) < 65536
+    ):
         raise WireError(f"VRPN callback: {text[:40]!r} is not a host and a port")
     return host, int(port)
 
 
 def _is_version(text: str) -> bool:
-    return len(text) == 5 and text[2] == "." and text.isascii() and (text[:2] + text[3:]).isdecimal()
+    return (
+        len(text) == 5 and text[2] == "." and text.isascii() and (text[:2] + text[3:]).isdecimal()
+    )

@@ -1,4 +1,6 @@
-"""Messages: 24 bytes of header, then a body filled up to a multiple of eight; all numbers big-endian."""
+"""Messages: 24 bytes of header, then a body filled up to a multiple of eight; all numbers
+big-endian.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,9 @@ def encode_message(message: Message, sequence: int = 0) -> bytes:
     if length > MAX_MESSAGE:
         raise WireError(f"VRPN length: {length} bytes; at most {MAX_MESSAGE}")
     try:
-        header = _HEADER.pack(length, seconds, microseconds, message.sender, message.kind, sequence & 0xFFFFFFFF)
+        header = _HEADER.pack(
+            length, seconds, microseconds, message.sender, message.kind, sequence & 0xFFFFFFFF
+        )
     except struct.error as error:
         raise WireError(f"{message} does not fit the VRPN header: {error}") from error
     return header + message.body + bytes(-len(message.body) % _ALIGN)
@@ -58,14 +62,18 @@ class MessageStream:
         self._data = bytearray()
 
     def feed(self, piece: bytes) -> tuple[Message, ...]:
-        """Return the messages that are complete now; raises WireError, after which the stream is of no use."""
+        """Return the messages that are complete now; raises WireError, after which the stream is of
+        no use.
+        """
         self._data += piece
         messages = []
         start = 0
         while len(self._data) - start >= HEADER_SIZE:
             length, seconds, microseconds, sender, kind, _ = _HEADER.unpack_from(self._data, start)
             if not HEADER_SIZE <= length <= MAX_MESSAGE:
-                raise WireError(f"VRPN length: {length} bytes; allowed: {HEADER_SIZE} to {MAX_MESSAGE}")
+                raise WireError(
+                    f"VRPN length: {length} bytes; allowed: {HEADER_SIZE} to {MAX_MESSAGE}"
+                )
             if not (seconds >= 0 and 0 <= microseconds < _MILLION):
                 raise WireError(f"VRPN time: {seconds} s and {microseconds} us is none")
             end = start + length + -length % _ALIGN

@@ -75,7 +75,9 @@ class Names:
         if message.kind not in (SENDER_DESCRIPTION, TYPE_DESCRIPTION):
             return False
         if not 0 <= message.sender < MAX_NUMBERS:
-            raise WireError(f"VRPN description: number {message.sender} is not within 0 to {MAX_NUMBERS - 1}")
+            raise WireError(
+                f"VRPN description: number {message.sender} is not within 0 to {MAX_NUMBERS - 1}"
+            )
         self._names[message.kind, message.sender] = _name(message.body)
         return True
 
@@ -94,4 +96,8 @@ def _name(body: bytes) -> str:
     (length,) = _LENGTH.unpack_from(body)
     if not 0 < length <= min(MAX_NAME, len(body) - _LENGTH.size):
         raise WireError(f"VRPN description: a name of {length} bytes in {len(body)} bytes")
-    return body[_LENGTH.size : _LENGTH.size + length].split(b"\0", 1)[0].decode("utf-8", errors="replace")
+    return (
+        body[_LENGTH.size : _LENGTH.size + length]
+        .split(b"\0", 1)[0]
+        .decode("utf-8", errors="replace")
+    )

@@ -1,0 +1,1 @@
+"""One typed tree from the site's TOML file."""

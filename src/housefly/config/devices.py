@@ -1,0 +1,72 @@
+"""The part of a site file about the room's devices."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from housefly.config.section import Section, quantity
+
+_ID = r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$"
+
+
+class TagConfig(Section):
+    """Which thing carries an RFID tag."""
+
+    tag: str = Field(pattern=_ID, description="what the reader says")
+    thing: str = Field(pattern=_ID, description="id of the thing")
+
+
+class DeviceConfig(Section):
+    """Where a device on MQTT stands, so that what it measures in its own frame is known in the
+    room.
+    """
+
+    id: str = Field(pattern=_ID, description="id of the device, as in its topics")
+    position: tuple[float, float, float] = Field(
+        default=(0.0, 0.0, 0.0), description="origin of its frame [m]"
+    )
+    yaw: float = quantity(0.0, -6.3, 6.3, "rad", "direction of its x axis")
+
+
+class MqttConfig(Section):
+    """The MQTT broker through which the room's devices speak; docs/devices.md has their topics."""
+
+    broker: str = Field(
+        default="", max_length=253, description='name or IP address; "" means no devices on MQTT'
+    )
+    start: bool = Field(
+        default=False,
+        description="start a mosquitto of our own at that address, for the time of a run",
+    )
+    port: int = Field(
+        default=1883,
+        ge=0,
+        le=65535,
+        description="TCP port; 0 chooses a free one for a broker of our own",
+        json_schema_extra={"unit": "1"},
+    )
+    site: str = Field(
+        default="bsen",
+        pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$",
+        description="second part of every topic",
+    )
+    username: str = Field(default="", max_length=200, description="for a broker that asks for one")
+    password_file: str = Field(
+        default="",
+        description="file whose first line is the password, relative to the working folder",
+    )
+    rate_max_hz: float = quantity(
+        50.0, 0.1, 1000.0, "Hz", "messages per second of one device; what is more is dropped"
+    )
+    clock_ahead: float = quantity(
+        2.0, 0.0, 60.0, "s", "a device's time further ahead of ours is refused"
+    )
+    clock_behind: float = quantity(
+        60.0, 0.1, 86400.0, "s", "a device's time further behind ours is refused"
+    )
+    devices: tuple[DeviceConfig, ...] = Field(
+        default=(), description="id, position [m] and yaw [rad] of devices with a frame"
+    )
+    tags: tuple[TagConfig, ...] = Field(
+        default=(), description="tag and thing; a tag that is not here is the thing's own id"
+    )

@@ -1,0 +1,63 @@
+"""The part of a site file about the motion capture system."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from housefly.config.section import Section, port_number, quantity
+
+TrackingKind = Literal["vicon", "natnet", "vrpn", "bridge"]
+MocapWire = Literal["vicon", "natnet", "vrpn"]
+BRIDGED: dict[str, MocapWire] = {"vicon": "vicon", "optitrack": "natnet", "vrpn": "vrpn"}
+"""Types of PyPI motioncapture whose protocol the twin serves."""
+
+
+class TrackingConfig(Section):
+    """The motion capture system and where it answers."""
+
+    kind: TrackingKind = Field(
+        default="vicon",
+        description="driver; bridge is PyPI motioncapture (extra mocap), for all others",
+    )
+    address: str = Field(default="127.0.0.1", description="IP address")
+    port: int = port_number(8010, "TCP port of Vicon; a real one listens on 801")
+    natnet_port: int = port_number(1510, "UDP port of NatNet commands (Motive)")
+    vrpn_port: int = port_number(3883, "UDP and TCP port of VRPN")
+    vrpn_transport: Literal["tcp", "udp"] = Field(
+        default="tcp",
+        description="how a VRPN connection begins: tcp, or udp (the server connects back to us)",
+    )
+    up_axis: Literal["auto", "y", "z"] = Field(
+        default="auto",
+        description=(
+            "the axis that points up where the system does not say it; auto: y for natnet, else z"
+        ),
+    )
+    bridge_system: str = Field(
+        default="qualisys",
+        pattern="^[a-z_]{1,40}$",
+        description="type that motioncapture is asked for when kind is bridge",
+    )
+    body: str = Field(default="ardrone", description="name of the drone among the tracked bodies")
+    visitor: str = Field(
+        default="visitor", description="name of the person at the door among the tracked bodies"
+    )
+    latency: float = quantity(
+        0.02, 0.0, 0.5, "s", "from exposure to arrival, where the system does not say it"
+    )
+
+    @property
+    def wire(self) -> MocapWire | None:
+        """The protocol that arrives here, or None for one that only a bridge speaks."""
+        return BRIDGED.get(self.bridge_system) if self.kind == "bridge" else self.kind
+
+    @property
+    def y_up(self) -> bool:
+        """Whether poses come with y up."""
+        return self.up_axis == "y" or (self.up_axis == "auto" and self.wire == "natnet")
+
+    def port_of(self, wire: MocapWire) -> int:
+        """Return the port of a protocol."""
+        return {"vicon": self.port, "natnet": self.natnet_port, "vrpn": self.vrpn_port}[wire]

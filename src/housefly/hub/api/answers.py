@@ -1,0 +1,249 @@
+"""What the room answers: one frozen value a kind of answer.
+
+Times are Unix time [s].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from housefly.geometry import Vec3
+from housefly.hub.api.questions import (
+    Catalogue,
+    Contents,
+    Events,
+    Near,
+    Picture,
+    Question,
+    Sensors,
+    Trajectory,
+    Where,
+)
+
+Scalar = str | float | bool
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What one source last said: its position [m] and how long ago it said so [s]."""
+
+    source: str
+    age: float
+    position: Vec3 | None
+    inside: str
+    valid: bool
+    facts: dict[str, Scalar] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class WhereAnswer:
+    """Where a thing is and how we know.
+
+    Attributes:
+        thing, name, kind: of the thing.
+        words: the answer as a sentence.
+        position: world [m]; None when nobody knows.
+        yaw: heading [rad]; None when unknown.
+        std: one sigma of the position, root of the mean variance [m]; None when unknown.
+        inside: ids of what contains it, the closest first.
+        by_container: id of the container whose position this is, or "".
+        seen_at: Unix time [s]; None when only the catalogue speaks.
+        age: time since [s]; None likewise.
+        sources: whose word this is.
+        said: what each source last said.
+    """
+
+    thing: str
+    name: str
+    kind: str
+    words: str
+    position: Vec3 | None
+    yaw: float | None
+    std: float | None
+    inside: tuple[str, ...]
+    by_container: str
+    seen_at: float | None
+    age: float | None
+    sources: tuple[str, ...]
+    said: tuple[Said, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """A named pose from which a robot reaches or sees a thing: position [m], yaw [rad]."""
+
+    name: str
+    position: Vec3
+    yaw: float
+    robot: str
+
+
+@dataclass(frozen=True, slots=True)
+class ThingAnswer:
+    """One thing of the catalogue."""
+
+    thing: str
+    name: str
+    kind: str
+    aliases: tuple[str, ...]
+    position: Vec3 | None
+    inside: str
+    viewpoints: tuple[View, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ThingsAnswer:
+    """Things of the catalogue."""
+
+    things: tuple[ThingAnswer, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A thing with its place: position [m], yaw [rad], how far from the point asked for [m], how
+    long ago it was seen [s].
+    """
+
+    thing: str
+    name: str
+    kind: str
+    position: Vec3 | None
+    yaw: float | None
+    inside: str
+    age: float | None
+    distance: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedAnswer:
+    """Things with their places."""
+
+    things: tuple[Placed, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TrajectoryAnswer:
+    """Where a thing was: rows of Unix time [s], x, y, z [m]."""
+
+    thing: str
+    rows: tuple[tuple[float, float, float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrence:
+    """Something that happened, as kept: Unix time [s], confidence 0 to 1."""
+
+    kind: str
+    thing: str
+    at: float
+    source: str
+    cause: str
+    confidence: float
+    facts: dict[str, Scalar]
+
+
+@dataclass(frozen=True, slots=True)
+class EventsAnswer:
+    """What happened, by time."""
+
+    events: tuple[Occurrence, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class SensorAnswer:
+    """How one sensor does: messages per second [Hz], time since it was last heard [s, None: never]."""
+
+    sensor: str
+    kind: str
+    title: str
+    connected: bool
+    rate_hz: float
+    age: float | None
+    problem: str
+    counts: dict[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class SensorsAnswer:
+    """How every sensor does, and what the memory itself has to say."""
+
+    sensors: tuple[SensorAnswer, ...]
+    memory: str
+
+
+@dataclass(frozen=True, slots=True)
+class Holding:
+    """A situation that holds: since when [Unix time, s], confidence 0 to 1, the evidence in words."""
+
+    kind: str
+    thing: str
+    since: float
+    confidence: float
+    evidence: str
+
+
+@dataclass(frozen=True, slots=True)
+class Hindrance:
+    """A live obstacle: world xy [m], velocity [m/s], confidence 0 to 1, time since it was seen [s].
+
+    Its ground is all within ``radius`` [m] of it or, when ``length`` and ``width`` [m] are not 0,
+    the rectangle with its length along ``yaw`` [rad].
+    """
+
+    obstacle: str
+    x: float
+    y: float
+    radius: float
+    vx: float
+    vy: float
+    confidence: float
+    age: float
+    source: str
+    length: float = 0.0
+    width: float = 0.0
+    yaw: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class PictureAnswer:
+    """The room at one time [Unix time, s]."""
+
+    at: float
+    things: tuple[Placed, ...]
+    situations: tuple[Holding, ...] = ()
+    obstacles: tuple[Hindrance, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class News:
+    """What changed since the last news: things with their places, what happened, what holds, what
+    is in the way.
+    """
+
+    at: float
+    things: tuple[Placed, ...]
+    events: tuple[Occurrence, ...]
+    situations: tuple[Holding, ...]
+    obstacles: tuple[Hindrance, ...]
+
+
+Answer = (
+    WhereAnswer
+    | ThingsAnswer
+    | PlacedAnswer
+    | TrajectoryAnswer
+    | EventsAnswer
+    | SensorsAnswer
+    | PictureAnswer
+)
+ANSWERS: dict[type[Question], type[Answer]] = {
+    Where: WhereAnswer,
+    Catalogue: ThingsAnswer,
+    Near: PlacedAnswer,
+    Contents: PlacedAnswer,
+    Trajectory: TrajectoryAnswer,
+    Events: EventsAnswer,
+    Sensors: SensorsAnswer,
+    Picture: PictureAnswer,
+}
+"""What each question is answered with."""

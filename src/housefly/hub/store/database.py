@@ -1,0 +1,63 @@
+"""What the store needs of a database, and how the two dialects of SQL differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Row = tuple[Any, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """What one database calls otherwise than another.
+
+    Attributes:
+        clustered: what makes a table lie in the order of its key.
+        floor: the whole part of a positive number, with {} for the number.
+        lock_schema: what keeps another process from migrating at the same time, "" where a
+            transaction does it anyway.
+    """
+
+    clustered: str
+    floor: str
+    lock_schema: str
+
+
+class Database(Protocol):
+    """A connection; every problem is a StoreError in words. SQL is written with ``?`` for values."""
+
+    @property
+    def dialect(self) -> Dialect:
+        """Which SQL it speaks."""
+        ...
+
+    @property
+    def notices(self) -> tuple[str, ...]:
+        """What the user should know about how it was opened."""
+        ...
+
+    def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
+        """Run one statement and return its rows."""
+        ...
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        ...
+
+    def many(self, sql: str, rows: Sequence[Row]) -> None:
+        """Run one statement for each row of values."""
+        ...
+
+    def transaction(self) -> AbstractContextManager[None]:
+        """Keep all statements of the block or none; one writer at a time."""
+        ...
+
+    def close(self) -> None:
+        """Let go of it."""
+        ...

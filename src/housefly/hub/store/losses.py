@@ -1,0 +1,51 @@
+"""Counts what was dropped and why, and says it in words."""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from threading import Lock
+
+from housefly.hub.store.backlog import Dropped
+
+RECENT = 60.0
+"""The report is about this long [s]."""
+
+Counts = Counter[tuple[str, str]]
+"""How many, by the sort of row ("poses", "events") and the reason."""
+
+
+class Losses:
+    """What was dropped in the last minute, and ever."""
+
+    def __init__(self) -> None:
+        self.ever: Counts = Counter()
+        self._recent: deque[tuple[float, Counts]] = deque()
+        self._lock = Lock()
+
+    def count(self, dropped: Dropped, reason: str, now: float) -> None:
+        """Remember rows that were dropped at a monotonic time [s]."""
+        counts = Counter({("poses", reason): dropped.poses, ("events", reason): dropped.events})
+        with self._lock:
+            self.ever += counts
+            if self._recent and int(self._recent[-1][0]) == int(now):
+                self._recent[-1][1].update(counts)
+            else:
+                self._recent.append((now, counts))
+            self._forget(now)
+
+    def words(self, now: float) -> str:
+        """Return what the last minute lost, "" when nothing: "dropped 1 200 poses in the last
+        minute: disk is full".
+        """
+        with self._lock:
+            self._forget(now)
+            recent: Counts = sum((counts for _, counts in self._recent), Counter())
+        said = [
+            f"{count:,} {rows}".replace(",", " ") + f" in the last minute: {reason}"
+            for (rows, reason), count in recent.items()
+        ]
+        return f"dropped {', '.join(said)}" if said else ""
+
+    def _forget(self, now: float) -> None:
+        while self._recent and self._recent[0][0] < now - RECENT:
+            self._recent.popleft()

@@ -1,0 +1,118 @@
+"""PostgreSQL, for a room that outgrows one machine.
+
+A commit waits for the server's disk (``synchronous_commit``, the server's own default), which ten
+batches a second can
+afford: what is committed survives a crash of the server, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from itertools import chain
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.errors import MissingPartError, StoreError
+from housefly.hub.store.contract import UnfitRowError
+from housefly.hub.store.database import Dialect, Row
+
+try:
+    import psycopg
+except ImportError as error:
+    raise MissingPartError("psycopg (PostgreSQL)", "pip install 'housefly[postgres]'") from error
+
+SETTINGS = "-c lock_timeout=1000"
+CONNECT_S = 3
+REASONS: dict[str, str] = {
+    "53100": "disk is full",
+    "55P03": "another process holds the database",
+    "40P01": "another process holds the database",
+    "40001": "another process holds the database",
+    "25006": "the database may only be read",
+    "42501": "the database refuses this user",
+    "3D000": "there is no such database",
+    "53300": "the database server has too many connections",
+}
+LOST = "the database server does not answer"
+REFUSED = "the database server refuses"
+FIRST_CONTACT = 7_220_110
+"""Number of the server's lock under which the table of versions is made."""
+
+
+class PostgresDatabase:
+    """A connection to a server."""
+
+    dialect = Dialect(
+        clustered="", floor="floor({})", lock_schema="LOCK TABLE schema IN EXCLUSIVE MODE"
+    )
+    notices: tuple[str, ...] = ()
+
+    def __init__(self, url: str) -> None:
+        """Connect; raises StoreError when the server does not answer or refuses."""
+        with _telling():
+            self._connection = psycopg.connect(
+                url, autocommit=True, connect_timeout=CONNECT_S, options=SETTINGS
+            )
+            self._connection.execute("SELECT pg_advisory_lock(%s)", (FIRST_CONTACT,))
+            self._connection.execute(
+                "CREATE TABLE IF NOT EXISTS schema (version INTEGER PRIMARY KEY)"
+            )
+            self._connection.execute("SELECT pg_advisory_unlock(%s)", (FIRST_CONTACT,))
+
+    def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
+        """Run one statement and return its rows."""
+        with _telling():
+            cursor = self._connection.execute(_placed(sql), values or None)
+            return cursor.fetchall() if cursor.description else ()
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        return np.fromiter(chain.from_iterable(self.query(sql, values)), dtype=np.float64).reshape(
+            -1, columns
+        )
+
+    def many(self, sql: str, rows: Sequence[Row]) -> None:
+        """Run one statement for each row of values."""
+        with _telling(), self._connection.cursor() as cursor:
+            if rows:
+                cursor.executemany(_placed(sql), rows)
+
+    @contextmanager
+    def transaction(self) -> Iterator[None]:
+        """Keep all statements of the block or none."""
+        with _telling(), self._connection.transaction():
+            yield
+
+    def close(self) -> None:
+        """Let go of the connection."""
+        self._connection.close()
+
+
+def _placed(sql: str) -> bytes:
+    return sql.replace("?", "%s").encode()
+
+
+@contextmanager
+def _telling() -> Iterator[None]:
+    try:
+        yield
+    except (
+        psycopg.DataError,
+        psycopg.IntegrityError,
+        psycopg.ProgrammingError,
+        UnicodeError,
+    ) as error:
+        reason = REASONS.get(error.sqlstate or "") if isinstance(error, psycopg.Error) else None
+        if reason:
+            raise StoreError(reason) from error
+        raise UnfitRowError(f"the database cannot hold it ({_first_line(error)})") from error
+    except psycopg.Error as error:
+        if error.sqlstate:
+            raise StoreError(REASONS.get(error.sqlstate, _first_line(error))) from error
+        raise StoreError(REFUSED if "FATAL" in str(error) else LOST, _first_line(error)) from error
+
+
+def _first_line(error: Exception) -> str:
+    return (str(error).splitlines() or [type(error).__name__])[0]

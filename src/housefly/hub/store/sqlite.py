@@ -1,0 +1,143 @@
+"""SQLite: one file beside the site, written by one process and read by many.
+
+The file is in write-ahead mode with ``synchronous = NORMAL``: a transaction is with the operating
+system when it is committed, so ``kill -9`` of the writer loses only what it had not committed yet;
+the disk is told to keep it (fsync) at every checkpoint, about each 1000 pages, so a power cut may
+lose the seconds since the last one. Neither leaves a damaged file.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.errors import StoreError
+from housefly.hub.store.contract import UnfitRowError
+from housefly.hub.store.database import Dialect, Row
+
+PATIENCE = 1.0
+"""How long to wait for another process that writes [s]; the writer tries again later."""
+CODE = 0xFF
+"""The part of SQLite's error codes that says what; the rest says where."""
+REASONS: dict[int, str] = {
+    sqlite3.SQLITE_FULL: "disk is full",
+    sqlite3.SQLITE_BUSY: "another process holds the database",
+    sqlite3.SQLITE_LOCKED: "another process holds the database",
+    sqlite3.SQLITE_READONLY: "the database may only be read",
+    sqlite3.SQLITE_IOERR: "disk refuses (input/output error)",
+    sqlite3.SQLITE_CANTOPEN: "the database file cannot be opened",
+}
+DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
+UNFIT = (
+    sqlite3.IntegrityError,
+    sqlite3.InterfaceError,
+    sqlite3.DataError,
+    UnicodeError,
+    OverflowError,
+)
+COMPANIONS = ("", "-wal", "-shm")
+
+
+class SqliteDatabase:
+    """A connection to a file; a damaged one is moved aside, never deleted, and a new one begun."""
+
+    dialect = Dialect(clustered=" WITHOUT ROWID", floor="CAST({} AS INTEGER)", lock_schema="")
+
+    def __init__(self, path: Path) -> None:
+        """Open or make a file; raises StoreError when that is impossible."""
+        self.path = path
+        self.notices: tuple[str, ...] = ()
+        try:
+            self._open()
+        except StoreError:
+            if path.exists():  # another problem than damage
+                raise
+            self._open()
+
+    def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
+        """Run one statement and return its rows."""
+        with self._telling():
+            return self._connection.execute(sql, values).fetchall()
+
+    def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
+        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        with self._telling():
+            found = chain.from_iterable(self._connection.execute(sql, values))
+            return np.fromiter(found, dtype=np.float64).reshape(-1, columns)
+
+    def many(self, sql: str, rows: Sequence[Row]) -> None:
+        """Run one statement for each row of values."""
+        with self._telling():
+            self._connection.executemany(sql, rows)
+
+    @contextmanager
+    def transaction(self) -> Iterator[None]:
+        """Keep all statements of the block or none; waits a second for another writer."""
+        self.query("BEGIN IMMEDIATE")
+        try:
+            yield
+            self.query("COMMIT")
+        except BaseException:
+            self._roll_back()
+            raise
+
+    def close(self) -> None:
+        """Let go of the file."""
+        self._connection.close()
+
+    def _open(self) -> None:
+        with self._telling():
+            self._connection = sqlite3.connect(
+                self.path,
+                timeout=PATIENCE,
+                isolation_level=None,
+                check_same_thread=False,
+                cached_statements=64,
+            )
+            self._connection.execute("PRAGMA journal_mode = WAL")
+            self._connection.execute("PRAGMA synchronous = NORMAL")
+            self._connection.execute("SELECT count(*) FROM sqlite_schema")
+
+    def _roll_back(self) -> None:
+        try:
+            if self._connection.in_transaction:  # a full disk ends a transaction by itself
+                self._connection.execute("ROLLBACK")
+        except sqlite3.Error:
+            self._connection.close()  # the next use says so; what was not committed is not there
+
+    @contextmanager
+    def _telling(self) -> Iterator[None]:
+        try:
+            yield
+        except sqlite3.ProgrammingError as error:  # used after it was closed
+            raise StoreError(str(error)) from error
+        except UNFIT as error:
+            raise UnfitRowError(f"the database cannot hold it ({error})") from error
+        except sqlite3.Error as error:
+            code = getattr(error, "sqlite_errorcode", 0) & CODE
+            if code in DAMAGED:
+                raise StoreError(self._moved_aside()) from error
+            raise StoreError(REASONS.get(code, str(error)), f"database {self.path}") from error
+
+    def _moved_aside(self) -> str:
+        """Move the file and its companions aside and return the words for it."""
+        self._connection.close()
+        kept = self.path.with_name(
+            f"{self.path.name}.damaged-{time.strftime('%Y%m%d-%H%M%S')}-{time.monotonic_ns() % 10**6:06d}"
+        )
+        for ending in COMPANIONS:
+            file = self.path.with_name(self.path.name + ending)
+            if file.exists():
+                file.rename(kept.with_name(kept.name + ending))
+        self.notices = (
+            *self.notices,
+            f"{self.path} was damaged: it is kept as {kept.name}, a new one was begun",
+        )
+        return f"database file is damaged, it is kept as {kept.name}"

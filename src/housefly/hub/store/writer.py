@@ -1,0 +1,209 @@
+"""Writes to a store in a thread of its own: whoever tells it something never waits and never hears
+an error.
+
+Every tenth of a second what has come is written in one transaction, so ``kill -9`` loses about a
+tenth of a second. When the store refuses (full disk, another process holds it, no server) the batch
+is kept and tried again until it succeeds. Meanwhile what
+comes waits in a bounded backlog, and what does not fit is dropped and counted: samples before
+    events, the oldest first.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterable
+from threading import Condition, Lock, Thread
+
+from housefly.errors import StoreError
+from housefly.hub.store.backlog import MOST_AT_ONCE, Backlog, Batch, Dropped
+from housefly.hub.store.contract import Store, UnfitRowError
+from housefly.hub.store.losses import Losses
+from housefly.hub.things.thing import Thing
+from housefly.messages import Happening, Observation
+
+BATCH_S = 0.1
+CAPACITY = 60_000
+"""Samples and events that may wait: half a minute at 2000 a second."""
+LONGEST_PAUSE = 1.0
+"""A store that refuses is tried again at least this often [s]."""
+TIDY_EVERY = 10.0
+"""How often to look for old samples when there were none [s]."""
+BEHIND = "the database is too slow"
+STOPPED = "the writer was stopped"
+
+
+class Writer:
+    """Keeps what it is told in a store; begins at once, ends with ``close``."""
+
+    def __init__(self, open_store: Callable[[], Store], *, capacity: int = CAPACITY) -> None:
+        """Open the store and begin; raises StoreError when it cannot be opened at all."""
+        self._open = open_store
+        self._store: Store | None = open_store()
+        self._backlog = Backlog(capacity)
+        self._losses = Losses()
+        self._pending = Batch()
+        self._reason = ""
+        self._notices: tuple[str, ...] = self._store.notices
+        self._stopping_at: float | None = None
+        self._next_tidy = 0.0
+        self._woken = Condition()
+        self._moving = Lock()
+        self._thread = Thread(target=self._run, name="store-writer", daemon=True)
+        self._thread.start()
+
+    def write(self, *said: Observation | Happening | Thing) -> None:
+        """Keep what was seen, what happened, and things of the catalogue, soon; never waits, never
+        raises.
+        """
+        self.write_all(said)
+
+    def write_all(self, said: Iterable[Observation | Happening | Thing]) -> None:
+        """Keep many at once."""
+        if self._stopping_at is None:
+            self._count(self._backlog.put(tuple(said)), self._reason or BEHIND)
+        else:
+            self._count(_rows_in(said), STOPPED)
+
+    def report(self) -> str:
+        """Return in words how it goes: what was dropped in the last minute and why, what waits and
+        why, else "all is kept".
+        """
+        waiting = len(self._backlog) + len(self._pending.samples) + len(self._pending.happenings)
+        parts = [
+            self._losses.words(time.monotonic()),
+            f"{waiting:,} rows wait: {self._reason}".replace(",", " ") if self._reason else "",
+            *self._notices,
+        ]
+        return "; ".join(part for part in parts if part) or "all is kept"
+
+    def dropped(self) -> Dropped:
+        """Return how many rows were dropped since the begin."""
+        ever = self._losses.ever.copy()
+        return Dropped(
+            *(
+                sum(count for (rows, _), count in ever.items() if rows == asked)
+                for asked in ("poses", "events")
+            )
+        )
+
+    def flush(self, timeout: float = 5.0) -> bool:
+        """Wait until all that was told is written; tell whether it is."""
+        deadline = time.monotonic() + timeout
+        while time.monotonic() < deadline:
+            with self._moving:
+                if not self._pending and not len(self._backlog):
+                    return True
+            time.sleep(0.01)
+        return False
+
+    def close(self, timeout: float = 5.0) -> None:
+        """Write what waits, for at most so long [s], and end; what is left counts as dropped."""
+        self._stopping_at = time.monotonic() + timeout
+        with self._woken:
+            self._woken.notify()
+        self._thread.join(timeout + 2 * LONGEST_PAUSE)
+
+    def _run(self) -> None:
+        pause = BATCH_S
+        while not self._is_over():
+            with self._woken:
+                self._woken.wait(pause if self._stopping_at is None else BATCH_S)
+            pause = BATCH_S if self._try() else min(2.0 * pause, LONGEST_PAUSE)
+        left = (self._pending, *iter(self._backlog.take, Batch()))
+        for batch in left:
+            self._count(_rows_in((*batch.samples, *batch.happenings)), self._reason or STOPPED)
+        self._pending = Batch()
+        if self._store:
+            self._store.close()
+
+    def _is_over(self) -> bool:
+        if self._stopping_at is None:
+            return False
+        return time.monotonic() >= self._stopping_at or not (self._pending or len(self._backlog))
+
+    def _try(self) -> bool:
+        """Write one batch and tidy a little; tell whether the store took it."""
+        try:
+            store = self._opened()
+            while batch := self._next():
+                self._keep(store, batch)
+                self._pending = Batch()
+                if (
+                    len(self._backlog) < MOST_AT_ONCE
+                ):  # few came meanwhile: they are for the next tenth of a second
+                    break
+            self._tidy(store)
+        except StoreError as error:
+            self._give_up(error.reason)
+            return False
+        except Exception as error:  # a fault of ours must not end the thread
+            self._count(
+                Dropped(len(self._pending.samples), len(self._pending.happenings)),
+                f"{type(error).__name__}: {error}",
+            )
+            self._pending = Batch()
+            return False
+        self._reason = ""
+        return True
+
+    def _opened(self) -> Store:
+        if self._store is None:
+            self._store = self._open()
+            self._notices = tuple(dict.fromkeys((*self._notices, *self._store.notices)))
+        return self._store
+
+    def _next(self) -> Batch:
+        with self._moving:
+            self._pending = self._pending or self._backlog.take()
+        return self._pending
+
+    def _keep(self, store: Store, batch: Batch) -> None:
+        try:
+            if batch.things:
+                store.know(batch.things)
+            if batch.samples or batch.happenings:
+                store.write(batch.samples, batch.happenings)
+        except UnfitRowError:
+            self._keep_one_by_one(store, batch)
+
+    def _keep_one_by_one(self, store: Store, batch: Batch) -> None:
+        """Find the rows that the database never takes; what is written twice stays once."""
+        singles = [
+            *(Batch(things=(thing,)) for thing in batch.things),
+            *(Batch(happenings=(happening,)) for happening in batch.happenings),
+            *(Batch(samples=(sample,)) for sample in batch.samples),
+        ]
+        for single in singles:
+            try:
+                if single.things:
+                    store.know(single.things)
+                else:
+                    store.write(single.samples, single.happenings)
+            except UnfitRowError as error:
+                self._count(Dropped(len(single.samples), len(single.happenings)), error.reason)
+
+    def _tidy(self, store: Store) -> None:
+        now = time.monotonic()
+        if now >= self._next_tidy and self._stopping_at is None:
+            self._next_tidy = now if store.tidy(time.time()) else now + TIDY_EVERY
+
+    def _give_up(self, reason: str) -> None:
+        """Open the store anew at the next try: the file may have been moved aside, the server
+        restarted.
+        """
+        self._reason = reason
+        if self._store:
+            self._notices = tuple(dict.fromkeys((*self._notices, *self._store.notices)))
+            self._store.close()
+        self._store = None
+
+    def _count(self, dropped: Dropped, reason: str) -> None:
+        if dropped:
+            self._losses.count(dropped, reason, time.monotonic())
+
+
+def _rows_in(said: Iterable[Observation | Happening | Thing]) -> Dropped:
+    values = tuple(said)
+    return Dropped(
+        *(sum(isinstance(value, sort) for value in values) for sort in (Observation, Happening))
+    )

@@ -1,0 +1,146 @@
+"""The catalogue of a site: ``things.toml``, checked, as things.
+
+[[thing]]
+id = "cup"
+name = "the red cup"
+kind = "object"
+aliases = ["mug"]
+inside = "cabinet"
+
+[[thing]]
+id = "cabinet"
+name = "the cabinet"
+kind = "furniture"
+position = [2.0, 1.5, 0.9]   # m
+yaw = 1.57                   # rad
+viewpoints = [{ name = "front", position = [2.0, 0.5, 1.2], yaw = 1.57 }]
+facts = { doors = 2 }
+"""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import Field, ValidationError
+
+from housefly.config.site import Section, explain
+from housefly.errors import ConfigError, ThingError
+from housefly.geometry import quaternion_from_euler
+from housefly.hub.things.thing import Kind, Thing, Viewpoint
+from housefly.hub.things.world import World
+from housefly.messages import Fact
+
+Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
+Point = tuple[Coordinate, Coordinate, Coordinate]
+Id = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_.-]*$", max_length=80)]
+Name = Annotated[str, Field(min_length=1, max_length=200)]
+
+
+class ViewpointEntry(Section):
+    """A named pose from which a robot reaches or sees the thing."""
+
+    name: Name
+    position: Point
+    yaw: Angle
+    pitch: Angle = 0.0
+    robot: str = ""
+
+
+class ThingEntry(Section):
+    """One thing of the file."""
+
+    id: Id
+    name: str = ""
+    kind: Kind = Kind.OBJECT
+    aliases: tuple[Name, ...] = ()
+    position: Point | None = None
+    yaw: Angle | None = None
+    inside: str = ""
+    viewpoints: tuple[ViewpointEntry, ...] = ()
+    facts: dict[str, Fact] = Field(default_factory=dict)
+
+
+class Catalogue(Section):
+    """The whole file."""
+
+    thing: tuple[ThingEntry, ...] = ()
+
+
+def load_catalogue(path: Path) -> tuple[Thing, ...]:
+    """Read and check a catalogue; raises ConfigError naming the thing, the key, the value and what
+    is allowed.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ConfigError("catalogue", f"cannot be read ({error})", str(path)) from error
+    return catalogue_from_toml(text, str(path))
+
+
+def catalogue_from_toml(text: str, source: str = "") -> tuple[Thing, ...]:
+    """Return the things of a catalogue's text; raises ConfigError naming the thing, the key, the
+    value and what is allowed.
+    """
+    try:
+        entries = Catalogue.model_validate(tomllib.loads(text)).thing
+    except tomllib.TOMLDecodeError as error:
+        raise ConfigError("catalogue", f"cannot be parsed: {error}", source) from error
+    except ValidationError as error:
+        problem = error.errors()[0]
+        raise ConfigError(_key(problem["loc"]), explain(problem, Catalogue), source) from error
+    _check_ids(entries, source)
+    things = tuple(_thing(entry) for entry in entries)
+    try:
+        World(things)
+    except ThingError as error:
+        raise ConfigError("thing.inside", str(error), source) from error
+    return things
+
+
+def _check_ids(entries: tuple[ThingEntry, ...], source: str) -> None:
+    known: set[str] = set()
+    for number, entry in enumerate(entries, 1):
+        if entry.id in known:
+            raise ConfigError(
+                f"thing {number}.id",
+                f"is {entry.id!r}, as another thing's; every id is given once",
+                source,
+            )
+        known.add(entry.id)
+    for number, entry in enumerate(entries, 1):
+        if entry.inside and entry.inside not in known:
+            raise ConfigError(
+                f"thing {number}.inside",
+                f"is {entry.inside!r}; allowed: the id of a thing in this file",
+                source,
+            )
+
+
+def _thing(entry: ThingEntry) -> Thing:
+    return Thing(
+        id=entry.id,
+        name=entry.name or entry.id,
+        kind=entry.kind,
+        aliases=entry.aliases,
+        position=entry.position,
+        orientation=None if entry.yaw is None else quaternion_from_euler(0.0, 0.0, entry.yaw),
+        inside=entry.inside,
+        viewpoints=tuple(
+            Viewpoint(v.name, v.position, v.yaw, v.pitch, v.robot) for v in entry.viewpoints
+        ),
+        facts=tuple(entry.facts.items()),
+    )
+
+
+def _key(location: tuple[int | str, ...]) -> str:
+    """Return a key as people count: ("thing", 0, "position", 2) is "thing 1.position 3"."""
+    parts: list[str] = []
+    for part in location:
+        if isinstance(part, int) and parts:
+            parts[-1] += f" {part + 1}"
+        else:
+            parts.append(str(part))
+    return ".".join(parts)

@@ -1,0 +1,1 @@
+"""Experiments with simulated drones: campaigns, gains, identification, the paper's reproduction."""

@@ -1,0 +1,188 @@
+"""Flies chunks on a Dask cluster: workers may come, go and die; the numbers stay the same."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Iterator
+from concurrent.futures import CancelledError
+from contextlib import contextmanager
+from typing import Any
+
+from housefly.errors import LinkError, MissingPartError
+from housefly.lab.campaigns.plan import Chunk, Plan
+from housefly.lab.campaigns.provenance import processor, versions
+from housefly.lab.campaigns.runner import Landed
+from housefly.lab.experiments.cases import Cases
+from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.mission import Mission
+from housefly.lab.experiments.outcomes import Outcomes
+
+try:
+    from distributed import Client, KilledWorker, wait
+    from distributed.core import rpc
+except ImportError as error:
+    raise MissingPartError(
+        "distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'"
+    ) from error
+
+PATIENCE = 5.0
+"""How long the scheduler may take to answer, and the first worker to come [s]."""
+DEAF = 60.0
+"""How long a cluster without any worker is waited for [s]."""
+LOOK = 2.0
+"""How often to look whether the cluster is still there while nothing lands [s]."""
+AHEAD = 4
+"""Chunks handed out for each thread of the cluster."""
+KEPT = "what has landed is kept, run the same again to go on"
+
+
+class ClusterFleet:
+    """The workers of one scheduler; use it as a context manager."""
+
+    def __init__(self, address: str) -> None:
+        """Connect.
+
+        Raises:
+            LinkError: nobody answers there, no worker comes, or a worker has other versions than
+                this machine.
+        """
+        self._address = address
+        for logger in ("distributed", "distributed.client"):
+            logging.getLogger(logger).setLevel(
+                logging.CRITICAL
+            )  # what goes wrong is told by errors, in one line
+        self._client = _connected(address)
+        try:
+            self._check_workers()
+        except BaseException:
+            self.close()
+            raise
+
+    def __enter__(self) -> ClusterFleet:
+        return self
+
+    def __exit__(self, *reason: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Leave the cluster; what is still handed out is taken back."""
+        self._client.close()  # type: ignore[no-untyped-call]
+
+    def foreign_processors(self) -> set[str]:
+        """Return the types of the workers' processors that are not this machine's: their last bits
+        may differ.
+        """
+        return set(self._client.run(processor).values()) - {processor()}
+
+    def fly(
+        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed
+    ) -> Iterator[tuple[Chunk, Outcomes]]:
+        """Hand out chunks, some for every thread of the cluster, and yield each as it lands.
+
+        Raises:
+            LinkError: the scheduler is gone, no worker is left, or chunks kill every worker that
+                takes them.
+        """
+        waiting = list(reversed(chunks))
+        flying: dict[Any, Chunk] = {}
+        while waiting or flying:
+            with self._watching():
+                self._hand_out(plan, waiting, flying)
+                landed = [
+                    (flying.pop(future), future.result()) for future in self._landed(list(flying))
+                ]
+            for chunk, outcomes in landed:
+                on_landed(chunk.drones)
+                yield chunk, outcomes
+
+    def _hand_out(self, plan: Plan, waiting: list[Chunk], flying: dict[Any, Chunk]) -> None:
+        most = AHEAD * max(self._threads(), 1)
+        while waiting and len(flying) < most:
+            chunk = waiting.pop()
+            cases, _ = plan.cases_of(chunk)
+            flying[
+                self._client.submit(
+                    fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False
+                )
+            ] = chunk
+
+    def _landed(self, flying: list[Any]) -> list[Any]:
+        """Return those that have landed, at least one."""
+        alone = 0.0
+        while alone <= DEAF:
+            try:
+                with self._client.as_current():
+                    return list(wait(flying, timeout=LOOK, return_when="FIRST_COMPLETED").done)  # type: ignore[no-untyped-call]
+            except TimeoutError:
+                alone = 0.0 if self._threads() else alone + LOOK
+        raise LinkError(f"no worker at {self._address} for {DEAF:.0f} s; {KEPT}")
+
+    @contextmanager
+    def _watching(self) -> Iterator[None]:
+        try:
+            yield
+        except KilledWorker as error:
+            raise LinkError(
+                f"the workers at {self._address} die of their work ({error}); {KEPT}"
+            ) from error
+        except (
+            CancelledError,
+            OSError,
+        ) as error:  # which of them depends on what the client was about to ask
+            raise LinkError(f"the scheduler at {self._address} is gone; {KEPT}") from error
+
+    def _threads(self) -> int:
+        if self._client.status != "running":
+            raise ConnectionResetError(f"the client is {self._client.status}")
+        return sum(self._client.nthreads().values())  # type: ignore[no-untyped-call]
+
+    def _check_workers(self) -> None:
+        try:
+            self._client.wait_for_workers(1, timeout=PATIENCE)
+        except TimeoutError as error:
+            raise LinkError(
+                f"no worker at {self._address} after {PATIENCE:.0f} s; start one with: dask worker"
+                f" {self._address}"
+            ) from error
+        for worker, theirs in self._client.run(versions, on_error="return").items():
+            if isinstance(theirs, Exception):
+                raise LinkError(
+                    f"the worker {worker} has no housefly {versions()['housefly']} ({theirs})"
+                )
+            _refuse_others(theirs, versions(), worker)
+
+
+def _connected(address: str) -> Client:
+    """Return a client; asks first who answers, because a client that cannot connect may wait for
+    ever and cannot be closed.
+    """
+    try:
+        asyncio.run(_identity(address))
+        return Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
+    except (OSError, ValueError) as error:
+        raise LinkError(
+            f"no scheduler answers at {address}; start one with: dask scheduler"
+        ) from error
+
+
+async def _identity(address: str) -> None:
+    async with asyncio.timeout(PATIENCE), rpc(address, timeout=PATIENCE) as scheduler:  # type: ignore[no-untyped-call]
+        await scheduler.identity()
+
+
+def fly_chunk(cases: Cases, mission: Mission, wanted: dict[str, str]) -> Outcomes:
+    """Fly one chunk on one thread of a worker; raises LinkError when this worker has other versions
+    than wanted.
+    """
+    _refuse_others(versions(), wanted, "one that joined later")
+    return fly_many(cases, mission, threads=1)
+
+
+def _refuse_others(theirs: dict[str, str], ours: dict[str, str], worker: str) -> None:
+    for name, version in ours.items():
+        if theirs.get(name) != version:
+            raise LinkError(
+                f"the worker {worker} has {name} {theirs.get(name)}, this machine {version}: make"
+                " them the same"
+            )

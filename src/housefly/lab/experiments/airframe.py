@@ -1,0 +1,134 @@
+"""The simulated drone of an experiment: reduced-order dynamics, orders that act late, gusts, and
+its own hover.
+"""
+
+from __future__ import annotations
+
+from math import ceil, exp, floor, sqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.lab.experiments.random import State, normal
+from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, exposed
+from housefly.numeric import compiled
+from housefly.pilot.control.model import Beat, Body, Constants, beat_of, hover_tilt, moved
+from housefly.pilot.estimation.horizon import NO_TIME
+
+LONGEST_STEP = 0.0125
+"""Longest step of the dynamics [s]."""
+GUST_TIME = 1.0
+"""Correlation time of gusts [s]."""
+ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in ("theta", "phi", "vz", "yaw_rate")])
+"""What left the pilot's gate; not flying is the drone's own hover."""
+ORDERS = 128
+"""Orders kept: more than half a second at 200 Hz."""
+Orders = NDArray[Any]
+"""Ring of ``ORDERS`` orders."""
+
+
+class Airframe(NamedTuple):
+    """One drone between two ticks of the pilot.
+
+    An order acts a whole number of ticks after it was sent and then some: so every tick has an
+        early part under the older order
+    and a late part under the newer one.
+
+    Attributes:
+        constants: of the drone.
+        lag_ticks: whole ticks of the command delay.
+        early, late: step of each part.
+        early_steps, late_steps: how many.
+        tilt_max: of its own hover [rad].
+        wind_x, wind_y: steady push [m/s^2].
+        gust: one sigma of the push that changes [m/s^2].
+        gust_kept: share of it that is left after a tick.
+    """
+
+    constants: Constants
+    lag_ticks: int
+    early: Beat
+    late: Beat
+    early_steps: int
+    late_steps: int
+    tilt_max: float
+    wind_x: float
+    wind_y: float
+    gust: float
+    gust_kept: float
+
+
+@compiled
+def airframe_of(case: Any) -> Airframe:
+    """Return the drone of one case."""
+    tick = 1.0 / case.rate_hz
+    constants = Constants(case.lag, case.gain, case.drag, case.climb_lag, case.yaw_lag)
+    lag_ticks = floor(case.delay / tick + NO_TIME)
+    early = max(case.delay - lag_ticks * tick, 0.0)
+    early = 0.0 if early < NO_TIME else early
+    late = tick - early
+    early_steps, late_steps = ceil(early / LONGEST_STEP), ceil(late / LONGEST_STEP)
+    return Airframe(
+        constants,
+        lag_ticks,
+        beat_of(constants, early / max(early_steps, 1)),
+        beat_of(constants, late / late_steps),
+        early_steps,
+        late_steps,
+        case.tilt_max,
+        case.wind_x,
+        case.wind_y,
+        case.gust,
+        exp(-tick / GUST_TIME),
+    )
+
+
+@compiled
+def gusted(gust: tuple[float, float], air: Airframe, random: State) -> tuple[float, float]:
+    """Return the push of the gusts one tick later [m/s^2]."""
+    if air.gust <= 0.0:
+        return gust
+    fresh = air.gust * sqrt(1.0 - air.gust_kept * air.gust_kept)
+    return air.gust_kept * gust[0] + fresh * normal(random), air.gust_kept * gust[
+        1
+    ] + fresh * normal(random)
+
+
+@compiled
+def carried_on(
+    body: Body,
+    stream: Stream,
+    tick: int,
+    now: float,
+    air: Airframe,
+    gust: tuple[float, float],
+    orders: Orders,
+    camera: Camera,
+    frames: Frames,
+    random: State,
+) -> tuple[Body, Stream]:
+    """Return drone and tracking stream one tick of the pilot later."""
+    wind = (air.wind_x + gust[0], air.wind_y + gust[1])
+    for step in range(air.early_steps + air.late_steps):
+        is_early = step < air.early_steps
+        beat = air.early if is_early else air.late
+        sent = tick - air.lag_ticks - (1 if is_early else 0)
+        before = body
+        body = _pushed(body, sent, orders, wind, air, beat)
+        stream = exposed(stream, camera, frames, random, before, body, now, beat.dt)
+        now += beat.dt
+    return body, stream
+
+
+@compiled
+def _pushed(
+    body: Body, sent: int, orders: Orders, wind: tuple[float, float], air: Airframe, beat: Beat
+) -> Body:
+    order = orders[sent & (orders.size - 1)]
+    if sent >= 0 and order.flying > 0:
+        return moved(
+            body, order.theta, order.phi, order.vz, order.yaw_rate, wind, air.constants, beat
+        )
+    theta, phi = hover_tilt(body, wind, air.tilt_max)
+    return moved(body, theta, phi, 0.0, 0.0, wind, air.constants, beat)

@@ -1,0 +1,172 @@
+"""From blocks to a drone's constants, or to the words that say why the data cannot tell them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from housefly.config.profile import CONSTANTS, Interval
+from housefly.lab.identification.fit import Fit
+from housefly.lab.identification.pattern import TILTS, Axis
+from housefly.lab.identification.rates import TIME as TIME_CONSTANT
+from housefly.lab.identification.rates import RateFit, fit_climb, fit_turn
+from housefly.lab.identification.samples import Samples
+from housefly.lab.identification.tilt import DELAY, DRAG, GAIN, LAG, TiltFit, fit_tilt
+
+FEWEST = 4
+"""Blocks of each kind without which no interval can be given."""
+FEWEST_FRAMES = 12
+"""Frames in a block without which it counts as not seen."""
+LONGEST_GAP = 0.25
+"""A block with a longer time without a frame counts as not seen [s]."""
+SMALLEST_SHARE = 0.05
+"""A tilt block that asked less than this share of the largest tilt is no excitation."""
+SATURATED = 0.98
+"""A block that asked more than this share of a limit may have been cut."""
+WIDEST: dict[str, float] = {
+    "attitude_gain": 0.15, "attitude_lag": 0.35, "command_delay": 0.03, "drag": 0.35, "climb_lag": 0.5, "yaw_lag": 1.5,
+}  # fmt: skip
+"""Half of an interval above which a constant is not known: a share of the value; for delay seconds,
+for drag 1/s.
+"""
+ABSOLUTE = ("command_delay", "drag")
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the site lets the drone do: tilt [rad], climb [m/s], turn [rad/s]."""
+
+    tilt: float
+    climb: float
+    turn: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Identified:
+    """What a flight says of its drone.
+
+    Attributes:
+        constants: by the keys of ``profile.CONSTANTS``.
+        problems: why some cannot be believed, in words; a profile is written only when there are
+            none.
+        tilt, climb, turn: the fits; None where there was nothing to fit.
+        blocks: that counted.
+    """
+
+    constants: dict[str, Interval]
+    problems: tuple[str, ...]
+    tilt: TiltFit | None
+    climb: RateFit | None
+    turn: RateFit | None
+    blocks: tuple[Samples, ...]
+
+
+def identify(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Identified:
+    """Return the constants with their 95 % intervals, and what is wrong with them."""
+    seen = tuple(
+        block for block in blocks if block.at.size >= FEWEST_FRAMES and block.gap <= LONGEST_GAP
+    )
+    problems = [*_gaps(blocks, seen), *_excitation(seen, limits)]
+    if problems:
+        return Identified({}, tuple(problems), None, None, None, seen)
+    tilt = fit_tilt(tuple(block for block in seen if block.block.axis in TILTS), seed)
+    delay, half = float(tilt.fit.constants[DELAY]), float(tilt.fit.half[DELAY])
+    climb = fit_climb(
+        tuple(block for block in seen if block.block.axis is Axis.CLIMB), delay, half, seed
+    )
+    turn = fit_turn(
+        tuple(block for block in seen if block.block.axis is Axis.TURN), delay, half, seed
+    )
+    constants = {
+        "attitude_gain": _interval(tilt.fit, GAIN),
+        "attitude_lag": _interval(tilt.fit, LAG),
+        "command_delay": _interval(tilt.fit, DELAY),
+        "drag": _interval(tilt.fit, DRAG),
+        "climb_lag": _pole(climb, "climb_lag"),
+        "yaw_lag": _pole(turn, "yaw_lag"),
+    }
+    return Identified(constants, tuple(_doubts(constants, tilt)), tilt, climb, turn, seen)
+
+
+def _interval(fit: Fit, number: int) -> Interval:
+    value, half = float(fit.constants[number]), float(fit.half[number])
+    return Interval(value, value - half, value + half)
+
+
+def _pole(fit: RateFit, key: str) -> Interval:
+    """Return a pole with its interval: one over the time constant and its ends, kept in the range
+    of the constant.
+    """
+    time, known = float(fit.fit.constants[TIME_CONSTANT]), CONSTANTS[key]
+    low, high = 1.0 / (time + fit.half_time), 1.0 / max(time - fit.half_time, 1.0 / known.high)
+    return Interval(min(1.0 / time, known.high), max(low, known.low), high)
+
+
+def _gaps(blocks: tuple[Samples, ...], seen: tuple[Samples, ...]) -> list[str]:
+    found = []
+    for name, axes in (("tilt", TILTS), ("climb", (Axis.CLIMB,)), ("turn", (Axis.TURN,))):
+        flown = [block for block in blocks if block.block.axis in axes]
+        good = [block for block in seen if block.block.axis in axes]
+        if len(good) >= FEWEST:
+            continue
+        lost = len(flown) - len(good)
+        if lost:
+            worst = max(block.gap for block in flown)
+            found.append(
+                f"{lost} of {len(flown)} {name} steps were not seen well enough (longest gap of"
+                f" tracking {worst:.2f} s, allowed {LONGEST_GAP:g} s, at least {FEWEST_FRAMES}"
+                f" frames each): {len(good)} are left, {FEWEST} are needed"
+            )
+        else:
+            found.append(
+                f"{len(good)} {name} steps were flown, {FEWEST} are needed: fly with more --repeats"
+            )
+    return found
+
+
+def _excitation(seen: tuple[Samples, ...], limits: Limits) -> list[str]:
+    found = []
+    bounds = {
+        Axis.PITCH: limits.tilt,
+        Axis.ROLL: limits.tilt,
+        Axis.CLIMB: limits.climb,
+        Axis.TURN: limits.turn,
+    }
+    for axis, bound in bounds.items():
+        largest = [
+            float(np.abs(block.sent[block.sent_at >= 0.0]).max(initial=0.0))
+            for block in seen
+            if block.block.axis is axis
+        ]
+        if largest and min(largest) < SMALLEST_SHARE * bound:
+            found.append(
+                f"{axis.value}: nothing was commanded in a step (no excitation), so nothing can be"
+                " learned from it"
+            )
+        if largest and max(largest) > SATURATED * bound:
+            found.append(
+                f"{axis.value}: the command reached its limit ({bound:g}), so what was asked is not"
+                " what was done"
+            )
+    return found
+
+
+def _doubts(constants: dict[str, Interval], tilt: TiltFit) -> list[str]:
+    found = [
+        f"{key}: the fit ends on its bound ({constants[key].value:.3g}): the drone does not answer"
+        " like the model"
+        for number, key in enumerate(("attitude_gain", "attitude_lag", "command_delay", "drag"))
+        if number in tilt.fit.at_bound and not (key == "drag" and constants[key].value < 0.05)
+    ]
+    for key, interval in constants.items():
+        half = 0.5 * (interval.high - interval.low)
+        allowed = WIDEST[key] * (1.0 if key in ABSOLUTE else interval.value)
+        if half > allowed:
+            known = CONSTANTS[key]
+            unit = "" if known.unit == "1" else f" {known.unit}"
+            found.append(
+                f"{key}: {interval.value:.3g}{unit} is known only to ±{half:.2g} (allowed"
+                f" ±{allowed:.2g}): fly more --repeats, or track faster or with less noise"
+            )
+    return found

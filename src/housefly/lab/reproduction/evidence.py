@@ -1,0 +1,84 @@
+"""Everything that was measured for the tables and the findings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from housefly.config.site import Site
+from housefly.lab.experiments.outcomes import Outcomes
+from housefly.lab.reproduction import edges, streams, trials
+from housefly.lab.reproduction.angular_step import AngularStep
+from housefly.lab.reproduction.edges import Edges, find_edges
+from housefly.lab.reproduction.equations import Equations, examine
+from housefly.lab.reproduction.maps import MapFacts, survey
+from housefly.lab.reproduction.streams import Streams, fly_streams
+from housefly.lab.reproduction.trials import fly_trials
+from housefly.record.summary import Summary
+
+EDGE_SEEDS = 40
+"""Drones for each search of an edge: each gives one edge, so the interval of their mean narrows
+quickly.
+"""
+
+Progress = Callable[[float], None]
+"""Told the share of all flights that have ended, 0 to 1."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """What the findings rest on.
+
+    Attributes:
+        site: whose room, drone and gains.
+        maps: about map and planner.
+        equations: about equations and conditions.
+        streams: the service on every stream.
+        edges: largest stable frequencies.
+        trials: small experiments, by key.
+        services: whole services flown on the twin, from take-off to landing.
+        pitch: a step in pitch on the twin; None when none was flown.
+    """
+
+    site: Site
+    maps: MapFacts
+    equations: Equations
+    streams: Streams
+    edges: Edges
+    trials: Mapping[str, Outcomes]
+    services: tuple[Summary, ...] = ()
+    pitch: AngularStep | None = None
+
+
+def gather(
+    site: Site,
+    seeds: int,
+    on_progress: Progress = lambda share: None,
+    changes: Mapping[str, Mapping[str, Any]] | None = None,
+) -> Evidence:
+    """Survey the map and fly everything that needs no twin.
+
+    Args:
+        site: whose room, drone and gains; its seed draws the drones.
+        seeds: drones for each cell of a table.
+        on_progress: told the share of flights that have ended.
+        changes: columns replaced in single trials, by key.
+    """
+    edge_seeds = min(seeds, EDGE_SEEDS)
+    total = streams.flights(seeds) + edges.flights(edge_seeds) + trials.flights(seeds)
+    ended = 0
+
+    def landed(more: int) -> None:
+        nonlocal ended
+        ended += more
+        on_progress(ended / total)
+
+    return Evidence(
+        site=site,
+        maps=survey(site),
+        equations=examine(site),
+        streams=fly_streams(site, seeds, landed),
+        edges=find_edges(site, edge_seeds, landed),
+        trials=fly_trials(site, seeds, landed, changes),
+    )

@@ -1,0 +1,198 @@
+"""What the paper says about its map and its planner, measured on the site's own room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import dijkstra
+
+from housefly.config.site import Site, changed
+from housefly.geometry import Vec2, distance
+from housefly.lab.reproduction.routes import Premises, premises, service_path
+from housefly.pilot.planning.dijkstra import UNREACHED, Free, distances
+from housefly.pilot.planning.planner import path_clearance, path_length, plan
+from housefly.room.distance import half_diagonal
+from housefly.room.grid import Cell, build_grid
+from housefly.room.model import Room, Shape, Solid
+
+BOX = 0.3
+"""Edge of the unexpected obstacle, which reaches from the floor to the ceiling [m]."""
+SPACING = 0.25
+"""Between the places on the way where it is put, one after another [m]."""
+MAX_HALF_BAND = 1.0
+"""Most that a site may count below and above the flight height [m]."""
+ENDS = 1.0
+"""No box stands nearer to either end of the way than this [m]: there neither map can help."""
+
+
+@dataclass(frozen=True, slots=True)
+class MapFacts:
+    """Numbers about map and planner.
+
+    Attributes:
+        cells: of the grid of mode paper, along x and y.
+        free: cells that are free at the flight height, without virtual obstacles.
+        free_at_every_height: those of them that are free from the floor to twice the flight height.
+        resolution: edge of a cell [m].
+        hull: length and width [m].
+        half_diagonal: of the hull [m].
+        pairs: pairs of free cells whose distance was compared with an independent Dijkstra's.
+        wrong: how many of them differ.
+        detour: length over four moves divided by that of the straightened way; mean over the room's
+            places.
+        bare_clearance: smallest gap between hull and obstacles on the ways to all places, hull
+            turned its worst way, without virtual obstacles [m]; negative: it touches.
+        clearance: the same with those of the site file [m].
+        drawn: number of virtual obstacles.
+        legs: legs of the service's way.
+        legs_along_y: how many of them are neither towards +x nor -x.
+        boxes: unexpected boxes put on the way, one after another.
+        hit_static: how many the way planned before touches.
+        hit_updated: how many the way planned on the updated map touches; where there is no way, the
+            planner says so.
+    """
+
+    cells: tuple[int, int]
+    free: int
+    free_at_every_height: int
+    resolution: float
+    hull: Vec2
+    half_diagonal: float
+    pairs: int
+    wrong: int
+    detour: float
+    bare_clearance: float
+    clearance: float
+    drawn: int
+    legs: int
+    legs_along_y: int
+    boxes: int
+    hit_static: int
+    hit_updated: int
+
+
+def survey(site: Site) -> MapFacts:
+    """Return the facts about the site's room."""
+    paper, default = premises(site, "paper"), premises(site, "default")
+    free: Free = paper.grid.cells == Cell.FREE
+    pairs, wrong = compared(free, free)
+    way = service_path(paper).waypoints
+    boxes, hit_static, hit_updated = unexpected(default)
+    bare = _without_virtual_obstacles(paper)
+    hull = paper.site.drone
+    return MapFacts(
+        cells=paper.grid.shape,
+        free=int((bare.grid.cells == Cell.FREE).sum()),
+        free_at_every_height=_free_at_every_height(bare),
+        resolution=paper.grid.resolution,
+        hull=(hull.hull_length, hull.hull_width),
+        half_diagonal=half_diagonal(hull.hull_length, hull.hull_width),
+        pairs=pairs,
+        wrong=wrong,
+        detour=_detour(paper),
+        bare_clearance=_gap(bare),
+        clearance=_gap(paper),
+        drawn=len(paper.site.map.paper_virtual_obstacles),
+        legs=len(way) - 1,
+        legs_along_y=sum(abs(b[0] - a[0]) < 1e-6 for a, b in pairwise(way)),
+        boxes=boxes,
+        hit_static=hit_static,
+        hit_updated=hit_updated,
+    )
+
+
+def compared(free: Free, believed: Free) -> tuple[int, int]:
+    """Return how many pairs of free cells were compared, and in how many our distance is not that
+    of scipy's Dijkstra.
+
+    Args:
+        free: the grid that scipy sees, shape (nx, ny).
+        believed: the grid that our planner sees; the same but for tests.
+    """
+    index = np.full(free.shape, -1)
+    index[free] = np.arange(free.sum())
+    along_x = np.stack([index[:-1], index[1:]], axis=-1).reshape(-1, 2)
+    along_y = np.stack([index[:, :-1], index[:, 1:]], axis=-1).reshape(-1, 2)
+    edges = np.concatenate([along_x, along_y])
+    edges = edges[(edges >= 0).all(axis=1)]
+    size = int(free.sum())
+    graph = csr_matrix((np.ones(len(edges)), (edges[:, 0], edges[:, 1])), shape=(size, size))
+    theirs = dijkstra(graph, directed=False)
+    ours = np.array(
+        [distances(believed, (int(ix), int(iy)))[free] for ix, iy in np.argwhere(free)], dtype=float
+    )
+    ours[ours == UNREACHED] = np.inf
+    return size * size, int((ours != theirs).sum())
+
+
+def unexpected(here: Premises) -> tuple[int, int, int]:
+    """Put a box on the planned way, at one place after another; return boxes, hits of the old way,
+    hits of a new one.
+    """
+    before = service_path(here).waypoints
+    spots = [
+        spot
+        for spot in _along(before, SPACING)
+        if min(distance(spot, before[0]), distance(spot, before[-1])) >= ENDS
+    ]
+    hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
+    static = updated = 0
+    for spot in spots:
+        grid = build_grid(_with_box(here.room, spot), here.site)
+        answer = plan(grid, before[0], before[-1], here.site.limits.speed, shortcut=True)
+        static += path_clearance(grid, before) < hull
+        updated += answer.path is not None and answer.path.clearance < hull
+    return len(spots), static, updated
+
+
+def _with_box(room: Room, spot: Vec2) -> Room:
+    box = Solid(
+        "unexpected", "unexpected", Shape.BOX, (*spot, 0.5 * room.height), (BOX, BOX, room.height)
+    )
+    return replace(room, solids=(*room.solids, box))
+
+
+def _detour(paper: Premises) -> float:
+    """Return the mean over all places of the way by four moves over the straightened way on the
+    same grid.
+    """
+    ratios = []
+    for place in paper.room.places:
+        if distance(place.viewpoint, paper.room.home) < paper.grid.resolution:
+            continue
+        steps = service_path(paper, place.name).waypoints
+        straight = plan(paper.grid, steps[0], steps[-1], paper.site.limits.speed, shortcut=True)
+        assert straight.path is not None, "the same grid and ends had a way a moment ago"
+        ratios.append(path_length(steps) / straight.path.length)
+    return float(np.mean(ratios))
+
+
+def _without_virtual_obstacles(here: Premises) -> Premises:
+    bare = changed(here.site, map__paper_virtual_obstacles=())
+    return Premises(bare, here.room, build_grid(here.room, bare))
+
+
+def _free_at_every_height(here: Premises) -> int:
+    whole = changed(here.site, map__half_band=min(MAX_HALF_BAND, here.site.map.flight_height))
+    free = (here.grid.cells == Cell.FREE) & (build_grid(here.room, whole).cells == Cell.FREE)
+    return int(free.sum())
+
+
+def _gap(here: Premises) -> float:
+    """Return the smallest clearance of the ways from home to all places, less half the hull's
+    diagonal [m].
+    """
+    ways = (service_path(here, place.name) for place in here.room.places)
+    hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
+    return min(way.clearance for way in ways) - hull
+
+
+def _along(waypoints: tuple[Vec2, ...], spacing: float) -> list[Vec2]:
+    """Return points on a polyline, ``spacing`` apart [m]."""
+    marks = np.concatenate(([0.0], np.cumsum([distance(a, b) for a, b in pairwise(waypoints)])))
+    wanted = np.arange(0.0, marks[-1], spacing)
+    xs, ys = (np.interp(wanted, marks, column) for column in np.array(waypoints).T)
+    return [(float(x), float(y)) for x, y in zip(xs, ys, strict=True)]

@@ -1,0 +1,167 @@
+"""``reproduction.html``: each figure beside what the paper says there, the verdicts, and the tables
+that the paper lacks.
+"""
+
+from __future__ import annotations
+
+import base64
+import html
+from dataclasses import dataclass
+from pathlib import Path
+
+from housefly.lab.reproduction.exhibit import Exhibit, Finding, Table, Verdict
+from housefly.record.report_style import STYLE
+
+MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "?"}
+CLASSES = {
+    Verdict.HOLDS: "holds",
+    Verdict.CONDITION: "condition",
+    Verdict.FAILS: "fails",
+    Verdict.NOT_TESTABLE: "none",
+}
+OWN_STYLE = """
+.verdict{display:inline-block;white-space:nowrap;font-weight:600}
+.verdict span{display:inline-block;width:1.3em;text-align:center}
+.holds{color:var(--good,#1b7f4b)} .fails{color:var(--bad,#b3392f)} .condition{color:#9a6700} .none{color:var(--muted)}
+@media (prefers-color-scheme:dark){.holds{color:#57c08a}.fails{color:#f0857b}.condition{color:#e3b341}}
+figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6px}
+.beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);gap:1.2rem;align-items:start}
+@media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
+.said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
+.finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
+.claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 14rem minmax(0,1.8fr);gap:.2rem 1rem;
+padding:.55rem 0;border-bottom:1px solid var(--line)}
+@media (max-width:820px){.claim{grid-template-columns:minmax(0,1fr)}}
+.says{color:var(--ink)} dl dd{font-size:15px} dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}
+.small{color:var(--muted);font-size:.9em}
+.count{display:flex;flex-wrap:wrap;gap:.4rem 1.4rem;margin:.6rem 0}
+.wide{overflow-x:auto} .wide table{font-variant-numeric:tabular-nums} .wide td,.wide th{white-space:nowrap}
+code{overflow-wrap:anywhere}
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """How the page was made: lines of a name and words."""
+
+    lines: tuple[tuple[str, str], ...]
+
+
+def write_page(
+    folder: Path,
+    exhibits: tuple[Exhibit, ...],
+    tables: tuple[Table, ...],
+    findings: tuple[Finding, ...],
+    made: Made,
+) -> Path:
+    """Write the page into the folder of the figures and return it; pictures are inside the page."""
+    parts = [
+        _head(findings, made),
+        *(_exhibit(folder, exhibit, findings) for exhibit in exhibits),
+        _claims(findings),
+        *(_table(number, table) for number, table in enumerate(tables, 1)),
+    ]
+    body = "\n".join(parts)
+    path = folder / "reproduction.html"
+    path.write_text(
+        f"""<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>The paper, made again</title>
+<style>{STYLE}{OWN_STYLE}</style>
+</head>
+<body>
+<main>
+{body}
+</main>
+</body>
+</html>
+""",
+        encoding="utf-8",
+    )
+    return path
+
+
+def _head(findings: tuple[Finding, ...], made: Made) -> str:
+    counts = "".join(
+        f"<div>{_verdict(verdict)} {sum(f.verdict is verdict for f in findings)}</div>"
+        for verdict in Verdict
+    )
+    lines = "".join(
+        f"<div><dt>{_text(name)}</dt><dd>{_text(words)}</dd></div>" for name, words in made.lines
+    )
+    return (
+        "<header><h1>The paper, made again</h1>"
+        "<p>Every figure of <em>Control Architecture for Service Drone in Informationally"
+        " Structured Environment</em> (Ghallabi, "
+        "Kawamura, Pyo, Tsuji, Kurazume), the numbers that it lacks, and what became of each of its"
+        " claims. All flights are "
+        "simulated: the drone is a twin, on its real wires or on a stepped clock.</p>"
+        f'<div class="count">{counts}</div><dl>{lines}</dl></header>'
+    )
+
+
+def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[Finding, ...]) -> str:
+    picture = base64.b64encode((folder / f"{exhibit.stem}.png").read_bytes()).decode()
+    own = "".join(_finding(finding) for finding in findings if exhibit.number in finding.figures)
+    number = (
+        f"Fig. {exhibit.number}"
+        if exhibit.number.isdigit()
+        else f"Figure {exhibit.number}, not in the paper"
+    )
+    return (
+        f'<section id="fig{exhibit.number}"><h2>{number}: {_text(exhibit.title)}</h2><div'
+        f' class="beside"><figure><img src="data:image/png;base64,{picture}"'
+        f' alt="{_text(exhibit.title)}"><figcaption>{_text(exhibit.caption)} <a'
+        f' href="{exhibit.stem}.png">PNG</a> <a'
+        f' href="{exhibit.stem}.svg">SVG</a></figcaption></figure><div><p class="said"><span'
+        f' class="small">In the paper:</span> {_text(exhibit.paper)}</p>{own}</div></div></section>'
+    )
+
+
+def _finding(finding: Finding) -> str:
+    return (
+        f'<div class="finding">{_verdict(finding.verdict)} <span'
+        f' class="small">{_text(finding.section)}</span><p'
+        f' class="says">{_text(finding.claim)}</p><p'
+        f' class="small">{_text(finding.evidence)}</p></div>'
+    )
+
+
+def _claims(findings: tuple[Finding, ...]) -> str:
+    rows = "".join(
+        '<div class="claim"><span'
+        f' class="small">{_text(f.section)}</span><span>{_text(f.claim)}</span>{_verdict(f.verdict)}<span'
+        f' class="small">{_text(f.evidence)}</span></div>'
+        for f in findings
+    )
+    return (
+        "<section><h2>Every claim</h2><p>The claims are in our words, in the order of the paper;"
+        f" each number was computed in this run.</p>{rows}</section>"
+    )
+
+
+def _table(number: int, table: Table) -> str:
+    head = "".join(f"<th>{_text(heading)}</th>" for heading in table.headings)
+    rows = "".join(
+        "<tr>" + "".join(f"<td>{_text(cell)}</td>" for cell in row) + "</tr>" for row in table.rows
+    )
+    return (
+        f"<section><h2>Table {number}: {_text(table.title)}</h2><div"
+        f' class="wide"><table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div><p'
+        f' class="small">{_text(table.note)}</p></section>'
+    )
+
+
+def _verdict(verdict: Verdict) -> str:
+    return (
+        f'<span class="verdict {CLASSES[verdict]}"><span aria-hidden="true">{MARKS[verdict]}</span>'
+        f" {verdict.value}</span>"
+    )
+
+
+def _text(value: str) -> str:
+    return html.escape(value)

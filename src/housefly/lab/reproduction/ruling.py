@@ -1,0 +1,63 @@
+"""A claim of the paper, and how the evidence rules on it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import isfinite
+from typing import NamedTuple
+
+from housefly.lab.experiments.intervals import Estimate
+from housefly.lab.reproduction.evidence import Evidence
+from housefly.lab.reproduction.exhibit import Finding, Verdict
+
+
+class Ruling(NamedTuple):
+    """A verdict and the numbers behind it."""
+
+    verdict: Verdict
+    evidence: str
+
+
+class Claim(NamedTuple):
+    """One sentence of the paper.
+
+    Attributes:
+        key: short name.
+        section: of the paper.
+        says: the sentence in other words.
+        judge: rules on the evidence.
+        figures: numbers of the figures that it belongs to.
+    """
+
+    key: str
+    section: str
+    says: str
+    judge: Callable[[Evidence], Ruling]
+    figures: tuple[str, ...] = ()
+
+
+def found(claim: Claim, evidence: Evidence) -> Finding:
+    """Return the finding on a claim."""
+    verdict, text = claim.judge(evidence)
+    return Finding(claim.key, claim.section, claim.says, verdict, text, claim.figures)
+
+
+def untestable(reason: str) -> Callable[[Evidence], Ruling]:
+    """Return a judge that says why a claim cannot be tested here."""
+    return lambda evidence: Ruling(Verdict.NOT_TESTABLE, reason)
+
+
+def percent(share: float) -> str:
+    """Return a share in words."""
+    return f"{100 * share:.0f} %"
+
+
+def percents(share: Estimate) -> str:
+    """Return a share with its interval in words."""
+    return f"{percent(share.value)} ({100 * share.low:.0f} to {100 * share.high:.0f})"
+
+
+def centimetres(length: Estimate) -> str:
+    """Return a mean length [m] with half its interval, in cm."""
+    half = f" ± {100 * length.half:.1f}" if isfinite(length.half) else ""
+    return f"{100 * length.value:.1f}{half} cm"

@@ -1,0 +1,225 @@
+"""The tables that the paper lacks: one question a table, every number with its 95 % interval over
+drones.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+
+from housefly.config.site import Mode
+from housefly.lab.experiments.intervals import Estimate, mean, share
+from housefly.lab.experiments.outcomes import Outcomes
+from housefly.lab.reproduction.edges import ESTIMATORS
+from housefly.lab.reproduction.evidence import Evidence
+from housefly.lab.reproduction.exhibit import Table
+from housefly.lab.reproduction.streams import (
+    FREQUENCIES,
+    LATENCIES,
+    LOSSES,
+    OWN_FREQUENCY,
+    RATES,
+    TYPICAL_LATENCY,
+    TYPICAL_LOSS,
+    TYPICAL_RATE,
+)
+
+ORDER: tuple[Mode, Mode] = ("paper", "default")
+ENOUGH = 0.5
+"""Errors are those of the flights that stayed stable; where a smaller share did, they would say
+nothing.
+"""
+NONE = "-"
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """One measure of the service.
+
+    Attributes:
+        title: of its table.
+        measure: column of the outcomes.
+        heading: with the unit, for tables of several measures.
+        scale: shown over SI.
+        digits: behind the point.
+    """
+
+    title: str
+    measure: str
+    heading: str
+    scale: float = 1.0
+    digits: int = 2
+
+
+STABLE = Question("How many flights stay stable? [%]", "stable", "stable [%]", 100.0, 0)
+QUESTIONS: tuple[Question, ...] = (
+    STABLE,
+    Question(
+        "How far from the planned path? Root mean square [cm]", "rms_error", "RMS [cm]", 100.0, 1
+    ),
+    Question("How far from the planned path at worst? [cm]", "max_error", "max. [cm]", 100.0, 1),
+    Question("How far from the goal at the end? [cm]", "arrival_error", "arrival [cm]", 100.0, 1),
+    Question("How far past the goal? [cm]", "overshoot", "overshoot [cm]", 100.0, 1),
+    Question("How long until it is there for good? [s]", "arrival_time", "time [s]", 1.0, 1),
+    Question(
+        "How often does the acceptor change its state? [1/s]",
+        "switches_per_s",
+        "switches [1/s]",
+        1.0,
+        2,
+    ),
+)
+
+
+def tables(evidence: Evidence) -> tuple[Table, ...]:
+    """Return all tables: by stream, by gains, by gains on the worst stream, and the edges by
+    estimator.
+    """
+    return (
+        *(_by_stream(evidence, question) for question in QUESTIONS),
+        _by_gains(evidence),
+        _stable_by_gains(evidence),
+        _edges(evidence),
+    )
+
+
+def _by_stream(evidence: Evidence, question: Question) -> Table:
+    streams = list(product(LOSSES, LATENCIES))
+    rows = []
+    for mode, rate in product(ORDER, RATES):
+        cells = (
+            _cell(
+                evidence.streams.where(
+                    mode=mode, mocap_rate_hz=rate, mocap_latency=latency, mocap_dropout=loss
+                ),
+                question,
+            )
+            for loss, latency in streams
+        )
+        rows.append((mode, f"{rate:.0f}", *cells))
+    headings = ("mode", "frames/s", *(_stream_name(latency, loss) for loss, latency in streams))
+    return Table(question.title, headings, tuple(rows), _note(evidence))
+
+
+def _by_gains(evidence: Evidence) -> Table:
+    rows = []
+    for mode, frequency in product(ORDER, FREQUENCIES):
+        outcomes = _at_gains(evidence, mode, frequency, TYPICAL_RATE, TYPICAL_LATENCY, TYPICAL_LOSS)
+        rows.append(
+            (mode, *_gains_cells(frequency), *(_cell(outcomes, question) for question in QUESTIONS))
+        )
+    headings = (
+        "mode",
+        "omega [rad/s]",
+        "alpha [1/s]",
+        "beta [1/s^2]",
+        *(question.heading for question in QUESTIONS),
+    )
+    stream = f"{TYPICAL_RATE:.0f} frames/s, {1000 * TYPICAL_LATENCY:.0f} ms late"
+    note = (
+        f"Tracking at {stream}. alpha = 2 omega, beta = omega^2: critically damped; {OWN_FREQUENCY}"
+        " rad/s is the site's own. "
+    )
+    return Table(
+        "What do cautious and stiff gains give?", headings, tuple(rows), note + _note(evidence)
+    )
+
+
+def _stable_by_gains(evidence: Evidence) -> Table:
+    latency, loss = LATENCIES[-1], LOSSES[-1]
+    rows = []
+    for mode, frequency in product(ORDER, FREQUENCIES):
+        cells = (
+            _cell(_at_gains(evidence, mode, frequency, rate, latency, loss), STABLE)
+            for rate in RATES
+        )
+        rows.append((mode, *_gains_cells(frequency), *cells))
+    headings = (
+        "mode",
+        "omega [rad/s]",
+        "alpha [1/s]",
+        "beta [1/s^2]",
+        *(f"{rate:.0f} frames/s" for rate in RATES),
+    )
+    title = (
+        f"How stiff may the gains be where tracking is worst ({_stream_name(latency, loss)})?"
+        " Flights that stay stable [%]"
+    )
+    return Table(title, headings, tuple(rows), _note(evidence))
+
+
+def _edges(evidence: Evidence) -> Table:
+    rows = tuple(
+        (
+            name,
+            f"{1000 * latency:.0f}",
+            *(_number(mean(evidence.edges.of(estimator, rate, latency)), 1.0, 1) for rate in RATES),
+        )
+        for (estimator, name), latency in product(ESTIMATORS.items(), LATENCIES)
+    )
+    note = (
+        "Law (20)-(21), a step of one cell, no frame lost; mean over"
+        f" {evidence.edges.values.shape[-1]} drones ± half of its 95 % interval (Student). The"
+        " command delay of the drone comes on top of the latency."
+    )
+    headings = ("estimator", "latency [ms]", *(f"{rate:.0f} frames/s" for rate in RATES))
+    return Table(
+        "Largest natural frequency at which the position loop does not ring [rad/s]",
+        headings,
+        rows,
+        note,
+    )
+
+
+def _at_gains(
+    evidence: Evidence, mode: Mode, frequency: float, rate: float, latency: float, loss: float
+) -> Outcomes:
+    return evidence.streams.where(
+        mode=mode,
+        frequency=frequency,
+        mocap_rate_hz=rate,
+        mocap_latency=latency,
+        mocap_dropout=loss,
+    )
+
+
+def _gains_cells(frequency: float) -> tuple[str, str, str]:
+    return f"{frequency:.1f}", f"{2 * frequency:.1f}", f"{frequency**2:.2f}"
+
+
+def _cell(outcomes: Outcomes, question: Question) -> str:
+    stable = outcomes["stable"] == 1.0
+    if question is STABLE:
+        part = share(stable)
+        return f"{100 * part.value:.0f} ({100 * part.low:.0f}-{100 * part.high:.0f})"
+    if stable.mean() < ENOUGH:
+        return NONE
+    return _number(mean(outcomes[question.measure][stable]), question.scale, question.digits)
+
+
+def _number(estimate: Estimate, scale: float, digits: int) -> str:
+    if not np.isfinite(estimate.value):
+        return NONE
+    middle = f"{scale * estimate.value:.{digits}f}"
+    return (
+        f"{middle} ± {scale * estimate.half:.{digits}f}" if np.isfinite(estimate.half) else middle
+    )
+
+
+def _stream_name(latency: float, loss: float) -> str:
+    late = f"{1000 * latency:.0f} ms late"
+    return f"{late}, {100 * loss:.0f} % lost" if loss else late
+
+
+def _note(evidence: Evidence) -> str:
+    seeds = evidence.streams.where(
+        mode=ORDER[0], mocap_rate_hz=RATES[0], mocap_latency=LATENCIES[0], mocap_dropout=LOSSES[0]
+    ).size
+    return (
+        f"The service's outbound way; {seeds} drones with constants drawn around the identified"
+        " ones, the same in every cell. Shares with Wilson's 95 % interval; means ± half of"
+        f" Student's. Errors are of the flights that stayed stable ({NONE}: less than half did, or"
+        " none arrived)."
+    )

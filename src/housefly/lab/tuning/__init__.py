@@ -1,0 +1,3 @@
+"""Gains, filter and margins for one drone and one tracking system (paper V-C: "simulations are
+running to pick out ...").
+"""

@@ -1,0 +1,229 @@
+"""Gains and filter for one drone and one tracking system: the fastest that keep their distance from
+the edge.
+
+The paper says that "simulations are running to pick out acceptable coefficients" (V-C) and gives
+none. Here the rule is said: critically damped, as fast as the promises below allow, also for a
+drone whose lag was identified wrongly.
+"""
+
+from __future__ import annotations
+
+from cmath import exp
+from dataclasses import dataclass, replace
+from math import degrees, radians, sqrt, tan
+
+from housefly.geometry import GRAVITY
+from housefly.lab.tuning.loop import Loop
+from housefly.lab.tuning.margins import Margins, is_stable, margins_of
+from housefly.lab.tuning.noise import position_error
+from housefly.lab.tuning.rate_loop import RateLoop, rate_loop
+
+FREQUENCIES = tuple(round(0.3 + 0.05 * step, 2) for step in range(55))
+"""Natural frequencies tried [rad/s]. The highest is 3: beyond it the attitude is no first-order lag
+any more.
+"""
+DAMPING = 1.0
+GAIN, PHASE, DELAY = 2.0, radians(30.0), 0.05
+"""Promises with the drone as identified: margins of gain, phase [rad] and delay [s]; delay also at
+least one frame.
+
+A Nyquist curve that keeps a distance of one half from -1 has at least these margins of gain and
+phase.
+"""
+WRONG_LAGS = (0.7, 1.4)
+"""Shares of the believed lambda that the true one may have."""
+WRONG_GAIN, WRONG_PHASE = 1.5, radians(20.0)
+"""Promises that remain then."""
+SMALLEST_NOISE = 0.0005
+"""No tracking is better than this [m]."""
+ACCELERATION_NOISES = (0.1, 0.2, 0.4, 0.8, 1.6)
+"""Values of Q tried, one sigma [m/s^2]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What gains are wanted for; SI.
+
+    Attributes:
+        loop: drone, tracking and rates; its gains and noises do not count.
+        climb_lag: pole of the climb rate [1/s].
+        yaw_lag: pole of the yaw rate [1/s].
+        noise: one sigma of a tracked coordinate [m].
+        step: largest jump of the reference [m].
+        tilt_max: largest pitch or roll [rad].
+    """
+
+    loop: Loop
+    climb_lag: float = 1.4
+    yaw_lag: float = 25.0
+    noise: float = 0.001
+    step: float = 0.5
+    tilt_max: float = 0.21
+
+
+@dataclass(frozen=True, slots=True)
+class Judgement:
+    """What is to be said of a pair (alpha, beta).
+
+    Attributes:
+        loop: the pair with everything else.
+        margins: with the drone as identified.
+        wrong_lag: by share of the believed lambda.
+        error: predicted position error in noise and gusts, one sigma [m].
+        objections: what is wrong, in words; empty when every promise is kept.
+    """
+
+    loop: Loop
+    margins: Margins
+    wrong_lag: tuple[tuple[float, Margins], ...]
+    error: float
+    objections: tuple[str, ...]
+
+    @property
+    def frequency(self) -> float:
+        """Natural frequency [rad/s]."""
+        return sqrt(self.loop.beta)
+
+    @property
+    def damping(self) -> float:
+        """Damping ratio."""
+        return self.loop.alpha / (2.0 * self.frequency)
+
+
+@dataclass(frozen=True, slots=True)
+class Advice:
+    """What is recommended.
+
+    Attributes:
+        judgement: of alpha and beta with the filter's Q and R.
+        yaw: K1 with its margins.
+        height: K2 with its margins.
+    """
+
+    judgement: Judgement
+    yaw: RateLoop
+    height: RateLoop
+
+
+def stiffness_bound(question: Question) -> float:
+    """Return the largest beta [1/s^2] with which the step in use saturates nothing: beta step = g
+    tan(theta_max).
+    """
+    return GRAVITY * tan(question.tilt_max) / question.step
+
+
+def routh_objection(alpha: float, beta: float, lag: float) -> str:
+    """Return why no tracking can make a pair stable, or "": s^3 + lambda s^2 + lambda alpha s +
+    lambda beta (Routh).
+    """
+    if alpha <= 0.0 or beta <= 0.0:
+        return f"alpha ({alpha:g} 1/s) and beta ({beta:g} 1/s^2) must be positive"
+    if beta >= lag * alpha:
+        return (
+            f"beta ({beta:g} 1/s^2) is not below lambda * alpha ({lag * alpha:g} 1/s^2): with the"
+            " attitude lag the loop is unstable however good the tracking"
+        )
+    return ""
+
+
+def judge(question: Question, alpha: float, beta: float) -> Judgement:
+    """Return margins and objections of a pair."""
+    loop = replace(question.loop, alpha=alpha, beta=beta)
+    margins = margins_of(loop)
+    wrong = tuple((share, margins_of(_with_lag(loop, share))) for share in WRONG_LAGS)
+    objections = [
+        *filter(None, [routh_objection(alpha, beta, loop.lag)]),
+        *_objections(question, loop, margins, wrong),
+    ]
+    error = position_error(loop, question.noise) if is_stable(loop) else float("inf")
+    return Judgement(loop, margins, wrong, error, tuple(objections))
+
+
+def advise(question: Question) -> Advice | None:
+    """Return the recommendation, or None when even the slowest pair keeps not every promise.
+
+    A small Q trusts the model and filters noise well, but costs phase; so for each Q the fastest
+    pair is found, and the one of them with the least error in noise and gusts is it.
+    """
+    position_noise = max(question.noise, SMALLEST_NOISE)
+    found = []
+    for noise in ACCELERATION_NOISES:
+        loop = replace(question.loop, position_noise=position_noise, acceleration_noise=noise)
+        fastest = _fastest(replace(question, loop=loop))
+        if fastest is not None:
+            found.append(fastest)
+    if not found:
+        return None
+    best = min(found, key=lambda loop: position_error(loop, question.noise))
+    delay = best.delay + best.latency + 0.5 / best.rate_hz + 0.5 / best.tracking_hz
+    judged = judge(replace(question, loop=best), best.alpha, best.beta)
+    return Advice(judged, rate_loop(question.yaw_lag, delay), rate_loop(question.climb_lag, delay))
+
+
+def _fastest(question: Question) -> Loop | None:
+    """Return the fastest loop that keeps the promises, by bisection: slower is always safer."""
+    keeping: Loop | None = None
+    low, high = 0, len(FREQUENCIES)
+    while low < high:
+        middle = (low + high) // 2
+        frequency = FREQUENCIES[middle]
+        loop = replace(question.loop, alpha=2.0 * DAMPING * frequency, beta=frequency**2)
+        if _keeps(question, loop):
+            keeping, low = loop, middle + 1
+        else:
+            high = middle
+    return keeping
+
+
+def _keeps(question: Question, loop: Loop) -> bool:
+    """Return whether a loop keeps every promise, each looked at where it is given."""
+    if loop.beta > stiffness_bound(question) or not is_stable(loop):
+        return False
+    known = loop.delay if loop.model_delay is None else loop.model_delay
+    later = replace(loop, delay=loop.delay + max(DELAY, 1.0 / loop.tracking_hz), model_delay=known)
+    wrong = (_with_lag(loop, share) for share in WRONG_LAGS)
+    return (
+        is_stable(later)
+        and _has(loop, GAIN, PHASE)
+        and all(is_stable(other) and _has(other, WRONG_GAIN, WRONG_PHASE) for other in wrong)
+    )
+
+
+def _has(loop: Loop, gain: float, phase: float) -> bool:
+    return is_stable(replace(loop, factor=gain)) and is_stable(
+        replace(loop, factor=exp(-1j * phase))
+    )
+
+
+def _with_lag(loop: Loop, share: float) -> Loop:
+    believed = loop.lag if loop.model_lag is None else loop.model_lag
+    return replace(loop, lag=believed * share, model_lag=believed)
+
+
+def _objections(
+    question: Question, loop: Loop, margins: Margins, wrong: tuple[tuple[float, Margins], ...]
+) -> list[str]:
+    frame = 1.0 / loop.tracking_hz
+    delay = max(DELAY, frame)
+    bound = stiffness_bound(question)
+    found = []
+    if margins.gain < GAIN:
+        found.append(f"gain margin {margins.gain:.2f} is below {GAIN:g}")
+    if margins.phase < PHASE:
+        found.append(
+            f"phase margin {degrees(margins.phase):.0f} deg is below {degrees(PHASE):.0f} deg"
+        )
+    if margins.delay < delay:
+        found.append(f"delay margin {1000 * margins.delay:.0f} ms is below {1000 * delay:.0f} ms")
+    for share, at in wrong:
+        if at.gain < WRONG_GAIN or at.phase < WRONG_PHASE:
+            found.append(
+                f"with lambda {100 * share - 100:+.0f} % gain margin {at.gain:.2f} or phase margin"
+                f" {degrees(at.phase):.0f} deg is below {WRONG_GAIN:g} or"
+                f" {degrees(WRONG_PHASE):.0f} deg"
+            )
+    if loop.beta > bound:
+        found.append(
+            f"a step of {question.step:g} m saturates the tilt: beta is above {bound:.2f} 1/s^2"
+        )
+    return found

@@ -1,0 +1,215 @@
+"""One horizontal axis of the closed loop, sampled as it really is, as a linear map over one common
+period.
+
+Control ticks, tracking frames, latency, command delay, attitude lag, drag, zero-order hold and the
+mode's own Kalman filter at its periodic steady state are all in it; saturation and the acceptor are
+not. Every quantity is a row of coefficients on the state at the start of the period, so that
+running the period once gives its matrix exactly. The loop is stable where all eigenvalues of that
+matrix lie inside the unit circle.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil, floor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.errors import ConfigError
+from housefly.lab.tuning.observers import Observer, Timing, observer_of
+from housefly.lab.tuning.plant import moved
+
+Rows = NDArray[np.complex128]
+"""Quantities as coefficients, shape (quantities, state and noises)."""
+TICKS_MAX = 400
+"""Most control ticks in a common period; rates that have no shorter one are rounded by less than
+half a percent.
+"""
+SHORTEST_PERIOD = 0.02
+"""The common period is repeated until it is this long [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """Everything that the position loop of one axis depends on; SI.
+
+    Attributes:
+        alpha: damping gain [1/s].
+        beta: stiffness gain [1/s^2].
+        lag: lambda of the drone [1/s].
+        delay: from command to first reaction [s].
+        drag: over mass [1/s].
+        tracking_hz: frames per second.
+        latency: from exposure to arrival [s].
+        rate_hz: control ticks per second.
+        paper: whether the paper's filter estimates.
+        factor: what the drone does over what it is asked: real for gain, on the unit circle for
+            phase.
+        model_lag: lambda that the filter believes [1/s]; None: the drone's.
+        model_delay: delay that the filter believes [s]; None: the drone's.
+        acceleration_noise: Q, one sigma [m/s^2].
+        position_noise: R, one sigma [m].
+        phase: when frames are taken, as a share of their interval after a tick.
+    """
+
+    alpha: float
+    beta: float
+    lag: float
+    delay: float
+    drag: float = 0.58
+    tracking_hz: float = 100.0
+    latency: float = 0.02
+    rate_hz: float = 100.0
+    paper: bool = False
+    factor: complex = 1.0
+    model_lag: float | None = None
+    model_delay: float | None = None
+    acceleration_noise: float = 0.4
+    position_noise: float = 0.003
+    phase: float = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Period:
+    """The loop over one common period; the first three states are position, velocity and tilt
+    acceleration.
+
+    Attributes:
+        seconds: its length [s].
+        matrix: state at the end from the state at the start, shape (n, n).
+        noise: state at the end from the noises: one a frame [m], then one push a tick [m/s].
+        frames: how many of the noises are frames'.
+        asked: wanted acceleration at each tick, from the state at the start and the noises.
+    """
+
+    seconds: float
+    matrix: Rows
+    noise: Rows
+    frames: int
+    asked: Rows
+
+    @property
+    def growth(self) -> float:
+        """By what the slowest motion grows in a second: below 1 the loop is stable."""
+        return float(np.abs(np.linalg.eigvals(self.matrix)).max() ** (1.0 / self.seconds))
+
+
+def timing_of(loop: Loop) -> Timing:
+    """Return ticks and frames of the shortest common period.
+
+    Raises:
+        ConfigError: tracking is too slow for any.
+    """
+    ratio = Fraction(loop.tracking_hz / loop.rate_hz).limit_denominator(TICKS_MAX)
+    if ratio <= 0:
+        raise ConfigError(
+            "--rate", f"is {loop.tracking_hz:g} Hz: too slow beside a loop at {loop.rate_hz:g} Hz"
+        )
+    repeats = max(1, ceil(SHORTEST_PERIOD * loop.rate_hz / ratio.denominator))
+    ticks, frames = ratio.denominator * repeats, ratio.numerator * repeats
+    return Timing(
+        1.0 / loop.rate_hz, ticks / loop.rate_hz / frames, ticks, frames, loop.phase, loop.latency
+    )
+
+
+def period_of(loop: Loop) -> Period:
+    """Return the loop over its common period."""
+    timing = timing_of(loop)
+    lag = loop.lag if loop.model_lag is None else loop.model_lag
+    delay = loop.delay if loop.model_delay is None else loop.model_delay
+    noises = loop.acceleration_noise, loop.position_noise
+    observer = observer_of(timing, loop.paper, lag, loop.drag, delay, *noises)
+    run = _Run(loop, timing, observer)
+    asked = []
+    for tick in range(timing.ticks):
+        run.control(tick)
+        asked.append(run.rows[run.commands].copy())
+        run.advance(tick)
+    n = run.size
+    return Period(
+        timing.ticks * timing.tick, run.rows[:, :n], run.rows[:, n:], timing.frames, np.array(asked)
+    )
+
+
+class _Run:
+    """A period in the making.
+
+    Rows: plant (3); the last commands, newest first; the last frames, newest first; the observer's
+        own.
+    """
+
+    def __init__(self, loop: Loop, timing: Timing, observer: Observer) -> None:
+        self._loop, self._timing, self._observer = loop, timing, observer
+        reach = timing.latency + timing.interval + timing.tick + max(loop.delay, observer.delay)
+        kept_commands = ceil(reach / timing.tick) + 3
+        kept_frames = max(
+            timing.captured(k * timing.tick) - timing.delivered((k - 1) * timing.tick)
+            for k in range(timing.ticks)
+        )
+        self.commands = 3
+        self.frames = self.commands + kept_commands
+        self.own = slice(
+            self.frames + kept_frames + 1, self.frames + kept_frames + 1 + observer.size
+        )
+        self.size = self.own.stop
+        self.rows: Rows = np.eye(
+            self.size, self.size + timing.frames + timing.ticks, dtype=np.complex128
+        )
+        self._noises = 0
+
+    def control(self, tick: int) -> None:
+        """Take in what has arrived at a tick and give its command."""
+        now = tick * self._timing.tick
+        before, after = (
+            self._timing.delivered(now - self._timing.tick),
+            self._timing.delivered(now),
+        )
+        newest = self._timing.captured(now) - 1
+        own = self.rows[self.own]
+        for frame in range(before, after):
+            own = self._observer.corrected(
+                own, frame, self.rows[self.frames + newest - frame], tick, self._issued
+            )
+        own, position, velocity, push = self._observer.looked(own, tick, self._issued)
+        self.rows[self.own] = own
+        wanted = -self._loop.beta * position - self._loop.alpha * velocity - push
+        self.rows[self.commands + 1 : self.frames] = self.rows[
+            self.commands : self.frames - 1
+        ].copy()
+        self.rows[self.commands] = wanted
+
+    def advance(self, tick: int) -> None:
+        """Move the drone on to the next tick, taking frames on the way."""
+        timing, loop = self._timing, self._loop
+        at, end = tick * timing.tick, (tick + 1) * timing.tick
+        self.rows[1, self.size + timing.frames + tick] += 1.0
+        while at < end - ROUNDING:
+            index = floor((at - loop.delay) / timing.tick + ROUNDING)
+            until = min(end, (index + 1) * timing.tick + loop.delay)
+            frame = timing.captured(at)
+            until = min(until, timing.taken_at(frame))
+            # The newest command is that of this tick.
+            pushed = loop.factor * self.rows[self.commands + tick - index]
+            self.rows[:3] = moved(self.rows[:3], pushed, loop.lag, loop.drag, until - at)
+            at = until
+            if timing.captured(at) > frame:
+                self._expose()
+
+    def _expose(self) -> None:
+        last = self.own.start
+        self.rows[self.frames + 1 : last] = self.rows[self.frames : last - 1].copy()
+        self.rows[self.frames] = self.rows[0]
+        self.rows[self.frames, self.size + self._noises] += 1.0
+        self._noises += 1
+
+    def _issued(self, index: int, tick: int) -> Rows:
+        """Return the command issued at tick ``index``, asked at ``tick`` before that tick's own
+        command is given.
+        """
+        found: Rows = self.rows[self.commands + tick - 1 - index]
+        return found
+
+
+ROUNDING = 1e-9

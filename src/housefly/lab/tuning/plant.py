@@ -1,0 +1,48 @@
+"""The linear drone of one axis: position, velocity, tilt acceleration; exact between events."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.errors import MissingPartError
+
+try:
+    from scipy.linalg import expm
+except ImportError as error:
+    raise MissingPartError("scipy (gains)", "pip install 'housefly[lab]'") from error
+
+
+@lru_cache(maxsize=4096)
+def _discrete(
+    lag: float, drag: float, dt: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return matrix and input column of one step of dt [s] of x' = v, v' = a - drag v, a' = lag (u
+    - a).
+    """
+    system = np.zeros((4, 4))
+    system[0, 1] = 1.0
+    system[1, 1:3] = -drag, 1.0
+    system[2, 2:] = -lag, lag
+    step = expm(system * dt)
+    return step[:3, :3], step[:3, 3:]
+
+
+def moved(
+    state: NDArray[Any], command: NDArray[Any], lag: float, drag: float, dt: float
+) -> NDArray[Any]:
+    """Return the rows of the state after dt [s] under a constant command.
+
+    Args:
+        state: rows of position, velocity and tilt acceleration, shape (3, n).
+        command: row of the wanted acceleration, shape (n,).
+        lag: lambda [1/s].
+        drag: over mass [1/s].
+        dt: [s].
+    """
+    matrix, column = _discrete(lag, drag, round(dt, 12))
+    after: NDArray[Any] = matrix @ state + column * command
+    return after

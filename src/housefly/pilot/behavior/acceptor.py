@@ -1,0 +1,170 @@
+"""The finite state acceptor of paper V-B as a total table: (state, conditions) -> next state.
+
+The conditions are bits, so every input has exactly one row and the table can be checked, drawn and
+compiled. The rows come from the paper's execution order (altitude, then yaw, then path), which
+resolves the overlaps that the printed conditions leave; when no condition holds at all (an error
+that equals its epsilon) no transition is taken.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+from itertools import product
+from math import radians
+
+import numpy as np
+
+from housefly.config.site import ControlConfig
+from housefly.messages import Behavior
+from housefly.numeric import compiled
+
+
+class Condition(IntFlag):
+    """The transition conditions of the paper, and REST: nothing is to be tracked."""
+
+    Q1 = 1
+    Q2 = 2
+    Q3 = 4
+    Q4 = 8
+    REST = 16
+
+
+PAPER_EPSILONS = (0.2, radians(0.2), 0.4)
+"""eps1 [m], eps2 (printed as 0.2 deg) [rad], eps3 [m]."""
+
+EXECUTION_ORDER: tuple[tuple[Condition, Behavior], ...] = (
+    (Condition.REST, Behavior.HOVER),
+    (Condition.Q1, Behavior.ALTITUDE_CONTROL),
+    (Condition.Q2, Behavior.YAW_CONTROL),
+    (Condition.Q3, Behavior.PATH_TRACKING),
+    (Condition.Q4, Behavior.HOVER),
+)
+"""The first condition that holds decides."""
+
+STATES = tuple(Behavior)
+
+
+def _next_state(state: Behavior, conditions: int) -> Behavior:
+    return next((target for condition, target in EXECUTION_ORDER if conditions & condition), state)
+
+
+TABLE = np.array(
+    [[STATES.index(_next_state(state, bits)) for bits in range(32)] for state in STATES],
+    dtype=np.uint8,
+)
+"""Next state, by state and condition bits; indices into ``STATES``."""
+TABLE.setflags(write=False)
+
+
+@compiled
+def printed_conditions(
+    height_error: float, yaw_error: float, distance: float, eps1: float, eps2: float, eps3: float
+) -> int:
+    """Return q1..q4 as bits, as printed: strict comparisons, q4 on its own.
+
+    Args:
+        height_error: z - z_ref [m].
+        yaw_error: wrapped psi - psi_ref [rad].
+        distance: from the reference point in the plane [m].
+        eps1: tolerance of height [m].
+        eps2: tolerance of yaw [rad].
+        eps3: tolerance of place [m].
+    """
+    q1 = abs(height_error) > eps1
+    q2 = abs(yaw_error) > eps2 and abs(height_error) < eps1
+    q3 = not q1 and not q2 and distance > eps3
+    q4 = distance < eps3
+    return 1 * q1 + 2 * q2 + 4 * q3 + 8 * q4
+
+
+@compiled
+def steady_conditions(
+    state: int,
+    height_error: float,
+    yaw_error: float,
+    distance: float,
+    eps1: float,
+    eps2: float,
+    eps3: float,
+) -> int:
+    """Return q1..q4 as bits, mended: a state is left at half the tolerance that enters it, and
+    exactly one bit is set.
+    """
+    q1 = abs(height_error) > (0.5 * eps1 if state == 1 else eps1)
+    q2 = not q1 and abs(yaw_error) > (0.5 * eps2 if state == 2 else eps2)
+    q3 = not q1 and not q2 and distance > (0.5 * eps3 if state == 3 else eps3)
+    q4 = not q1 and not q2 and not q3
+    return 1 * q1 + 2 * q2 + 4 * q3 + 8 * q4
+
+
+@compiled
+def next_state(state: int, since: float, conditions: int, now: float, dwell: float) -> int:
+    """Return the state after one look at the conditions; REST counts at once, the rest after
+    ``dwell`` [s].
+
+    Args:
+        state: present one, an index into ``STATES``.
+        since: when it was entered [s].
+        conditions: bits.
+        now: [s].
+        dwell: shortest stay in a state [s].
+    """
+    if now - since < dwell and not conditions & 16:
+        return state
+    return int(TABLE[state, conditions])
+
+
+@dataclass(frozen=True, slots=True)
+class Acceptor:
+    """The acceptor in one state.
+
+    Attributes:
+        state: present behavior.
+        since: when it was entered [s].
+        switches: how often the state changed since the start.
+    """
+
+    state: Behavior = Behavior.HOVER
+    since: float = 0.0
+    switches: int = 0
+
+    def after(self, conditions: int, now: float, dwell: float = 0.0) -> Acceptor:
+        """Return the acceptor after one look at the conditions; REST counts at once, the rest after
+        ``dwell`` [s].
+        """
+        target = STATES[
+            next_state(STATES.index(self.state), self.since, int(conditions), now, dwell)
+        ]
+        return self if target is self.state else Acceptor(target, now, self.switches + 1)
+
+
+def conditions_of(
+    acceptor: Acceptor, errors: tuple[float, float, float], control: ControlConfig, paper: bool
+) -> int:
+    """Return the condition bits for errors of height [m], yaw [rad, wrapped] and place [m], by the
+    mode's tolerances.
+    """
+    if paper:
+        return int(printed_conditions(*errors, *PAPER_EPSILONS))
+    tolerances = (control.epsilon_height, control.epsilon_yaw, control.epsilon_position)
+    return int(steady_conditions(STATES.index(acceptor.state), *errors, *tolerances))
+
+
+def describe() -> str:
+    """Return the acceptor in words, made from the table: one line a state and next state, with the
+    conditions that lead there.
+    """
+    lines = []
+    for state, target in product(STATES, STATES):
+        leading = [bits for bits in range(32) if STATES[TABLE[STATES.index(state), bits]] is target]
+        names = sorted({_deciding(bits) for bits in leading})
+        lines.append(f"{state.value} -> {target.value}: {', '.join(names)}")
+    return "\n".join(lines)
+
+
+def _deciding(bits: int) -> str:
+    return next(
+        (condition.name or "" for condition, _ in EXECUTION_ORDER if bits & condition),
+        "no condition",
+    )

@@ -1,0 +1,153 @@
+"""Joins room, map, obstacles and planner into what behavior asks for; only the pilot uses it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from math import isinf
+
+from housefly.config.site import Site
+from housefly.geometry import Vec2, distance
+from housefly.messages import Obstacle, Order, OrderKind, Path, PlanAnswer
+from housefly.pilot.behavior.cells import CellFollower
+from housefly.pilot.behavior.errand import STAY, Mission
+from housefly.pilot.behavior.navigator import Block, Follower
+from housefly.pilot.behavior.tracking import PathFollower
+from housefly.pilot.planning.live import distances_for, first_block, live_grid
+from housefly.pilot.planning.obstacles import Memory, fault_of, rows_of
+from housefly.pilot.planning.planner import plan
+from housefly.room.grid import OccupancyGrid, extent_of, inflation
+from housefly.room.model import Room
+from housefly.room.tracked import untracked_grid
+
+ESCAPE_REACH = 1.0
+"""A drone in a blocked cell may fly straight to a free cell that is nearer than this [m]."""
+PLAN_HORIZON = 1.5
+"""New paths keep out of where a moving obstacle may be within this time [s] ..."""
+WATCH_HORIZON = 1.0
+"""... and a path in use is blocked where one may be within this time [s]."""
+REFRESH = 0.1
+"""How often the map of moving and ageing obstacles is made anew when nothing is heard of them [s].
+"""
+
+
+class RoomNavigator:
+    """Places and ways in one room."""
+
+    def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
+        self._paper = site.mode == "paper"
+        self._speed = site.limits.speed
+        self._room = room
+        self._static = untracked_grid(room, site, grid)
+        # Until the first word of tracked furniture it stands where the room model has it.
+        self._live: OccupancyGrid | None = grid
+        self._extent = extent_of(grid)
+        self._distances = distances_for(inflation(site), site.map.tracking_bound, grid.resolution)
+        self._band = (
+            site.map.flight_height - site.map.half_band,
+            site.map.flight_height + site.map.half_band,
+        )
+        self._memory = Memory()
+        self._soon, self._names = rows_of((), 0.0, 0.0, self._band)
+        self._refreshed = 0.0
+
+    def hear(self, obstacles: Iterable[Obstacle], now: float) -> list[str]:
+        """Take in what was heard of obstacles and bring the map up to now [s]; return in words what
+        is not believed.
+        """
+        faults = [(obstacle, fault_of(obstacle, now, self._extent)) for obstacle in obstacles]
+        heard = [obstacle for obstacle, fault in faults if not fault]
+        if heard or (self._memory.obstacles and now - self._refreshed >= REFRESH):
+            self._refresh(heard, now)
+        return [f"{obstacle.source or 'somebody'}: {fault}" for obstacle, fault in faults if fault]
+
+    def _refresh(self, heard: list[Obstacle], now: float) -> None:
+        self._memory, self._refreshed = self._memory.after(heard, now), now
+        self._soon, self._names = rows_of(self._memory.obstacles, now, WATCH_HORIZON, self._band)
+        self._live = None
+
+    @property
+    def _grid(self) -> OccupancyGrid:
+        """The map of now; made when somebody plans, because most steps of the pilot do not."""
+        if self._live is None:
+            later, _ = rows_of(self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band)
+            self._live = live_grid(self._static, later, self._distances.reach)
+        return self._live
+
+    def block(self, here: Vec2, path: Path, waypoint: int) -> Block | None:
+        """Return what blocks the rest of a path, from a place [m] by the next waypoint to its end;
+        None when it is free.
+        """
+        if not len(self._soon):
+            return None
+        along, row = first_block(
+            self._soon, (here, *path.waypoints[waypoint:]), self._distances.tight
+        )
+        return None if isinf(along) else Block(along, self._names[row])
+
+    def is_passing(self, start: Vec2, goal: Vec2) -> bool:
+        """Tell whether there is a way when the obstacles of now are gone."""
+        return (
+            self._grid is not self._static and self._way(self._static, start, goal).path is not None
+        )
+
+    def mission(self, order: Order) -> Mission | str:
+        """Return what an order means in this room, or in words why it means nothing."""
+        if order.kind is OrderKind.TAKE_OFF:
+            return STAY
+        if order.kind is OrderKind.HOME:
+            return self.home()
+        if order.place:
+            return self._at_place(order)
+        if order.goal is None:
+            return "it names neither a place nor a goal"
+        name = f"({order.goal[0]:.1f}, {order.goal[1]:.1f})"
+        return Mission(order.kind, name, order.goal, order.look_at, order.look_s)
+
+    def home(self) -> Mission:
+        """Return the mission that comes home and lands with the heading of the pad."""
+        return Mission(OrderKind.HOME, "home", self._room.home, yaw=self._room.home_yaw)
+
+    def plan(self, start: Vec2, goal: Vec2) -> PlanAnswer:
+        """Return the planner's answer in the way of the mode."""
+        return self._plan(self._grid, start, goal)
+
+    def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
+        """Return the way; a start in a blocked cell is left by the shortest straight line first."""
+        return self._way(self._grid, start, goal)
+
+    def _plan(self, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> PlanAnswer:
+        return plan(
+            grid, start, goal, self._speed, every_cell=self._paper, shortcut=not self._paper
+        )
+
+    def _way(self, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> PlanAnswer:
+        answer = self._plan(grid, start, goal)
+        if (
+            answer.path is not None
+            or grid.is_free(grid.cell_of(start))
+            or answer.suggestion is None
+        ):
+            return answer
+        free = answer.suggestion
+        if distance(start, free) > ESCAPE_REACH:
+            return answer
+        onward = self._plan(grid, free, goal)
+        if onward.path is None:
+            return onward
+        way = onward.path
+        longer = Path((start, *way.waypoints), way.length + distance(start, free), way.clearance)
+        return replace(onward, start=start, path=longer, duration=longer.length / self._speed)
+
+    def follower(self, path: Path, yaw: float) -> Follower:
+        """Return a follower of the mode for this path, starting at heading yaw [rad]."""
+        return CellFollower(path, yaw) if self._paper else PathFollower(path, self._speed)
+
+    def _at_place(self, order: Order) -> Mission | str:
+        try:
+            place = self._room.place(order.place)
+        except KeyError as error:
+            return str(error.args[0])
+        return Mission(
+            order.kind, place.name, place.viewpoint, order.look_at or place.look_at, order.look_s
+        )

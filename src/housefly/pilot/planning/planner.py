@@ -1,0 +1,135 @@
+"""Answers "how do I get from start to goal?" with a path, or with the reason in words and the
+nearest place that works.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import isfinite
+
+import numpy as np
+
+from housefly.geometry import Vec2, distance
+from housefly.messages import Path, PlanAnswer
+from housefly.pilot.planning.dijkstra import UNREACHED, CellIndex, Free, distances, shortest_path
+from housefly.pilot.planning.shortcut import sees, straightened
+from housefly.room.grid import Cell, OccupancyGrid
+
+WHY_NOT = {
+    Cell.OCCUPIED: "lies in an obstacle",
+    Cell.VIRTUAL: "lies in a no-fly area",
+    Cell.INFLATED: "is too close to an obstacle ({clearance:.2f} m)",
+    Cell.OUTSIDE: "lies outside the room",
+}
+
+
+def plan(
+    grid: OccupancyGrid,
+    start: Vec2,
+    goal: Vec2,
+    speed: float,
+    *,
+    every_cell: bool = False,
+    shortcut: bool = False,
+) -> PlanAnswer:
+    """Return a shortest path for the drone's middle, or why there is none.
+
+    Args:
+        grid: where the middle of the drone may be.
+        start: where it is [m].
+        goal: where it should go [m].
+        speed: expected speed along the path [m/s], for the duration.
+        every_cell: keep the middle of every cell as a waypoint, as mode ``paper`` flies; else only
+            corners, and the last waypoint is the goal itself.
+        shortcut: straighten the path at any angle.
+    """
+    free: Free = grid.cells == Cell.FREE
+    objection = _objection(grid, "start", start)
+    if objection:
+        return PlanAnswer(start, goal, None, objection, _nearest(grid, free, start))
+    here, there = grid.cell_of(start), grid.cell_of(goal)
+    objection = _objection(grid, "goal", goal)
+    cells = () if objection else shortest_path(free, here, there)
+    if not cells:
+        reason = objection or f"there is no free way from {_words(start)} to {_words(goal)}"
+        return PlanAnswer(
+            start, goal, None, reason, _nearest(grid, distances(free, here) != UNREACHED, goal)
+        )
+    waypoints = tuple(grid.centre_of(cell) for cell in cells)
+    if not every_cell:
+        waypoints = straightened(grid, waypoints) if shortcut else _corners(waypoints)
+        waypoints = _ending_at(grid, waypoints, goal)
+    path = Path(waypoints, path_length(waypoints), path_clearance(grid, waypoints))
+    return PlanAnswer(start, goal, path, duration=path.length / speed)
+
+
+def path_length(waypoints: tuple[Vec2, ...]) -> float:
+    """Return the sum of the legs [m]."""
+    return sum(distance(a, b) for a, b in pairwise(waypoints))
+
+
+def path_clearance(grid: OccupancyGrid, waypoints: tuple[Vec2, ...]) -> float:
+    """Return the smallest distance [m] from the path to a real obstacle, sampled every quarter of a
+    cell.
+    """
+    smallest = grid.clearance_at(waypoints[0])
+    for a, b in pairwise(waypoints):
+        steps = max(1, int(np.ceil(4.0 * distance(a, b) / grid.resolution)))
+        points = (
+            (a[0] + (b[0] - a[0]) * k / steps, a[1] + (b[1] - a[1]) * k / steps)
+            for k in range(1, steps + 1)
+        )
+        smallest = min(smallest, *(grid.clearance_at(point) for point in points))
+    return smallest
+
+
+def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
+    """Return why the drone may not be at this point, or nothing."""
+    if not (isfinite(point[0]) and isfinite(point[1])):
+        return f"the {name} is not a position: {point}"
+    cell = grid.cell_of(point)
+    if not grid.contains(cell):
+        return f"the {name} {_words(point)} lies outside the map"
+    if grid.is_free(cell):
+        return ""
+    clearance = float(grid.clearance[cell])
+    return f"the {name} {_words(point)} {WHY_NOT[grid.kind(cell)].format(clearance=clearance)}"
+
+
+def _nearest(grid: OccupancyGrid, allowed: Free, point: Vec2) -> Vec2 | None:
+    """Return the middle of the allowed cell nearest to a point [m]; the first in (ix, iy) order
+    among equals.
+    """
+    if not (isfinite(point[0]) and isfinite(point[1])) or not allowed.any():
+        return None
+    ix, iy = np.nonzero(allowed)
+    dx = grid.origin[0] + (ix + 0.5) * grid.resolution - point[0]
+    dy = grid.origin[1] + (iy + 0.5) * grid.resolution - point[1]
+    best = int(np.argmin(dx * dx + dy * dy))
+    nearest: CellIndex = (int(ix[best]), int(iy[best]))
+    return grid.centre_of(nearest)
+
+
+def _corners(points: tuple[Vec2, ...]) -> tuple[Vec2, ...]:
+    """Return the ends and the points where an axis-parallel path turns."""
+    inner = (
+        here
+        for before, here, after in zip(points, points[1:], points[2:], strict=False)
+        if abs(
+            (here[0] - before[0]) * (after[1] - here[1])
+            - (here[1] - before[1]) * (after[0] - here[0])
+        )
+        > 1e-9
+    )
+    return (points[0], *inner, points[-1]) if len(points) > 1 else points
+
+
+def _ending_at(grid: OccupancyGrid, points: tuple[Vec2, ...], goal: Vec2) -> tuple[Vec2, ...]:
+    """Return the path with the goal itself instead of the middle of its cell."""
+    if len(points) > 1 and sees(grid, points[-2], goal):
+        return (*points[:-1], goal)
+    return points if distance(points[-1], goal) < 1e-9 else (*points, goal)
+
+
+def _words(point: Vec2) -> str:
+    return f"({point[0]:.2f}, {point[1]:.2f}) m"

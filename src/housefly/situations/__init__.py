@@ -1,7 +1,0 @@
-"""From what sensors tell to what a service needs: who is where and how, what was taken, who is at the door. Pure."""
-
-from housefly.situations.layout import Area, Layout
-from housefly.situations.situation import Situation
-from housefly.situations.situations import Situations
-
-__all__ = ["Area", "Layout", "Situation", "Situations"]

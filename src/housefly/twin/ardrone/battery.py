@@ -1,0 +1,43 @@
+"""The flight battery: charge drains with thrust, voltage follows from charge."""
+
+from __future__ import annotations
+
+import numpy as np
+
+ENDURANCE = 720.0
+"""Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
+IDLE_SHARE = 0.05
+"""Part of the hovering power that the electronics take with motors off."""
+LOW_VOLTAGE = 9.7
+FORCED_LANDING_VOLTAGE = 9.3
+CUT_OFF_VOLTAGE = 9.0
+"""Flag, landing by itself, power off [V]: paparazzi's low and catastrophic levels, and the drone's
+own vbat_min.
+"""
+
+_CHARGE = (0.0, 0.03, 0.08, 0.2, 0.5, 1.0)
+_VOLTAGE = (9.0, 9.3, 9.7, 10.9, 11.69, 12.4)
+"""Ends and the 50 % point are facts; the knee in between is that of any lithium battery."""
+
+
+class Battery:
+    """Charge from 0 to 1, drained by time and thrust."""
+
+    def __init__(self, charge: float) -> None:
+        self.charge = charge
+
+    @property
+    def voltage(self) -> float:
+        """Voltage at this charge [V]."""
+        return float(np.interp(self.charge, _CHARGE, _VOLTAGE))
+
+    def drain(self, seconds: float, load: float) -> None:
+        """Take what the electronics and the rotors used.
+
+        Args:
+            seconds: how long [s].
+            load: thrust over weight; rotor power grows with its power 3/2 (momentum theory).
+        """
+        rotors = load**1.5 if load > 0.0 else 0.0
+        used = seconds / ENDURANCE * (IDLE_SHARE + (1.0 - IDLE_SHARE) * rotors)
+        self.charge = max(0.0, self.charge - used)

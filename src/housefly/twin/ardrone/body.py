@@ -1,0 +1,186 @@
+"""The AR.Drone 2.0 as a MuJoCo body: mass, hull, looks, cameras and reflective markers.
+
+Mass: Douthwaite, ARdrone.m. Inertia and arm: paparazzi, simple_ardrone2.xml. Cameras: the
+    calibrations shipped with
+AutonomyLab/ardrone_autonomy. The body frame is forward, left, up with its origin in the centre of
+mass.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import atan, degrees, radians, tan
+
+from housefly.config.site import DroneConfig
+from housefly.geometry import Vec2, Vec3, quaternion_from_euler
+
+MASS = 0.436
+"""With indoor hull [kg]."""
+INERTIA: Vec3 = (0.0068, 0.0068, 0.0136)
+"""Principal moments [kg m^2]. They are those of a flat body with all its mass at the motors'
+radius: an upper bound.
+"""
+MOTOR_ARM = 0.1237
+"""Distance of each motor from the x and y axes [m]."""
+ROTOR_RADIUS = 0.1
+STANDING_HEIGHT = 0.05
+"""Height of the origin above the floor when the drone stands on its belly [m]."""
+
+BODY = "drone"
+MARKERS: tuple[Vec3, ...] = (
+    (0.16, 0.02, 0.05),
+    (0.05, 0.20, 0.04),
+    (-0.17, 0.11, 0.04),
+    (-0.10, -0.18, 0.04),
+    (0.12, -0.15, 0.045),
+    (-0.02, 0.0, 0.07),
+)
+"""Reflective markers on the hull [m]; no two distances between them are alike, so that the pose is
+unique.
+"""
+
+FRONT_CAMERA_X = 0.21
+FRONT_VIEW = radians(69.0)
+BOTTOM_VIEW = radians(49.0)
+"""Horizontal angle of the cameras [rad]; their height follows from square pixels, for there is no
+lens distortion here.
+"""
+PICTURE: tuple[int, int] = (640, 360)
+"""Width and height of both cameras' pictures [px]."""
+
+VISUAL_GROUP = 2
+HULL_GROUP = 3
+"""MuJoCo geom groups: looks are drawn, the collision hull is not (groups from 3 on are hidden by
+default).
+"""
+
+_FOAM_RADIUS = 0.03
+_CORNER_CUT = 0.12
+_BELLY: Vec3 = (0.12, 0.05, STANDING_HEIGHT)
+_DARK = "0.12 0.12 0.13 1"
+_FOAM = "0.18 0.18 0.20 1"
+_ORANGE = "0.95 0.45 0.10 1"
+_BLADE = "0.75 0.78 0.82 0.35"
+
+
+def drone_body(config: DroneConfig, home: Vec2, home_yaw: float) -> str:
+    """Return the MJCF element of the drone standing on its pad.
+
+    Args:
+        config: gives the outer size of the hull [m].
+        home: where it stands, world xy [m].
+        home_yaw: where it faces [rad].
+    """
+    orientation = quaternion_from_euler(0.0, 0.0, home_yaw)
+    parts = [
+        "<freejoint/>",
+        f'<inertial pos="0 0 0" mass="{MASS}" diaginertia="{_numbers(*INERTIA)}"/>',
+        *_hull(config.hull_length, config.hull_width),
+        *_looks(),
+        *_cameras(),
+        *(
+            f'<site name="drone_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
+            ' 1"/>'
+            for n, at in enumerate(MARKERS)
+        ),
+    ]
+    start = _numbers(home[0], home[1], STANDING_HEIGHT)
+    return (
+        f'<body name="{BODY}" pos="{start}" quat="{_numbers(*orientation)}">'
+        + "".join(parts)
+        + "</body>"
+    )
+
+
+def _hull(length: float, width: float) -> list[str]:
+    """Approximate the foam ring by eight capsules round a plate, and the belly by a box."""
+    foam = min(_FOAM_RADIUS, length / 4, width / 4)
+    x, y = length / 2 - foam, width / 2 - foam
+    cut = min(_CORNER_CUT, 0.8 * x, 0.8 * y)
+    corners = [
+        (x, y - cut), (x - cut, y), (cut - x, y), (-x, y - cut),
+        (-x, cut - y), (cut - x, -y), (x - cut, -y), (x, cut - y),
+    ]  # fmt: skip
+    solid = (
+        f'group="{HULL_GROUP}" mass="0" friction="0.6 0.005 0.0001" solref="0.02 1" rgba="{_FOAM}"'
+    )
+    ring = [
+        f'<geom name="drone_hull_{n}" type="capsule" size="{foam}"'
+        f' fromto="{_numbers(*a, 0.0, *b, 0.0)}" {solid}/>'
+        for n, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True))
+    ]
+    plate = (
+        f'<geom name="drone_plate" type="box" size="{_numbers(0.75 * x, 0.75 * y, 0.02)}" {solid}/>'
+    )
+    belly = (
+        '<geom name="drone_belly" type="box"'
+        f' size="{_numbers(min(_BELLY[0], x), min(_BELLY[1], y), _BELLY[2])}" {solid}/>'
+    )
+    return [*ring, plate, belly]
+
+
+def _looks() -> list[str]:
+    """Draw four rotors in foam arcs, a dark body and an orange tail; the view of the front camera
+    stays free.
+    """
+    shapes = [
+        _shape("ellipsoid", (-0.02, 0.0, 0.01), (0.15, 0.055, 0.045), _DARK),
+        _shape("box", (-0.13, 0.0, 0.02), (0.05, 0.035, 0.03), _ORANGE),
+        _rod((0.1, 0.0, 0.0), (0.18, 0.0, 0.0), 0.022, _DARK),
+    ]
+    for sx in (1, -1):
+        for sy in (1, -1):
+            centre = (sx * MOTOR_ARM, sy * MOTOR_ARM, 0.03)
+            shapes.append(_shape("cylinder", centre, (ROTOR_RADIUS, 0.002), _BLADE))
+            shapes.append(_shape("cylinder", (centre[0], centre[1], 0.012), (0.014, 0.02), _DARK))
+            shapes.append(_rod((0.0, 0.0, 0.0), (centre[0], centre[1], 0.0), 0.008, _DARK))
+            shapes.extend(_foam_arc(sx, sy))
+    return shapes
+
+
+def _foam_arc(sx: int, sy: int) -> list[str]:
+    """Return the quarter of the foam ring that shields one rotor from outside."""
+    radius, thickness = ROTOR_RADIUS + 0.004, 0.012
+    points = [
+        (sx * (MOTOR_ARM + radius * dx), sy * (MOTOR_ARM + radius * dy))
+        for dx, dy in ((-0.5, 0.87), (0.0, 1.0), (0.5, 0.87), (0.87, 0.5), (1.0, 0.0), (0.87, -0.5))
+    ]
+    return [_rod((*a, 0.02), (*b, 0.02), thickness, _FOAM) for a, b in pairwise(points)]
+
+
+_VISUAL = f'contype="0" conaffinity="0" mass="0" group="{VISUAL_GROUP}"'
+
+
+def _shape(kind: str, at: Vec3, size: tuple[float, ...], colour: str) -> str:
+    return (
+        f'<geom type="{kind}" pos="{_numbers(*at)}" size="{_numbers(*size)}" rgba="{colour}"'
+        f" {_VISUAL}/>"
+    )
+
+
+def _rod(start: Vec3, end: Vec3, radius: float, colour: str) -> str:
+    return (
+        f'<geom type="capsule" size="{radius}" fromto="{_numbers(*start, *end)}" rgba="{colour}"'
+        f" {_VISUAL}/>"
+    )
+
+
+def _cameras() -> list[str]:
+    return [
+        (
+            f'<camera name="front" pos="{FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
+            f' fovy="{_vertical_degrees(FRONT_VIEW):.6g}"/>'
+        ),
+        (
+            f'<camera name="bottom" pos="0 0 -{STANDING_HEIGHT}" xyaxes="0 -1 0 1 0 0"'
+            f' fovy="{_vertical_degrees(BOTTOM_VIEW):.6g}"/>'
+        ),
+    ]
+
+
+def _vertical_degrees(horizontal: float) -> float:
+    return degrees(2 * atan(tan(horizontal / 2) * PICTURE[1] / PICTURE[0]))
+
+
+def _numbers(*values: float) -> str:
+    return " ".join(f"{value:.9g}" for value in values)

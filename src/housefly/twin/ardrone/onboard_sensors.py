@@ -1,0 +1,156 @@
+"""What the drone's own sensors make of the truth: noise, bias, drift, delay.
+
+Speed and height come 40 ms late (tum-vision/tum_ardrone, DroneKalmanFilter), the sonar pings at 25
+Hz (Parrot ARDroneLib SDK 2.0.1, ultrasound_freq 8). All other numbers are chosen so that a hover by
+optical flow wanders by centimetres to decimetres in minutes.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator
+from math import exp, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from housefly.geometry import GRAVITY, Quaternion, Vec3, euler_from_quaternion, rotate, wrap_angle
+from housefly.twin.ardrone.body import STANDING_HEIGHT
+
+PERIOD = 0.005
+"""The firmware's control period [s] (200 Hz)."""
+FLOW_DELAY = 0.04
+SONAR_EVERY = 8
+"""Control periods between two pings: 25 Hz."""
+
+ATTITUDE_NOISE = 0.0005
+GYRO_NOISE = 0.004
+GYRO_BIAS = 0.0005
+"""Yaw drift, one sigma of one flight [rad/s]."""
+ATTITUDE_OFFSET = 0.0035
+TRIMMED_OFFSET = 0.0009
+"""What the drone takes for level, one sigma at power-on and after a flat trim [rad]."""
+FLOW_NOISE = 0.02
+FLOW_BIAS = 0.003
+FLOW_BIAS_TIME = 10.0
+"""Optical flow: white noise and slowly wandering bias [m/s], correlation time of the bias [s]."""
+CLIMB_NOISE = 0.01
+SONAR_NOISE = 0.01
+ACCELERATION_NOISE = 0.1
+
+_BLOCK = 512
+_CHANNELS = 14
+
+
+class BodyState(NamedTuple):
+    """The true state of the rigid body: world position, orientation, world velocity and
+    acceleration, body angular rate.
+    """
+
+    position: Vec3
+    orientation: Quaternion
+    velocity: Vec3
+    acceleration: Vec3
+    rate: Vec3
+
+
+class Measured(NamedTuple):
+    """One reading of all onboard sensors; attitude [rad], rates [rad/s], height [m], speeds [m/s],
+    acceleration [m/s^2].
+    """
+
+    phi: float
+    theta: float
+    psi: float
+    rate: Vec3
+    height: float
+    climb: float
+    forward: float
+    left: float
+    acceleration: Vec3
+
+
+class Sensors:
+    """The sensors of one drone; every reading draws the same amount of noise, so observers cannot
+    change a flight.
+    """
+
+    def __init__(self, rng: np.random.Generator) -> None:
+        self._rng = rng
+        self._noise = _rows(rng)
+        self._offset_phi, self._offset_theta = rng.normal(0.0, ATTITUDE_OFFSET, 2).tolist()
+        self._gyro_bias = float(rng.normal(0.0, GYRO_BIAS))
+        self._psi = 0.0
+        self._psi_before: float | None = None
+        self._flow_bias = (0.0, 0.0)
+        self._late: deque[tuple[float, float, float]] = deque(maxlen=round(FLOW_DELAY / PERIOD) + 1)
+        self._height = 0.0
+        self._count = 0
+
+    def flat_trim(self) -> None:
+        """Take the present attitude for level, as well as the drone can."""
+        self._offset_phi, self._offset_theta = self._rng.normal(0.0, TRIMMED_OFFSET, 2).tolist()
+
+    def read(self, body: BodyState) -> Measured:
+        """Return what the sensors say; call once every ``PERIOD``."""
+        n = next(self._noise)
+        phi, theta, yaw = euler_from_quaternion(body.orientation)
+        self._follow_heading(yaw)
+        self._wander(n[0], n[1])
+        forward, left, height = self._flow_and_sonar(body, n[2])
+        p, q, r = body.rate
+        return Measured(
+            phi=phi + self._offset_phi + ATTITUDE_NOISE * n[3],
+            theta=theta + self._offset_theta + ATTITUDE_NOISE * n[4],
+            psi=self._psi,
+            rate=(
+                p + GYRO_NOISE * n[5],
+                q + GYRO_NOISE * n[6],
+                r + self._gyro_bias + GYRO_NOISE * n[7],
+            ),
+            height=height,
+            climb=body.velocity[2] + CLIMB_NOISE * n[8],
+            forward=forward + self._flow_bias[0] + FLOW_NOISE * n[9],
+            left=left + self._flow_bias[1] + FLOW_NOISE * n[10],
+            acceleration=_specific_force(body, n[11], n[12], n[13]),
+        )
+
+    def _follow_heading(self, yaw: float) -> None:
+        """Integrate the turn since power-on, with the gyro's drift."""
+        before = yaw if self._psi_before is None else self._psi_before
+        self._psi = wrap_angle(self._psi + yaw - before + self._gyro_bias * PERIOD)
+        self._psi_before = yaw
+
+    def _wander(self, drive_forward: float, drive_left: float) -> None:
+        forward, left = self._flow_bias
+        self._flow_bias = (
+            _KEEP * forward + _DRIVE * drive_forward,
+            _KEEP * left + _DRIVE * drive_left,
+        )
+
+    def _flow_and_sonar(self, body: BodyState, noise: float) -> Vec3:
+        w, x, y, z = body.orientation
+        vx, vy, _ = rotate((w, -x, -y, -z), body.velocity)
+        self._late.append((vx, vy, body.position[2] - STANDING_HEIGHT))
+        forward, left, height = self._late[0]
+        if self._count % SONAR_EVERY == 0:
+            self._height = max(0.0, height + SONAR_NOISE * noise)
+        self._count += 1
+        return forward, left, self._height
+
+
+_KEEP = exp(-PERIOD / FLOW_BIAS_TIME)
+_DRIVE = FLOW_BIAS * sqrt(1.0 - _KEEP * _KEEP)
+
+
+def _rows(rng: np.random.Generator) -> Iterator[list[float]]:
+    """Yield rows of normal numbers, drawn in blocks because a draw costs more than a number."""
+    while True:
+        yield from rng.standard_normal((_BLOCK, _CHANNELS)).tolist()
+
+
+def _specific_force(body: BodyState, nx: float, ny: float, nz: float) -> Vec3:
+    w, x, y, z = body.orientation
+    ax, ay, az = body.acceleration
+    fx, fy, fz = rotate((w, -x, -y, -z), (ax, ay, az + GRAVITY))
+    return fx + ACCELERATION_NOISE * nx, fy + ACCELERATION_NOISE * ny, fz + ACCELERATION_NOISE * nz

@@ -1,0 +1,103 @@
+"""A simulated AR.Drone 2.0 on its real ports: UDP 5554 and 5556, TCP 5555 and 5559 of one address.
+
+Clients written for the real drone fly it without knowing; which ones did stands in docs/wires.md,
+section 3. The server moves nothing by itself; whoever owns the world advances it.
+"""
+
+from __future__ import annotations
+
+from housefly.errors import LinkError
+from housefly.twin.address import check_address
+from housefly.twin.ardrone.commands import CommandPort
+from housefly.twin.ardrone.config import ConfigStore
+from housefly.twin.ardrone.control import ControlPort
+from housefly.twin.ardrone.link import Counters, Link
+from housefly.twin.ardrone.navdata import NavdataWriter
+from housefly.twin.ardrone.reports import NavdataPort
+from housefly.twin.ardrone.video import HEADER_SIZE, Picture, VideoPort
+from housefly.twin.contracts import Camera, World
+
+
+class ArDroneServer:
+    """Serves one drone of a world; all calls belong to one asyncio loop.
+
+    Args:
+        world: what flies.
+        address: IP address whose four ports are taken.
+        pave_header_size: 64, or 68 as some firmware sends.
+        tells_vertical_speed: whether navdata's vz is filled; the real drone leaves it at 0.
+        beyond_loopback: allow an address that other machines can reach.
+
+    Raises:
+        ConfigError: an address that is not loopback, without ``beyond_loopback``.
+    """
+
+    def __init__(
+        self,
+        world: World,
+        address: str = "127.0.0.1",
+        *,
+        pave_header_size: int = HEADER_SIZE,
+        tells_vertical_speed: bool = False,
+        beyond_loopback: bool = False,
+    ) -> None:
+        check_address("drone.address", address, beyond_loopback)
+        self._address = address
+        self._world = world
+        self._link = Link()
+        self._writer = NavdataWriter(self._link, tells_vertical_speed)
+        self._config = ConfigStore(self._apply)
+        self._control = ControlPort(self._config.describe, self._link.counters)
+        self._commands = CommandPort(world, self._link, self._config, self._control.answer)
+        self._navdata = NavdataPort(world, self._link, self._writer)
+        self._video = VideoPort(self._link.counters, pave_header_size)
+
+    @property
+    def counters(self) -> Counters:
+        """What happened on the ports so far."""
+        return self._link.counters
+
+    @property
+    def settings(self) -> ConfigStore:
+        """The drone's configuration."""
+        return self._config
+
+    @property
+    def camera(self) -> Camera:
+        """The camera whose pictures the client wants."""
+        return self._config.camera
+
+    @property
+    def viewers(self) -> int:
+        """How many clients watch the video."""
+        return self._video.viewers
+
+    async def start(self) -> None:
+        """Open the four ports; raises LinkError when one of them cannot be had."""
+        self._world.set_limits(self._config.limits)
+        try:
+            await self._commands.start(self._address)
+            await self._navdata.start(self._address)
+            await self._video.start(self._address)
+            await self._control.start(self._address)
+        except OSError as error:
+            await self.stop()
+            raise LinkError(
+                f"cannot serve an AR.Drone at {self._address}: {error.strerror or error}"
+            ) from error
+
+    async def stop(self) -> None:
+        """Close the ports and every connection."""
+        for port in (self._control, self._video, self._navdata, self._commands):
+            await port.stop()
+
+    def publish(self, picture: Picture) -> None:
+        """Send a picture to the clients of the video port."""
+        if self._config.video_enabled:
+            self._video.publish(picture)
+
+    def _apply(self, key: str) -> None:
+        if key == "general:navdata_demo":
+            self._link.bootstrap = False
+        self._writer.demo = self._config.demo
+        self._world.set_limits(self._config.limits)

@@ -1,0 +1,102 @@
+"""The process that renders and encodes the drone's pictures: ``python -m housefly.twin.camera.child
+FD``.
+
+It lives at one end of a socket pair, always serves the newest request only, and ends when the other
+end closes. A GL library that is missing or broken can take the whole process down; that is why it
+is one of its own.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import sys
+import time
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.twin.ardrone.body import PICTURE
+from housefly.twin.camera.card import draw_card
+from housefly.twin.camera.encoder import Encoder
+from housefly.twin.camera.link import Backend, Encoded, Inbox, Kind, Request, Settings, message
+
+CARD_RATE_HZ = 2.0
+_CARD_BIT_RATE = 200_000
+_NICENESS = 10
+"""More than the twin's own: pictures may be late, its physics and the pilot may not.
+
+A picture occupies a processor for some milliseconds, and nobody else should wait for them: only a
+    process of the policy for idle
+time is put aside in the middle (Linux). There is no way back from that policy; the parent replaces
+a child that starves.
+"""
+
+
+def serve(link: socket.socket) -> None:
+    """Read the settings, then answer requests with pictures until the other end closes."""
+    inbox = Inbox(link)
+    (_, body), *_ = inbox.receive() or [(Kind.SETTINGS, b"")]
+    if not body:
+        return
+    settings = Settings.unpack(body)
+    try:
+        if settings.backend is Backend.CARD:
+            _send_cards(link, inbox, settings)
+        else:
+            _send_views(link, inbox, settings)
+    except (BrokenPipeError, ConnectionResetError):
+        return
+    except Exception as error:  # whatever a GL stack raises: the parent tries the next backend
+        link.sendall(message(Kind.FAILED, f"{type(error).__name__}: {error}".encode()))
+
+
+def _send_views(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
+    from housefly.twin.camera.view import View
+
+    view = View(settings.scene, *PICTURE)
+    encoder = Encoder(*PICTURE, settings.rate_hz)
+    link.sendall(message(Kind.READY, settings.backend.name.encode()))
+    if settings.yields and sys.platform == "linux":
+        os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
+    while (request := _newest(inbox)) is not None:
+        _send(link, encoder, view.picture(request), request.at)
+
+
+def _send_cards(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
+    card = draw_card(settings.reasons, *PICTURE)
+    encoder = Encoder(*PICTURE, CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
+    link.sendall(message(Kind.READY, settings.backend.name.encode()))
+    due = 0.0
+    while (request := _newest(inbox)) is not None:
+        if time.monotonic() >= due:
+            due = time.monotonic() + 1 / CARD_RATE_HZ
+            _send(link, encoder, card, request.at)
+
+
+def _newest(inbox: Inbox) -> Request | None:
+    messages = inbox.receive()
+    return Request.unpack(messages[-1][1]) if messages else None
+
+
+def _send(link: socket.socket, encoder: Encoder, picture: NDArray[np.uint8], at: float) -> None:
+    data, keyframe = encoder.encode(picture)
+    link.sendall(message(Kind.PICTURE, Encoded(data, keyframe, *PICTURE, at).pack()))
+
+
+def main() -> None:
+    """Serve the socket whose file descriptor is the first argument."""
+    signal.signal(
+        signal.SIGINT, signal.SIG_IGN
+    )  # Ctrl-C is for the parent, whose end this process notices
+    os.nice(_NICENESS)
+    with socket.socket(fileno=int(sys.argv[1])) as link:
+        serve(link)
+        # A half-loaded GL library may crash in its own clean-up; there is nothing left to clean up.
+        link.shutdown(socket.SHUT_WR)
+        os._exit(0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,71 @@
+"""H.264 as the AR.Drone 2.0 sends it: Baseline, Annex B, a key frame every 15 pictures, SPS and PPS
+with each of them.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import av
+import numpy as np
+from av.video.reformatter import Interpolation, VideoReformatter
+from numpy.typing import NDArray
+
+BIT_RATE = 1_200_000
+"""Mean bit rate [bit/s]; peaks stay below a quarter more."""
+GROUP_OF_PICTURES = 15
+
+
+class Encoder:
+    """Scales, converts and encodes pictures with one thread and no delay: one picture in, one
+    access unit out.
+
+    Args:
+        width, height: size of the encoded pictures [px].
+        rate_hz: pictures per second; the rate control counts on it.
+        group: pictures from key frame to key frame.
+        bit_rate: mean bit rate [bit/s].
+    """
+
+    def __init__(
+        self,
+        width: int,
+        height: int,
+        rate_hz: float,
+        group: int = GROUP_OF_PICTURES,
+        bit_rate: int = BIT_RATE,
+    ) -> None:
+        self._size = width, height
+        self._count = 0
+        self._reformatter = VideoReformatter()
+        rate = Fraction(rate_hz).limit_denominator(1000)
+        codec = av.CodecContext.create("libx264", "w")
+        codec.width, codec.height, codec.pix_fmt = width, height, "yuv420p"
+        codec.framerate, codec.time_base = rate, 1 / rate
+        codec.bit_rate = bit_rate
+        codec.gop_size = group
+        codec.thread_count = 1
+        kbit = bit_rate // 1000
+        codec.options = {
+            "preset": "ultrafast",
+            "tune": "zerolatency",
+            "profile": "baseline",
+            "x264-params": (
+                f"scenecut=0:repeat-headers=1:vbv-maxrate={kbit * 5 // 4}:vbv-bufsize={kbit // 2}"
+            ),
+        }
+        self._codec = codec
+
+    def encode(self, picture: NDArray[np.uint8]) -> tuple[bytes, bool]:
+        """Return the access unit of an RGB picture, shape (rows, columns, 3) of any size, and
+        whether it is a key frame.
+        """
+        frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
+        # Area averaging: a picture rendered larger than it is shown comes out with smooth edges.
+        frame = self._reformatter.reformat(
+            frame, *self._size, "yuv420p", interpolation=Interpolation.AREA
+        )
+        frame.pts = self._count
+        self._count += 1
+        (packet,) = self._codec.encode(frame)
+        return bytes(packet), packet.is_keyframe

@@ -1,0 +1,1 @@
+"""The simulated motion capture system and the servers that it poses as."""

@@ -1,0 +1,272 @@
+"""The simulated tracking system as OptiTrack's Motive: a NatNet server, unicast or multicast.
+
+Clients ask on the command port who serves and what is tracked. Unicast frames go to where a client
+asked from, as long as it is heard; multicast frames go to the group. Facts: docs/wires.md, section
+6. A body that the cameras do not see stays in its frame with the tracking bit cleared.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from housefly.errors import LinkError, WireError
+from housefly.messages import Pose
+from housefly.twin.contracts import MocapFrame
+from housefly.wires.axes import y_up_orientation, y_up_position
+from housefly.wires.natnet import (
+    Connect,
+    Disconnect,
+    Frame,
+    Item,
+    KeepAlive,
+    ModelDef,
+    Request,
+    RequestModelDef,
+    Response,
+    RigidBody,
+    RigidBodyDescription,
+    ServerInfo,
+    Unrecognized,
+    Version,
+    decode_message,
+    encode_message,
+)
+
+TICKS_PER_SECOND = 10_000_000
+VERSIONS: tuple[Version, ...] = ((3, 0), (3, 1), (4, 0), (4, 1))
+LEASE = 10.0
+"""A unicast client that was silent for this long [s] gets no more frames."""
+_MOST_CLIENTS = 32
+_APPLICATION = "Housefly twin"
+
+Address = tuple[str, int]
+
+
+@dataclass(slots=True)
+class _Client:
+    version: Version
+    heard_at: float
+
+
+class NatNetServer:
+    """Serves frames to any number of clients; datagrams that a slow client does not read are lost
+    for it alone.
+
+    All calls belong to one asyncio loop.
+
+    Args:
+        address: where to listen; multicast leaves through this address too.
+        port: UDP port of commands.
+        data_port: UDP port that multicast frames are sent to.
+        version: of the protocol; from 4.0 on a unicast client may choose another.
+        group: multicast group; "" serves unicast.
+        y_up: whether to stream with y up, as Motive does unless told otherwise.
+
+    Attributes:
+        lost: frames not sent because the network's buffers were full.
+        malformed: datagrams that are not the protocol.
+    """
+
+    def __init__(
+        self,
+        address: str = "127.0.0.1",
+        port: int = 1510,
+        data_port: int = 1511,
+        version: Version = (3, 1),
+        group: str = "",
+        y_up: bool = True,
+    ) -> None:
+        self.lost = 0
+        self.malformed = 0
+        self._where = (address, port)
+        self._target = (group, data_port)
+        self._version = version
+        self._y_up = y_up
+        self._numbers: dict[str, int] = {}
+        self._clients: dict[Address, _Client] = {}
+        self._socket: socket.socket | None = None
+        self._transport: asyncio.DatagramTransport | None = None
+
+    @property
+    def clients(self) -> int:
+        """How many unicast clients were heard of lately."""
+        return len(self._clients)
+
+    async def start(self) -> None:
+        """Listen; raises LinkError when the address cannot be used."""
+        try:
+            self._socket = _socket_at(self._where)
+        except OSError as error:
+            raise LinkError(
+                f"cannot serve NatNet at {self._where[0]}:{self._where[1]}:"
+                f" {error.strerror or error}"
+            ) from error
+        loop = asyncio.get_running_loop()
+        self._transport, _ = await loop.create_datagram_endpoint(
+            lambda: _Ear(self.heard), sock=self._socket
+        )
+
+    async def stop(self) -> None:
+        """Close the port."""
+        if self._transport is not None:
+            self._transport.abort()
+        self._transport = self._socket = None
+        self._clients.clear()
+        await asyncio.sleep(0)
+
+    def publish(self, frame: MocapFrame) -> None:
+        """Send a frame to the group or to every client; returns at once."""
+        fresh = [name for name, _ in frame.bodies if name not in self._numbers]
+        for name in fresh:
+            self._numbers[name] = len(self._numbers) + 1
+        item = frame_item(frame, self._numbers, self._y_up, changed=bool(fresh))
+        if self._target[0]:
+            self._send(encode_message(item, self._version), self._target)
+            return
+        self._drop_the_silent()
+        packets: dict[Version, bytes] = {}
+        for address, client in self._clients.items():
+            if client.version not in packets:
+                packets[client.version] = encode_message(item, client.version)
+            self._send(packets[client.version], address)
+
+    def heard(self, datagram: bytes, sender: Address) -> None:
+        """Answer one datagram of a client."""
+        client = self._clients.get(sender)
+        version = client.version if client is not None else self._version
+        try:
+            item = decode_message(datagram, version)
+        except WireError:
+            self.malformed += 1
+            return
+        if client is not None:
+            client.heard_at = time.monotonic()
+        answer = self._answer(item, sender)
+        if answer is not None:
+            self._send(encode_message(answer, version), sender)
+
+    def _answer(self, item: Item, sender: Address) -> Item | None:
+        match item:
+            case Connect(wish):
+                return self._info(self._admit(sender, wish))
+            case RequestModelDef():
+                return ModelDef(
+                    tuple(
+                        RigidBodyDescription(number, name) for name, number in self._numbers.items()
+                    )
+                )
+            case Request(command):
+                return self._obey(command, sender)
+            case Disconnect():
+                self._clients.pop(sender, None)
+                return None
+            case KeepAlive():
+                return None
+            case _:
+                return Unrecognized()
+
+    def _admit(self, sender: Address, wish: Version | None) -> Version:
+        """Note a unicast client and return the version that it gets."""
+        if self._target[0] or (sender not in self._clients and len(self._clients) >= _MOST_CLIENTS):
+            return self._version
+        version = wish if wish in VERSIONS and self._version >= (4, 0) else self._version
+        self._clients[sender] = _Client(version, time.monotonic())
+        return version
+
+    def _obey(self, command: str, sender: Address) -> Item:
+        """Carry out a command in words; the only one is the choice of a version."""
+        name, _, value = command.partition(",")
+        if name.lower() != "bitstream":
+            return Unrecognized()
+        wish = next(
+            (version for version in VERSIONS if value.startswith(f"{version[0]}.{version[1]}")),
+            None,
+        )
+        client = self._clients.get(sender)
+        if wish is None or client is None or self._version < (4, 0):
+            return Response(1)
+        client.version = wish
+        return Response(0)
+
+    def _info(self, version: Version) -> ServerInfo:
+        group, data_port = self._target
+        where = group or "0.0.0.0"
+        return ServerInfo(
+            _APPLICATION,
+            (1, 0, 0, 0),
+            (*version, 0, 0),
+            TICKS_PER_SECOND,
+            data_port,
+            bool(group),
+            where,
+        )
+
+    def _drop_the_silent(self) -> None:
+        oldest = time.monotonic() - LEASE
+        for address in [
+            address for address, client in self._clients.items() if client.heard_at < oldest
+        ]:
+            del self._clients[address]
+
+    def _send(self, datagram: bytes, target: Address) -> None:
+        if self._socket is None:
+            return
+        try:
+            self._socket.sendto(datagram, target)
+        except OSError:
+            self.lost += 1  # the network's buffers are full, or it is not there
+
+
+class _Ear(asyncio.DatagramProtocol):
+    def __init__(self, heard: Callable[[bytes, Address], None]) -> None:
+        self._heard = heard
+
+    def datagram_received(self, data: bytes, addr: Address) -> None:
+        self._heard(data, addr)
+
+
+def _socket_at(where: Address) -> socket.socket:
+    """Return a socket that answers at an address; what it sends to groups leaves there and goes no
+    further than its network.
+    """
+    made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    try:
+        made.setblocking(False)
+        made.bind(where)
+        made.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 1)
+        made.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(where[0]))
+    except OSError:
+        made.close()
+        raise
+    return made
+
+
+def frame_item(
+    frame: MocapFrame, numbers: dict[str, int], y_up: bool, changed: bool = False
+) -> Frame:
+    """Return a frame as NatNet tells it; ``numbers`` gives each body's number."""
+    bodies = tuple(_body(numbers[name], pose, y_up) for name, pose in frame.bodies)
+    exposed, sent = (
+        max(0, round(at * TICKS_PER_SECOND)) for at in (frame.captured_at, frame.due_at)
+    )
+    return Frame(
+        frame.number & 0x7FFFFFFF,
+        bodies,
+        frame.captured_at,
+        exposed,
+        exposed,
+        sent,
+        changed=changed,
+    )
+
+
+def _body(number: int, pose: Pose | None, y_up: bool) -> RigidBody:
+    if pose is None:
+        return RigidBody(number, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0), tracked=False)
+    if y_up:
+        return RigidBody(number, y_up_position(pose.position), y_up_orientation(pose.orientation))
+    return RigidBody(number, pose.position, pose.orientation)

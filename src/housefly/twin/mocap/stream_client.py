@@ -1,0 +1,33 @@
+"""One TCP connection of a tracking client: it gets what it reads in time, and loses the rest."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+
+BACKLOG = 64 * 1024
+"""Bytes that may wait for a slow client before it loses frames; about a hundred frames of two
+bodies.
+"""
+
+
+class StreamClient:
+    """How much waits for a client."""
+
+    def __init__(self, writer: asyncio.StreamWriter) -> None:
+        self._writer = writer
+        connection = writer.get_extra_info("socket")
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        # The kernel would otherwise keep megabytes of frames too old to be of use.
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG)
+
+    def offer(self, packet: bytes) -> bool:
+        """Send a packet unless too much waits already; returns whether it was taken."""
+        if self._writer.is_closing() or self._writer.transport.get_write_buffer_size() > BACKLOG:
+            return False
+        self._writer.write(packet)
+        return True
+
+    def close(self) -> None:
+        """Drop the connection with whatever waits for it."""
+        self._writer.transport.abort()

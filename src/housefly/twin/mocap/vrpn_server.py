@@ -1,0 +1,229 @@
+"""The simulated tracking system as a VRPN server: each body is a tracker with one sensor.
+
+A client connects by TCP, or asks by datagram to be connected to. Both sides send a cookie; then the
+server tells the numbers of its names, and poses. Facts: docs/wires.md, section 7. A body that the
+cameras do not see is not spoken of.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+from housefly.errors import LinkError, WireError
+from housefly.twin.contracts import MocapFrame
+from housefly.twin.mocap.stream_client import StreamClient
+from housefly.wires.axes import y_up_orientation, y_up_position
+from housefly.wires.vrpn import (
+    COOKIE_SIZE,
+    MAJOR,
+    PING,
+    PONG,
+    POSE,
+    SENDER_DESCRIPTION,
+    TYPE_DESCRIPTION,
+    Message,
+    MessageStream,
+    Names,
+    TrackerPose,
+    decode_cookie,
+    decode_lob,
+    describe,
+    encode_cookie,
+    encode_message,
+    encode_pose,
+)
+
+TYPES = (POSE, PING, PONG)
+"""Message types of this server; their place is their number."""
+_MOST_CLIENTS = 32
+_PATIENCE = 2.0
+"""How long [s] a connection back to a client, and a cookie, may take."""
+_CHUNK = 64 * 1024
+
+Address = tuple[str, int]
+
+
+class VrpnServer:
+    """Serves poses to any number of clients; a slow client loses frames and never delays the
+    others.
+
+    All calls belong to one asyncio loop.
+
+    Args:
+        address: where to listen.
+        port: TCP and UDP port.
+        y_up: whether to serve with y up.
+
+    Attributes:
+        lost: frames not sent, summed over clients that were too slow.
+        malformed: connections closed, and datagrams dropped, because they are not the protocol.
+    """
+
+    def __init__(self, address: str = "127.0.0.1", port: int = 3883, y_up: bool = False) -> None:
+        self.lost = 0
+        self.malformed = 0
+        self._where = (address, port)
+        self._y_up = y_up
+        self._numbers: dict[str, int] = {}
+        self._links: set[StreamClient] = set()
+        self._clients: set[StreamClient] = set()
+        self._calls: dict[Address, asyncio.Task[None]] = {}
+        self._server: asyncio.Server | None = None
+        self._ear: asyncio.DatagramTransport | None = None
+
+    @property
+    def clients(self) -> int:
+        """How many clients are connected and have shown their cookie."""
+        return len(self._clients)
+
+    async def start(self) -> None:
+        """Listen; raises LinkError when the address cannot be used."""
+        loop = asyncio.get_running_loop()
+        try:
+            self._server = await asyncio.start_server(self._serve, *self._where)
+            self._ear, _ = await loop.create_datagram_endpoint(
+                lambda: _Ear(self._call_back), local_addr=self._where
+            )
+        except OSError as error:
+            await self.stop()
+            raise LinkError(
+                f"cannot serve VRPN at {self._where[0]}:{self._where[1]}: {error.strerror or error}"
+            ) from error
+
+    async def stop(self) -> None:
+        """Close the ports and every connection."""
+        if self._ear is not None:
+            self._ear.abort()
+        if self._server is not None:
+            self._server.close()
+        for call in tuple(self._calls.values()):
+            call.cancel()
+        for client in tuple(self._links):
+            client.close()
+        while self._links or self._calls:
+            await asyncio.sleep(
+                0
+            )  # each connection's task ends by itself; a loop that closes first would complain
+        if self._server is not None:
+            await self._server.wait_closed()
+        self._server = self._ear = None
+
+    def publish(self, frame: MocapFrame) -> None:
+        """Hand a frame to every client; returns at once."""
+        for name, _ in frame.bodies:
+            if name not in self._numbers:
+                self._numbers[name] = len(self._numbers)
+                self._broadcast(
+                    encode_message(describe(SENDER_DESCRIPTION, self._numbers[name], name))
+                )
+        packet = b"".join(
+            encode_message(message) for message in frame_messages(frame, self._numbers, self._y_up)
+        )
+        if packet:
+            self._broadcast(packet)
+
+    def _broadcast(self, packet: bytes) -> None:
+        for client in self._clients:
+            self.lost += not client.offer(packet)
+
+    def _call_back(self, datagram: bytes, sender: Address) -> None:
+        """Connect to a client that asked for it: at its own address, whatever it says, so that
+        nobody is called for another.
+        """
+        try:
+            _, port = decode_lob(datagram)
+        except WireError:
+            self.malformed += 1
+            return
+        target = sender[0], port
+        if (
+            target not in self._calls
+            and len(self._links) < _MOST_CLIENTS
+            and len(self._calls) < _MOST_CLIENTS
+        ):
+            self._calls[target] = asyncio.create_task(self._call(target))
+
+    async def _call(self, target: Address) -> None:
+        try:
+            async with asyncio.timeout(_PATIENCE):
+                reader, writer = await asyncio.open_connection(*target)
+            await self._serve(reader, writer)
+        except OSError:
+            pass  # a client that is gone again
+        finally:
+            self._calls.pop(target, None)
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        client = StreamClient(writer)
+        if len(self._links) >= _MOST_CLIENTS:
+            client.close()
+            return
+        self._links.add(client)
+        try:
+            client.offer(encode_cookie())
+            async with asyncio.timeout(_PATIENCE):
+                _check(await reader.readexactly(COOKIE_SIZE))
+            self._introduce(client)
+            self._clients.add(client)
+            await self._answer(client, reader)
+        except WireError:
+            self.malformed += 1
+        except (asyncio.IncompleteReadError, OSError):
+            pass
+        finally:
+            self._links.discard(client)
+            self._clients.discard(client)
+            client.close()
+
+    def _introduce(self, client: StreamClient) -> None:
+        for number, name in enumerate(TYPES):
+            client.offer(encode_message(describe(TYPE_DESCRIPTION, number, name)))
+        for name, number in self._numbers.items():
+            client.offer(encode_message(describe(SENDER_DESCRIPTION, number, name)))
+
+    async def _answer(self, client: StreamClient, reader: asyncio.StreamReader) -> None:
+        """Answer pings until the client leaves; all else that clients say is of no concern."""
+        stream, names = MessageStream(), Names()
+        while piece := await reader.read(_CHUNK):
+            for message in stream.feed(piece):
+                if (
+                    not names.learn(message)
+                    and names.kind(message) == PING
+                    and names.sender(message) in self._numbers
+                ):
+                    number = self._numbers[names.sender(message)]
+                    client.offer(
+                        encode_message(Message(TYPES.index(PONG), number, message.stamp, b""))
+                    )
+
+
+class _Ear(asyncio.DatagramProtocol):
+    def __init__(self, heard: Callable[[bytes, Address], None]) -> None:
+        self._heard = heard
+
+    def datagram_received(self, data: bytes, addr: Address) -> None:
+        self._heard(data, addr)
+
+
+def _check(cookie: bytes) -> None:
+    version = decode_cookie(cookie)
+    if not version.startswith(MAJOR):
+        raise WireError(f"VRPN cookie: version {version}; allowed: {MAJOR}")
+
+
+def frame_messages(frame: MocapFrame, numbers: dict[str, int], y_up: bool) -> list[Message]:
+    """Return the pose messages of a frame's seen bodies, stamped with the time of exposure."""
+    stamp = max(0, round(frame.captured_at * 1e6))
+    kind = TYPES.index(POSE)
+    messages = []
+    for name, pose in frame.bodies:
+        if pose is not None:
+            position = y_up_position(pose.position) if y_up else pose.position
+            orientation = y_up_orientation(pose.orientation) if y_up else pose.orientation
+            messages.append(
+                Message(
+                    kind, numbers[name], stamp, encode_pose(TrackerPose(0, position, orientation))
+                )
+            )
+    return messages

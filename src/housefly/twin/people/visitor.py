@@ -1,0 +1,51 @@
+"""The person at the door as tracking sees them: a body that stands still, or is away."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.messages import Pose
+from housefly.twin.ardrone.body import HULL_GROUP, VISUAL_GROUP
+from housefly.twin.mocap.mocap import Cameras
+from housefly.twin.physics import Physics
+
+
+class Visitor:
+    """Presence and pose of the visitor; what the cameras see of them is worked out when they come
+    or go, or when asked.
+    """
+
+    def __init__(self, physics: Physics, cameras: Cameras) -> None:
+        self._physics, self._cameras = physics, cameras
+        self._seen: Pose | None = None
+        self._present = False
+
+    @property
+    def present(self) -> bool:
+        """Whether the visitor is there."""
+        return self._present
+
+    @property
+    def seen(self) -> Pose | None:
+        """True pose when the visitor is there and the cameras see them, else None."""
+        return self._seen
+
+    def set_present(self, present: bool) -> None:
+        """Come to the door, or leave."""
+        self._physics.set_visitor(present)
+        self._present = present
+        self.look()
+
+    def look(self) -> None:
+        """Work out anew whether the cameras see the visitor: somebody may stand between."""
+        pose = self._physics.visitor_pose() if self._present else None
+        visible = pose is not None and self._cameras.see(
+            self._physics.visitor_markers(), self._physics.visitor_id, _ALL_BUT_THE_DRONE
+        )
+        self._seen = pose if visible else None
+
+
+_ALL_BUT_THE_DRONE: NDArray[np.uint8] = np.array(
+    [group not in (VISUAL_GROUP, HULL_GROUP) for group in range(6)], np.uint8
+)

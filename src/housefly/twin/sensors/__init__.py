@@ -1,0 +1,1 @@
+"""The other simulated sensors: scanners, depth cameras, MQTT devices."""

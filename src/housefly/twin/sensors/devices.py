@@ -1,0 +1,231 @@
+"""The devices of a scene: what each would send over MQTT at any time. Pure; noise is drawn with the
+scene's seed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from housefly.geometry import Vec2
+from housefly.twin.people import Act, Occurrence, Posture, Scene, SceneState
+from housefly.twin.people.script import DeviceScript, SceneScript
+from housefly.wires.devices import KINDS, Address, Channel, encode
+
+FLOOR_PERIOD = 0.1
+"""A floor sensor reports this often [s]."""
+HEARTBEATS = 3.0
+"""Other devices repeat their state so many times in the time in which they must send one."""
+
+Values = dict[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """One message on its way to the broker.
+
+    Attributes:
+        address: of the device that sends it.
+        channel: state or event.
+        payload: the bytes.
+        retain: whether the broker keeps it.
+    """
+
+    address: Address
+    channel: Channel
+    payload: bytes
+    retain: bool
+
+
+class Devices:
+    """All devices of a scene.
+
+    Args:
+        scene: what they notice.
+        site: second part of their topics.
+    """
+
+    def __init__(self, scene: Scene, site: str) -> None:
+        self._scene, self._site = scene, site
+        self._facts = _Facts(scene.script)
+        seeds = np.random.SeedSequence(scene.script.seed + 1).spawn(len(scene.script.devices))
+        self._senses = [
+            _Sense(device, np.random.default_rng(seed))
+            for device, seed in zip(scene.script.devices, seeds, strict=True)
+        ]
+        self._heard_until = -1.0
+
+    def messages(self, now: float, unix: float | None = None) -> tuple[Message, ...]:
+        """Return what the devices send since the last call.
+
+        Args:
+            now: time since the scene began [s].
+            unix: the same moment [s, Unix time]; None for devices without a clock.
+        """
+        state = self._scene.at(now)
+        stamp: Values = {} if unix is None else {"time": round(unix, 3)}
+        sent = [self._event(told, stamp) for told in self._scene.between(self._heard_until, now)]
+        self._heard_until = now
+        for sense in self._senses:
+            values = sense.due(state, self._facts)
+            if values is not None:
+                address = self._address(sense.device)
+                sent.append(
+                    Message(address, Channel.STATE, encode({**values, **stamp}), retain=True)
+                )
+        return tuple(message for message in sent if message is not None)
+
+    def addresses(self) -> tuple[Address, ...]:
+        """Return where the devices speak."""
+        return tuple(self._address(sense.device) for sense in self._senses)
+
+    def _address(self, device: DeviceScript) -> Address:
+        return Address(self._site, device.kind, device.id)
+
+    def _event(self, told: Occurrence, stamp: Values) -> Message | None:
+        """Return the event of an act, None where no device notices it."""
+        device = self._facts.devices.get(told.what if told.act in _ON_DEVICES else told.where)
+        word = _WORDS.get((device.kind, told.act)) if device is not None else None
+        if device is None or word is None:
+            return None
+        tagged: Values = {} if told.act in _ON_DEVICES else self._facts.tagged(told.what)
+        return Message(
+            self._address(device),
+            Channel.EVENT,
+            encode({"event": word, **tagged, **stamp}),
+            retain=False,
+        )
+
+
+class _Facts:
+    """What devices know of things and people besides where they are."""
+
+    def __init__(self, script: SceneScript) -> None:
+        self.devices: Mapping[str, DeviceScript] = {device.id: device for device in script.devices}
+        self.weights: Mapping[str, float] = {person.name: person.weight for person in script.people}
+        self._things = {thing.name: thing for thing in script.things}
+
+    def tagged(self, thing: str) -> Values:
+        """Return tag and weight of a thing."""
+        return {"tag": self._things[thing].tag, "weight": self._things[thing].weight}
+
+
+class _Sense:
+    """One device: what it reads, and when it says so."""
+
+    def __init__(self, device: DeviceScript, rng: np.random.Generator) -> None:
+        self.device = device
+        self._rng = rng
+        self._read = _READERS[device.kind]
+        self._period = (
+            FLOOR_PERIOD if device.kind == "floor" else KINDS[device.kind].heartbeat / HEARTBEATS
+        )
+        self._next = 0.0
+        self._last: Values | None = None
+
+    def due(self, state: SceneState, facts: _Facts) -> Values | None:
+        """Return the state when it is time for one, or when it is another; None else. Noise alone
+        is no change.
+        """
+        true = self._read(self.device, state, facts)
+        changed = true != self._last and self.device.kind != "floor"
+        if state.at < self._next - 1e-9 and not changed:
+            return None
+        self._last = true
+        self._next = (
+            max(self._next + self._period, state.at)
+            if self.device.kind == "floor"
+            else state.at + self._period
+        )
+        return _noisy(true, self.device, self._rng)
+
+
+def _floor(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    standing = (
+        p
+        for p in state.people
+        if p.present and p.posture is not Posture.LYING and _covers(device, p.position)
+    )
+    people = [
+        {"id": p.name, **_local(device, p.position), "weight": facts.weights[p.name]}
+        for p in standing
+    ]
+    return {"people": people}
+
+
+def _cabinet(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    items = [facts.tagged(thing.name) for thing in state.inside(device.id)]
+    return {"items": items, "open": device.id in state.open}
+
+
+def _bed(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    lying = (p for p in state.people if p.posture is Posture.LYING and _covers(device, p.position))
+    return {"load": sum(facts.weights[person.name] for person in lying)}
+
+
+def _door(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    return {"open": device.id in state.open}
+
+
+def _doorbell(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    return {}
+
+
+def _motion(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+    return {
+        "motion": any(
+            p.posture is Posture.WALKING and _covers(device, p.position) for p in state.people
+        )
+    }
+
+
+_READERS: dict[str, Callable[[DeviceScript, SceneState, _Facts], Values]] = {
+    "floor": _floor,
+    "cabinet": _cabinet,
+    "refrigerator": _cabinet,
+    "bed": _bed,
+    "door": _door,
+    "doorbell": _doorbell,
+    "motion": _motion,
+}
+_ON_DEVICES = frozenset({Act.OPEN, Act.CLOSE, Act.PRESS})
+_WORDS = {
+    ("cabinet", Act.TAKE): "taken",
+    ("cabinet", Act.PUT): "put",
+    ("refrigerator", Act.TAKE): "taken",
+    ("refrigerator", Act.PUT): "put",
+    ("refrigerator", Act.OPEN): "opened",
+    ("refrigerator", Act.CLOSE): "closed",
+    ("door", Act.OPEN): "opened",
+    ("door", Act.CLOSE): "closed",
+    ("doorbell", Act.PRESS): "pressed",
+}
+_MEASURED = frozenset({"x", "y", "load"})
+"""Keys of what is measured with noise."""
+
+
+def _covers(device: DeviceScript, at: Vec2) -> bool:
+    x_min, y_min, x_max, y_max = device.area
+    return x_min <= at[0] <= x_max and y_min <= at[1] <= y_max
+
+
+def _local(device: DeviceScript, at: Vec2) -> Values:
+    """Return a point of the world in the device's frame [m]."""
+    turn = complex(np.cos(device.yaw), -np.sin(device.yaw))
+    point = complex(at[0] - device.position[0], at[1] - device.position[1]) * turn
+    return {"x": point.real, "y": point.imag}
+
+
+def _noisy(values: Values, device: DeviceScript, rng: np.random.Generator) -> Values:
+    """Return the values as they are measured, rounded to a tenth of a millimetre or gram."""
+    noisy: Values = {}
+    for key, value in values.items():
+        if key in _MEASURED and isinstance(value, int | float):
+            noisy[key] = round(value + device.noise * float(rng.standard_normal()), 4)
+        elif isinstance(value, list):
+            noisy[key] = [_noisy(row, device, rng) for row in value]
+        else:
+            noisy[key] = value
+    return noisy

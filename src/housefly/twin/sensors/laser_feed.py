@@ -1,0 +1,54 @@
+"""Serves every scanner of the site and feeds each with scans at its own rate; one that nobody
+listens to is not simulated.
+"""
+
+from __future__ import annotations
+
+from housefly.config.site import Site
+from housefly.twin.address import check_address
+from housefly.twin.sensors.laser_server import LaserServer
+from housefly.twin.world import SimulatedWorld
+from housefly.wires.scip.parameters import MODELS
+
+
+class LaserFeed:
+    """The scanners of a site on their wires.
+
+    Args:
+        site: where they answer.
+        world: what they look at.
+        beyond_loopback: allow addresses that other machines can reach.
+
+    Raises:
+        ConfigError: an address that is not loopback, without ``beyond_loopback``.
+    """
+
+    def __init__(self, site: Site, world: SimulatedWorld, beyond_loopback: bool = False) -> None:
+        for number, laser in enumerate(site.lasers):
+            check_address(f"lasers.{number}.address", laser.address, beyond_loopback)
+        self._world = world
+        self._periods = {laser.name: MODELS[laser.model].period for laser in site.lasers}
+        self._due = dict.fromkeys(self._periods, 0.0)
+        self._servers = {
+            laser.name: LaserServer(MODELS[laser.model], laser.address, laser.port, f"H{number:07}")
+            for number, laser in enumerate(site.lasers, start=1)
+        }
+
+    async def start(self) -> None:
+        """Listen on every port; raises LinkError when one cannot be had."""
+        for server in self._servers.values():
+            await server.start()
+
+    async def stop(self) -> None:
+        """Close every port and connection."""
+        for server in self._servers.values():
+            await server.stop()
+
+    def publish(self) -> None:
+        """Take the scans that are due and hand them out."""
+        now = self._world.now
+        for name, server in self._servers.items():
+            if now >= self._due[name]:
+                self._due[name] = now + self._periods[name] - 1e-3
+                if server.is_measuring:
+                    server.publish(self._world.scan(name), round(1000.0 * now))

@@ -1,0 +1,74 @@
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+Fly = Callable[..., Any]
+
+SAME = 1e-11
+"""The live pilot takes the heading out of a quaternion, so the last bits differ; beyond that both
+call the same functions.
+"""
+SIGNALS = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
+ESTIMATES = ("est_x", "est_y", "est_z", "est_vx", "est_vy", "est_vz", "est_psi", "pose_age")
+REFERENCES = ("ref_x", "ref_y", "ref_vx", "ref_vy", "ref_psi")
+STREAMS = {
+    "100 Hz": {"mocap_rate_hz": 100.0},
+    "10 Hz, late and lossy": {
+        "mocap_rate_hz": 10.0,
+        "mocap_latency": 0.1,
+        "mocap_jitter": 0.01,
+        "mocap_dropout": 0.3,
+    },
+    "30 Hz, noisy, in wind": {
+        "mocap_rate_hz": 30.0,
+        "mocap_noise": 0.004,
+        "wind_x": 0.05,
+        "gust": 0.05,
+    },
+}
+
+
+@pytest.mark.parametrize("stream", list(STREAMS))
+@pytest.mark.parametrize("mode", ["default", "paper"])
+def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, mode: str, stream: str) -> None:
+    twins = fly_twice(mode, **STREAMS[stream])
+    for column in ("flying", "behavior", "safety"):
+        assert np.array_equal(twins.batch[column], twins.live[column]), column
+    assert twins.apart(SIGNALS) < SAME
+    assert twins.apart(ESTIMATES) < SAME
+    assert twins.apart(REFERENCES) < SAME
+    assert np.ptp(twins.batch["x"]) > 3.0
+
+
+@pytest.mark.parametrize(
+    ("mode", "column", "value"),
+    [
+        ("default", "alpha", 3.61),
+        ("default", "model_lag", 7.01),
+        ("default", "model_delay", 0.061),
+        ("default", "model_drag", 0.581),
+        ("default", "position_noise", 0.0031),
+        ("default", "height_gain", 1.21),
+        ("default", "speed", 0.501),
+        ("default", "epsilon_yaw", 0.34),
+        ("default", "pose_age_level", 0.05),
+        ("paper", "beta", 3.25),
+        ("paper", "yaw_gain", 1.51),
+        ("paper", "acceleration_noise", 0.41),
+        ("paper", "epsilon_position", 0.39),
+    ],
+)
+def test_the_comparison_notices_any_constant_that_differs(
+    fly_twice: Fly, mode: str, column: str, value: float
+) -> None:
+    stream = {"mocap_rate_hz": 10.0, "mocap_latency": 0.05}
+    twins = fly_twice(mode, **stream, **{column: value})
+    states = any(
+        not np.array_equal(twins.batch[name], twins.live[name])
+        for name in ("flying", "behavior", "safety")
+    )
+    assert states or twins.apart(SIGNALS) > 1e6 * SAME

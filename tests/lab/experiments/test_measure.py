@@ -1,0 +1,127 @@
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from housefly.config.site import Site, changed
+from housefly.lab.experiments.cases import cases
+from housefly.lab.experiments.engine import fly_many, fly_traced
+from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.outcomes import OUTCOME
+from housefly.lab.experiments.route import off_line, route_of
+
+CORNER = ((1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (3.0, 2.5))
+
+
+def by_hand(trace: np.ndarray, mission: Mission, eps3: float, tilt_max: float) -> dict[str, float]:
+    """The same measures from the whole record, with NumPy."""
+    task = trace[trace["t"] >= mission.settle - 1e-9]
+    looks = task[::2]
+    points = np.array(mission.waypoints)
+    off = np.min([from_leg(looks, a, b) for a, b in pairwise(points)], axis=0)
+    goal = np.hypot(looks["x"] - points[-1, 0], looks["y"] - points[-1, 1])
+    inside = goal < eps3
+    outside = np.flatnonzero(~inside)
+    entry = 0 if len(outside) == 0 else int(outside[-1]) + 1
+    last = looks[looks["t"] >= mission.duration - 2.0 - 1e-9]
+    leg = (points[-1] - points[-2]) / np.hypot(*(points[-1] - points[-2]))
+    past = (looks["x"] - points[-1, 0]) * leg[0] + (looks["y"] - points[-1, 1]) * leg[1]
+    first = int(np.argmax(inside))
+    flight = trace["behavior"][trace["t"] >= mission.settle - 0.015]
+    return {
+        "rms_error": np.sqrt(np.mean(off[: entry + 1] ** 2)),
+        "max_error": off[: entry + 1].max(),
+        "reference_rms": np.sqrt(
+            np.mean((looks["x"] - looks["ref_x"]) ** 2 + (looks["y"] - looks["ref_y"]) ** 2)
+        ),
+        "arrival_time": looks["t"][entry] - mission.settle,
+        "arrival_error": goal[-len(last) :].mean(),
+        "overshoot": max(0.0, past[first:].max()),
+        "residual": max(np.abs(last[axis] - last[axis].mean()).max() for axis in ("x", "y")),
+        "switches_per_s": np.count_nonzero(np.diff(flight)) / (mission.duration - mission.settle),
+        "saturated": np.mean(task["ask_tilt"] > tilt_max),
+        "height_error": np.abs(looks["z"] - mission.height).max(),
+        "estimate_rms": np.sqrt(
+            np.mean(sum((looks[f"est_{axis}"] - looks[axis]) ** 2 for axis in "xyz"))
+        ),
+        "levelled": np.mean(task["safety"] == 1),
+        "ended_at": trace["t"][-1],
+    }
+
+
+def from_leg(rows: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    share = np.clip(
+        ((rows["x"] - a[0]) * (b - a)[0] + (rows["y"] - a[1]) * (b - a)[1]) / np.sum((b - a) ** 2),
+        0.0,
+        1.0,
+    )
+    off: np.ndarray = np.hypot(
+        rows["x"] - a[0] - share * (b - a)[0], rows["y"] - a[1] - share * (b - a)[1]
+    )
+    return off
+
+
+@pytest.mark.parametrize("mode", ["default", "paper"])
+@pytest.mark.parametrize(
+    "columns",
+    [{}, {"mocap_rate_hz": 10.0, "mocap_dropout": 0.2, "mocap_noise": 0.004, "gust": 0.03}],
+)
+def test_measures_are_those_of_the_whole_record(mode: str, columns: dict[str, float]) -> None:
+    drone = cases(changed(Site(), mode=mode), 1, seed=5, **columns)
+    mission = Mission(Task.PATH, CORNER, 20.0)
+    outcome = fly_many(drone, mission)[0]
+    expected = by_hand(
+        fly_traced(drone, mission),
+        mission,
+        float(drone["epsilon_position"][0]),
+        float(drone["tilt_max"][0]),
+    )
+    assert {name: outcome[name] for name in expected} == pytest.approx(expected, rel=1e-9, abs=1e-9)
+    assert outcome["stable"] == 1.0
+
+
+def test_distance_from_a_line_is_the_smallest_over_its_legs() -> None:
+    route = route_of(Mission(Task.PATH, CORNER, 1.0))
+    assert route.line.tolist() == [[1.0, 1.0], [3.0, 1.0], [3.0, 2.5]]
+    points = np.random.default_rng(1).uniform(-1.0, 5.0, (200, 2))
+    rows = np.array([tuple(point) for point in points], dtype=[("x", "f8"), ("y", "f8")])
+    legs = [from_leg(rows, a, b) for a, b in pairwise(route.line)]
+    assert [off_line(route.line, x, y) for x, y in points] == pytest.approx(
+        np.min(legs, axis=0).tolist(), abs=1e-12
+    )
+
+
+@pytest.mark.parametrize(
+    "columns",
+    [
+        {"alpha": -3.6, "beta": -3.24},
+        {"alpha": 0.5, "beta": 60.0},
+        {"mocap_dropout": 1.0},
+        {
+            "mocap_rate_hz": 1.0,
+            "pose_age_level": 99.0,
+            "pose_age_land": 99.0,
+            "beta": 100.0,
+            "estimator": 3,
+        },
+        {"wind_x": 2.0, "wind_y": 2.0, "gust": 2.0, "tilt_max": 0.02},
+    ],
+)
+def test_a_drone_that_is_lost_ends_unstable_with_finite_numbers(columns: dict[str, float]) -> None:
+    outcome = fly_many(
+        cases(Site(), 4, seed=np.arange(4), **columns),
+        Mission(Task.STEP, ((0.0, 0.0), (1.0, 0.0)), 60.0),
+    )
+    assert (outcome["stable"] == 0.0).all()
+    for name in set(OUTCOME.names or ()) - {"arrival_time"}:
+        assert np.isfinite(outcome[name]).all(), name
+
+
+def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() -> None:
+    drone = cases(Site(), 1, mocap_dropout=1.0)
+    trace = fly_traced(drone, Mission(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
+    assert trace["safety"][trace["t"] < 0.25].tolist() == [0] * 25 or trace["safety"][20] == 0
+    assert trace["safety"][100] == 1 and trace["safety"][-1] == 2
+    assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)

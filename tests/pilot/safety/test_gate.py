@@ -1,0 +1,182 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+from math import hypot, inf, isfinite, nan
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.config.site import LimitsConfig
+from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
+from housefly.pilot.safety.facts import AIRBORNE, Facts, Fence
+from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, Gate
+from housefly.pilot.safety.rules import RULES, SEVERITY
+
+LIMITS = LimitsConfig()
+FENCE = Fence((0.0, 0.0, 10.0, 5.0), 2.5)
+FINE = Facts(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
+FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
+BOLDNESS = {
+    Action.FLY: 3,
+    Action.TAKE_OFF: 3,
+    Action.HOVER: 2,
+    Action.RESET: 2,
+    Action.LAND: 1,
+    Action.IDLE: 0,
+    Action.CUT: 0,
+}
+
+number = st.floats() | st.floats(-2.0, 2.0)
+commands = st.builds(
+    Command, st.sampled_from(Action), st.builds(Setpoint, number, number, number, number)
+)
+facts = st.builds(
+    Facts,
+    now=st.floats(0.0, 1e4),
+    status=st.sampled_from(DroneStatus),
+    battery=number,
+    pose_age=number,
+    telemetry_age=number,
+    position=st.none() | st.tuples(number, number, number),
+    stopped=st.booleans(),
+    cutting=st.booleans(),
+) | st.just(FINE)
+
+
+def judge(command: Command, *series: Facts) -> tuple[SafetyMode, Command]:
+    gate = Gate(LIMITS, FENCE)
+    for each in series:
+        verdict = gate.judge(command, each)
+    return verdict.mode, verdict.command
+
+
+@given(commands, st.lists(facts, min_size=1, max_size=6))
+def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
+    command: Command, series: list[Facts]
+) -> None:
+    gate = Gate(LIMITS, FENCE)
+    for each in series:
+        verdict = gate.judge(command, each)
+        out = verdict.command.setpoint
+        assert all(isfinite(value) for value in (out.theta, out.phi, out.vz, out.yaw_rate))
+        assert max(abs(out.theta), abs(out.phi)) <= LIMITS.tilt_max
+        assert abs(out.vz) <= LIMITS.vertical_speed_max and abs(out.yaw_rate) <= LIMITS.yaw_rate_max
+        asked = command.setpoint
+        if verdict.command.action is Action.FLY:
+            assert hypot(out.theta, out.phi) <= hypot(asked.theta, asked.phi) + 1e-12
+            assert command.action is Action.FLY
+        else:
+            assert out == LEVEL
+        if verdict.command.action is not Action.LAND or each.status not in AIRBORNE:
+            assert (
+                BOLDNESS[verdict.command.action] <= BOLDNESS[command.action]
+                or verdict.mode is SafetyMode.CUT
+            )
+
+
+@given(commands, facts)
+def test_motors_are_cut_in_the_air_only_by_order(command: Command, each: Facts) -> None:
+    mode, out = judge(command, each)
+    if out.action is Action.CUT and each.status in AIRBORNE:
+        assert each.cutting or command.action is Action.CUT
+    assert mode is not SafetyMode.CUT or each.cutting or each.status is DroneStatus.EMERGENCY
+
+
+@given(commands, facts)
+def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: Facts) -> None:
+    _, out = judge(command, each)
+    if each.status is DroneStatus.EMERGENCY:
+        assert out.action in (Action.IDLE, Action.RESET)
+    else:
+        assert out.action is not Action.RESET
+
+
+@given(facts)
+def test_the_worst_broken_rule_decides(each: Facts) -> None:
+    gate = Gate(LIMITS, FENCE)
+    mode = gate.judge(Command(Action.HOVER), each).mode
+    at_once = [rule for rule in RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)]
+    assert SEVERITY[mode] == max((SEVERITY[rule.mode] for rule in at_once), default=0)
+
+
+def test_what_is_too_much_is_cut_to_the_limits() -> None:
+    wild = Command(Action.FLY, Setpoint(9.0, -9.0, 9.0, -9.0))
+    tilt, climb, turn = LIMITS.tilt_max, LIMITS.vertical_speed_max, LIMITS.yaw_rate_max
+    assert judge(wild, FINE) == (
+        SafetyMode.NOMINAL,
+        Command(Action.FLY, Setpoint(tilt, -tilt, climb, -turn)),
+    )
+
+
+def test_what_is_right_passes_unchanged() -> None:
+    assert judge(FLY, FINE) == (SafetyMode.NOMINAL, FLY)
+
+
+@pytest.mark.parametrize(
+    ("change", "mode", "action"),
+    [
+        ({"pose_age": 0.251}, SafetyMode.LEVEL, Action.HOVER),
+        ({"pose_age": nan}, SafetyMode.LAND, Action.LAND),
+        ({"pose_age": 2.01}, SafetyMode.LAND, Action.LAND),
+        ({"telemetry_age": 1.01}, SafetyMode.LAND, Action.LAND),
+        ({"position": (11.01, 2.0, 1.0)}, SafetyMode.LAND, Action.LAND),
+        ({"position": (5.0, -1.01, 1.0)}, SafetyMode.LAND, Action.LAND),
+        ({"position": (5.0, nan, 1.0)}, SafetyMode.LAND, Action.LAND),
+        ({"position": (5.0, 2.0, 2.51)}, SafetyMode.LAND, Action.LAND),
+        ({"stopped": True}, SafetyMode.STOPPED, Action.HOVER),
+        ({"cutting": True}, SafetyMode.CUT, Action.CUT),
+        ({"stopped": True, "pose_age": 3.0}, SafetyMode.LAND, Action.LAND),
+        ({"cutting": True, "pose_age": 3.0}, SafetyMode.CUT, Action.CUT),
+    ],
+)
+def test_each_fault_has_its_answer(
+    change: dict[str, object], mode: SafetyMode, action: Action
+) -> None:
+    assert judge(FLY, replace(FINE, **change)) == (mode, Command(action))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("battery", [0.149, nan, -inf])
+def test_an_empty_battery_lands_after_a_second_and_a_dip_does_not(battery: float) -> None:
+    low = replace(FINE, battery=battery)
+    assert judge(FLY, low, replace(low, now=10.9))[0] is SafetyMode.NOMINAL
+    assert judge(FLY, low, replace(low, now=11.0))[0] is SafetyMode.LAND
+    assert judge(FLY, low, replace(FINE, now=10.5), replace(low, now=11.4))[0] is SafetyMode.NOMINAL
+
+
+def test_a_forced_landing_is_kept_until_the_drone_stands() -> None:
+    gate = Gate(LIMITS, FENCE)
+    gate.judge(FLY, replace(FINE, pose_age=3.0))
+    assert gate.judge(FLY, FINE).command.action is Action.LAND
+    assert gate.landing
+    gate.judge(Command(Action.LAND), replace(FINE, status=DroneStatus.LANDED))
+    assert not gate.landing
+
+
+def test_a_level_episode_ends_by_itself() -> None:
+    gate = Gate(LIMITS, FENCE)
+    assert gate.judge(FLY, replace(FINE, pose_age=1.0)).mode is SafetyMode.LEVEL
+    assert gate.judge(FLY, FINE).command == FLY
+
+
+@pytest.mark.parametrize("bad", [nan, inf, -inf])
+def test_a_command_that_is_not_a_number_becomes_hover(bad: float) -> None:
+    mode, out = judge(Command(Action.FLY, Setpoint(theta=bad)), FINE)
+    assert (mode, out) == (SafetyMode.LEVEL, Command(Action.HOVER))
+
+
+def test_on_the_ground_stop_keeps_the_drone_there() -> None:
+    ground = replace(FINE, status=DroneStatus.LANDED, stopped=True)
+    assert judge(Command(Action.TAKE_OFF), ground)[1].action is Action.IDLE
+
+
+def test_every_mode_says_what_becomes_of_actions() -> None:
+    for table, mode in product((AIRBORNE_ACTIONS, GROUND_ACTIONS), SafetyMode):
+        assert mode in table
+
+
+def test_every_rule_has_words_and_a_name_of_its_own() -> None:
+    assert len({rule.code for rule in RULES}) == len(RULES)
+    for rule in RULES:
+        assert rule.words(FINE, LIMITS)

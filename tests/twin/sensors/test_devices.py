@@ -1,0 +1,151 @@
+"""The simulated devices: what they send is what their kind's table reads, and what the scene holds."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+import pytest
+
+from housefly.messages import Happening, Observation
+from housefly.twin.people import Posture, load_scene, scene_from_tree
+from housefly.twin.sensors.devices import Devices, Message
+from housefly.wires.devices import Channel, Delivered, Placement, Reading, decode
+
+UNIX = 1_800_000_000.0
+BSEN = load_scene("bsen")
+THINGS = Placement(things={thing.tag: thing.name for thing in BSEN.script.things})
+
+
+def play(seconds: float, period: float = 0.05) -> list[tuple[float, Message]]:
+    devices = Devices(BSEN, "bsen")
+    steps = range(round(seconds / period) + 1)
+    return [
+        (n * period, message)
+        for n in steps
+        for message in devices.messages(n * period, UNIX + n * period)
+    ]
+
+
+def read(now: float, message: Message) -> Reading:
+    return decode(Delivered(message.address, message.channel, message.payload, UNIX + now), THINGS)
+
+
+SENT = play(BSEN.length)
+
+
+def told(kind: str) -> list[tuple[float, Reading]]:
+    return [(now, read(now, message)) for now, message in SENT if message.address.kind == kind]
+
+
+def facts(value: Observation | Happening) -> dict[str, object]:
+    return dict(value.facts)
+
+
+def test_everything_that_is_sent_can_be_read_with_its_time() -> None:
+    for now, message in SENT:
+        reading = read(now, message)
+        assert reading.unknown == () and reading.clock_error is None
+        for seen in reading.observations:
+            assert seen.captured_at == pytest.approx(UNIX + now, abs=0.002)
+
+
+def test_the_same_scene_sends_the_same_bytes() -> None:
+    assert play(20.0) == SENT[: len(play(20.0))]
+
+
+def test_the_floor_sees_who_stands_in_its_area_ten_times_a_second_with_its_noise() -> None:
+    readings = told("floor")
+    assert len(readings) == pytest.approx(10 * BSEN.length, abs=12)
+    errors = []
+    for now, reading in readings:
+        people = {person.name: person for person in BSEN.at(now).people}
+        expected = {
+            name
+            for name, person in people.items()
+            if person.present and person.posture is not Posture.LYING and person.position[0] > 4.8
+        }
+        seen = {row.thing: row for row in reading.observations[1:]}
+        assert set(seen) == expected
+        for name, row in seen.items():
+            assert row.position is not None
+            errors += [row.position[axis] - people[name].position[axis] for axis in (0, 1)]
+    assert np.std(errors) == pytest.approx(0.03, rel=0.1)
+
+
+def test_the_cabinet_knows_the_cup_while_it_is_in_there() -> None:
+    contents = {
+        now: facts(reading.observations[0])["contents"]
+        for now, reading in told("cabinet")
+        if reading.observations
+    }
+    assert set(contents.values()) == {"book,cup", "book"}
+    assert [h.kind for _, reading in told("cabinet") for h in reading.happenings] == [
+        "object taken",
+        "object put",
+    ]
+    cup = next(
+        row for _, reading in told("cabinet") for row in reading.observations if row.thing == "cup"
+    )
+    assert (cup.inside, facts(cup)["weight"]) == ("cabinet", 0.21)
+
+
+def test_the_refrigerator_is_open_while_somebody_takes_from_it() -> None:
+    taken = next(
+        now
+        for now, reading in told("refrigerator")
+        for h in reading.happenings
+        if h.kind == "object taken"
+    )
+    states = [
+        (now, facts(reading.observations[0]))
+        for now, reading in told("refrigerator")
+        if reading.observations
+    ]
+    _, at_that_time = max((row for row in states if row[0] <= taken), key=lambda row: row[0])
+    assert at_that_time["open"] is True
+    assert states[-1][1]["open"] is False
+
+
+def test_the_bed_feels_who_lies_in_it() -> None:
+    states = [facts(reading.observations[0]) for _, reading in told("bed")]
+    assert {state["occupied"] for state in states} == {True, False}
+    assert max(float(str(state["load"])) for state in states) == pytest.approx(58.0, abs=1.0)
+
+
+def test_the_bell_rings_once_and_then_the_door_opens_and_closes() -> None:
+    happenings = [
+        (now, h.kind)
+        for kind in ("doorbell", "door")
+        for now, reading in told(kind)
+        for h in reading.happenings
+    ]
+    assert [kind for _, kind in happenings] == ["bell pressed", "door opened", "door closed"]
+    assert [now for now, _ in happenings] == sorted(now for now, _ in happenings)
+
+
+def test_somebody_moves_in_the_corridor_at_some_time() -> None:
+    assert {facts(reading.observations[0])["motion"] for _, reading in told("motion")} == {
+        True,
+        False,
+    }
+
+
+def test_states_are_kept_by_the_broker_and_events_are_not() -> None:
+    for _, message in SENT:
+        assert message.retain is (message.channel is Channel.STATE)
+
+
+def test_a_floor_sensor_that_is_turned_reports_in_its_own_frame() -> None:
+    person = {"name": "ann", "start": [3.0, 4.0], "steps": []}
+    floor = {"kind": "floor", "id": "f", "position": [1.0, 2.0, 0.0], "yaw": 1.2}
+    devices = Devices(
+        scene_from_tree({"name": "t", "people": [person], "devices": [floor]}), "bsen"
+    )
+    (message,) = devices.messages(0.0)
+    row = decode(
+        Delivered(message.address, message.channel, message.payload, UNIX),
+        Placement((1.0, 2.0, 0.0), 1.2),
+    ).observations[1]
+    assert row.position is not None
+    assert hypot(row.position[0] - 3.0, row.position[1] - 4.0) < 1e-3
