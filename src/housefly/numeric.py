@@ -18,8 +18,12 @@ from typing import Any, TypeVar, cast
 
 import numpy as np
 from numba import config, njit
+from numpy.typing import NDArray
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+
+FloatArray = NDArray[np.float64]
+"""An array of double-precision numbers; its shape stands where it is used."""
 
 HERE = Path(__file__).parent
 FOLDERS = ("pilot", "lab/experiments")
