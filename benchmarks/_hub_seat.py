@@ -12,14 +12,14 @@ from collections.abc import Callable
 from functools import partial
 
 import housefly
-from housefly.bus.topics import FRAME, HUB_QUERY, ROOM_NEWS, STEP
+from housefly.bus.topics import FRAME_TOPIC, HUB_QUERY, ROOM_NEWS_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import ThingError
 from housefly.hub.api.answers import WhereAnswer
-from housefly.hub.api.questions import Where
-from housefly.hub.api.room_json import answer_from_json, question_to_json
-from housefly.hub.asking.client import RoomClient
-from housefly.hub.asking.discovery import find
+from housefly.hub.api.json import answer_from_json, question_to_json
+from housefly.hub.api.questions import WhereQuestion
+from housefly.hub.client.discovery import find
+from housefly.hub.client.room_client import RoomClient
 from housefly.messages import PilotStep, RoomNews, TrackedFrame
 
 ECHO = "benchmark/echo"
@@ -49,11 +49,11 @@ def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
     """
 
     def where(thing: str) -> WhereAnswer:
-        answer = answer_from_json(Where(thing), bus.ask(HUB_QUERY, question_to_json(Where(thing))))
+        answer = answer_from_json(WhereQuestion(thing), bus.ask(HUB_QUERY, question_to_json(WhereQuestion(thing))))
         assert isinstance(answer, WhereAnswer)
         return answer
 
-    known, text = known_to(where), bus.ask(HUB_QUERY, question_to_json(Where(THINGS[0])))
+    known, text = known_to(where), bus.ask(HUB_QUERY, question_to_json(WhereQuestion(THINGS[0])))
     times: dict[str, list[float]] = {"hub": [], "echo": []}
     for number in range(count):
         thing = known[number % len(known)]
@@ -114,7 +114,7 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
             now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone
         ]
 
-    open_ = [bus.subscribe(FRAME, frame), bus.subscribe(STEP, step), bus.subscribe(ROOM_NEWS, news)]
+    open_ = [bus.subscribe(FRAME_TOPIC, frame), bus.subscribe(STEP_TOPIC, step), bus.subscribe(ROOM_NEWS_TOPIC, news)]
     time.sleep(WARM_UP)
     for values in ages.values():
         values.clear()

@@ -11,11 +11,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from housefly.app.launcher import Launcher, parts_of
-from housefly.app.premises import read_site
+from housefly.app.launcher import Launcher, processes_of
+from housefly.app.loaded_site import read_site
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
-from housefly.bus.topics import LINK, ORDER, STEP
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import LinkStatus, Order, OrderKind, Phase, PilotStep
@@ -53,7 +53,7 @@ class Running:
     def order(self, kind: OrderKind, place: str = "", look_s: float = 3.0) -> None:
         """Give an order."""
         self.bus.publish(
-            ORDER, Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark")
+            ORDER_TOPIC, Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark")
         )
 
     def wait_for(self, phase: Phase, timeout: float) -> None:
@@ -72,7 +72,7 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
         start = time.monotonic()
         runtime = new_runtime(site, Path(folder))
         with (
-            Launcher(runtime, Path(folder), parts_of(runtime, web=web)) as launcher,
+            Launcher(runtime, Path(folder), processes_of(runtime, web=web)) as launcher,
             ZenohBus(connect=runtime.bus) as bus,
         ):
             video = site.drone.has_video and site.twin.video
@@ -89,8 +89,8 @@ def running(site: Site, *, web: bool = True) -> Iterator[Running]:
                 with lock:
                     state.step = step
 
-            bus.subscribe(STEP, heard)
-            bus.subscribe(LINK, state.links.append)
+            bus.subscribe(STEP_TOPIC, heard)
+            bus.subscribe(LINK_TOPIC, state.links.append)
             yield state
 
 

@@ -8,9 +8,9 @@ from collections.abc import Callable
 import pyardrone.navdata as theirs
 from pyardrone.at import PCMD
 
-from housefly.wires.ardrone import at, pave, signs
-from housefly.wires.ardrone.navdata import DroneState, decode_navdata, encode_navdata
-from housefly.wires.ardrone.navdata_options import OPTIONS, Demo, MajorState, VisionDetect
+from housefly.wires.ardrone import at, conversions, pave
+from housefly.wires.ardrone.navdata import StateBits, decode_navdata, encode_navdata
+from housefly.wires.ardrone.navdata_options import OPTION_TYPES, Demo, MajorState, VisionDetect
 
 DEMO = Demo(
     ctrl_state=MajorState.FLYING << 16,
@@ -21,8 +21,8 @@ DEMO = Demo(
     altitude=534,
     vx=268.5,
 )
-SHORT = encode_navdata(DroneState.FLYING, 1, (DEMO, VisionDetect()))
-FULL = encode_navdata(DroneState.FLYING, 1, (DEMO, *(kind() for kind in OPTIONS[1:])))
+SHORT = encode_navdata(StateBits.FLYING, 1, (DEMO, VisionDetect()))
+FULL = encode_navdata(StateBits.FLYING, 1, (DEMO, *(kind() for kind in OPTION_TYPES[1:])))
 OUR_PCMD = at.Pcmd(at.PcmdFlag.PROGRESSIVE, 0.1, -0.2, 0.05, 1.0)
 THEIR_PCMD = PCMD(1, 0.1, -0.2, 0.05, 1.0)
 KEY_PICTURE = (
@@ -47,7 +47,7 @@ def cut_stream() -> int:
 
 def main() -> None:
     """Print the section."""
-    assert at.encode(7, OUR_PCMD) == THEIR_PCMD._pack(7)
+    assert at.encode_command(7, OUR_PCMD) == THEIR_PCMD._pack(7)
     assert theirs.NavData(FULL).demo.altitude == decode_navdata(FULL).option(Demo).altitude == 534
     assert cut_stream() == 30
     rows = [
@@ -68,14 +68,14 @@ def main() -> None:
         ),
         (
             "demo packet to Telemetry",
-            lambda: signs.telemetry_from_navdata(decode_navdata(SHORT), 0.0),
+            lambda: conversions.telemetry_from_navdata(decode_navdata(SHORT), 0.0),
             None,
         ),
         ("write a demo packet", lambda: encode_navdata(1, 1, (DEMO, VisionDetect())), None),
-        ("write PCMD", lambda: at.encode(7, OUR_PCMD), lambda: THEIR_PCMD._pack(7)),
+        ("write PCMD", lambda: at.encode_command(7, OUR_PCMD), lambda: THEIR_PCMD._pack(7)),
         (
             "read PCMD",
-            lambda: at.parse(b"AT*PCMD=7,1,1036831949,-1102263091,1028443341,1065353216\r"),
+            lambda: at.parse_datagram(b"AT*PCMD=7,1,1036831949,-1102263091,1028443341,1065353216\r"),
             None,
         ),
     ]
@@ -92,7 +92,7 @@ def main() -> None:
         f"| a second of video (30 key pictures of 12 kB) | {microseconds(cut_stream, 50):.0f} | -"
         " | - |"
     )
-    share = 200e-4 * microseconds(lambda: signs.telemetry_from_navdata(decode_navdata(FULL), 0.0))
+    share = 200e-4 * microseconds(lambda: conversions.telemetry_from_navdata(decode_navdata(FULL), 0.0))
     print(
         f"\nThe same bytes through both; 200 full packets a second, each read, take {share:.2f} %"
         " of one core here."

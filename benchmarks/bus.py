@@ -18,9 +18,9 @@ import av
 import numpy as np
 
 from _run import percentile, table
-from housefly.bus.codec import decode, encode
+from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.stop import StopSender
-from housefly.bus.topics import STEP
+from housefly.bus.topics import STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import (
@@ -88,11 +88,11 @@ def listen() -> None:
         socket.create_connection((HOST, TCP_PORT)) as link,
     ):
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        bus.subscribe(STEP, lambda message: ages["zenoh"].append(time.monotonic() - message.now))
+        bus.subscribe(STEP_TOPIC, lambda message: ages["zenoh"].append(time.monotonic() - message.now))
         bus.answer("ready", str)
         stream = link.makefile("rb")
         while head := stream.read(4):
-            message = decode(PilotStep, stream.read(struct.unpack("<I", head)[0]))
+            message = from_cdr(PilotStep, stream.read(struct.unpack("<I", head)[0]))
             ages["tcp"].append(time.monotonic() - message.now)
         print(
             " ".join(map(str, ages["zenoh"])), " ".join(map(str, ages["tcp"])), sep="\n", flush=True
@@ -115,9 +115,9 @@ def transports() -> str:
         for number in range(2 * count):
             time.sleep(0.5 / RATE_HZ)
             if number % 2:
-                bus.publish(STEP, step(number, time.monotonic()))
+                bus.publish(STEP_TOPIC, step(number, time.monotonic()))
             else:
-                data = encode(step(number, time.monotonic()))
+                data = to_cdr(step(number, time.monotonic()))
                 link.sendall(struct.pack("<I", len(data)) + data)
         time.sleep(0.2)
         link.close()
@@ -135,7 +135,7 @@ def transports() -> str:
     return (
         "### Bus: from publish to handler in another process\n\n"
         + table(("transport", "arrived", "p50 [us]", "p99 [us]", "max [us]"), rows)
-        + f"\n\nPilot steps of {len(encode(step(0, 0.0)))} bytes at {RATE_HZ:.0f} Hz over loopback,"
+        + f"\n\nPilot steps of {len(to_cdr(step(0, 0.0)))} bytes at {RATE_HZ:.0f} Hz over loopback,"
         f" encoding and decoding included, in turn in the same run: the bus takes {ratio:.2f}"
         " times the bare socket at the median.\n"
     )
@@ -161,11 +161,11 @@ def codec() -> str:
     )
     rows = []
     for sample in samples:
-        data, pickled = encode(sample), pickle.dumps(sample)
+        data, pickled = to_cdr(sample), pickle.dumps(sample)
         kind = type(sample)
         times = (
-            cost(lambda sample=sample: encode(sample)),
-            cost(lambda kind=kind, data=data: decode(kind, data)),
+            cost(lambda sample=sample: to_cdr(sample)),
+            cost(lambda kind=kind, data=data: from_cdr(kind, data)),
             cost(lambda sample=sample: pickle.dumps(sample)),
             cost(lambda pickled=pickled: pickle.loads(pickled)),
         )

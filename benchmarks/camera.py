@@ -20,12 +20,12 @@ from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose
 from housefly.room.files import load_room
 from housefly.room.mjcf import room_to_mjcf
-from housefly.twin.ardrone.body import PICTURE, drone_body
-from housefly.twin.camera.camera import CameraPicture, CameraProcess
+from housefly.twin.ardrone.body import PICTURE_SIZE, drone_body
 from housefly.twin.camera.encoder import Encoder
-from housefly.twin.camera.link import Request
-from housefly.twin.camera.view import SUPERSAMPLING, View
-from housefly.twin.contracts import Camera
+from housefly.twin.camera.messages import PictureRequest
+from housefly.twin.camera.process import CameraProcess
+from housefly.twin.camera.view import SUPERSAMPLING, CameraView
+from housefly.twin.contracts import DroneCamera, EncodedPicture
 
 RATE_HZ = 30.0
 PICTURES = 240
@@ -44,11 +44,11 @@ def pose(turn: float) -> Pose:
 def cost(supersampling: float, samples: int) -> tuple[float, float]:
     """Return processor time [s] of rendering and of encoding one picture."""
     view, encoder = (
-        View(SCENE, *PICTURE, supersampling=supersampling, samples=samples),
-        Encoder(*PICTURE, RATE_HZ),
+        CameraView(SCENE, *PICTURE_SIZE, supersampling=supersampling, samples=samples),
+        Encoder(*PICTURE_SIZE, RATE_HZ),
     )
     requests = [
-        Request(pose(n / PICTURES), True, Camera.FRONT, n / RATE_HZ) for n in range(PICTURES)
+        PictureRequest(pose(n / PICTURES), True, DroneCamera.FRONT, n / RATE_HZ) for n in range(PICTURES)
     ]
     encoder.encode(view.picture(requests[0]))
     rendering = encoding = 0.0
@@ -64,11 +64,11 @@ def cost(supersampling: float, samples: int) -> tuple[float, float]:
 async def whole_child(name: str, flight: float) -> str:
     """Run the child as the twin does, along this much of the flight, and return a table row."""
     camera = CameraProcess(Site(), ROOM)
-    pictures: list[CameraPicture] = []
+    pictures: list[EncodedPicture] = []
     delays: list[float] = []
     asked: dict[float, float] = {}
 
-    def take(picture: CameraPicture) -> None:
+    def take(picture: EncodedPicture) -> None:
         pictures.append(picture)
         delays.append(time.monotonic() - asked[picture.at])
 
@@ -78,7 +78,7 @@ async def whole_child(name: str, flight: float) -> str:
     while not pictures:
         await asyncio.sleep(0.01)
         asked[0.0] = time.monotonic()
-        camera.show(pose(0.0), True, Camera.FRONT, 0.0)
+        camera.request_picture(pose(0.0), True, DroneCamera.FRONT, 0.0)
     ready = time.monotonic() - start
     child = psutil.Process(camera.pid)
     before = sum(child.cpu_times()[:2])
@@ -89,7 +89,7 @@ async def whole_child(name: str, flight: float) -> str:
         await asyncio.sleep(start + n / RATE_HZ - time.monotonic())
         at = 1.0 + n / RATE_HZ
         asked[at] = time.monotonic()
-        camera.show(pose(flight * n / PICTURES), True, Camera.FRONT, at)
+        camera.request_picture(pose(flight * n / PICTURES), True, DroneCamera.FRONT, at)
     await asyncio.sleep(0.2)
     seconds = PICTURES / RATE_HZ
     share = (sum(child.cpu_times()[:2]) - before) / seconds

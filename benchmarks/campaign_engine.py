@@ -22,7 +22,7 @@ from housefly.geometry import GRAVITY
 from housefly.lab.experiments import airframe, loop, measure, random, tracking_noise
 from housefly.lab.experiments.cases import CASE, cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.outcomes import OUTCOME
 from housefly.lab.experiments.route import Route, route_of
 from housefly.pilot.behavior import nose, ride
@@ -41,7 +41,7 @@ COMPILER = (
     "-fPIC",
 )
 """No contraction and no fast mathematics: the numbers must be the same."""
-MISSION = Mission(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
+MISSION = FlightPlan(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 GOAL, SHARE_GOAL, CLOSE = 40_000, 0.5, 1e-6
 FLEETS = ((1, 100.0), (100, 100.0), (10_000, 100.0), (10_000, 30.0))
 """Drones, and the rate of their tracking [Hz]."""
@@ -49,33 +49,33 @@ REPEATS = 3
 
 CONSTANTS: dict[str, float] = {
     "GRAVITY": GRAVITY,
-    "HOVER_DOUBT": lagged_axis.HOVER_DOUBT,
-    "DISTURBANCE_MAX": lagged_axis.DISTURBANCE_MAX,
-    "FIRST_VELOCITY_VARIANCE": lagged_axis.FIRST_VELOCITY_VARIANCE,
-    "FIRST_DISTURBANCE": lagged_axis.FIRST_DISTURBANCE,
-    "LONGEST_PREDICTION": horizon.LONGEST_STEP,
-    "NO_TIME": horizon.NO_TIME,
-    "ALIKE": horizon.ALIKE,
-    "CLIMB_NOISE": height_yaw.CLIMB_NOISE,
-    "TURN_NOISE": height_yaw.TURN_NOISE,
-    "YAW_PER_METRE": height_yaw.YAW_PER_METRE,
-    "BLIND_REACH": height_yaw.BLIND_REACH,
-    "FIRST_RATE_VARIANCE": height_yaw.FIRST_RATE_VARIANCE,
-    "GATE_SIGMAS": height_yaw.GATE_SIGMAS,
-    "GATE_FLOOR": height_yaw.GATE_FLOOR,
-    "GATE_FLOOR_YAW": height_yaw.GATE_FLOOR_YAW,
-    "FUTURE_TOLERANCE": intake.FUTURE_TOLERANCE,
-    "OLDEST": intake.OLDEST,
-    "HOVER_BRAKE_BELIEVED": kalman.HOVER_BRAKE,
-    "WANDER": kalman.WANDER,
+    "HOVER_DOUBT": lagged_axis.HOVER_VARIANCE_FACTOR,
+    "DISTURBANCE_MAX": lagged_axis.DISTURBANCE_LIMIT,
+    "FIRST_VELOCITY_VARIANCE": lagged_axis.INITIAL_VELOCITY_VARIANCE,
+    "FIRST_DISTURBANCE": lagged_axis.INITIAL_DISTURBANCE,
+    "LONGEST_PREDICTION": horizon.PREDICTION_STEP_MAX,
+    "NO_TIME": horizon.TIME_TOLERANCE,
+    "ALIKE": horizon.SPAN_TOLERANCE,
+    "CLIMB_NOISE": height_yaw.CLIMB_PROCESS_NOISE,
+    "TURN_NOISE": height_yaw.YAW_PROCESS_NOISE,
+    "YAW_PER_METRE": height_yaw.YAW_NOISE_RATIO,
+    "BLIND_REACH": height_yaw.EXTRAPOLATION_MAX,
+    "FIRST_RATE_VARIANCE": height_yaw.INITIAL_RATE_VARIANCE,
+    "GATE_SIGMAS": height_yaw.INNOVATION_GATE_SIGMAS,
+    "GATE_FLOOR": height_yaw.POSITION_GATE_FLOOR,
+    "GATE_FLOOR_YAW": height_yaw.YAW_GATE_FLOOR,
+    "FUTURE_TOLERANCE": intake.CLOCK_TOLERANCE,
+    "OLDEST": intake.SIGHTING_AGE_MAX,
+    "HOVER_BRAKE_BELIEVED": kalman.HOVER_BRAKING,
+    "WANDER": kalman.DISTURBANCE_WANDER,
     "HOVER_BRAKE": model.HOVER_BRAKE,
     "LONGEST_STEP": airframe.LONGEST_STEP,
     "GUST_TIME": airframe.GUST_TIME,
-    "ACCELERATION": ride.ACCELERATION,
-    "LOOK_AHEAD": ride.LOOK_AHEAD,
-    "KEEP_HEADING": ride.KEEP_HEADING,
-    "PATIENCE": ride.PATIENCE,
-    "YAW_SLEW": nose.YAW_SLEW,
+    "ACCELERATION": ride.REFERENCE_ACCELERATION,
+    "LOOK_AHEAD": ride.HEADING_LOOKAHEAD,
+    "KEEP_HEADING": ride.HEADING_FREEZE,
+    "PATIENCE": ride.LAG_MAX,
+    "YAW_SLEW": nose.YAW_REFERENCE_RATE,
     "LONGEST_TICK": loop.LONGEST_TICK,
     "LAST": measure.LAST,
     "FAR": measure.FAR,

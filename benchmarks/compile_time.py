@@ -23,14 +23,14 @@ FLY_ONE = """
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import Mission, Task
 fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 3.0), threads=1)
 """
 STEP_A_PILOT = """
-from housefly.app.premises import open_premises, read_site
-from housefly.pilot.pilot import warm_up
-premises = open_premises(read_site("bsen"))
-warm_up(premises.site, premises.room, premises.grid)
+from housefly.app.loaded_site import open_site, read_site
+from housefly.pilot.assembly import warm_up
+loaded = open_site(read_site("bsen"))
+warm_up(loaded.site, loaded.room, loaded.grid)
 """
 COMMANDS: dict[str, list[str]] = {
     "help of the command line": [HOUSEFLY, "--help"],

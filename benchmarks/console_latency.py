@@ -25,11 +25,11 @@ from playwright.async_api import Browser, Page, async_playwright
 
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener, StopSender
-from housefly.bus.topics import ORDER, VIDEO
+from housefly.bus.topics import ORDER_TOPIC, VIDEO_TOPIC
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, VideoFrame
+from housefly.web.fake_pilot import FakePilot
+from housefly.web.fake_room import example_room
 from housefly.web.process import make_server
-from housefly.web.rehearsal import PretendedPilot
-from housefly.web.rehearsal_room import example_room
 from housefly.web.server import create_app
 
 PRESSES = 200
@@ -91,7 +91,7 @@ def pictures() -> list[tuple[bytes, bool]]:
 async def feed(bus: LocalBus) -> None:
     """Publish pictures, 30 a second, as the drone would."""
     for number, (data, keyframe) in enumerate(cycle(pictures())):
-        bus.publish(VIDEO, VideoFrame(data, keyframe, 640, 360, number, time.monotonic()))
+        bus.publish(VIDEO_TOPIC, VideoFrame(data, keyframe, 640, 360, number, time.monotonic()))
         await asyncio.sleep(1 / 30)
 
 
@@ -124,9 +124,9 @@ async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[flo
         sender = StopSender(HOST, stop.address[1], secret)
         token = secrets.token_urlsafe(16)
         server = make_server(create_app(bus, token, sender.send))
-        pilot = PretendedPilot(bus.join(), example_room())
+        pilot = FakePilot(bus.join(), example_room())
         pilot.status, pilot.phase, pilot.height = DroneStatus.FLYING, Phase.HOLDING, 1.1
-        bus.subscribe(ORDER, arrivals.order)
+        bus.subscribe(ORDER_TOPIC, arrivals.order)
         tasks = [asyncio.create_task(server.serve([listener])), asyncio.create_task(pilot.run())]
         address = f"http://{HOST}:{listener.getsockname()[1]}"
         context = await browser.new_context()

@@ -18,13 +18,13 @@ from typing import Any
 import psutil
 
 from _run import Running, bench_site, percentile, running, table
-from housefly.app.runtime import meeting_place
+from housefly.app.runtime import discovery_entry
 from housefly.bus.topics import HUB_QUERY
 from housefly.config.site import Site, changed
 from housefly.hub.api.answers import SensorsAnswer
-from housefly.hub.api.questions import Sensors
-from housefly.hub.api.room_json import answer_from_json, question_to_json
-from housefly.hub.asking.discovery import announced
+from housefly.hub.api.json import answer_from_json, question_to_json
+from housefly.hub.api.questions import SensorsQuestion
+from housefly.hub.client.discovery import announced
 from housefly.messages import LinkStatus, OrderKind, Phase
 
 ASKS = 2000
@@ -119,10 +119,10 @@ def question(state: Running, found: Hover) -> None:
     """Ask and listen from other processes, one after the other, while the drone hovers."""
     found.ages = seat("listen", state.runtime.bus, state.runtime.site().tracking.body, LISTEN_S)
     found.bus = asked_on_the_bus(state.runtime.bus)
-    with announced(meeting_place(state.runtime)):
+    with announced(discovery_entry(state.runtime)):
         found.connected = seat("connected", SITE, ASKS)
         found.http = seat("http", SITE, ASKS)
-    answer = answer_from_json(Sensors(), state.bus.ask(HUB_QUERY, question_to_json(Sensors())))
+    answer = answer_from_json(SensorsQuestion(), state.bus.ask(HUB_QUERY, question_to_json(SensorsQuestion())))
     assert isinstance(answer, SensorsAnswer)
     found.report = answer.memory
     found.devices = sum(

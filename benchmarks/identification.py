@@ -11,18 +11,18 @@ from concurrent.futures import ProcessPoolExecutor
 import numpy as np
 
 from _run import table
-from housefly.app.identify_flight import Errand, fly_in_lock_step
-from housefly.app.premises import Premises, open_premises, read_site
+from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.lab.identification.box import find_box
-from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, identify
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
-from housefly.twin.ardrone.onboard_loops import RATE_POLE
-from housefly.twin.ardrone.onboard_sensors import PERIOD
-from housefly.twin.contracts import Stick
+from housefly.twin.ardrone.inner_loops import _RATE_POLE
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.conversions import Stick
 
 RUNS = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 REPEATS = 6
@@ -45,14 +45,14 @@ def hidden(seed: int) -> dict[str, float]:
 class NotingWorld(SimulatedWorld):
     """Notes when the drone heard a movement command."""
 
-    def __init__(self, premises: Premises) -> None:
+    def __init__(self, loaded: LoadedSite) -> None:
         self.heard_at: list[float] = []
-        super().__init__(premises.site, premises.room)
+        super().__init__(loaded.site, loaded.room)
 
-    def stick(self, stick: Stick) -> None:
+    def set_stick(self, stick: Stick) -> None:
         """Note the time and pass it on."""
         self.heard_at.append(self.now)
-        super().stick(stick)
+        super().set_stick(stick)
 
 
 def mean_wait(steps: list[PilotStep], heard_at: list[float]) -> float:
@@ -70,15 +70,15 @@ def residence(pole: float) -> float:
     """Return how far a loop sampled once a period lags behind on average [s]; its error keeps a
     share after each period.
     """
-    kept = 1.0 - pole * PERIOD
-    return 0.5 * PERIOD * (1.0 + kept) / (1.0 - kept)
+    kept = 1.0 - pole * CONTROL_PERIOD
+    return 0.5 * CONTROL_PERIOD * (1.0 + kept) / (1.0 - kept)
 
 
 def delay_of(command_delay: float) -> float:
     """Return the time from a datagram to the tilt [s]: the delay, the firmware's next period, and
     its inner rate loop.
     """
-    return float(PERIOD * np.ceil(command_delay / PERIOD - 1e-9) + residence(RATE_POLE))
+    return float(CONTROL_PERIOD * np.ceil(command_delay / CONTROL_PERIOD - 1e-9) + residence(_RATE_POLE))
 
 
 def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
@@ -86,13 +86,13 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     tracking = {"twin__mocap_rate_hz": 30.0, "twin__mocap_dropout": 0.05, "twin__seed": seed}
     truth = hidden(seed)
     believed, real = (
-        open_premises(read_site("bsen", **tracking)),
-        open_premises(read_site("bsen", **tracking, **truth)),
+        open_site(read_site("bsen", **tracking)),
+        open_site(read_site("bsen", **tracking, **truth)),
     )
     plan = blocks(REPEATS, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
-    maneuver, world, steps = Maneuver(plan, box), NotingWorld(real), []
-    outcome = fly_in_lock_step(believed, world, Errand(box, maneuver, 500.0), steps.append)
+    maneuver, world, steps = IdentificationManeuver(plan, box), NotingWorld(real), []
+    outcome = fly_identification_lockstep(believed, world, IdentificationFlight(box, maneuver, 500.0), steps.append)
     if outcome != "completed":
         return {}, outcome
     found = identify(
@@ -105,7 +105,7 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
         "climb_lag": truth["drone__climb_lag"],
         # Turning has no inner loop; the model gives it the delay of the tilt all the same, and what
         # that is too long goes here.
-        "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(RATE_POLE)),
+        "yaw_lag": 1.0 / (residence(truth["drone__yaw_lag"]) - residence(_RATE_POLE)),
         "command_delay": delay_of(truth["twin__command_delay"]) + mean_wait(steps, world.heard_at),
     }
     found_by_key = ((key, value, found.constants[key]) for key, value in lags.items())

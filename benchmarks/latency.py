@@ -20,18 +20,19 @@ from pathlib import Path
 from playwright.async_api import Page, async_playwright
 
 from _run import bench_site, percentile, table
-from housefly.app.launcher import Launcher, parts_of
+from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.bus.stop import StopSender
-from housefly.bus.topics import ORDER
+from housefly.bus.topics import ORDER_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.messages import Order, OrderKind, Pose
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import MocapFrame, Stick
+from housefly.twin.contracts import MocapFrame
 from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.mocap.vicon_server import ViconServer
+from housefly.wires.ardrone.conversions import Stick
 
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10
@@ -57,10 +58,10 @@ class Probe(KinematicWorld):
         self.heard: list[tuple[float, Stick]] = []
         self.landings: list[float] = []
 
-    def stick(self, stick: Stick) -> None:
+    def set_stick(self, stick: Stick) -> None:
         """Note the command."""
         self.heard.append((time.monotonic(), stick))
-        super().stick(stick)
+        super().set_stick(stick)
 
     def request_land(self) -> None:
         """Note the order."""
@@ -134,7 +135,7 @@ async def stop_to_command(bench: Bench, runtime: Runtime, bus: ZenohBus) -> list
     with StopSender("127.0.0.1", runtime.stop_port, runtime.secret) as sender:
         for trial in range(TRIALS // 2):
             bus.publish(
-                ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
             )
             await asyncio.sleep(0.3 + 0.007 * (trial % 10))
             since = time.monotonic()
@@ -166,14 +167,14 @@ async def clicks_to_command(
         )
         for _ in range(CLICKS):
             bus.publish(
-                ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
             )
             await asyncio.sleep(0.4)
             stops.append(await bench.reaction(lambda s: s.hover, await pressed_at(page, "STOP")))
-        bus.publish(ORDER, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+        bus.publish(ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
         for _ in range(LANDINGS):
             bus.publish(
-                ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
             )
             await asyncio.sleep(4.0)
             bench.world.landings.clear()
@@ -193,14 +194,14 @@ async def measure() -> list[tuple[str, list[float]]]:
     living = asyncio.create_task(bench.live())
     with tempfile.TemporaryDirectory() as folder:
         runtime = new_runtime(site, Path(folder))
-        parts = tuple(part for part in parts_of(runtime) if part.name != "twin")
+        parts = tuple(part for part in processes_of(runtime) if part.name != "twin")
         with Launcher(runtime, Path(folder), parts), ZenohBus(connect=runtime.bus) as bus:
             ready = Readiness(runtime.site(), bus, web=True, video=False)
             missing = await asyncio.to_thread(ready.wait, 60.0)
             if missing:
                 raise SystemExit(missing)
             bus.publish(
-                ORDER, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
             )
             await asyncio.sleep(8.0)
             tracking = await tracking_to_command(bench)

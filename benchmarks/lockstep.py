@@ -12,10 +12,10 @@ import mujoco
 from housefly.config.site import Site, changed
 from housefly.room.files import load_room
 from housefly.room.model import Room
-from housefly.twin.ardrone.onboard_sensors import PERIOD
-from housefly.twin.contracts import Stick
-from housefly.twin.physics import SUBSTEPS, Physics
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
+from housefly.twin.physics import _SUBSTEPS, Physics
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.conversions import Stick
 
 SECONDS = 20.0
 STEP = 0.01
@@ -35,7 +35,7 @@ def per_second(fly: Callable[[], None]) -> float:
 
 def bare_physics(room: Room) -> float:
     physics = Physics(Site(), room)
-    steps = round(SECONDS / PERIOD) * SUBSTEPS
+    steps = round(SECONDS / CONTROL_PERIOD) * _SUBSTEPS
     return per_second(lambda: mujoco.mj_step(physics.model, physics.data, steps))
 
 
@@ -43,7 +43,7 @@ def whole_world(room: Room, rate_hz: float) -> float:
     world = SimulatedWorld(changed(Site(), twin__mocap_rate_hz=rate_hz), room)
     world.request_take_off()
     advance(world, 6.0)
-    world.stick(Stick(turn=0.3, hover=False))
+    world.set_stick(Stick(turn=0.3, hover=False))
     return per_second(lambda: advance(world, SECONDS))
 
 

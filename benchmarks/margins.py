@@ -10,12 +10,13 @@ import numpy as np
 
 from _run import table
 from housefly.config.site import Site
-from housefly.lab.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, cases
+from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import SETTLE, Mission, Task
-from housefly.lab.tuning.advice import Question, advise
+from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
+from housefly.lab.tuning.advice import GainQuestion, advise
 from housefly.lab.tuning.loop import Loop
 from housefly.lab.tuning.margins import delay_margin, gain_margin
+from housefly.pilot.estimation.estimator import EstimatorKind
 
 STEP = 0.02
 TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))
@@ -25,13 +26,13 @@ DRONES = 6
 
 def settles(loop: Loop, **truth: float) -> bool:
     case = cases(
-        Site(), DRONES, seed=np.arange(DRONES), estimator=ON_ARRIVAL if loop.paper else DELAY_COMPENSATED,
+        Site(), DRONES, seed=np.arange(DRONES), estimator=EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED,
         alpha=loop.alpha, beta=loop.beta, model_lag=loop.lag, model_delay=loop.delay, model_drag=loop.drag, drag=loop.drag,
         position_noise=loop.position_noise, acceleration_noise=loop.acceleration_noise, mocap_rate_hz=loop.tracking_hz,
         mocap_latency=loop.latency, mocap_jitter=0.0, mocap_noise=1e-9, tilt_max=0.5, pose_age_level=10.0, pose_age_land=20.0,
         **{"lag": loop.lag, "delay": loop.delay, **truth},
     )  # fmt: skip
-    flown = fly_many(case, Mission(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
+    flown = fly_many(case, FlightPlan(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
     return bool((flown["residual"] < 0.2 * STEP).all())
 
 
@@ -81,7 +82,7 @@ def main() -> None:
         f" {100 * worst:.1f} % (limit: 5 %)."
     )
     start = time.process_time()
-    advice = advise(Question(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))
+    advice = advise(GainQuestion(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))
     assert advice is not None
     print(
         f"\nA recommendation (30 Hz, 50 ms) takes {time.process_time() - start:.1f} s of one core: "

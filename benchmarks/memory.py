@@ -17,22 +17,22 @@ from pathlib import Path
 import psutil
 
 from _run import table
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site, changed
+from housefly.hub.change_feed import CHANGE_FEED_PERIOD, ChangeFeed
 from housefly.hub.memory import RoomMemory
-from housefly.hub.newsroom import PERIOD, Newsroom
-from housefly.hub.present import Present
-from housefly.hub.situation_desk import SituationDesk
-from housefly.hub.store.opening import open_store
+from housefly.hub.room_status import RoomStatus
+from housefly.hub.situation_service import SituationService
+from housefly.hub.store.open import open_store
 from housefly.hub.things_of_room import things_of
-from housefly.messages import Happening, Inputs, Observation, Order, OrderKind
-from housefly.pilot.pilot import Pilot
+from housefly.messages import Inputs, Observation, Order, OrderKind, RoomEvent
+from housefly.pilot.assembly import make_pilot
 from housefly.room.files import load_room
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.people import load_scene
-from housefly.twin.sensors.devices import Devices
+from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.devices import Delivered, Placement, decode
+from housefly.wires.devices import Delivered, Placement, decode_reading
 
 MINUTES = 30
 SETTLED = 5
@@ -76,12 +76,12 @@ class Room:
         room = load_room(site.room.model)
         self._site = site
         self._begin = self.now = time.time() - 60.0 * MINUTES
-        self._devices = Devices(load_scene("bsen"), site.mqtt.site)
+        self._devices = SimulatedDevices(load_scene("bsen"), site.mqtt.site)
         self._placement = Placement(things={row.tag: row.thing for row in site.mqtt.tags})
         self.memory = RoomMemory(things_of(site, room), lambda: open_store(file))
-        self.present = Present(self.memory.writer.report)
-        self._desk = SituationDesk(site, room, self.memory, self.present)
-        self._newsroom = Newsroom(self.memory, self.present, lambda: self.now)
+        self.status = RoomStatus(self.memory.writer.report)
+        self._situations = SituationService(site, room, self.memory, self.status)
+        self._change_feed = ChangeFeed(self.memory, self.status, lambda: self.now)
         self.taken = self.told = 0
 
     def tick(self, number: int) -> None:
@@ -92,24 +92,24 @@ class Room:
         if number % 5 == 0:
             for item in self._said(number / RATE):
                 self._take(item)
-        if number % round(PERIOD * RATE) == 0:
-            self._desk.step(self.now)
-            self.told += self._newsroom.news() is not None
+        if number % round(CHANGE_FEED_PERIOD * RATE) == 0:
+            self._situations.update(self.now)
+            self.told += self._change_feed.changes() is not None
         if number % (5 * RATE) == 0:
             assert self.memory.flush()
 
-    def _take(self, item: Observation | Happening) -> None:
-        self.memory.take(item)
+    def _take(self, item: Observation | RoomEvent) -> None:
+        self.memory.add(item)
         self.taken += 1
 
-    def _said(self, since: float) -> Iterator[Observation | Happening]:
+    def _said(self, since: float) -> Iterator[Observation | RoomEvent]:
         for message in self._devices.messages(since, self.now):
-            reading = decode(
+            reading = decode_reading(
                 Delivered(message.address, message.channel, message.payload, self.now),
                 self._placement,
             )
             yield from reading.observations
-            yield from reading.happenings
+            yield from reading.events
 
 
 def hub() -> list[float]:
@@ -130,10 +130,10 @@ class Flight:
     """A world and a pilot in lock step, hovering."""
 
     def __init__(self) -> None:
-        premises = open_premises(changed(read_site("bsen"), twin__visitor_present=True))
-        self._world = SimulatedWorld(premises.site, premises.room, load_scene("bsen"))
-        self._room = LockstepRoom(self._world, premises.site)
-        self._pilot = Pilot(premises.site, premises.room, premises.grid)
+        loaded = open_site(changed(read_site("bsen"), twin__visitor_present=True))
+        self._world = SimulatedWorld(loaded.site, loaded.room, load_scene("bsen"))
+        self._room = LockstepRoom(self._world, loaded.site)
+        self._pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
         self.airborne = 0
 
     def tick(self, number: int) -> None:

@@ -9,13 +9,13 @@ from math import hypot
 import numpy as np
 
 from _run import percentile, table
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import Premises, open_premises, read_site
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
-from housefly.perception.watcher import Watcher
-from housefly.pilot.behavior.lookout import BRAKING
+from housefly.perception.laser_tracker import LaserTracker
+from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
@@ -84,13 +84,13 @@ class Stop:
 def stops() -> list[Stop]:
     done = []
     for seed in SEEDS:
-        premises = open_premises(
+        loaded = open_site(
             changed(read_site("bsen"), lasers=LASERS, twin__visitor_present=False, twin__seed=seed)
         )
         for ahead in DISTANCES:
             stop = Stop(ahead)
             order = Order(OrderKind.GO, "entrance")
-            fly_lockstep(premises, order, stop.step, 17.0, (Movable("chair", CHAIR),), stop.world)
+            fly_lockstep(loaded, order, stop.step, 17.0, (Movable("chair", CHAIR),), stop.world)
             if stop.told_at:
                 stop.measure()
                 done.append(stop)
@@ -113,27 +113,27 @@ def timed(action: object, count: int) -> list[float]:
     return times
 
 
-def perception(premises: Premises) -> list[float]:
-    site = premises.site
-    world = SimulatedWorld(site, premises.room, movables=(Movable("a"), Movable("b")))
-    watcher = Watcher(premises.room, site.lasers)
+def perception(loaded: LoadedSite) -> list[float]:
+    site = loaded.site
+    world = SimulatedWorld(site, loaded.room, movables=(Movable("a"), Movable("b")))
+    tracker = LaserTracker(loaded.room, site.lasers)
     scans = []
     for n in range(400):
         world.put("a", (6.0 + 0.01 * n, 3.0))
         world.put("b", (9.0 - 0.01 * n, 2.5))
         scans.append(scan_of(world.scan("laser-1"), UST_10LX, site.lasers[0], 1.0 + 0.025 * n))
     for scan in scans[:20]:
-        watcher.step(scan, scan.received_at)
-    return timed(lambda n: watcher.step(scans[20 + n], scans[20 + n].received_at), 380)
+        tracker.update(scan, scan.received_at)
+    return timed(lambda n: tracker.update(scans[20 + n], scans[20 + n].received_at), 380)
 
 
-def planning(premises: Premises, count: int) -> tuple[list[float], list[float], list[float]]:
+def planning(loaded: LoadedSite, count: int) -> tuple[list[float], list[float], list[float]]:
     """Return times of hearing, of the look along the path, and of map and plan, among so many
     moving obstacles.
     """
     random = np.random.default_rng(1)
-    navigator = RoomNavigator(premises.site, premises.room, premises.grid)
-    start, goal = premises.room.home, premises.room.place("entrance").viewpoint
+    navigator = RoomNavigator(loaded.site, loaded.room, loaded.grid)
+    start, goal = loaded.room.home, loaded.room.place("entrance").viewpoint
     path = navigator.route(start, goal).path
     assert path is not None
     crowd = [
@@ -156,7 +156,7 @@ def fields(obstacle: Obstacle) -> dict[str, object]:
 
 def main() -> None:
     done = stops()
-    allowed = [stopping_distance(stop.speed, BRAKING, 0.1) + 0.3 * stop.speed for stop in done]
+    allowed = [stopping_distance(stop.speed, BRAKING_DECELERATION, 0.1) + 0.3 * stop.speed for stop in done]
     hull = half_diagonal(0.517, 0.451)
     print("### Obstacles\n")
     print(
@@ -184,10 +184,10 @@ def main() -> None:
             ],
         )
     )
-    premises = open_premises(changed(read_site("bsen"), lasers=LASERS, twin__visitor_present=False))
-    rows = [["perception, one scan of 1081 beams, two people", milliseconds(perception(premises))]]
+    loaded = open_site(changed(read_site("bsen"), lasers=LASERS, twin__visitor_present=False))
+    rows = [["perception, one scan of 1081 beams, two people", milliseconds(perception(loaded))]]
     for count in (1, 8, 64):
-        hear, look, plan = planning(premises, count)
+        hear, look, plan = planning(loaded, count)
         rows.append([f"heard and remembered, {count} moving obstacles", milliseconds(hear)])
         rows.append([f"look along the path, {count} obstacles", milliseconds(look)])
         rows.append([f"map made anew and new plan, {count} obstacles", milliseconds(plan)])

@@ -20,8 +20,8 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
-from housefly.pilot.control.model import Body, Constants, body_step
-from housefly.pilot.pilot import Pilot, warm_up
+from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
@@ -43,8 +43,8 @@ def flight(mode: Mode, rate_hz: float) -> Timing:
     room = load_room("bsen")
     grid = build_grid(room, site)
     warm_up(site, room, grid)
-    pilot = Pilot(site, room, grid)
-    body = Body(*room.home, 1.1, room.home_yaw)
+    pilot = make_pilot(site, room, grid)
+    body = DroneState(*room.home, 1.1, room.home_yaw)
     random = np.random.default_rng(1)
     durations, order_time, outputs = [], 0.0, None
     for tick in range(round(SECONDS / PERIOD)):
@@ -65,16 +65,16 @@ def flight(mode: Mode, rate_hz: float) -> Timing:
     return Timing(np.array(durations), order_time)
 
 
-def moved(body: Body, outputs: Outputs | None) -> Body:
+def moved(body: DroneState, outputs: Outputs | None) -> DroneState:
     """Return the drone one period later."""
     if outputs is None or outputs.command.action is not Action.FLY:
         return body
     s = outputs.command.setpoint
-    return body_step(body, s.theta, s.phi, s.vz, s.yaw_rate, (0.0, 0.0), Constants(), PERIOD)
+    return drone_step(body, s.theta, s.phi, s.vz, s.yaw_rate, (0.0, 0.0), Constants(), PERIOD)
 
 
 def sightings(
-    site: Site, body: Body, now: float, tick: int, rate_hz: float, random: np.random.Generator
+    site: Site, body: DroneState, now: float, tick: int, rate_hz: float, random: np.random.Generator
 ) -> tuple[Sighting, ...]:
     """Return what the tracking system sees in this period."""
     if tick % round(1.0 / (rate_hz * PERIOD)):

@@ -8,24 +8,24 @@ import time
 from statistics import mean
 
 from _run import table
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import Premises, open_premises, read_site
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.series import collect
-from housefly.record.summary import Summary, summarize
+from housefly.record.summary import Summary, summarize_flight
 
 SEEDS = (1, 2, 3)
 CASES = ((100.0, 0.02, 0.0), (30.0, 0.02, 0.2), (10.0, 0.05, 0.0), (10.0, 0.1, 0.3))
 
 
-def fly(premises: Premises) -> tuple[Summary, float]:
+def fly(loaded: LoadedSite) -> tuple[Summary, float]:
     """Fly one service; return its summary and the flight seconds per second of processor time."""
     steps: list[PilotStep] = []
     start = time.process_time()
-    outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, "entrance", look_s=3.0), steps.append)
+    outcome = fly_lockstep(loaded, Order(OrderKind.SERVICE, "entrance", look_s=3.0), steps.append)
     speed = steps[-1].now / (time.process_time() - start)
-    flight = collect(steps, premises.site.tracking.body)
-    return summarize(flight, outcome, premises.site, premises.room, premises.grid), speed
+    flight = collect(steps, loaded.site.tracking.body)
+    return summarize_flight(flight, outcome, loaded.site, loaded.room, loaded.grid), speed
 
 
 def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
@@ -36,7 +36,7 @@ def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
         "twin__mocap_dropout": loss,
     }
     flown = [
-        fly(open_premises(read_site("bsen", mode=mode, twin__seed=seed, **changes)))
+        fly(open_site(read_site("bsen", mode=mode, twin__seed=seed, **changes)))
         for seed in SEEDS
     ]
     summaries = [summary for summary, _ in flown]

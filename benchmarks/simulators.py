@@ -19,7 +19,7 @@ from _run import table
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 
 HERE = Path(__file__).resolve().parent
 PEERS = {"rotorpy": "rotorpy==3.0.0", "crazyflow": "crazyflow==0.4.0"}
@@ -31,7 +31,7 @@ ALONE = {
     "JAX_PLATFORMS": "cpu",
     "MPLBACKEND": "agg",
 }
-MISSION = Mission(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
+MISSION = FlightPlan(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 
 
 def python_of(peer: str) -> Path:

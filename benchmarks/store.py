@@ -15,11 +15,11 @@ import time
 from pathlib import Path
 
 from _run import percentile, table
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.sql_store import SqlStore
-from housefly.hub.store.writer import Writer
-from housefly.hub.things.thing import Kind, Thing
-from housefly.hub.things.world import World
+from housefly.hub.store.writer import StoreWriter
+from housefly.hub.things.thing import Thing, ThingKind
+from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Observation
 
 SECONDS = 30.0
@@ -29,7 +29,7 @@ FULL_RATE, THIN_RATE = 100.0, 10.0
 READER = """
 import sys, time
 from housefly.hub.store.history import where_was
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 store = open_store(sys.argv[1])
 end = time.monotonic() + float(sys.argv[2])
 while time.monotonic() < end:
@@ -54,7 +54,7 @@ def sample(number: int, at: float) -> Observation:
     )
 
 
-def tell(writer: Writer, seconds: float) -> int:
+def tell(writer: StoreWriter, seconds: float) -> int:
     """Write as a tracking system does, a frame every 10 ms, and return how many samples that were."""
     begin, frames = time.monotonic(), 0
     while frames < seconds * RATE:
@@ -86,7 +86,7 @@ def writing(folder: Path) -> list[list[object]]:
     """Write 2000 samples a second while another process asks where a thing is."""
     address = folder / "house.db"
     making = baseline(5.0)
-    writer = Writer(lambda: open_store(address))
+    writer = StoreWriter(lambda: open_store(address))
     writer.write(*(Thing(f"thing-{number}", f"thing {number}") for number in range(THINGS)))
     assert writer.flush()
     used = cpu()
@@ -138,11 +138,11 @@ def writing(folder: Path) -> list[list[object]]:
 
 def asking() -> list[list[object]]:
     """Ask a world of 1000 things, four sources each telling as it goes."""
-    world = World(
+    world = WorldModel(
         Thing(
             f"thing-{k}",
             f"thing number {k}",
-            Kind.OBJECT,
+            ThingKind.OBJECT,
             (f"alias {k}",),
             inside=f"thing-{k // 10}" if k >= 10 else "",
         )
@@ -154,7 +154,7 @@ def asking() -> list[list[object]]:
         now, number = 0.001 * k, (k * 7919) % 1000
         begin = time.perf_counter()
         point = (float(number), 0.0, 0.0) if number % 3 else None
-        world.told(
+        world.observe(
             Observation(f"thing-{number}", f"source-{k % 4}", now, now, point, covariance=size)
         )
         told.append(1e6 * (time.perf_counter() - begin))
@@ -205,14 +205,14 @@ def remembering(folder: Path) -> list[list[object]]:
         count = f"{len(path):,}".replace(",", " ")
         rows.append([f"the way of X, {words}: {count} points", f"{took:.3f} s", "0.3 s"])
     begin = time.perf_counter()
-    assert len(store.seen(DAY / 2)) == THINGS
+    assert len(store.latest_at(DAY / 2)) == THINGS
     rows.append(
         ["where was everything at noon", f"{1e3 * (time.perf_counter() - begin):.2f} ms", ""]
     )
     slowest, steps = 0.0, 0
     while steps < 60:
         begin = time.perf_counter()
-        if not store.tidy(DAY + HOUR):
+        if not store.prune(DAY + HOUR):
             break
         slowest, steps = max(slowest, time.perf_counter() - begin), steps + 1
     rows.append([f"one step of tidying, slowest of {steps}", f"{1e3 * slowest:.0f} ms", ""])

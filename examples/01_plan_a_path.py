@@ -6,17 +6,17 @@ Prints: the way from the pad to the entrance, and why there is none into the sof
     place that works.
 """
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.pilot.planning.planner import plan
 from housefly.room.grid import inflation
 
-premises = open_premises(read_site("bsen"))
-room, grid = premises.room, premises.grid
+loaded = open_site(read_site("bsen"))
+room, grid = loaded.room, loaded.grid
 print(f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution} m")
-print(f"the drone's middle keeps {inflation(premises.site):.2f} m from everything")
+print(f"the drone's middle keeps {inflation(loaded.site):.2f} m from everything")
 
 answer = plan(
-    grid, room.home, room.place("entrance").viewpoint, premises.site.limits.speed, shortcut=True
+    grid, room.home, room.place("entrance").viewpoint, loaded.site.limits.speed, shortcut=True
 )
 assert answer.path is not None
 print(
@@ -25,5 +25,5 @@ print(
 )
 print(" -> ".join(f"({x:.2f}, {y:.2f})" for x, y in answer.path.waypoints))
 
-refused = plan(grid, room.home, (12.2, 2.5), premises.site.limits.speed)
+refused = plan(grid, room.home, (12.2, 2.5), loaded.site.limits.speed)
 print(f"into the sofa: {refused.reason}; nearest place that works: {refused.suggestion}")

@@ -7,8 +7,8 @@ Prints: each phase of the errand with the world's time and the drone's place, th
 
 import time
 
+from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import open_premises, read_site
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 
 phase = Phase.IDLE
@@ -26,6 +26,6 @@ def on_step(step: PilotStep) -> None:
 
 
 started = time.perf_counter()
-premises = open_premises(read_site("bsen", twin__seed=7))
-outcome = fly_lockstep(premises, Order(OrderKind.SERVICE, place="entrance", look_s=2.0), on_step)
+loaded = open_site(read_site("bsen", twin__seed=7))
+outcome = fly_lockstep(loaded, Order(OrderKind.SERVICE, place="entrance", look_s=2.0), on_step)
 print(f"{outcome}: {flown:.0f} s of flight in {time.perf_counter() - started:.0f} s")

@@ -6,17 +6,17 @@ landing once begun is kept although the tracking comes back.
 Prints: each change of the gate's verdict with its reason, and every event that people are told.
 """
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
-from housefly.pilot.pilot import Pilot
+from housefly.pilot.assembly import make_pilot
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
 
 LOST_FROM, LOST_TO = 15.0, 18.0
 
-premises = open_premises(read_site("bsen"))
-pilot = Pilot(premises.site, premises.room, premises.grid)
-room = LockstepRoom(SimulatedWorld(premises.site, premises.room), premises.site)
+loaded = open_site(read_site("bsen"))
+pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
+room = LockstepRoom(SimulatedWorld(loaded.site, loaded.room), loaded.site)
 mode, ordered = SafetyMode.NOMINAL, False
 
 while room.now < 40.0:

@@ -10,7 +10,7 @@ forward for a second, and lands.
 import asyncio
 import sys
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import DroneConfig, LimitsConfig, changed
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import Action, Command, DroneStatus, Setpoint
@@ -40,12 +40,12 @@ async def command(drone: ArDrone, wanted: Command, seconds: float) -> None:
 
 async def main() -> None:
     """Start the twin, fly, land."""
-    premises = open_premises(
+    loaded = open_site(
         changed(
             read_site("bsen"), drone__address=ADDRESS, tracking__address=ADDRESS, twin__video=False
         )
     )
-    twin = asyncio.create_task(run_twin(premises.site, premises.room))
+    twin = asyncio.create_task(run_twin(loaded.site, loaded.room))
     drone = ArDrone(DroneConfig(address=ADDRESS, has_video=False), LimitsConfig())
     await drone.connect()
     try:

@@ -11,11 +11,11 @@ import tempfile
 import threading
 from pathlib import Path
 
-from housefly.app.launcher import Launcher, parts_of
-from housefly.app.premises import read_site
+from housefly.app.launcher import Launcher, processes_of
+from housefly.app.loaded_site import read_site
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import new_runtime
-from housefly.bus.topics import PLAN_QUERY, STEP, TOPICS
+from housefly.bus.topics import PLAN_QUERY, STEP_TOPIC, TOPICS
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import PilotStep
 
@@ -46,12 +46,12 @@ def on_step(step: PilotStep) -> None:
 with tempfile.TemporaryDirectory() as folder:
     runtime = new_runtime(site, Path(folder))
     with (
-        Launcher(runtime, Path(folder), parts_of(runtime, web=False)),
+        Launcher(runtime, Path(folder), processes_of(runtime, web=False)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
         print("topics:", ", ".join(topic.key for topic in TOPICS))
         print("plan to the entrance:", bus.ask(PLAN_QUERY, '{"place": "entrance"}')[:100], "...")
-        subscription = bus.subscribe(STEP, on_step)
+        subscription = bus.subscribe(STEP_TOPIC, on_step)
         enough.wait(20.0)
         subscription.close()

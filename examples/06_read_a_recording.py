@@ -13,16 +13,16 @@ from pathlib import Path
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
+from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import open_premises, read_site
 from housefly.messages import Order, OrderKind
 from housefly.record.recorder import FlightRecorder
 
 with tempfile.TemporaryDirectory() as folder:
-    premises = open_premises(read_site("bsen"))
-    recorder = FlightRecorder(Path(folder), premises.site, premises.room, premises.grid)
+    loaded = open_site(read_site("bsen"))
+    recorder = FlightRecorder(Path(folder), loaded.site, loaded.room, loaded.grid)
     outcome = fly_lockstep(
-        premises, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.step
+        loaded, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.step
     )
     flight = recorder.finish(outcome)
     print(

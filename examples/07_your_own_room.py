@@ -14,8 +14,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import open_premises, read_site
 from housefly.messages import Order, OrderKind
 from housefly.room.draw import text_map
 from housefly.room.ros_map import import_ros_map
@@ -34,11 +34,11 @@ with tempfile.TemporaryDirectory() as folder:
 
     out = Path(folder) / "myroom"
     room = import_ros_map(Path(folder) / "map.yaml", out)
-    premises = open_premises(read_site(str(out)))
-    print(text_map(premises.room, premises.grid))
+    loaded = open_site(read_site(str(out)))
+    print(text_map(loaded.room, loaded.grid))
 
     place = next(place.name for place in room.places if place.name != "home")
     outcome = fly_lockstep(
-        premises, Order(OrderKind.SERVICE, place=place, look_s=1.0), lambda step: None
+        loaded, Order(OrderKind.SERVICE, place=place, look_s=1.0), lambda step: None
     )
     print(f"to {place!r} and back: {outcome}")

@@ -13,12 +13,12 @@ from pathlib import Path
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
-from housefly.app.premises import read_site
+from housefly.app.loaded_site import read_site
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import plan_campaign
 from housefly.lab.campaigns.runner import LocalFleet, run_campaign
 from housefly.lab.campaigns.spec import load_spec
-from housefly.lab.campaigns.summary import shown, summarize
+from housefly.lab.campaigns.summary import summarize_campaign, value_text
 
 spec = load_spec(Path(__file__).parent / "08_tracking_rate.toml")
 plan = plan_campaign(spec, read_site(spec.site))
@@ -33,11 +33,11 @@ with tempfile.TemporaryDirectory() as out, CampaignFolder(Path(out), plan) as fo
         f"{table.num_rows} rows of {table.num_columns} columns; the slowest arrival took"
         f" {slowest:.1f} s"
     )
-    cells = summarize(spec, results)
+    cells = summarize_campaign(spec, results)
 
 for cell in cells:
     where = ", ".join(
-        f"{name} {shown(name, value)}" for name, value in zip(spec.grid, cell.values, strict=True)
+        f"{name} {value_text(name, value)}" for name, value in zip(spec.grid, cell.values, strict=True)
     )
     stable, error = cell.estimates["stable"], cell.estimates["rms_error"]
     share = f"{stable.value:4.0%} stable ({stable.low:.0%} to {stable.high:.0%})"

@@ -6,10 +6,10 @@ Prints: the box, then each constant with its 95 % interval beside what the pilot
     is true.
 """
 
-from housefly.app.identify_flight import Errand, fly_in_lock_step
-from housefly.app.premises import open_premises, read_site
+from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
+from housefly.app.loaded_site import open_site, read_site
 from housefly.lab.identification.box import find_box
-from housefly.lab.identification.maneuver import Maneuver
+from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, identify
 from housefly.lab.identification.samples import samples_of
@@ -23,8 +23,8 @@ hidden = {
     "drone__drag": 0.4,
     "drone__climb_lag": 2.0,
 }
-believed = open_premises(read_site("bsen", **tracking))
-real = open_premises(read_site("bsen", **tracking, **hidden))
+believed = open_site(read_site("bsen", **tracking))
+real = open_site(read_site("bsen", **tracking, **hidden))
 
 plan = blocks(6, believed.site.limits.tilt_max)
 box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
@@ -33,11 +33,11 @@ print(
     f" {box.centre[1]:.1f})"
 )
 
-maneuver = Maneuver(plan, box)
+maneuver = IdentificationManeuver(plan, box)
 steps: list[PilotStep] = []
 print(
-    fly_in_lock_step(
-        believed, SimulatedWorld(real.site, real.room), Errand(box, maneuver, 400.0), steps.append
+    fly_identification_lockstep(
+        believed, SimulatedWorld(real.site, real.room), IdentificationFlight(box, maneuver, 400.0), steps.append
     )
 )
 

@@ -9,14 +9,14 @@ Prints: for each tracking system the recommended pair with its margins, then wha
 from dataclasses import replace
 from math import degrees
 
-from housefly.lab.tuning.advice import Question, advise, judge
+from housefly.lab.tuning.advice import GainQuestion, advise, judge
 from housefly.lab.tuning.loop import Loop
 
 DRONE = Loop(alpha=3.6, beta=3.24, lag=7.0, delay=0.06)
 
 for rate, latency in ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1)):
     for paper in (False, True):
-        question = Question(replace(DRONE, tracking_hz=rate, latency=latency, paper=paper))
+        question = GainQuestion(replace(DRONE, tracking_hz=rate, latency=latency, paper=paper))
         advice = advise(question)
         assert advice is not None
         loop, margins = advice.judgement.loop, advice.judgement.margins
@@ -29,7 +29,7 @@ for rate, latency in ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1)):
             f" {1000 * margins.delay:.0f} ms"
         )
 
-verdict = judge(Question(replace(DRONE, tracking_hz=10.0, latency=0.1, paper=True)), 3.6, 3.24)
+verdict = judge(GainQuestion(replace(DRONE, tracking_hz=10.0, latency=0.1, paper=True)), 3.6, 3.24)
 print(
     "alpha 3.6, beta 3.24 at 10 Hz in mode paper:",
     "; ".join(verdict.objections) or "keeps every promise",

@@ -13,8 +13,8 @@ from math import isfinite
 
 from housefly.errors import WireError
 from housefly.messages import Observation
-from housefly.sensors.contracts import Sensor, SensorHealth, Sink
-from housefly.sensors.pulse import Pulse
+from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
+from housefly.sensors.message_rate import MessageRate
 
 SILENT = 5.0
 """A lamp that says nothing for this long [s] is not there."""
@@ -39,9 +39,9 @@ class LightSensors(asyncio.DatagramProtocol):
 
     def __init__(self, port: int) -> None:
         self.problem, self._port, self._lost = "", port, Counter[str]()
-        self._lamps: dict[str, Pulse] = {}
+        self._lamps: dict[str, MessageRate] = {}
 
-    async def run(self, sink: Sink) -> None:
+    async def run(self, sink: SensorSink) -> None:
         """Listen until cancelled."""
         self._sink = sink
         transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
@@ -61,7 +61,7 @@ class LightSensors(asyncio.DatagramProtocol):
             self._lost["malformed"] += 1
             self.problem = str(error)
             return
-        self._lamps.setdefault(name, Pulse()).beat(time.monotonic())
+        self._lamps.setdefault(name, MessageRate()).beat(time.monotonic())
         self._sink(
             Observation(
                 name, name, captured_at=now, received_at=now, facts=(("illuminance_lx", lux),)

@@ -16,7 +16,7 @@ import pytest
 from housefly.cli import EPILOG, build_parser
 from housefly.config.site import Site
 from housefly.pilot.behavior.acceptor import describe
-from housefly.pilot.safety.rules import RULES
+from housefly.pilot.safety.rules import SAFETY_RULES
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = sorted(
@@ -141,7 +141,7 @@ def test_the_acceptor_is_described_as_it_is() -> None:
 def test_every_rule_of_the_last_gate_is_explained() -> None:
     safety = (ROOT / "docs" / "safety.md").read_text(encoding="utf-8")
     assert re.findall(r"^\| `(\w+)` \|", safety, flags=re.MULTILINE) == [
-        rule.code for rule in RULES
+        rule.code for rule in SAFETY_RULES
     ]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from housefly.hub.asking.client import RoomClient
+    from housefly.hub.client.room_client import RoomClient
 
 
 def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
@@ -19,8 +19,8 @@ def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
     Raises:
         LinkError: no room is running here.
     """
-    from housefly.hub.asking.client import RoomClient
-    from housefly.hub.asking.discovery import find
+    from housefly.hub.client.room_client import RoomClient
+    from housefly.hub.client.discovery import find
 
     if address:
         return RoomClient(address, key)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.premises import open_premises, read_site, with_newest_edits
+from housefly.app.loaded_site import open_site, read_site, with_newest_edits
 from housefly.app.runtime import new_runtime
 from housefly.config.edits import Edits, NoFlyZone, PlaceEdit
 from housefly.config.site import Site, changed
@@ -30,14 +30,14 @@ def test_every_process_of_a_run_gets_the_edits_with_the_site(site: Site, tmp_pat
     EditVersions(edits_folder(site)).save(Edits(places=(CORNER,), zones=(WET,)), 0)
     edited, words = with_newest_edits(site)
     assert words == "places and zones as edited, version 1"
-    premises = open_premises(new_runtime(edited, tmp_path).site())
-    assert premises.room.place("corner").title == "Reading corner"
-    assert premises.grid.kind(premises.grid.cell_of((5.5, 3.5))) is Cell.VIRTUAL
+    loaded = open_site(new_runtime(edited, tmp_path).site())
+    assert loaded.room.place("corner").title == "Reading corner"
+    assert loaded.grid.kind(loaded.grid.cell_of((5.5, 3.5))) is Cell.VIRTUAL
 
 
 def test_nobody_else_is_influenced_by_what_the_machine_has_saved(site: Site) -> None:
     EditVersions(edits_folder(site)).save(Edits(places=(CORNER,)), 0)
-    assert "corner" not in {place.name for place in open_premises(site).room.places}
+    assert "corner" not in {place.name for place in open_site(site).room.places}
 
 
 @pytest.mark.parametrize("change", [{"hub__edits": False}, {"mode": "paper"}])

@@ -9,12 +9,12 @@ from math import hypot
 
 import pytest
 
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import Premises, open_premises, read_site
 from housefly.config.site import changed
 from housefly.geometry import Vec2
 from housefly.messages import Event, Order, OrderKind, PilotStep
-from housefly.pilot.pilot import Pilot
+from housefly.pilot.assembly import make_pilot
 from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
@@ -35,11 +35,11 @@ RADIUS = 0.25
 ASIDE = (13.5, 4.2)
 
 
-def premises(tracked: bool = True) -> Premises:
+def loaded(tracked: bool = True) -> LoadedSite:
     site = changed(
         read_site("bsen"), furniture=[CHAIR] if tracked else [], twin__visitor_present=False
     )
-    return open_premises(site)
+    return open_site(site)
 
 
 @dataclass
@@ -75,7 +75,7 @@ class Story:
 
 
 def fly(story: Story, tracked: bool = True, until: float = 30.0) -> Story:
-    fly_lockstep(premises(tracked), GO, story.step, until, (Movable("chair", RADIUS),), story.world)
+    fly_lockstep(loaded(tracked), GO, story.step, until, (Movable("chair", RADIUS),), story.world)
     return story
 
 
@@ -89,7 +89,7 @@ def on_the_way() -> Vec2:
 @pytest.mark.slow
 def test_a_tracked_chair_on_the_way_is_gone_around(on_the_way: Vec2) -> None:
     story = fly(Story(on_the_way))
-    entrance = premises().room.place("entrance").viewpoint
+    entrance = loaded().room.place("entrance").viewpoint
     assert story.closest > HULL and story.contacts == 0
     assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
 
@@ -121,14 +121,14 @@ def test_a_chair_that_is_put_in_the_way_in_flight_is_told_by_its_name_and_not_to
 
 @pytest.mark.slow
 def test_another_pilot_with_the_same_inputs_decides_the_same(on_the_way: Vec2) -> None:
-    here = premises()
-    pilot = Pilot(here.site, here.room, here.grid)
+    here = loaded()
+    pilot = make_pilot(here.site, here.room, here.grid)
     for step in fly(Story(on_the_way), until=15.0).steps:
         assert pilot.step(step.now, step.inputs) == step.outputs
 
 
 def fly_with_shelf(story: Story, order: Order) -> None:
-    here = open_premises(changed(read_site("bsen"), furniture=[SHELF], twin__visitor_present=False))
+    here = open_site(changed(read_site("bsen"), furniture=[SHELF], twin__visitor_present=False))
 
     def carry(world: SimulatedWorld) -> None:
         if story.moved_to is not None:
@@ -164,7 +164,7 @@ def test_the_rooms_own_shelf_that_stands_where_the_model_has_it_is_not_flown_int
 def test_the_rooms_own_shelf_put_on_the_way_is_gone_around(on_the_way: Vec2) -> None:
     story = Story(None, moved_to=on_the_way)
     fly_with_shelf(story, GO)
-    entrance = premises().room.place("entrance").viewpoint
+    entrance = loaded().room.place("entrance").viewpoint
     assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
     assert (
         story.contacts == 0

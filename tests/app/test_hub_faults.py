@@ -19,19 +19,19 @@ from typing import Any
 import psutil
 import pytest
 
-from housefly.app.launcher import Launcher, parts_of
+from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
-from housefly.app.service_watch import ServiceWatch
+from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.stop import StopSender
-from housefly.bus.topics import HUB_QUERY, ORDER, STEP
+from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import changed, load_site
 from housefly.errors import LinkError
 from housefly.geometry import Vec3, distance
-from housefly.hub.api.questions import Question, Sensors, Trajectory, Where
-from housefly.hub.api.room_json import answer_from_json, question_to_json
-from housefly.hub.store.changes import STILL
+from housefly.hub.api.json import answer_from_json, question_to_json
+from housefly.hub.api.questions import Question, SensorsQuestion, TrajectoryQuestion, WhereQuestion
+from housefly.hub.store.run_length import STILL_DISTANCE
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
 
@@ -51,7 +51,7 @@ class Flight:
     runtime: Runtime
     launcher: Launcher
     bus: ZenohBus
-    watch: ServiceWatch
+    watch: ServiceMonitor
     seen: list[tuple[float, Vec3]] = field(default_factory=list)
     phase: Phase = Phase.IDLE
     done: threading.Event = field(default_factory=threading.Event)
@@ -61,13 +61,13 @@ class Flight:
         ours = [sighting for sighting in step.inputs.sightings if sighting.body == DRONE]
         self.seen += [(unix + sighting.captured_at, sighting.pose.position) for sighting in ours]
         self.phase = step.outputs.phase
-        self.watch = self.watch.after(step)
+        self.watch = self.watch.updated(step)
         if self.watch.outcome:
             self.done.set()
 
     def order(self, kind: OrderKind, place: str = "") -> None:
         self.bus.publish(
-            ORDER, Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test")
+            ORDER_TOPIC, Order(kind, place, look_s=1.0, issued_at=time.monotonic(), sender="test")
         )
 
     def send(self) -> None:
@@ -89,13 +89,13 @@ class Flight:
     def age(self) -> float:
         """Return how long ago the hub's drone was seen [s]; much when nobody answers."""
         try:
-            age = self.ask(Where(DRONE)).age
+            age = self.ask(WhereQuestion(DRONE)).age
         except LinkError:
             age = None
         return 1e9 if age is None else float(age)
 
     def memory(self) -> str:
-        return str(self.ask(Sensors()).memory)
+        return str(self.ask(SensorsQuestion()).memory)
 
 
 def until(holds: Callable[[], bool], timeout: float) -> bool:
@@ -113,13 +113,13 @@ def is_kept(rows: tuple[tuple[float, float, float, float], ...], at: float, plac
     still is kept once.
     """
     last = bisect_right(rows, at + 1e-3, key=lambda row: row[0])
-    return last > 0 and distance(rows[last - 1][1:], place) <= STILL
+    return last > 0 and distance(rows[last - 1][1:], place) <= STILL_DISTANCE
 
 
 def share_kept(flight: Flight, since: float, until: float) -> float:
     """Return the share of the drone's places between two times that the store has."""
     told = [seen for seen in flight.seen if since < seen[0] < until]
-    rows = flight.ask(Trajectory(DRONE, since - 5.0, until, source="vicon"), 10.0).rows
+    rows = flight.ask(TrajectoryQuestion(DRONE, since - 5.0, until, source="vicon"), 10.0).rows
     return sum(is_kept(rows, at, place) for at, place in told) / len(told)
 
 
@@ -132,14 +132,14 @@ def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
     home = load_room(site.room.model).home
     runtime = new_runtime(site, folder)
     with (
-        Launcher(runtime, folder, parts_of(runtime, web=False)) as launcher,
+        Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
         flight = Flight(
-            runtime, launcher, bus, ServiceWatch(time.monotonic(), home, 120.0, grace=90.0)
+            runtime, launcher, bus, ServiceMonitor(time.monotonic(), home, 120.0, grace=90.0)
         )
-        bus.subscribe(STEP, flight.heard)
+        bus.subscribe(STEP_TOPIC, flight.heard)
         assert until(lambda: flight.age() < 1.0, 20.0), (folder / "hub.log").read_text()
         flight.send()
         yield flight
@@ -155,7 +155,7 @@ def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and
         assert until(lambda: flight.age() < 1.0, 20.0), (
             "the new hub does not say where the drone is"
         )
-        assert flight.ask(Where(DRONE)).position is not None
+        assert flight.ask(WhereQuestion(DRONE)).position is not None
         assert killed_at - since > 4.0
         assert share_kept(flight, since + 1.0, killed_at - 1.0) >= 0.99
         assert flight.outcome() == "completed"

@@ -10,12 +10,12 @@ from math import hypot
 
 import pytest
 
+from housefly.app.loaded_site import open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import open_premises, read_site
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Event, Order, OrderKind, PilotStep
-from housefly.pilot.behavior.lookout import BRAKING
+from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
 from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld
@@ -84,9 +84,9 @@ def fly() -> Fly:
         def on_step(step: PilotStep) -> None:
             story.events.extend(step.outputs.events)
 
-        premises = open_premises(site)
+        loaded = open_site(site)
         story.outcome = fly_lockstep(
-            premises, SERVICE, on_step, give_up_after, (chair,), story.world
+            loaded, SERVICE, on_step, give_up_after, (chair,), story.world
         )
         return story
 
@@ -125,7 +125,7 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
     stop = next(place for now, place, s in story.steps if now > at and s < 0.1)
     assert (
         hypot(stop[0] - start[0], stop[1] - start[1])
-        < stopping_distance(speed, BRAKING, 0.1) + 0.3 * speed
+        < stopping_distance(speed, BRAKING_DECELERATION, 0.1) + 0.3 * speed
     )
     standing = next(now for now, _, s in story.steps if now > at and s < 0.1)
     assert story.told("detour") - standing < 0.3

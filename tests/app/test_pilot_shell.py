@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from housefly.app.launcher import Launcher, parts_of
-from housefly.app.premises import read_site
+from housefly.app.launcher import Launcher, processes_of
+from housefly.app.loaded_site import read_site
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import new_runtime
-from housefly.bus.topics import FRAME, STEP
+from housefly.bus.topics import FRAME_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import PilotStep, Sighting, TrackedFrame
 
@@ -40,11 +40,11 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
     site = read_site(str(write_site()), hub__enabled=False)
     runtime = new_runtime(site, tmp_path)
     with (
-        Launcher(runtime, tmp_path, parts_of(runtime, web=False)),
+        Launcher(runtime, tmp_path, processes_of(runtime, web=False)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
         assert Readiness(site, bus, web=False, video=False).wait(60.0) == ""
-        subscriptions = [bus.subscribe(FRAME, on_frame), bus.subscribe(STEP, on_step)]
+        subscriptions = [bus.subscribe(FRAME_TOPIC, on_frame), bus.subscribe(STEP_TOPIC, on_step)]
         assert enough.wait(30.0)
         for subscription in subscriptions:
             subscription.close()

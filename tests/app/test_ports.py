@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.ports import needs_of, refuse_taken_ports
+from housefly.app.ports import port_needs, refuse_taken_ports
 from housefly.cli import main
 from housefly.config.site import Site, changed
 from housefly.errors import LinkError
@@ -15,7 +15,7 @@ def site_at(address: str) -> Site:
 
 def test_free_ports_are_no_obstacle(loopback: str) -> None:
     refuse_taken_ports(site_at(loopback), web=True)
-    assert not any(need.taken for need in needs_of(site_at(loopback), web=True))
+    assert not any(need.taken for need in port_needs(site_at(loopback), web=True))
 
 
 @pytest.mark.parametrize(
@@ -61,7 +61,7 @@ def test_each_tracking_system_needs_its_own_ports(
 
 def test_real_hardware_needs_no_ports_but_the_consoles(loopback: str) -> None:
     names = {
-        need.name for need in needs_of(changed(site_at(loopback), twin__enabled=False), web=True)
+        need.name for need in port_needs(changed(site_at(loopback), twin__enabled=False), web=True)
     }
     assert names == {"console"}
 

@@ -8,7 +8,7 @@ import pytest
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK, ORDER
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC
 from housefly.errors import LinkError
 from housefly.messages import LinkStatus, Order, OrderKind
 
@@ -16,48 +16,48 @@ from housefly.messages import LinkStatus, Order, OrderKind
 def test_a_message_has_arrived_when_publish_returns() -> None:
     bus: Bus = LocalBus()
     heard: list[Order] = []
-    bus.subscribe(ORDER, heard.append)
-    bus.publish(ORDER, Order(OrderKind.STOP))
+    bus.subscribe(ORDER_TOPIC, heard.append)
+    bus.publish(ORDER_TOPIC, Order(OrderKind.STOP))
     assert heard == [Order(OrderKind.STOP)]
 
 
 def test_handlers_are_called_in_the_order_of_subscription_across_members() -> None:
     bus = LocalBus()
     calls: list[str] = []
-    bus.subscribe(LINK, lambda _: calls.append("first"))
-    bus.join().subscribe(LINK, lambda _: calls.append("second"))
-    bus.subscribe(LINK, lambda _: calls.append("third"))
-    bus.join().publish(LINK, LinkStatus(0.0))
+    bus.subscribe(LINK_TOPIC, lambda _: calls.append("first"))
+    bus.join().subscribe(LINK_TOPIC, lambda _: calls.append("second"))
+    bus.subscribe(LINK_TOPIC, lambda _: calls.append("third"))
+    bus.join().publish(LINK_TOPIC, LinkStatus(0.0))
     assert calls == ["first", "second", "third"]
 
 
 def test_a_handler_hears_only_its_topic() -> None:
     bus = LocalBus()
     heard: list[LinkStatus] = []
-    bus.subscribe(LINK, heard.append)
-    bus.publish(ORDER, Order(OrderKind.HOVER))
+    bus.subscribe(LINK_TOPIC, heard.append)
+    bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
     assert heard == []
 
 
 def test_a_closed_subscription_is_silent_and_closing_twice_does_no_harm() -> None:
     bus = LocalBus()
     heard: list[LinkStatus] = []
-    subscription = bus.subscribe(LINK, heard.append)
+    subscription = bus.subscribe(LINK_TOPIC, heard.append)
     subscription.close()
     subscription.close()
-    bus.publish(LINK, LinkStatus(0.0))
+    bus.publish(LINK_TOPIC, LinkStatus(0.0))
     assert heard == []
 
 
 def test_a_member_that_leaves_takes_only_its_own_handlers() -> None:
     bus = LocalBus()
     heard: list[str] = []
-    bus.subscribe(LINK, lambda _: heard.append("stays"))
+    bus.subscribe(LINK_TOPIC, lambda _: heard.append("stays"))
     with bus.join() as member:
-        member.subscribe(LINK, lambda _: heard.append("leaves"))
+        member.subscribe(LINK_TOPIC, lambda _: heard.append("leaves"))
         member.answer("who", lambda _: "me")
-    bus.publish(LINK, LinkStatus(0.0))
-    member.publish(LINK, LinkStatus(1.0))
+    bus.publish(LINK_TOPIC, LinkStatus(0.0))
+    member.publish(LINK_TOPIC, LinkStatus(1.0))
     assert heard == ["stays"]
     with pytest.raises(LinkError, match="nobody"):
         bus.ask("who")
@@ -85,11 +85,11 @@ def test_a_handler_may_subscribe_and_publish_itself() -> None:
     heard: list[float] = []
 
     def echo(order: Order) -> None:
-        bus.subscribe(LINK, lambda link: heard.append(link.at))
-        bus.publish(LINK, LinkStatus(order.issued_at))
+        bus.subscribe(LINK_TOPIC, lambda link: heard.append(link.at))
+        bus.publish(LINK_TOPIC, LinkStatus(order.issued_at))
 
-    bus.subscribe(ORDER, echo)
-    bus.publish(ORDER, Order(OrderKind.GO, issued_at=3.0))
+    bus.subscribe(ORDER_TOPIC, echo)
+    bus.publish(ORDER_TOPIC, Order(OrderKind.GO, issued_at=3.0))
     assert heard == [3.0]
 
 
@@ -102,12 +102,12 @@ def test_no_message_is_lost_when_many_threads_publish_and_subscribe() -> None:
         with lock:
             count[0] += 1
 
-    bus.subscribe(ORDER, add)
+    bus.subscribe(ORDER_TOPIC, add)
 
     def work() -> None:
         for _ in range(200):
-            bus.subscribe(LINK, lambda _: None).close()
-            bus.publish(ORDER, Order(OrderKind.HOVER))
+            bus.subscribe(LINK_TOPIC, lambda _: None).close()
+            bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
 
     threads = [threading.Thread(target=work) for _ in range(8)]
     for thread in threads:

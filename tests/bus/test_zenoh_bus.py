@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError, WireError
 from housefly.messages import (
@@ -118,10 +118,10 @@ def test_a_message_crosses_to_another_process_and_back(
 ) -> None:
     with ZenohBus(listen=endpoint) as bus:
         heard: list[LinkStatus] = []
-        bus.subscribe(LINK, heard.append)
+        bus.subscribe(LINK_TOPIC, heard.append)
         child("other", connect=endpoint)
         assert bus.ask("who/other", "is").startswith("other is ")
-        bus.publish(ORDER, Order(OrderKind.GO, "entrance", issued_at=1.5))
+        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "entrance", issued_at=1.5))
         until(lambda: heard)
         assert heard == [LinkStatus(1.5, notes=("other", "entrance"))]
 
@@ -133,7 +133,7 @@ def test_three_processes_hear_each_other_through_the_one_that_listens(
     web = child("web", connect=endpoint)
     with ZenohBus(connect=endpoint) as bus:
         orders: list[Order] = []
-        bus.subscribe(ORDER, orders.append)
+        bus.subscribe(ORDER_TOPIC, orders.append)
         assert bus.ask("who/web").startswith("web")
         assert bus.ask("who/pilot").startswith("pilot")
         web.order("sofa")
@@ -156,11 +156,11 @@ def test_orders_arrive_again_after_the_listener_was_killed_and_restarted(
 ) -> None:
     with ZenohBus(connect=endpoint) as bus:
         heard: list[LinkStatus] = []
-        bus.subscribe(LINK, heard.append)
+        bus.subscribe(LINK_TOPIC, heard.append)
         for place in ("first", "second"):
             pilot = child("pilot", listen=endpoint)
             assert bus.ask("who/pilot", timeout=10.0).endswith(str(pilot.process.pid))
-            bus.publish(ORDER, Order(OrderKind.GO, place))
+            bus.publish(ORDER_TOPIC, Order(OrderKind.GO, place))
             until(lambda place=place: any(link.notes[1] == place for link in heard))
             os.kill(pilot.process.pid, signal.SIGKILL)
             pilot.process.wait()
@@ -176,7 +176,7 @@ def test_the_listener_goes_on_when_a_member_is_killed_and_a_new_one_comes(
             os.kill(web.process.pid, signal.SIGKILL)
             web.process.wait()
             for number in range(50):
-                bus.publish(STEP, step(number))
+                bus.publish(STEP_TOPIC, step(number))
 
 
 def test_a_stopped_member_does_not_hold_up_the_sender(
@@ -188,11 +188,11 @@ def test_a_stopped_member_does_not_hold_up_the_sender(
         web = child("web", connect=endpoint)
         assert bus.ask("who/web", timeout=10.0)
         watcher = ZenohBus(connect=endpoint)
-        watcher.subscribe(VIDEO, heard.append)
-        until(lambda: (bus.publish(VIDEO, picture), heard)[1])
+        watcher.subscribe(VIDEO_TOPIC, heard.append)
+        until(lambda: (bus.publish(VIDEO_TOPIC, picture), heard)[1])
         web.process.send_signal(signal.SIGSTOP)
         for _ in range(100):
-            bus.publish(VIDEO, picture)
+            bus.publish(VIDEO_TOPIC, picture)
             time.sleep(0.01)
         web.process.send_signal(signal.SIGCONT)
         watcher.close()
@@ -209,11 +209,11 @@ def test_a_slow_handler_skips_messages_and_delays_nobody_else(endpoint: str) -> 
         gate.wait(10.0)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        other.subscribe(LINK, wait)
-        other.subscribe(LINK, quick.append)
-        until(lambda: (bus.publish(LINK, LinkStatus(-1.0)), quick and slow)[1])
+        other.subscribe(LINK_TOPIC, wait)
+        other.subscribe(LINK_TOPIC, quick.append)
+        until(lambda: (bus.publish(LINK_TOPIC, LinkStatus(-1.0)), quick and slow)[1])
         for number in range(100):
-            bus.publish(LINK, LinkStatus(float(number)))
+            bus.publish(LINK_TOPIC, LinkStatus(float(number)))
             until(lambda number=number: quick[-1].at == number)
         gate.set()
         until(lambda: slow[-1].at == 99.0)
@@ -229,10 +229,10 @@ def test_a_recorder_that_stands_still_for_seconds_misses_no_step(endpoint: str) 
         gate.wait(10.0)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        other.subscribe(STEP, slow)
-        until(lambda: (bus.publish(STEP, step(-1)), heard)[1])
+        other.subscribe(STEP_TOPIC, slow)
+        until(lambda: (bus.publish(STEP_TOPIC, step(-1)), heard)[1])
         for number in range(500):
-            bus.publish(STEP, step(number))
+            bus.publish(STEP_TOPIC, step(number))
             time.sleep(0.001)
         gate.set()
         until(lambda: heard[-1] == 499)
@@ -242,12 +242,12 @@ def test_a_recorder_that_stands_still_for_seconds_misses_no_step(endpoint: str) 
 def test_what_nobody_hears_is_not_even_encoded(endpoint: str) -> None:
     broken = LinkStatus("no time")  # type: ignore[arg-type]
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        bus.publish(LINK, broken)
+        bus.publish(LINK_TOPIC, broken)
         heard: list[LinkStatus] = []
-        other.subscribe(LINK, heard.append)
-        until(lambda: (bus.publish(LINK, LinkStatus(1.0)), heard)[1])
+        other.subscribe(LINK_TOPIC, heard.append)
+        until(lambda: (bus.publish(LINK_TOPIC, LinkStatus(1.0)), heard)[1])
         with pytest.raises(WireError, match="cannot be encoded"):
-            bus.publish(LINK, broken)
+            bus.publish(LINK_TOPIC, broken)
 
 
 def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str) -> None:
@@ -258,11 +258,11 @@ def test_every_order_arrives_in_order_although_the_handler_is_slow(endpoint: str
         heard.append(order.issued_at)
 
     with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
-        bus.subscribe(ORDER, slow)
+        bus.subscribe(ORDER_TOPIC, slow)
         bus.answer("there", str)
         other.ask("there", timeout=10.0)
         for number in range(1000):
-            other.publish(ORDER, Order(OrderKind.HOVER, issued_at=float(number)))
+            other.publish(ORDER_TOPIC, Order(OrderKind.HOVER, issued_at=float(number)))
         until(lambda: len(heard) == 1000)
         assert heard == [float(number) for number in range(1000)]
 
@@ -278,9 +278,9 @@ def test_a_handler_that_fails_hears_the_next_message(
             raise ValueError("broken handler")
 
     with ZenohBus(listen=endpoint) as bus:
-        bus.subscribe(ORDER, handler)
-        bus.publish(ORDER, Order(OrderKind.GO, "bad"))
-        bus.publish(ORDER, Order(OrderKind.GO, "good"))
+        bus.subscribe(ORDER_TOPIC, handler)
+        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "bad"))
+        bus.publish(ORDER_TOPIC, Order(OrderKind.GO, "good"))
         until(lambda: heard == ["bad", "good"])
     assert "broken handler" in caplog.text
 
@@ -313,12 +313,12 @@ def test_an_address_in_use_is_a_link_error_that_names_it(endpoint: str) -> None:
 def test_a_closed_bus_is_quiet_and_closing_twice_does_no_harm(endpoint: str) -> None:
     bus: Bus = ZenohBus(listen=endpoint)
     heard: list[Order] = []
-    bus.subscribe(ORDER, heard.append)
+    bus.subscribe(ORDER_TOPIC, heard.append)
     bus.close()
     bus.close()
-    bus.publish(ORDER, Order(OrderKind.STOP))
+    bus.publish(ORDER_TOPIC, Order(OrderKind.STOP))
     with pytest.raises(LinkError, match="closed"):
-        bus.subscribe(ORDER, heard.append)
+        bus.subscribe(ORDER_TOPIC, heard.append)
     with pytest.raises(LinkError, match="closed"):
         bus.ask("who")
     assert heard == []
@@ -332,9 +332,9 @@ def test_a_closed_subscription_is_silent_also_when_its_own_handler_closes_it(end
             heard.append(order)
             subscription.close()
 
-        subscription = bus.subscribe(ORDER, once)
+        subscription = bus.subscribe(ORDER_TOPIC, once)
         for _ in range(3):
-            bus.publish(ORDER, Order(OrderKind.HOVER))
+            bus.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
         until(lambda: heard)
         time.sleep(0.05)
         assert len(heard) == 1

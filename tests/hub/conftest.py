@@ -10,27 +10,29 @@ from typing import Any
 
 import pytest
 
-from housefly.hub.answers import Answers
-from housefly.hub.api.questions import Question
-from housefly.hub.api.room_json import (
+from housefly.hub.api.json import (
     answer_from_json,
     answer_to_json,
     question_from_json,
     question_to_json,
 )
+from housefly.hub.api.questions import Question
 from housefly.hub.memory import RoomMemory
-from housefly.hub.present import Present
-from housefly.hub.store.opening import open_store
-from housefly.hub.things.thing import Kind, Thing
+from housefly.hub.query_handler import QueryHandler
+from housefly.hub.room_status import RoomStatus
+from housefly.hub.store.open import open_store
+from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation
 
 NOON = float(round(time.time()))
 """Of today, because the store throws away what is older than two weeks."""
 THINGS = (
-    Thing("kitchen", "the kitchen", Kind.SPACE, position=(6.0, 5.0, 0.0)),
-    Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(11.5, 4.2, 0.6), inside="kitchen"),
-    Thing("cup", "the red cup", Kind.OBJECT, ("mug",), inside="cabinet"),
-    Thing("drone", "the drone", Kind.ROBOT, position=(1.0, 1.0, 0.0)),
+    Thing("kitchen", "the kitchen", ThingKind.SPACE, position=(6.0, 5.0, 0.0)),
+    Thing(
+        "cabinet", "the cabinet", ThingKind.FURNITURE, position=(11.5, 4.2, 0.6), inside="kitchen"
+    ),
+    Thing("cup", "the red cup", ThingKind.OBJECT, ("mug",), inside="cabinet"),
+    Thing("drone", "the drone", ThingKind.ROBOT, position=(1.0, 1.0, 0.0)),
 )
 
 
@@ -41,22 +43,22 @@ class House:
     file: Path
     now: float = NOON
     memory: RoomMemory = field(init=False)
-    present: Present = field(init=False)
-    answers: Answers = field(init=False)
+    status: RoomStatus = field(init=False)
+    answers: QueryHandler = field(init=False)
 
     def __post_init__(self) -> None:
         self.open()
 
     def open(self, things: tuple[Thing, ...] = THINGS) -> None:
         self.memory = RoomMemory(things, lambda: open_store(self.file))
-        self.present = Present(self.memory.writer.report)
-        self.answers = Answers(self.memory, self.present, lambda: self.now)
+        self.status = RoomStatus(self.memory.writer.report)
+        self.answers = QueryHandler(self.memory, self.status, lambda: self.now)
 
     def see(
         self, thing: str, ago: float, position: Any = None, inside: str = "", source: str = "vicon"
     ) -> None:
         at = self.now - ago
-        self.memory.take(Observation(thing, source, at, at, position, inside=inside))
+        self.memory.add(Observation(thing, source, at, at, position, inside=inside))
 
     def ask(self, question: Question) -> Any:
         """Ask over JSON, as the bus does."""

@@ -8,7 +8,6 @@ from housefly.messages import (
     Command,
     Estimate,
     Event,
-    Happening,
     Inputs,
     Observation,
     Order,
@@ -17,6 +16,7 @@ from housefly.messages import (
     Phase,
     PilotStep,
     Pose,
+    RoomEvent,
     Severity,
     Sighting,
 )
@@ -33,8 +33,8 @@ def step(sequence: int, phase: Phase = Phase.IDLE, **inputs: object) -> PilotSte
     return PilotStep(sequence, 2.0, Inputs(**inputs), outputs)  # type: ignore[arg-type]
 
 
-def told(facts: FlightFacts, *steps: PilotStep) -> list[Observation | Happening]:
-    return [item for one in steps for item in facts.after(one, ZERO)]
+def told(facts: FlightFacts, *steps: PilotStep) -> list[Observation | RoomEvent]:
+    return [item for one in steps for item in facts.items_of(one, ZERO)]
 
 
 def test_every_sighting_is_an_observation_in_unix_time() -> None:

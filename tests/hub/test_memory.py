@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from housefly.hub.api.questions import Where
+from housefly.hub.api.questions import WhereQuestion
 from housefly.hub.store.backlog import Dropped
-from housefly.hub.things.thing import Kind, Thing
-from housefly.messages import Happening, Observation
+from housefly.hub.things.thing import Thing, ThingKind
+from housefly.messages import Observation, RoomEvent
 
 
 def test_after_a_restart_it_knows_what_it_knew(house) -> None:
@@ -20,23 +20,23 @@ def test_after_a_restart_it_knows_what_it_knew(house) -> None:
     house.see("parcel", 50.0, inside="kitchen", source="door")
     house.memory.close()
     house.open()
-    assert house.ask(Where("cup")).position == (1.0, 2.0, 3.0)
-    assert house.ask(Where("parcel")).inside == ("kitchen",)
+    assert house.ask(WhereQuestion("cup")).position == (1.0, 2.0, 3.0)
+    assert house.ask(WhereQuestion("parcel")).inside == ("kitchen",)
 
 
 def test_the_catalogue_of_today_replaces_that_of_yesterday(house) -> None:
     house.memory.close()
-    house.open((Thing("cup", "the blue cup", Kind.OBJECT),))
-    assert house.ask(Where("cup")).name == "the blue cup"
+    house.open((Thing("cup", "the blue cup", ThingKind.OBJECT),))
+    assert house.ask(WhereQuestion("cup")).name == "the blue cup"
 
 
 def test_what_would_be_inside_itself_is_refused_and_told_to_nobody(house, noon: float) -> None:
     told: list[object] = []
-    house.memory.listen(told.append)
+    house.memory.add_listener(told.append)
     house.see("kitchen", 1.0, inside="cup")
     assert told == []
     assert "kitchen" in house.memory.refused[-1]
-    house.memory.take(Happening("door opened", "cabinet", noon, "test"))
+    house.memory.add(RoomEvent("door opened", "cabinet", noon, "test"))
     assert len(told) == 1
 
 
@@ -45,7 +45,7 @@ def test_two_threads_may_tell_and_ask_at_once(house) -> None:
 
     def tell() -> None:
         for number in range(2000):
-            house.memory.take(
+            house.memory.add(
                 Observation(
                     "drone",
                     "vicon",
@@ -57,10 +57,10 @@ def test_two_threads_may_tell_and_ask_at_once(house) -> None:
 
     teller = Thread(target=tell)
     teller.start()
-    answers = [house.ask(Where("drone")).position for _ in range(300)]
+    answers = [house.ask(WhereQuestion("drone")).position for _ in range(300)]
     teller.join()
     assert all(position is not None for position in answers)
-    assert house.ask(Where("drone")).position == (1999.0, 0.0, 1.0)
+    assert house.ask(WhereQuestion("drone")).position == (1999.0, 0.0, 1.0)
 
 
 @pytest.mark.slow
@@ -85,14 +85,14 @@ LEAVING = """
 import sys, threading, time
 from housefly.errors import StoreError
 from housefly.hub.memory import RoomMemory
-from housefly.messages import Happening
-from housefly.hub.store.opening import open_store
+from housefly.messages import RoomEvent
+from housefly.hub.store.open import open_store
 from housefly.hub.things.thing import Thing
 
 def ask(memory):
     try:
         while True:
-            with memory.past() as store:
+            with memory.store() as store:
                 store.events(0.0, 1e12)
     except StoreError:
         refused.append(memory)
@@ -101,7 +101,7 @@ refused = []
 for leaving in range(100):
     memory = RoomMemory([Thing("cup", "the cup")], lambda: open_store(sys.argv[1]))
     for number in range(0 if leaving else 2000):
-        memory.take(Happening("object put", "cup", time.time(), "cabinet"))
+        memory.add(RoomEvent("object put", "cup", time.time(), "cabinet"))
     memory.flush()
     asking = [threading.Thread(target=ask, args=(memory,)) for _ in range(3)]
     for thread in asking:

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.premises import read_site
+from housefly.app.loaded_site import read_site
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import STEP
+from housefly.bus.topics import STEP_TOPIC
 from housefly.config.furniture import FurnitureConfig
-from housefly.hub.process import Hub
+from housefly.hub.hub import Hub
 from housefly.messages import Action, Command, Inputs, Outputs, PilotStep, Pose, Sighting
 
 CHAIR = FurnitureConfig(name="chair", body="chair-3", length=0.5, width=0.5, top=0.9)
@@ -30,12 +30,16 @@ async def test_furniture_that_tracking_sees_is_shown_where_the_pilot_flies_aroun
     hub = Hub(site, tmp_path, bus.join())
     running = asyncio.create_task(hub.run())
     now = time.monotonic()
-    bus.publish(STEP, step(1, now, Sighting("chair-3", Pose((6.0, 3.0, 0.4)), now - 0.01, now)))
-    bus.publish(STEP, step(2, now + 0.01, Sighting("someone", Pose((1.0, 1.0, 0.4)), now, now)))
+    bus.publish(
+        STEP_TOPIC, step(1, now, Sighting("chair-3", Pose((6.0, 3.0, 0.4)), now - 0.01, now))
+    )
+    bus.publish(
+        STEP_TOPIC, step(2, now + 0.01, Sighting("someone", Pose((1.0, 1.0, 0.4)), now, now))
+    )
     async with asyncio.timeout(10.0):
-        while not hub.present.obstacles():
+        while not hub.status.obstacles():
             await asyncio.sleep(0.02)
-    (shown,) = hub.present.obstacles()
+    (shown,) = hub.status.obstacles()
     running.cancel()
     await asyncio.gather(running, return_exceptions=True)
     hub.close()

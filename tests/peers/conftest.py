@@ -21,8 +21,8 @@ from housefly.config.site import Site
 from housefly.geometry import wrap_angle
 from housefly.room.files import load_room
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import Flight, Truth, World
-from housefly.twin.real_time import RealTime
+from housefly.twin.contracts import EncodedPicture, FlightState, GroundTruth, TwinWorld
+from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
 
 HERE = Path(__file__).resolve().parent
@@ -31,27 +31,17 @@ NODE_TIMEOUT = 60.0
 RunNode = Callable[..., Awaitable[list[Any]]]
 
 
-@dataclass(frozen=True)
-class Picture:
-    number: int
-    data: bytes
-    keyframe: bool
-    width: int
-    height: int
-    at: float
-
-
 @dataclass
 class Twin:
     """A world in real time behind a server, and what really happened in it."""
 
-    world: World
+    world: TwinWorld
     server: ArDroneServer
     address: str
-    trail: list[Truth] = field(default_factory=list)
+    trail: list[GroundTruth] = field(default_factory=list)
 
     @property
-    def flight(self) -> Flight:
+    def flight(self) -> FlightState:
         return self.world.onboard().flight
 
     @property
@@ -72,7 +62,7 @@ class Twin:
 
 
 @pytest.fixture
-async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
+async def twin(loopback: str, pictures: list[EncodedPicture]) -> AsyncIterator[Twin]:
     site = Site()
     world = SimulatedWorld(site, load_room(site.room.model))
     server = ArDroneServer(world, loopback)
@@ -80,7 +70,7 @@ async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
     flying = Twin(world, server, loopback)
     tasks = [
         asyncio.create_task(coroutine)
-        for coroutine in (RealTime(world, RealClock()).run(), _film(flying, pictures))
+        for coroutine in (RealTimeRunner(world, RealClock()).run(), _film(flying, pictures))
     ]
     try:
         yield flying
@@ -91,7 +81,7 @@ async def twin(loopback: str, pictures: list[Picture]) -> AsyncIterator[Twin]:
         await server.stop()
 
 
-async def _film(twin: Twin, pictures: list[Picture]) -> None:
+async def _film(twin: Twin, pictures: list[EncodedPicture]) -> None:
     rate = Rate(30.0)
     number = 0
     while True:
@@ -100,12 +90,14 @@ async def _film(twin: Twin, pictures: list[Picture]) -> None:
         twin.trail.append(twin.world.truth())
         known = pictures[number % len(pictures)]
         twin.server.publish(
-            Picture(number, known.data, known.keyframe, known.width, known.height, twin.world.now)
+            EncodedPicture(
+                number, known.data, known.keyframe, known.width, known.height, twin.world.now
+            )
         )
 
 
 @pytest.fixture(scope="session")
-def pictures() -> list[Picture]:
+def pictures() -> list[EncodedPicture]:
     """Thirty pictures of a moving edge, H.264 640x360 in groups of 15."""
     encoder = av.CodecContext.create("libx264", "w")
     encoder.width, encoder.height, encoder.pix_fmt = 640, 360, "yuv420p"
@@ -115,12 +107,14 @@ def pictures() -> list[Picture]:
         "tune": "zerolatency",
         "x264-params": "keyint=15:min-keyint=15:scenecut=0",
     }
-    made: list[Picture] = []
+    made: list[EncodedPicture] = []
     for number in range(30):
         image = np.zeros((360, 640, 3), np.uint8)
         image[:, : 20 * number] = 200
         for packet in encoder.encode(av.VideoFrame.from_ndarray(image, format="rgb24")):
-            made.append(Picture(number, bytes(packet), packet.is_keyframe, 640, 360, number / 30))
+            made.append(
+                EncodedPicture(number, bytes(packet), packet.is_keyframe, 640, 360, number / 30)
+            )
     return made
 
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from pyardrone.navdata import NavData
 
 from housefly.twin.ardrone.link import Link
-from housefly.twin.ardrone.navdata import NavdataWriter
-from housefly.twin.ardrone.options import MAJOR
-from housefly.twin.contracts import Flight, Onboard
+from housefly.twin.ardrone.navdata_options import MAJOR_STATES
+from housefly.twin.ardrone.navdata_writer import NavdataWriter
+from housefly.twin.contracts import FlightState, OnboardState
 
 HERE = Path(__file__).resolve().parent
 EMERGENCY_BIT = 31
@@ -28,9 +28,9 @@ def finite(limit):
 
 vectors = st.tuples(finite(20.0), finite(20.0), finite(20.0))
 onboards = st.builds(
-    Onboard,
+    OnboardState,
     at=st.floats(0.0, 1e5),
-    flight=st.sampled_from(Flight),
+    flight=st.sampled_from(FlightState),
     battery=st.floats(0.0, 1.0),
     battery_voltage=st.floats(8.0, 13.0),
     phi=finite(1.0),
@@ -49,7 +49,7 @@ onboards = st.builds(
 )
 
 
-def packet(onboard: Onboard, demo: bool) -> bytes:
+def packet(onboard: OnboardState, demo: bool) -> bytes:
     writer = NavdataWriter(Link(bootstrap=False), tells_vertical_speed=True)
     writer.demo = demo
     return writer.packet(onboard)
@@ -58,8 +58,8 @@ def packet(onboard: Onboard, demo: bool) -> bytes:
 @given(onboards, st.booleans())
 def test_pyardrone_reads_every_packet(onboard, demo):
     read = NavData(packet(onboard, demo))
-    assert read.metadata.state >> EMERGENCY_BIT == (onboard.flight is Flight.EMERGENCY)
-    assert read.demo.ctrl_state >> 16 == MAJOR[onboard.flight]
+    assert read.metadata.state >> EMERGENCY_BIT == (onboard.flight is FlightState.EMERGENCY)
+    assert read.demo.ctrl_state >> 16 == MAJOR_STATES[onboard.flight]
     assert read.demo.theta == pytest.approx(-1e3 * degrees(onboard.theta), abs=0.1)
     assert read.demo.psi == pytest.approx(-1e3 * degrees(onboard.psi), abs=0.1)
     assert read.demo.altitude == round(1e3 * onboard.height)
@@ -75,7 +75,7 @@ def test_node_ar_drone_reads_every_packet(cases):
         cases, node_reads([packet(*case) for case in cases]), strict=True
     ):
         assert "error" not in read
-        assert read["droneState"]["emergencyLanding"] == (onboard.flight is Flight.EMERGENCY)
+        assert read["droneState"]["emergencyLanding"] == (onboard.flight is FlightState.EMERGENCY)
         assert read["droneState"]["lowBattery"] == onboard.low_battery
         assert read["demo"]["rotation"]["pitch"] == pytest.approx(-degrees(onboard.theta), abs=1e-3)
         assert read["demo"]["rotation"]["roll"] == pytest.approx(degrees(onboard.phi), abs=1e-3)

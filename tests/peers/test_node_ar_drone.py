@@ -6,7 +6,7 @@ from math import hypot
 
 import pytest
 
-from housefly.twin.contracts import Flight
+from housefly.twin.contracts import FlightState
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
@@ -17,7 +17,7 @@ async def test_ar_drone_takes_off_moves_and_lands_the_twin(twin, run_node):
     assert seen["errors"] == []
     assert seen["events"][:3] == ["takeoff", "hovering", "flying"]
     assert seen["events"][-2:] == ["landing", "landed"]
-    assert twin.flight is Flight.LANDED
+    assert twin.flight is FlightState.LANDED
     assert twin.highest == pytest.approx(seen["altitude"], abs=0.2)
     assert twin.highest > 0.7
     forward, left = twin.displacement
@@ -46,7 +46,7 @@ async def test_autonomy_closes_its_own_loop_over_our_navdata(twin, run_node):
     assert list(reached) == ["takeoff", "altitude", "forward"]
     assert reached["altitude"]["z"] == pytest.approx(1.3, abs=0.15)
     assert reached["forward"]["x"] == pytest.approx(1.0, abs=0.15)
-    assert twin.flight is Flight.LANDED
+    assert twin.flight is FlightState.LANDED
     assert twin.highest == pytest.approx(1.3, abs=0.3)
     forward, left = twin.displacement
     assert forward == pytest.approx(1.0, abs=0.5)

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import pytest
 from pyardrone import ARDrone, at
 
-from housefly.twin.contracts import Flight
+from housefly.twin.contracts import FlightState
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
@@ -69,7 +69,7 @@ async def test_it_takes_off_moves_and_lands(twin, drone):
     )
 
     assert listens(drone)
-    assert twin.flight is Flight.LANDED
+    assert twin.flight is FlightState.LANDED
     assert twin.highest > 0.7
     forward, left = twin.displacement
     assert forward > 0.15

@@ -13,7 +13,7 @@ from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
 from housefly.messages import Scan
 from housefly.perception.background import expected_ranges
-from housefly.perception.watcher import Own, Seen, Watcher
+from housefly.perception.laser_tracker import LaserTracker, OwnFootprint, TrackingResult
 from housefly.room.model import Place, Room, Shape, Solid
 
 STEP, BEAMS = 2.0 * pi / 1440, 1081
@@ -53,7 +53,7 @@ def scanners() -> tuple[LaserConfig, ...]:
 
 @dataclass
 class Hall:
-    """Scans of the hall with things in it, and what the watcher makes of them."""
+    """Scans of the hall with things in it, and what the tracker makes of them."""
 
     noise: float = 0.01
     loss: float = 0.002
@@ -61,14 +61,14 @@ class Hall:
     lasers: Sequence[int] = (0,)
     now: float = 10.0
     things: dict[str, tuple[Vec2, float]] = field(default_factory=dict)
-    own: Own | None = None
+    own: OwnFootprint | None = None
 
     def __post_init__(self) -> None:
         self.random = np.random.default_rng(self.seed)
         self.configs = scanners()
         self.room = hall()
-        self.watcher = Watcher(self.room, self.configs)
-        self.seen = Seen()
+        self.tracker = LaserTracker(self.room, self.configs)
+        self.seen = TrackingResult()
 
     def scan(self, number: int = 0) -> Scan:
         laser = self.configs[number]
@@ -90,13 +90,13 @@ class Hall:
 
     def look(
         self, scans: int = 1, moving: Callable[[float], dict[str, tuple[Vec2, float]]] | None = None
-    ) -> Seen:
+    ) -> TrackingResult:
         for _ in range(scans):
             self.now += PERIOD
             if moving is not None:
                 self.things = moving(self.now - 0.03)
             for number in self.lasers:
-                self.seen = self.watcher.step(self.scan(number), self.now, self.own)
+                self.seen = self.tracker.update(self.scan(number), self.now, self.own)
         return self.seen
 
 

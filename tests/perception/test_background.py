@@ -12,7 +12,7 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import changed
 from housefly.perception.background import HALF_THICKNESS, expected_ranges
 from housefly.perception.clusters import foreground
@@ -40,11 +40,11 @@ def test_the_twins_scanner_sees_the_room_as_the_background_says() -> None:
         twin__visitor_present=False,
         lasers=[{"name": "one", "x": 6.0, "y": 3.0, "z": 1.1}],
     )
-    premises = open_premises(site)
-    measured = np.array(SimulatedWorld(site, premises.room).scan("one")) / 1000.0
+    loaded = open_site(site)
+    measured = np.array(SimulatedWorld(site, loaded.room).scan("one")) / 1000.0
     laser = site.lasers[0]
     expected = expected_ranges(
-        premises.room.solids, laser, UST_10LX.first_angle, UST_10LX.step, UST_10LX.beams
+        loaded.room.solids, laser, UST_10LX.first_angle, UST_10LX.step, UST_10LX.beams
     )
     reached = measured < 30.0
     assert np.quantile(np.abs(measured - expected)[reached], 0.9) < 0.04

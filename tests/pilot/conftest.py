@@ -31,8 +31,8 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
-from housefly.pilot.control.model import Body, Constants, body_step
-from housefly.pilot.pilot import Pilot
+from housefly.pilot.assembly import make_pilot
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Place, Room, Shape, Solid
 
@@ -103,13 +103,13 @@ class Flight:
     ) -> None:
         self.site, self.room = site, make_room()
         self.grid = make_grid(0.5, 0.3) if site.mode == "paper" else make_grid(0.1, 0.5)
-        self.pilot = Pilot(site, self.room, self.grid)
+        self.pilot = make_pilot(site, self.room, self.grid)
         self.tracking = tracking or Tracking()
         self.constants = constants or Constants()
         self.wind = wind
         self.random = np.random.default_rng(seed)
         self.now, self.frame = 0.0, 0
-        self.body = Body(x=self.room.home[0], y=self.room.home[1], psi=self.room.home_yaw)
+        self.body = DroneState(x=self.room.home[0], y=self.room.home[1], psi=self.room.home_yaw)
         self.status, self.since = DroneStatus.LANDED, 0.0
         self.battery = 0.9
         self.talks = True
@@ -154,7 +154,7 @@ class Flight:
             s = self.command.setpoint
             wanted = (s.theta, s.phi, s.vz, s.yaw_rate)
         elif self.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
-            self.body = Body(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * TICK), psi=b.psi)
+            self.body = DroneState(x=b.x, y=b.y, z=max(0.0, b.z - 4.0 * TICK), psi=b.psi)
             return
         else:
             climb = {DroneStatus.TAKING_OFF: 0.5 * (1.0 - b.z), DroneStatus.LANDING: -0.4}.get(
@@ -165,7 +165,7 @@ class Flight:
             ax, ay = -0.8 * (b.vx + flow[0]) - wind[0], -0.8 * (b.vy + flow[1]) - wind[1]
             wanted = (0.1 * (c * ax + s * ay), -0.1 * (-s * ax + c * ay), climb * 1.5, 0.0)
         for _ in range(2):
-            self.body = body_step(self.body, *wanted, wind, self.constants, TICK / 2)
+            self.body = drone_step(self.body, *wanted, wind, self.constants, TICK / 2)
 
     # --- the tracking system ---
 

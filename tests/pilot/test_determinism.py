@@ -18,7 +18,7 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
-from housefly.pilot.pilot import Pilot, warm_up
+from housefly.pilot.assembly import make_pilot, warm_up
 
 Fly = Callable[..., Any]
 unit = st.floats(0.0, 1.0)
@@ -60,7 +60,7 @@ def test_any_input_gives_a_lawful_command_and_the_same_input_the_same_outputs(
     fly: Fly, mode: str, series: list[Any]
 ) -> None:
     flight = fly(mode=mode)
-    one, two = (Pilot(flight.site, flight.room, flight.grid) for _ in range(2))
+    one, two = (make_pilot(flight.site, flight.room, flight.grid) for _ in range(2))
     limits = flight.site.limits
     for now, inputs in stream(series):
         outputs = one.step(now, inputs)
@@ -88,7 +88,7 @@ def test_a_recorded_flight_replayed_gives_the_same_commands_bit_for_bit(fly: Fly
 
     flight.pilot.step = recording
     flight.service()
-    again = Pilot(flight.site, flight.room, flight.grid)
+    again = make_pilot(flight.site, flight.room, flight.grid)
     for now, inputs, outputs in record:
         assert again.step(now, inputs) == outputs
 

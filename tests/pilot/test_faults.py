@@ -9,7 +9,7 @@ import pytest
 
 from housefly.geometry import distance
 from housefly.messages import Action, Command, DroneStatus, OrderKind, Phase, SafetyMode
-from housefly.pilot.safety.gate import Verdict
+from housefly.pilot.safety.gate import GateVerdict
 
 Fly = Callable[..., Any]
 
@@ -58,8 +58,8 @@ def test_tracking_older_than_two_seconds_lands_and_nothing_moves_without_a_fresh
     flight.until(lambda o: o.phase is Phase.LOOKING)
 
 
-def _straight_through(gate: Any) -> Callable[[Command, Any], Verdict]:
-    return lambda command, facts: Verdict(command, SafetyMode.NOMINAL)
+def _straight_through(gate: Any) -> Callable[[Command, Any], GateVerdict]:
+    return lambda command, facts: GateVerdict(command, SafetyMode.NOMINAL)
 
 
 def test_without_the_gate_the_same_loss_of_tracking_does_harm(fly: Fly) -> None:

@@ -16,9 +16,9 @@ from hypothesis import strategies as st
 from housefly import navigator
 from housefly.geometry import stopping_distance
 from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
-from housefly.pilot.behavior.lookout import BRAKING
-from housefly.pilot.behavior.progress import WAIT_PATIENCE
-from housefly.pilot.pilot import Pilot, warm_up
+from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
+from housefly.pilot.behavior.mission_signals import WAITING_TIMEOUT
 from housefly.pilot.planning import live
 from housefly.pilot.planning.obstacles import FREED_AFTER
 from housefly.room.distance import half_diagonal
@@ -108,8 +108,8 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_and_has_a_new_wa
     flight.until(lambda o: flight.speed < 0.1, 2.0)
     stopped_at = flight.now
     way = hypot(flight.body.x - start[0], flight.body.y - start[1])
-    assert way < stopping_distance(speed, BRAKING, LATENCY) + 0.3 * speed
-    assert stopped_at - at < 2.0 * speed / BRAKING + 0.3
+    assert way < stopping_distance(speed, BRAKING_DECELERATION, LATENCY) + 0.3 * speed
+    assert stopped_at - at < 2.0 * speed / BRAKING_DECELERATION + 0.3
     flight.until(lambda o: o.path is not None, 0.3)
 
 
@@ -160,13 +160,13 @@ def test_a_source_that_says_that_a_thing_is_gone_frees_its_place_at_once(fly: Fl
 def test_a_way_that_stays_blocked_is_given_up_for_home_and_a_way_home_for_landing(fly: Fly) -> None:
     flight = underway(fly)
     flight.around = Chair((6.0, 3.5), radius=1.2).seen
-    flight.until(lambda o: o.phase is Phase.RETURNING, WAIT_PATIENCE + 15.0)
+    flight.until(lambda o: o.phase is Phase.RETURNING, WAITING_TIMEOUT + 15.0)
     assert any("coming home" in event.text for event in flight.events)
     around = Chair((3.6, 2.5), radius=3.0)
     around.place = (flight.room.home[0] - 0.4, flight.room.home[1])
     around.radius = 1.0
     flight.around = around.seen
-    flight.until(lambda o: o.phase is Phase.LANDING, WAIT_PATIENCE + 25.0)
+    flight.until(lambda o: o.phase is Phase.LANDING, WAITING_TIMEOUT + 25.0)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 10.0)
     assert around.closest > HULL
 
@@ -274,7 +274,7 @@ def test_any_obstacles_give_the_same_outputs_twice_and_never_an_error(
 ) -> None:
     flight = fly()
     flight.depart()
-    one, two = (Pilot(flight.site, flight.room, flight.grid) for _ in range(2))
+    one, two = (make_pilot(flight.site, flight.room, flight.grid) for _ in range(2))
     for tick, heard in enumerate(series):
         sightings = flight._look() if tick == 0 else ()
         orders = (flight.order(OrderKind.GO, place="entrance"),) if tick == 1 else ()

@@ -25,7 +25,7 @@ from housefly.config.site import Site, load_site
 from housefly.errors import RecordingError
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record.recorder import FlightRecorder
-from housefly.record.replay import replay
+from housefly.record.replay import read_steps
 from housefly.record.summary import Summary
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room
@@ -181,14 +181,12 @@ def test_many_threads_may_record_at_once(
     for thread in threads:
         thread.join()
     assert recorder.finish("completed").video_frames == len(pictures)
-    assert list(replay(tmp_path)) == list(flight)
+    assert list(read_steps(tmp_path)) == list(flight)
 
 
 @pytest.fixture
 def small_disk() -> Iterator[Callable[[int], None]]:
-    """Return a function that lets no file of this process grow beyond a size [bytes] until the test
-    ends.
-    """
+    """Return a function that limits the size of this process's files [bytes]."""
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     yield lambda size: resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
     resource.setrlimit(resource.RLIMIT_FSIZE, before)
@@ -213,7 +211,7 @@ def test_a_disk_that_fills_up_in_flight_is_reported_and_not_raised(
     assert (summary.outcome, summary.video_frames) == ("completed", len(pictures))
     assert any("flight.mcap is incomplete" in problem for problem in summary.problems)
     assert json.loads((tmp_path / "summary.json").read_text())["problems"] == list(summary.problems)
-    readable = list(replay(tmp_path))
+    readable = list(read_steps(tmp_path))
     assert readable == list(flight[: len(readable)])
     assert 0 < len(readable) == summary.steps < len(flight)
 
@@ -244,7 +242,7 @@ def test_a_step_that_cannot_be_encoded_is_left_out_and_told(
     recorder.step(replace(flight[1], sequence=2**70))
     recorder.step(flight[2])
     summary = recorder.finish("completed")
-    assert [step.sequence for step in replay(tmp_path)] == [0, 2]
+    assert [step.sequence for step in read_steps(tmp_path)] == [0, 2]
     assert (summary.steps, summary.missing_steps) == (2, 1)
     assert any("lacks a message" in problem for problem in summary.problems)
 
@@ -280,10 +278,10 @@ def test_a_recording_can_be_read_while_it_grows_also_when_little_happens(
     for step in flight[:60]:
         recorder.step(step)
     deadline = time.monotonic() + 5.0
-    while time.monotonic() < deadline and len(list(replay(tmp_path))) < 15:
+    while time.monotonic() < deadline and len(list(read_steps(tmp_path))) < 15:
         time.sleep(0.05)
-    assert list(replay(tmp_path)) == list(flight[: len(list(replay(tmp_path)))])
-    assert len(list(replay(tmp_path))) >= 15
+    assert list(read_steps(tmp_path)) == list(flight[: len(list(read_steps(tmp_path)))])
+    assert len(list(read_steps(tmp_path))) >= 15
     recorder.finish("completed")
 
 
@@ -326,7 +324,7 @@ def test_after_a_crash_all_but_the_last_second_is_readable(
         assert process.stdout.readline() == "recorded\n"
         time.sleep(0.2)
         os.kill(process.pid, signal.SIGKILL)
-    readable = list(replay(tmp_path / "out"))
+    readable = list(read_steps(tmp_path / "out"))
     assert readable == list(flight[: len(readable)])
     # At 50 steps a second: the chunk in the making and what the file's own buffer holds.
     assert len(readable) > len(flight) - 50

@@ -13,7 +13,7 @@ from mcap.writer import Writer
 from housefly.errors import RecordingError
 from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
 from housefly.record.mcap_log import McapLog
-from housefly.record.replay import STEP_TOPIC, replay, verify
+from housefly.record.replay import STEP_TOPIC, read_steps, verify
 
 
 def write(path: Path, steps: tuple[PilotStep, ...]) -> Path:
@@ -49,13 +49,13 @@ class Parrot:
 def test_a_recording_gives_back_every_step_bit_for_bit(
     recording: Path, flight: tuple[PilotStep, ...]
 ) -> None:
-    assert repr(tuple(replay(recording))) == repr(flight)
+    assert repr(tuple(read_steps(recording))) == repr(flight)
 
 
 def test_the_folder_of_a_flight_stands_for_its_recording(
     recording: Path, flight: tuple[PilotStep, ...]
 ) -> None:
-    assert len(list(replay(recording.parent))) == len(flight)
+    assert len(list(read_steps(recording.parent))) == len(flight)
 
 
 @settings(
@@ -66,10 +66,10 @@ def test_a_recording_that_was_cut_short_gives_what_is_readable(
     recording: Path, share: float
 ) -> None:
     whole = recording.read_bytes()
-    flight = tuple(replay(recording))
+    flight = tuple(read_steps(recording))
     cut = recording.with_name("cut.mcap")
     cut.write_bytes(whole[: max(9, int(share * len(whole)))])
-    readable = tuple(replay(cut))
+    readable = tuple(read_steps(cut))
     assert readable == flight[: len(readable)]
     assert len(readable) >= (share - 0.2) * len(flight)
 
@@ -81,14 +81,14 @@ def test_a_recording_that_was_cut_short_gives_what_is_readable(
 def test_a_damaged_recording_is_a_recording_error_and_nothing_else(
     recording: Path, data: st.DataObject
 ) -> None:
-    flight = tuple(replay(recording))
+    flight = tuple(read_steps(recording))
     damaged = bytearray(recording.read_bytes())
     for _ in range(data.draw(st.integers(1, 5))):
         damaged[data.draw(st.integers(0, len(damaged) - 1))] = data.draw(st.integers(0, 255))
     bad = recording.with_name("bad.mcap")
     bad.write_bytes(damaged)
     try:
-        for step in replay(bad):
+        for step in read_steps(bad):
             assert step == flight[step.sequence], "what is read is what was recorded"
     except RecordingError as error:
         assert "bad.mcap" in str(error)
@@ -98,12 +98,12 @@ def test_a_damaged_recording_is_a_recording_error_and_nothing_else(
 def test_a_file_that_is_no_recording_is_refused(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "flight.mcap").write_bytes(content)
     with pytest.raises(RecordingError, match="not a recording"):
-        list(replay(tmp_path))
+        list(read_steps(tmp_path))
 
 
 def test_a_missing_file_is_refused_by_name(tmp_path: Path) -> None:
     with pytest.raises(RecordingError, match=r"absent\.mcap cannot be read"):
-        list(replay(tmp_path / "absent.mcap"))
+        list(read_steps(tmp_path / "absent.mcap"))
 
 
 def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
@@ -118,7 +118,7 @@ def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
         )
         writer.finish()
     with pytest.raises(RecordingError, match="other message definitions"):
-        list(replay(tmp_path))
+        list(read_steps(tmp_path))
 
 
 def test_a_pilot_that_decides_the_same_is_verified(

@@ -15,7 +15,7 @@ from housefly.config.site import Site
 from housefly.messages import PilotStep
 from housefly.record.report import write_report
 from housefly.record.series import collect
-from housefly.record.summary import summarize
+from housefly.record.summary import summarize_flight
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
@@ -32,7 +32,9 @@ def report(
 ) -> Path:
     path = tmp_path_factory.mktemp("report") / "report.html"
     series = collect(flight, "ardrone")
-    write_report(path, series, summarize(series, "completed", site, room, grid), site, room, grid)
+    write_report(
+        path, series, summarize_flight(series, "completed", site, room, grid), site, room, grid
+    )
     return path
 
 
@@ -104,7 +106,7 @@ def test_a_recording_without_a_single_step_still_has_a_report(
     write_report(
         tmp_path / "report.html",
         empty,
-        summarize(empty, "the pilot did not start", site, room, grid),
+        summarize_flight(empty, "the pilot did not start", site, room, grid),
         site,
         room,
         grid,

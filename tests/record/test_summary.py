@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from housefly.config.site import Site, changed
 from housefly.messages import DroneStatus, Inputs, Path, Phase, PilotStep, SafetyMode
 from housefly.record.series import collect
-from housefly.record.summary import Summary, distance_to_path, summarize
+from housefly.record.summary import Summary, distance_to_path, summarize_flight
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
@@ -26,7 +26,9 @@ PATH = st.lists(POINT, min_size=1, max_size=6).map(lambda points: Path(tuple(poi
 
 @pytest.fixture
 def summary(site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]) -> Summary:
-    return summarize(collect(flight, "ardrone"), "completed", site, room, grid, video_frames=7)
+    return summarize_flight(
+        collect(flight, "ardrone"), "completed", site, room, grid, video_frames=7
+    )
 
 
 def test_a_drone_that_flies_beside_its_path_has_that_error(summary: Summary) -> None:
@@ -82,7 +84,7 @@ def test_what_was_not_measured_is_none(
         replace(step, inputs=Inputs(), outputs=replace(step.outputs, estimate=None, path=None))
         for step in flight
     )
-    summary = summarize(collect(blind, "ardrone"), "lost", site, room, grid)
+    summary = summarize_flight(collect(blind, "ardrone"), "lost", site, room, grid)
     measured = [
         summary.rms_error_m,
         summary.max_error_m,
@@ -105,21 +107,25 @@ def test_a_drone_that_is_still_in_the_air_has_no_landing_error(
 ) -> None:
     in_the_air = [step for step in flight if step.outputs.phase is not Phase.IDLE][:-10]
     assert (
-        summarize(collect(in_the_air, "ardrone"), "cut off", site, room, grid).landed_error_m
+        summarize_flight(collect(in_the_air, "ardrone"), "cut off", site, room, grid).landed_error_m
         is None
     )
 
 
 def test_real_hardware_has_no_seed(site: Site, room: Room, grid: OccupancyGrid) -> None:
     hardware = changed(site, twin__enabled=False)
-    assert summarize(collect((), "ardrone"), "nothing flown", hardware, room, grid).seed is None
+    assert (
+        summarize_flight(collect((), "ardrone"), "nothing flown", hardware, room, grid).seed is None
+    )
 
 
 def test_only_the_drone_itself_counts(
     site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
     assert (
-        summarize(collect(flight, "somebody else"), "completed", site, room, grid).mocap_rate_hz
+        summarize_flight(
+            collect(flight, "somebody else"), "completed", site, room, grid
+        ).mocap_rate_hz
         is None
     )
 
@@ -134,11 +140,11 @@ def test_the_distance_to_a_path_is_the_smallest_over_its_points(
     dense = np.concatenate([start + shares * (end - start) for start, end in legs])
     brute = np.linalg.norm(np.array(points)[:, None] - dense, axis=2).min(axis=1)
     # The dense points of a leg of at most 57 m lie 0.15 m apart.
-    found = distance_to_path(np.array(points), path)
+    found = distance_to_path(np.array(points), path.waypoints)
     assert np.all(found <= brute + 1e-9)
     assert np.all(found >= brute - 0.08)
 
 
 @given(PATH)
 def test_corners_lie_on_their_path(path: Path) -> None:
-    assert np.allclose(distance_to_path(np.array(path.waypoints), path), 0.0, atol=1e-9)
+    assert np.allclose(distance_to_path(np.array(path.waypoints), path.waypoints), 0.0, atol=1e-9)

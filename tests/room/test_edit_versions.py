@@ -10,7 +10,7 @@ import pytest
 
 from housefly.config.edits import Edits, NoFlyZone
 from housefly.errors import EditsError, StaleEdits
-from housefly.room.edit_versions import EditVersions, Version
+from housefly.room.edit_versions import EditVersion, EditVersions
 
 
 def edits(k: int) -> Edits:
@@ -27,7 +27,7 @@ def versions(tmp_path: Path) -> EditVersions:
 
 
 def test_without_files_there_is_the_room_as_its_file_has_it(versions: EditVersions) -> None:
-    assert versions.newest() == Version()
+    assert versions.newest() == EditVersion()
     assert not versions.folder.exists()
     with pytest.raises(EditsError, match="nothing to undo"):
         versions.undo(0)
@@ -36,15 +36,17 @@ def test_without_files_there_is_the_room_as_its_file_has_it(versions: EditVersio
 def test_each_save_is_a_new_version_that_another_process_reads(versions: EditVersions) -> None:
     assert versions.save(edits(1), 0, "Ada").number == 1
     saved = versions.save(edits(2), 1, "Bob")
-    assert EditVersions(versions.folder).newest() == saved == Version(2, edits(2), 2, 12.0, "Bob")
+    assert (
+        EditVersions(versions.folder).newest() == saved == EditVersion(2, edits(2), 2, 12.0, "Bob")
+    )
     assert sorted(path.name for path in versions.folder.iterdir()) == ["0001.json", "0002.json"]
 
 
 def test_undo_goes_back_step_by_step_and_forgets_nothing(versions: EditVersions) -> None:
     for k in (1, 2):
         versions.save(edits(k), k - 1)
-    assert versions.undo(2) == Version(3, edits(1), 1, 12.0)
-    assert versions.undo(3) == Version(4, Edits(), 0, 12.0)
+    assert versions.undo(2) == EditVersion(3, edits(1), 1, 12.0)
+    assert versions.undo(3) == EditVersion(4, Edits(), 0, 12.0)
     with pytest.raises(EditsError, match="nothing to undo"):
         versions.undo(4)
     versions.save(edits(5), 4)
@@ -86,7 +88,7 @@ def test_no_damage_stops_anybody(versions: EditVersions, damage: bytes) -> None:
     versions.folder.mkdir()
     for _ in range(2):
         (versions.folder / "0001.json").write_bytes(damage)
-        assert versions.newest() == Version()
+        assert versions.newest() == EditVersion()
     assert len(list(versions.folder.iterdir())) == 2
 
 

@@ -1,6 +1,4 @@
-"""ROS maps as rooms: the shipped ones fly, generated ones keep their walls, bad ones are refused
-with a remedy.
-"""
+"""ROS maps as rooms: shipped ones fly, generated ones keep their walls, bad ones are refused."""
 
 from __future__ import annotations
 
@@ -45,9 +43,7 @@ def write_map(folder: Path, pixels: np.ndarray, suffix: str = "pgm", **keys: obj
 
 
 def hall() -> np.ndarray:
-    """Return a hall of 8 m x 4 m with a pillar, walls one pixel thick, unknown around, one side
-    open to the unknown.
-    """
+    """Return a hall of 8 m x 4 m with a pillar, one side open to the unknown."""
     pixels = np.full((100, 180), UNKNOWN)
     pixels[10:90, 10:170] = FREE
     for edge in (np.s_[10, 10:170], np.s_[89, 10:170], np.s_[10:90, 10]):

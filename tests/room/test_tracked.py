@@ -1,6 +1,4 @@
-"""Furniture of the room model that carries markers: taken out of the room, known by where it stood,
-refused when not there.
-"""
+"""Furniture with markers: taken out of the room, known by where it stood, refused when absent."""
 
 from __future__ import annotations
 
@@ -10,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.premises import open_premises
+from housefly.app.loaded_site import open_site
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
@@ -89,7 +87,7 @@ def test_furniture_that_does_not_fit_the_room_is_refused_before_anything_starts(
     changes: dict[str, object], words: str
 ) -> None:
     with pytest.raises(ConfigError, match=words):
-        open_premises(site(SHELF.model_copy(update=changes)))
+        open_site(site(SHELF.model_copy(update=changes)))
 
 
 def test_two_things_cannot_be_the_same_one_of_the_room() -> None:

@@ -18,7 +18,7 @@ import aiomqtt
 import pytest
 
 from housefly.config.devices import MqttConfig
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.mqtt import MqttSensors
 
@@ -101,15 +101,15 @@ class Listening:
     """A driver at work and what it told."""
 
     sensors: MqttSensors
-    told: list[Observation | Happening] = field(default_factory=list)
+    told: list[Observation | RoomEvent] = field(default_factory=list)
 
     @property
     def observations(self) -> list[Observation]:
         return [value for value in self.told if isinstance(value, Observation)]
 
     @property
-    def happenings(self) -> list[Happening]:
-        return [value for value in self.told if isinstance(value, Happening)]
+    def events(self) -> list[RoomEvent]:
+        return [value for value in self.told if isinstance(value, RoomEvent)]
 
     def health(self, name: str) -> SensorHealth:
         return next(row for row in self.sensors.health() if row.id == name)

@@ -53,8 +53,8 @@ async def test_the_bell_rings_once_and_a_ring_that_the_broker_kept_does_not_ring
         async with listen(broker.port) as heard:
             await until(lambda: heard.knows("bell"))
             await maker.publish(f"{BELL}/event", json.dumps({"event": "pressed"}))
-            await until(lambda: heard.happenings)
-            assert [(told.kind, told.thing, told.source) for told in heard.happenings] == [
+            await until(lambda: heard.events)
+            assert [(told.kind, told.thing, told.source) for told in heard.events] == [
                 ("bell pressed", "bell", "bell")
             ]
             assert heard.counts("bell") == {"heard": 1, "past events": 1}
@@ -160,7 +160,7 @@ async def test_garbage_is_counted_and_named_and_others_are_unaffected(broker, li
         await maker.publish("housefly/bsen/toaster/t/state", "{}")
         await maker.publish("housefly/bsen/door/state", door())
         await maker.publish(f"{BELL}/event", json.dumps({"event": "pressed"}))
-        await until(lambda: heard.happenings)
+        await until(lambda: heard.events)
         assert heard.counts("entrance-door") == {"malformed": 4}
         assert (
             heard.health("entrance-door").problem

@@ -11,8 +11,8 @@ import pytest
 
 from housefly.config.devices import MqttConfig
 from housefly.twin.people import Scene, load_scene
-from housefly.twin.sensors.device_link import DeviceLink
-from housefly.twin.sensors.devices import Devices
+from housefly.twin.sensors.devices import SimulatedDevices
+from housefly.twin.sensors.mqtt_publisher import MqttPublisher
 
 pytestmark = pytest.mark.wire
 
@@ -27,7 +27,9 @@ class Playing:
     def __init__(self, port: int, scene: Scene, speed: float = SPEED) -> None:
         self.began, self.speed, self.lines = time.monotonic(), speed, list[str]()
         config = MqttConfig(broker="127.0.0.1", port=port)
-        self.link = DeviceLink(config, Devices(scene, config.site), self.now, self.lines.append)
+        self.link = MqttPublisher(
+            config, SimulatedDevices(scene, config.site), self.now, self.lines.append
+        )
         self.task = asyncio.create_task(self.link.run())
 
     def now(self) -> float:
@@ -43,13 +45,13 @@ async def test_a_whole_afternoon_is_heard_as_it_happens(broker, listen, until):
     async with listen(broker.port, tags=TAGS, rate_max_hz=1000.0) as heard:
         playing = Playing(broker.port, scene)
         await until(lambda: playing.now() > scene.length, 30.0)
-        await until(lambda: len([h for h in heard.happenings if h.kind == "door closed"]) >= 3)
+        await until(lambda: len([h for h in heard.events if h.kind == "door closed"]) >= 3)
         await playing.stop()
-        kinds = [told.kind for told in heard.happenings]
+        kinds = [told.kind for told in heard.events]
         for kind in ("bell pressed", "door opened", "door closed", "object taken", "object put"):
             assert kind in kinds
         assert kinds.count("bell pressed") == 1
-        taken = next(told for told in heard.happenings if told.kind == "object taken")
+        taken = next(told for told in heard.events if told.kind == "object taken")
         assert (taken.thing, taken.source) == ("cup", "cabinet")
         assert {row.kind for row in heard.sensors.health()} == {
             "mqtt", "floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion",

@@ -7,20 +7,13 @@ import importlib.util
 import json
 import math
 import sys
-from contextlib import suppress
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from housefly.config.site import TrackingConfig
-from housefly.errors import LinkError, WireError
 from housefly.messages import Pose, Sighting
-from housefly.tracking import bridge
-from housefly.tracking.bridge import BridgeTracker, settings_of
-from housefly.tracking.bridge_lines import BridgeLines
-from housefly.tracking.counts import FrameCounts
+from housefly.tracking.bridge import BridgeTracker, connection_settings
 from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.twin.mocap.vicon_server import ViconServer
@@ -31,15 +24,6 @@ TURNED = (math.cos(0.3), 0.0, 0.0, math.sin(0.3))
 
 def config(address: str, system: str) -> TrackingConfig:
     return TrackingConfig(kind="bridge", bridge_system=system, address=address)
-
-
-def lines() -> tuple[BridgeLines, FrameCounts]:
-    counts = FrameCounts()
-    return BridgeLines(0.02, False, counts), counts
-
-
-def line(**bodies: object) -> bytes:
-    return json.dumps({"bodies": bodies}).encode()
 
 
 async def feed(server: Any) -> None:
@@ -94,7 +78,7 @@ async def test_a_system_that_falls_silent_is_named_and_asked_again(
     loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("motioncapture")
-    monkeypatch.setattr(bridge, "SILENCE", 2.5)
+    monkeypatch.setattr(BridgeTracker, "SILENCE_TIMEOUT", 2.5)
     server = ViconServer(loopback)
     await server.start()
     tracker = BridgeTracker(config(loopback, "vicon"))
@@ -115,7 +99,7 @@ async def test_nobody_there_is_named_although_the_library_hangs(
     loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pytest.importorskip("motioncapture")
-    monkeypatch.setattr(bridge, "SILENCE", 1.0)
+    monkeypatch.setattr(BridgeTracker, "SILENCE_TIMEOUT", 1.0)
     tracker = BridgeTracker(config(loopback, "optitrack"))
     async with bench.running(tracker.run(lambda frame: None)):
         await bench.until(lambda: "silent" in tracker.problem)
@@ -162,33 +146,7 @@ async def test_the_child_ends_with_its_parent(loopback: str) -> None:
     await server.stop()
 
 
-@given(
-    st.binary(max_size=100)
-    | st.recursive(st.none() | st.floats() | st.text(), st.lists).map(
-        lambda v: json.dumps(v).encode()
-    )
-)
-def test_any_line_is_a_frame_or_a_named_error(text: bytes) -> None:
-    with suppress(WireError, LinkError):
-        lines()[0].read(text, 1.0)
-
-
-def test_a_pose_that_is_the_last_one_to_the_bit_is_not_told_again() -> None:
-    reader, counts = lines()
-    here, there = [1.0, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0], [1.5, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0]
-    assert len(reader.read(line(a=here, b=here), 1.0) or ()) == 2
-    assert reader.read(line(a=here, b=here), 1.1) is None
-    assert [seen.body for seen in reader.read(line(a=here, b=there), 1.2) or ()] == ["b"]
-    assert (counts.frames, counts.repeated) == (2, 1)
-
-
-def test_poses_that_cannot_be_are_refused() -> None:
-    reader, counts = lines()
-    assert reader.read(line(a=[float("nan"), 0, 0, 1, 0, 0, 0], b=[0, 0, 0, 0, 0, 0, 0]), 1.0) == ()
-    assert counts.refused == 2
-
-
 def test_each_system_is_told_where_it_is() -> None:
-    assert settings_of(config("127.0.0.1", "qualisys")) == {"hostname": "127.0.0.1"}
-    assert settings_of(config("127.0.0.1", "vicon")) == {"hostname": "127.0.0.1:8010"}
-    assert settings_of(config("127.0.0.1", "optitrack"))["interface_ip"] == "127.0.0.1"
+    assert connection_settings(config("127.0.0.1", "qualisys")) == {"hostname": "127.0.0.1"}
+    assert connection_settings(config("127.0.0.1", "vicon")) == {"hostname": "127.0.0.1:8010"}
+    assert connection_settings(config("127.0.0.1", "optitrack"))["interface_ip"] == "127.0.0.1"

@@ -18,20 +18,20 @@ from housefly.tracking.natnet import NatNetTracker
 from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.wires.natnet import (
+    CommandRequest,
+    CommandResponse,
     Connect,
-    Frame,
-    Item,
     KeepAlive,
     ModelDef,
-    Request,
+    NatNetFrame,
+    NatNetMessage,
+    NatNetVersion,
     RequestModelDef,
-    Response,
     RigidBody,
     RigidBodyDescription,
     ServerInfo,
-    Version,
-    decode_message,
-    encode_message,
+    decode_natnet,
+    encode_natnet,
 )
 
 pytestmark = pytest.mark.wire
@@ -52,17 +52,19 @@ class Motive(asyncio.DatagramProtocol):
     """A server whose every word is decided by the test."""
 
     def __init__(
-        self, version: Version = (3, 1), reply: dict[type[Item], bytes | None] | None = None
+        self,
+        version: NatNetVersion = (3, 1),
+        reply: dict[type[NatNetMessage], bytes | None] | None = None,
     ) -> None:
-        self.heard: list[Item] = []
+        self.heard: list[NatNetMessage] = []
         self.client: tuple[str, int] | None = None
         info = ServerInfo("Motive", (3, 1, 0, 0), (*version, 0, 0), TICKS, 1511, False, "0.0.0.0")
-        self.replies: dict[type[Item], bytes | None] = {
-            Connect: encode_message(info, version),
-            RequestModelDef: encode_message(
+        self.replies: dict[type[NatNetMessage], bytes | None] = {
+            Connect: encode_natnet(info, version),
+            RequestModelDef: encode_natnet(
                 ModelDef((RigidBodyDescription(7, "ardrone"),)), version
             ),
-            Request: encode_message(Response(0), version),
+            CommandRequest: encode_natnet(CommandResponse(0), version),
         }
         self.replies |= reply or {}
 
@@ -73,7 +75,7 @@ class Motive(asyncio.DatagramProtocol):
         )
 
     def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
-        item = decode_message(data, (3, 1))
+        item = decode_natnet(data, (3, 1))
         self.heard.append(item)
         self.client = addr
         reply = self.replies.get(type(item))
@@ -84,16 +86,16 @@ class Motive(asyncio.DatagramProtocol):
         assert self.client is not None
         self.transport.sendto(datagram, self.client)
 
-    def tell(self, *frames: Frame, version: Version = (3, 1)) -> None:
+    def tell(self, *frames: NatNetFrame, version: NatNetVersion = (3, 1)) -> None:
         for frame in frames:
-            self.say(encode_message(frame, version))
+            self.say(encode_natnet(frame, version))
 
 
 @pytest.mark.parametrize("multicast", [False, True])
 @pytest.mark.parametrize("version", [(3, 1), (4, 1)])
 @pytest.mark.parametrize("rate_hz", [100.0, 10.0])
 async def test_poses_arrive_with_their_capture_times(
-    loopback: str, bench: Any, rate_hz: float, version: Version, multicast: bool
+    loopback: str, bench: Any, rate_hz: float, version: NatNetVersion, multicast: bool
 ) -> None:
     server = NatNetServer(loopback, version=version, group=group_of(loopback) if multicast else "")
     await server.start()
@@ -183,7 +185,7 @@ async def test_a_server_that_sends_before_it_exposes_is_counted(loopback: str, b
         await bench.until(lambda: KeepAlive() in motive.heard)
         for number in range(1, 20):
             motive.tell(
-                Frame(number, (HERE,), exposed=TICKS + 10_000 * number, sent=10_000 * number)
+                NatNetFrame(number, (HERE,), exposed=TICKS + 10_000 * number, sent=10_000 * number)
             )
             await asyncio.sleep(0.01)
         await bench.until(lambda: len(frames) >= 19)
@@ -221,30 +223,30 @@ async def test_a_server_that_freezes_is_named_and_greeted_again(loopback: str, b
     frames: list[tuple[Sighting, ...]] = []
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
-        motive.tell(Frame(1, (HERE,), exposed=100, sent=200))
+        motive.tell(NatNetFrame(1, (HERE,), exposed=100, sent=200))
         await bench.until(lambda: len(frames) == 1)
         motive.heard.clear()
         await bench.until(lambda: "silent" in tracker.problem)
         assert not tracker.connected
         await bench.until(lambda: Connect((4, 1)) in motive.heard)
-        motive.tell(Frame(2, (HERE,), exposed=2 * TICKS, sent=2 * TICKS + 100))
+        motive.tell(NatNetFrame(2, (HERE,), exposed=2 * TICKS, sent=2 * TICKS + 100))
         await bench.until(lambda: tracker.problem == "" and len(frames) == 2)
     motive.transport.close()
 
 
 @pytest.mark.parametrize("version", [(3, 1), (4, 1)])
 async def test_a_server_that_comes_back_with_other_numbers_is_asked_for_names_again(
-    loopback: str, bench: Any, version: Version
+    loopback: str, bench: Any, version: NatNetVersion
 ) -> None:
     motive = Motive()
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     names: list[str] = []
 
-    async def told_until_named(spoken: Version) -> None:
+    async def told_until_named(spoken: NatNetVersion) -> None:
         while not names:
             now = round(asyncio.get_running_loop().time() * TICKS)
-            motive.tell(Frame(1, (HERE,), exposed=now, sent=now + 100), version=spoken)
+            motive.tell(NatNetFrame(1, (HERE,), exposed=now, sent=now + 100), version=spoken)
             await asyncio.sleep(0.02)
 
     async with bench.running(tracker.run(lambda frame: names.extend(seen.body for seen in frame))):
@@ -253,7 +255,7 @@ async def test_a_server_that_comes_back_with_other_numbers_is_asked_for_names_ag
         assert set(names) == {"ardrone"}
         motive.heard.clear()
         motive.replies = Motive(version).replies
-        motive.replies[RequestModelDef] = encode_message(
+        motive.replies[RequestModelDef] = encode_natnet(
             ModelDef((RigidBodyDescription(7, "guest"),)), version
         )
         await bench.until(lambda: Connect((4, 1)) in motive.heard)
@@ -272,7 +274,7 @@ async def test_a_server_whose_time_stands_still_is_named(loopback: str, bench: A
         await bench.until(lambda: KeepAlive() in motive.heard)
         async with asyncio.timeout(10.0):
             while "time stands still" not in tracker.problem:
-                motive.tell(Frame(1, (HERE,), exposed=100, sent=200))
+                motive.tell(NatNetFrame(1, (HERE,), exposed=100, sent=200))
                 await asyncio.sleep(0.05)
     assert tracker.counts.frames == 1
     assert tracker.counts.repeated > 5
@@ -287,7 +289,10 @@ async def test_frames_out_of_order_are_dropped(loopback: str, bench: Any) -> Non
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
         motive.tell(
-            *[Frame(n, (HERE,), exposed=10_000 * n, sent=10_000 * n + 100) for n in (5, 4, 6, 6)]
+            *[
+                NatNetFrame(n, (HERE,), exposed=10_000 * n, sent=10_000 * n + 100)
+                for n in (5, 4, 6, 6)
+            ]
         )
         await bench.until(lambda: tracker.counts.repeated == 1)
     assert (tracker.counts.frames, tracker.counts.backward) == (2, 1)
@@ -296,7 +301,7 @@ async def test_frames_out_of_order_are_dropped(loopback: str, bench: Any) -> Non
 
 @pytest.mark.parametrize(("version", "words"), [((2, 10), "NatNet 2.10"), ((5, 0), "NatNet 5.0")])
 async def test_a_version_that_nobody_checked_is_refused_in_words(
-    loopback: str, bench: Any, version: Version, words: str
+    loopback: str, bench: Any, version: NatNetVersion, words: str
 ) -> None:
     motive = Motive(version)
     await motive.start(loopback)
@@ -309,10 +314,10 @@ async def test_a_version_that_nobody_checked_is_refused_in_words(
 
 @pytest.mark.parametrize(("granted", "version"), [(0, (4, 1)), (1, (4, 3))])
 async def test_a_newer_server_is_asked_for_a_version_that_was_checked(
-    loopback: str, bench: Any, granted: int, version: Version
+    loopback: str, bench: Any, granted: int, version: NatNetVersion
 ) -> None:
-    motive = Motive((4, 3), {Request: encode_message(Response(granted), (4, 1))})
-    motive.replies[RequestModelDef] = encode_message(
+    motive = Motive((4, 3), {CommandRequest: encode_natnet(CommandResponse(granted), (4, 1))})
+    motive.replies[RequestModelDef] = encode_natnet(
         ModelDef((RigidBodyDescription(7, "ardrone"),)), version
     )
     await motive.start(loopback)
@@ -321,16 +326,16 @@ async def test_a_newer_server_is_asked_for_a_version_that_was_checked(
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: RequestModelDef() in motive.heard)
         await asyncio.sleep(0.1)
-        motive.tell(Frame(1, (HERE,), exposed=100, sent=200), version=version)
+        motive.tell(NatNetFrame(1, (HERE,), exposed=100, sent=200), version=version)
         await bench.until(lambda: len(frames) == 1)
-    assert Request("Bitstream,4.1") in motive.heard
+    assert CommandRequest("Bitstream,4.1") in motive.heard
     assert [seen.body for seen in frames[0]] == ["ardrone"]
     motive.transport.close()
 
 
 async def test_a_multicast_that_does_not_arrive_is_named(loopback: str, bench: Any) -> None:
     info = ServerInfo("Motive", (3, 1, 0, 0), (3, 1, 0, 0), TICKS, 1511, True, group_of(loopback))
-    motive = Motive(reply={Connect: encode_message(info, (3, 1))})
+    motive = Motive(reply={Connect: encode_natnet(info, (3, 1))})
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     async with bench.running(tracker.run(lambda frame: None)):
@@ -339,16 +344,16 @@ async def test_a_multicast_that_does_not_arrive_is_named(loopback: str, bench: A
         sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         sender.bind(("127.0.0.1", 0))
         sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton("127.0.0.1"))
-        sender.sendto(encode_message(Frame(1, ()), (3, 1)), (group_of(loopback), 1511))
+        sender.sendto(encode_natnet(NatNetFrame(1, ()), (3, 1)), (group_of(loopback), 1511))
         await bench.until(lambda: "set tracking.address to 127.0.0.1" in tracker.problem)
-        assert tracker.counts.strangers == 1
+        assert tracker.counts.other_hosts == 1
         sender.close()
     motive.transport.close()
 
 
 async def test_an_unusable_group_is_named(loopback: str, bench: Any) -> None:
     info = ServerInfo("Motive", (3, 1, 0, 0), (3, 1, 0, 0), TICKS, 1511, True, "10.1.2.3")
-    motive = Motive(reply={Connect: encode_message(info, (3, 1))})
+    motive = Motive(reply={Connect: encode_natnet(info, (3, 1))})
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     async with bench.running(tracker.run(lambda frame: None)):
@@ -373,13 +378,15 @@ async def test_a_flood_is_cut_to_what_a_tracking_system_can_send_and_named(
                 for _ in range(50):
                     number += 1
                     motive.tell(
-                        Frame(number, (HERE,), exposed=100 * number, sent=100 * number + 50)
+                        NatNetFrame(number, (HERE,), exposed=100 * number, sent=100 * number + 50)
                     )
                 await asyncio.sleep(0)
         assert "more than 2000 datagrams a second" in tracker.problem
         await asyncio.sleep(1.1)
         motive.tell(
-            Frame(number + 1, (HERE,), exposed=100 * number + TICKS, sent=100 * number + TICKS)
+            NatNetFrame(
+                number + 1, (HERE,), exposed=100 * number + TICKS, sent=100 * number + TICKS
+            )
         )
         await bench.until(lambda: tracker.problem == "")
     motive.transport.close()
@@ -392,13 +399,15 @@ async def test_garbage_between_frames_is_counted_and_harms_nothing(
     await motive.start(loopback)
     tracker = NatNetTracker(config(loopback))
     frames: list[tuple[Sighting, ...]] = []
-    whole = encode_message(Frame(1, (HERE,)), (3, 1))
+    whole = encode_natnet(NatNetFrame(1, (HERE,)), (3, 1))
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
         for number in range(1, 11):
             motive.say(b"\xff" * number)
             motive.say(whole[: 40 + number])
-            motive.tell(Frame(number, (HERE,), exposed=10_000 * number, sent=10_000 * number + 100))
+            motive.tell(
+                NatNetFrame(number, (HERE,), exposed=10_000 * number, sent=10_000 * number + 100)
+            )
         await bench.until(lambda: len(frames) == 10)
         assert tracker.counts.malformed == 20
         assert tracker.problem == ""
@@ -452,7 +461,7 @@ async def test_poses_that_cannot_be_are_refused_one_by_one(loopback: str, bench:
     )
     async with bench.running(tracker.run(frames.append)):
         await bench.until(lambda: KeepAlive() in motive.heard)
-        motive.tell(Frame(1, (*bad, HERE), exposed=100, sent=200))
+        motive.tell(NatNetFrame(1, (*bad, HERE), exposed=100, sent=200))
         await bench.until(lambda: len(frames) == 1)
     assert tracker.counts.refused == 4
     assert [seen.pose.position for seen in frames[0]] == [(1.0, -3.0, 2.0)]

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, Vec3, normalized
-from housefly.tracking.poses import FARTHEST, checked_pose
+from housefly.tracking.poses import POSITION_MAX, checked_pose
 
-place = st.tuples(*[st.floats(-FARTHEST, FARTHEST)] * 3)
+place = st.tuples(*[st.floats(-POSITION_MAX, POSITION_MAX)] * 3)
 quaternion = (
     st.tuples(*[st.floats(-1, 1)] * 4)
     .filter(lambda q: sum(v * v for v in q) > 1e-3)

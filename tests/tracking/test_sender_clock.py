@@ -1,4 +1,4 @@
-"""Capture times from a sender's stamps: never of the future, never backwards, and each frame once."""
+"""Capture times from a sender's stamps: never in the future, never backwards, each frame once."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.tracking.counts import FrameCounts
-from housefly.tracking.sender_clock import LEAP, SenderClock
+from housefly.tracking.sender_clock import CLOCK_JUMP, SenderClock
 
 TICK, LATENCY = 1e-6, 0.02
 
@@ -52,7 +52,7 @@ def test_repeated_and_late_frames_are_dropped_and_counted() -> None:
     assert (counts.repeated, counts.backward) == (1, 1)
 
 
-@pytest.mark.parametrize("leap", [3600.0, -3600.0, LEAP + 0.1, -LEAP - 0.1])
+@pytest.mark.parametrize("leap", [3600.0, -3600.0, CLOCK_JUMP + 0.1, -CLOCK_JUMP - 0.1])
 def test_a_clock_that_was_set_anew_costs_no_frame(leap: float) -> None:
     counts = FrameCounts()
     clock = SenderClock(counts)

@@ -12,22 +12,22 @@ from hypothesis import strategies as st
 from housefly.geometry import IDENTITY, quaternion_from_euler
 from housefly.messages import Sighting
 from housefly.tracking.counts import FrameCounts
-from housefly.tracking.vicon_frames import FrameReader
+from housefly.tracking.vicon_frames import ViconFrames
 from housefly.wires.vicon import (
     TICKS_PER_SECOND,
     ApplicationInfo,
     FrameInfo,
     GlobalSegments,
-    Item,
     LatencyInfo,
     Segment,
     SegmentPose,
     StreamInfo,
     SubjectInfo,
+    ViconObject,
     matrix_from_quaternion,
 )
 
-STATIC: list[Item] = [
+STATIC: list[ViconObject] = [
     StreamInfo(TICKS_PER_SECOND // 100),
     ApplicationInfo(),
     SubjectInfo(3, "ardrone", (Segment(8, "arm", parent=9), Segment(9, "ardrone"))),
@@ -37,7 +37,7 @@ POSE = SegmentPose(
 )
 
 
-def frame(number: int, pose: SegmentPose = POSE, latency: float = 0.03) -> list[Item]:
+def frame(number: int, pose: SegmentPose = POSE, latency: float = 0.03) -> list[ViconObject]:
     return [
         FrameInfo(number),
         LatencyInfo((("a", latency / 2), ("b", latency / 2))),
@@ -45,9 +45,9 @@ def frame(number: int, pose: SegmentPose = POSE, latency: float = 0.03) -> list[
     ]
 
 
-def reader() -> tuple[FrameReader, FrameCounts]:
+def reader() -> tuple[ViconFrames, FrameCounts]:
     counts = FrameCounts()
-    return FrameReader(latency=0.02, counts=counts), counts
+    return ViconFrames(latency=0.02, counts=counts), counts
 
 
 def only(sightings: tuple[Sighting, ...] | None) -> Sighting:

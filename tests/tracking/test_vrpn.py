@@ -21,12 +21,12 @@ from housefly.tracking.vrpn import VrpnTracker
 from housefly.twin.mocap.vrpn_server import VrpnServer
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
-    POSE,
+    POSE_TYPE,
     SENDER_DESCRIPTION,
     TYPE_DESCRIPTION,
-    Message,
     TrackerPose,
-    describe,
+    VrpnMessage,
+    description_message,
     encode_cookie,
     encode_message,
     encode_pose,
@@ -34,8 +34,8 @@ from housefly.wires.vrpn import (
 
 pytestmark = pytest.mark.wire
 
-NAMES = encode_message(describe(TYPE_DESCRIPTION, 3, POSE)) + encode_message(
-    describe(SENDER_DESCRIPTION, 5, "ardrone")
+NAMES = encode_message(description_message(TYPE_DESCRIPTION, 3, POSE_TYPE)) + encode_message(
+    description_message(SENDER_DESCRIPTION, 5, "ardrone")
 )
 HERE = TrackerPose(0, (1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.0))
 Say = Callable[[asyncio.StreamWriter], Awaitable[None]]
@@ -46,7 +46,7 @@ def config(address: str, transport: str = "tcp", up_axis: str = "auto") -> Track
 
 
 def told(stamp: int, pose: TrackerPose = HERE, sender: int = 5) -> bytes:
-    return encode_message(Message(3, sender, stamp, encode_pose(pose)))
+    return encode_message(VrpnMessage(3, sender, stamp, encode_pose(pose)))
 
 
 @asynccontextmanager
@@ -124,7 +124,7 @@ async def test_the_genuine_server_is_read(
     assert len({sighting.pose.yaw for sighting in seen if sighting.body == "Spinning"}) > 50
     times = [sighting.captured_at for sighting in seen if sighting.body == "Still"]
     assert (len(times) - 1) / (times[-1] - times[0]) == pytest.approx(100.0, rel=0.2)
-    assert (tracker.counts.malformed, tracker.counts.unnamed) == (0, 0)
+    assert (tracker.malformed, tracker.counts.unnamed) == (0, 0)
 
 
 async def test_both_axes_can_point_up(loopback: str, bench: Any) -> None:
@@ -192,7 +192,7 @@ async def test_the_client_comes_back_when_the_server_does(
 async def test_a_server_that_freezes_is_named_and_connected_to_anew(
     loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(vrpn, "SILENCE", 1.5)
+    monkeypatch.setattr(VrpnTracker, "SILENCE_TIMEOUT", 1.5)
 
     async def freeze(writer: asyncio.StreamWriter) -> None:
         writer.write(told(1_000_000))
@@ -212,7 +212,7 @@ async def test_a_server_that_freezes_is_named_and_connected_to_anew(
 async def test_a_server_without_a_cookie_is_named(
     loopback: str, bench: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(vrpn, "CONNECT_TIMEOUT", 0.3)
+    monkeypatch.setattr(vrpn, "VRPN_TIMEOUT", 0.3)
 
     async def mute(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         await reader.read()
@@ -264,7 +264,7 @@ async def test_a_server_of_another_protocol_is_named_and_asked_again(
     stranger = await asyncio.start_server(speak_http, loopback, 3883)
     tracker = VrpnTracker(config(loopback))
     async with bench.running(tracker.run(lambda frame: None)):
-        await bench.until(lambda: tracker.counts.malformed >= 2)
+        await bench.until(lambda: tracker.malformed >= 2)
         assert "does not speak VRPN" in tracker.problem
     stranger.close()
 

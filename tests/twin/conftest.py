@@ -11,8 +11,9 @@ import pytest
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
-from housefly.twin.contracts import Flight, Stick
+from housefly.twin.contracts import FlightState
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.conversions import Stick
 
 HOME: Vec2 = (2.0, 2.5)
 
@@ -36,10 +37,10 @@ class Hand:
         self.world.flat_trim()
         self.world.request_take_off()
         self.wait(8.0)
-        assert self.world.onboard().flight is Flight.HOVERING
+        assert self.world.onboard().flight is FlightState.HOVERING
         while abs(missing := height - self.world.onboard().height) > 0.1:
             self.fly(up=max(-1.0, min(1.0, missing)), seconds=0.1)
-        self.world.stick(Stick())
+        self.world.set_stick(Stick())
         self.wait(2.0)
 
     def fly(
@@ -51,7 +52,7 @@ class Hand:
         seconds: float = 1.0,
     ) -> None:
         """Hold a stick for some time."""
-        self.world.stick(Stick(forward, left, up, turn, hover=False))
+        self.world.set_stick(Stick(forward, left, up, turn, hover=False))
         self.wait(seconds)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from housefly.messages import Pose
-from housefly.twin.contracts import Stick
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 
@@ -18,7 +18,7 @@ def errand(world: SimulatedWorld, look: bool) -> list[object]:
     for step in range(900):
         world.keep_alive()
         if step == 600:
-            world.stick(Stick(forward=0.4, turn=0.2, hover=False))
+            world.set_stick(Stick(forward=0.4, turn=0.2, hover=False))
         world.advance(0.01)
         told.extend(world.mocap_frames())
         if look:

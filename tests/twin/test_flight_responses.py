@@ -8,9 +8,10 @@ from math import exp
 import pytest
 
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
-from housefly.twin.ardrone.onboard_loops import Wrench
-from housefly.twin.contracts import Flight, OnboardLimits, Stick, World
+from housefly.twin.ardrone.inner_loops import Wrench
+from housefly.twin.contracts import FlightState, OnboardLimits, TwinWorld
 from housefly.twin.world import SimulatedWorld, motor_duties
+from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 
@@ -18,12 +19,12 @@ MakeWorld = Callable[..., SimulatedWorld]
 TILT = OnboardLimits().tilt
 
 
-def tilt_of(world: World) -> Vec2:
+def tilt_of(world: TwinWorld) -> Vec2:
     phi, theta, _ = euler_from_quaternion(world.truth().pose.orientation)
     return phi, theta
 
 
-def body_speed(world: World) -> tuple[float, float, float]:
+def body_speed(world: TwinWorld) -> tuple[float, float, float]:
     w, x, y, z = world.truth().pose.orientation
     return rotate((w, -x, -y, -z), world.truth().velocity)
 
@@ -45,7 +46,7 @@ def test_attitude_follows_the_stick_like_a_first_order_lag(
         expected = wanted + (start - wanted) * exp(-7.0 * max(0.0, world.now - began))
         errors.append(abs(tilt_of(world)[axis] - expected))
 
-    world.stick(Stick(hover=False, **{stick: float(sign)}))
+    world.set_stick(Stick(hover=False, **{stick: float(sign)}))
     hand(world).wait(0.8, compare)
     assert max(errors) < 0.03 * TILT
     assert abs(body_speed(world)[1 - axis]) > 0.3
@@ -132,7 +133,7 @@ def test_level_flight_drifts_and_hover_stops_it(make_world: MakeWorld, hand: typ
     hand(world).fly(forward=0.5, seconds=2.0)
     hand(world).fly(seconds=0.5)
     assert body_speed(world)[0] > 0.8
-    world.stick(Stick(hover=True))
+    world.set_stick(Stick(hover=True))
     hand(world).wait(2.0)
     assert abs(body_speed(world)[0]) < 0.1
 
@@ -141,9 +142,9 @@ def test_nothing_happens_before_the_command_delay(make_world: MakeWorld) -> None
     world = make_world(twin__command_delay=0.2)
     world.request_take_off()
     world.advance(0.195)
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
     world.advance(0.02)
-    assert world.onboard().flight is Flight.TAKING_OFF
+    assert world.onboard().flight is FlightState.TAKING_OFF
 
 
 def test_motors_of_the_lower_side_turn_faster(make_world: MakeWorld, hand: type) -> None:

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import pi
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from housefly.config.site import Site, changed
-from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint
+from housefly.messages import Action, Command, DroneStatus, Setpoint
 from housefly.room.model import Room
-from housefly.twin.contracts import Flight, OnboardLimits
-from housefly.twin.lockstep import STATUS, LockstepRoom, stick_of
+from housefly.twin.contracts import FlightState
+from housefly.twin.lockstep import FLIGHT_STATUS, LockstepRoom
 from housefly.twin.world import SimulatedWorld
-
-SMALL = st.floats(-10, 10)
 
 
 @pytest.fixture
@@ -132,31 +127,4 @@ def test_a_low_battery_is_told_in_words(site: Site, make_room: Callable[..., Roo
 
 
 def test_every_state_of_the_firmware_has_a_word_for_the_pilot() -> None:
-    assert set(STATUS) == set(Flight)
-
-
-@given(SMALL, SMALL, SMALL, SMALL)
-def test_no_setpoint_leaves_the_stick_range(
-    theta: float, phi: float, vz: float, yaw_rate: float
-) -> None:
-    stick = stick_of(Setpoint(theta, phi, vz, yaw_rate), OnboardLimits())
-    assert all(abs(value) <= 1.0 for value in (stick.forward, stick.left, stick.up, stick.turn))
-    assert not stick.hover
-
-
-@given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(-0.7, 0.7), st.floats(-1.7, 1.7))
-def test_within_the_maxima_the_stick_is_the_share_of_the_maximum(
-    theta: float, phi: float, vz: float, yaw_rate: float
-) -> None:
-    limits = OnboardLimits(tilt=0.2, climb=0.7, yaw_rate=pi)
-    stick = stick_of(Setpoint(theta, phi, vz, yaw_rate), limits)
-    assert (
-        stick.forward * 0.2,
-        -stick.left * 0.2,
-        stick.up * 0.7,
-        stick.turn * pi,
-    ) == pytest.approx((theta, phi, vz, yaw_rate))
-
-
-def test_a_level_setpoint_is_level_flight_and_not_hover() -> None:
-    assert not stick_of(LEVEL, OnboardLimits()).hover
+    assert set(FLIGHT_STATUS) == set(FlightState)

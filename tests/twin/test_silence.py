@@ -6,7 +6,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from housefly.twin.contracts import Flight, Stick
+from housefly.twin.contracts import FlightState
+from housefly.wires.ardrone.conversions import Stick
 
 
 def test_a_drone_that_loses_its_client_flies_on_with_its_last_stick_for_two_seconds_then_brakes_and_lands(
@@ -16,12 +17,12 @@ def test_a_drone_that_loses_its_client_flies_on_with_its_last_stick_for_two_seco
     hand(world).hover()
     for _ in range(60):
         world.keep_alive()
-        world.stick(Stick(forward=0.15, hover=False))
+        world.set_stick(Stick(forward=0.15, hover=False))
         world.advance(0.03)
     world.advance(1.9)
-    assert world.onboard().flight is Flight.FLYING
+    assert world.onboard().flight is FlightState.FLYING
     assert world.truth().velocity[0] ** 2 + world.truth().velocity[1] ** 2 > 0.2**2
     world.advance(0.2)
-    assert world.onboard().flight is Flight.LANDING
+    assert world.onboard().flight is FlightState.LANDING
     world.advance(8.0)
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED

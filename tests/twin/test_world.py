@@ -11,14 +11,15 @@ from hypothesis import strategies as st
 
 from housefly.geometry import distance, quaternion_from_euler
 from housefly.room.model import Room, Shape, Solid
-from housefly.twin.contracts import Flight, Stick, World
+from housefly.twin.contracts import FlightState, TwinWorld
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
 
 
 def test_the_world_offers_what_the_wire_servers_ask(make_world: MakeWorld) -> None:
-    world: World = make_world()
+    world: TwinWorld = make_world()
     world.advance(0.0173)
     assert world.now == pytest.approx(0.0173)
     assert world.truth().at == pytest.approx(0.015)
@@ -32,7 +33,9 @@ def test_take_off_reaches_a_metre_in_four_to_five_seconds(
     reached: list[float] = []
     hand(world).wait(
         9.0,
-        lambda: reached.append(world.now) if world.onboard().flight is Flight.HOVERING else None,
+        lambda: (
+            reached.append(world.now) if world.onboard().flight is FlightState.HOVERING else None
+        ),
     )
     assert 3.5 < reached[0] < 5.0
     assert world.truth().pose.position[2] == pytest.approx(1.05, abs=0.1)
@@ -45,7 +48,7 @@ def test_landing_touches_softly_and_stops_the_motors(make_world: MakeWorld, hand
     world.request_land()
     sink: list[float] = []
     hand(world).wait(6.0, lambda: sink.append(world.truth().velocity[2]))
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
     assert world.onboard().motors == (0.0, 0.0, 0.0, 0.0)
     assert world.truth().pose.position[2] == pytest.approx(0.05, abs=0.005)
     assert min(sink) > -0.6
@@ -58,13 +61,13 @@ def test_an_emergency_in_the_air_falls_and_can_be_left_on_the_ground(
     hand(world).hover()
     world.toggle_emergency()
     hand(world).wait(0.5)
-    assert world.onboard().flight is Flight.EMERGENCY
+    assert world.onboard().flight is FlightState.EMERGENCY
     assert world.truth().velocity[2] < -2.0
     hand(world).wait(2.0)
     assert world.truth().pose.position[2] < 0.2
     world.toggle_emergency()
     hand(world).wait(0.2)
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
 
 
 def test_landing_above_a_table_ends_on_the_table(
@@ -76,7 +79,7 @@ def test_landing_above_a_table_ends_on_the_table(
     hand(world).hover(1.5)
     world.request_land()
     hand(world).wait(6.0)
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
     assert world.truth().pose.position[2] == pytest.approx(0.75, abs=0.01)
 
 
@@ -93,9 +96,9 @@ def test_a_silent_client_raises_the_flag_then_lands_the_drone(
     assert not world.onboard().com_lost
     world.advance(2.0)
     assert world.onboard().com_lost
-    assert world.onboard().flight is Flight.LANDING
+    assert world.onboard().flight is FlightState.LANDING
     world.advance(8.0)
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
 
 
 def test_a_nearly_empty_battery_lands_the_drone_by_itself(
@@ -105,7 +108,7 @@ def test_a_nearly_empty_battery_lands_the_drone_by_itself(
     hand(world).hover()
     hand(world).wait(60.0)
     assert world.onboard().low_battery
-    assert world.onboard().flight is Flight.LANDED
+    assert world.onboard().flight is FlightState.LANDED
 
 
 def test_flying_into_a_wall_stops_the_drone_and_blows_nothing_up(
@@ -119,7 +122,7 @@ def test_flying_into_a_wall_stops_the_drone_and_blows_nothing_up(
         touched.append(world.truth().contacts)
         places.append(world.truth().pose.position)
 
-    world.stick(Stick(forward=1.0, hover=False))
+    world.set_stick(Stick(forward=1.0, hover=False))
     hand(world).wait(6.0, watch)
     assert max(touched) > 0
     assert max(place[0] for place in places) < 3.95
@@ -173,7 +176,7 @@ def test_no_stick_and_no_request_can_make_the_state_senseless(
     world = make_world(make_room((wall,)))
     hand(world).hover()
     for stick, request in orders:
-        world.stick(stick)
+        world.set_stick(stick)
         {
             "fly": lambda: None,
             "land": world.request_land,

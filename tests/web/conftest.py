@@ -1,4 +1,4 @@
-"""A console served on a loopback address, with a pretended pilot behind it, and real Chromium
+"""A console served on a loopback address, with a fake pilot behind it, and real Chromium
 before it.
 """
 
@@ -21,12 +21,12 @@ from playwright.async_api import Browser, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.local import LocalBus
-from housefly.hub.api.queries import RoomView
+from housefly.hub.api.pilot_queries import RoomView
 from housefly.web.coverage_layer import CoverageView
-from housefly.web.edit_desk import EditDesk
+from housefly.web.edit_service import EditService
+from housefly.web.fake_pilot import FakePilot
+from housefly.web.fake_room import example_room
 from housefly.web.process import make_server
-from housefly.web.rehearsal import PretendedPilot
-from housefly.web.rehearsal_room import example_room
 from housefly.web.server import create_app
 
 TOKEN = "a-token-for-tests-only"
@@ -65,7 +65,7 @@ class Served:
     host: str
     port: int
     bus: LocalBus
-    pilot: PretendedPilot
+    pilot: FakePilot
     stops: list[float]
 
     @property
@@ -138,7 +138,7 @@ async def serve(
     port: int = 0,
     stops: list[float] | None = None,
     coverage: Callable[[], CoverageView] | None = None,
-    edits: EditDesk | None = None,
+    edits: EditService | None = None,
     view: RoomView | None = None,
 ) -> AsyncIterator[Served]:
     with socket.socket() as listener:
@@ -146,7 +146,7 @@ async def serve(
         listener.bind((host, port))
         bus, stops = LocalBus(), [] if stops is None else stops
         loop = asyncio.get_running_loop()
-        pilot = PretendedPilot(bus.join(), view or example_room())
+        pilot = FakePilot(bus.join(), view or example_room())
         app = create_app(
             bus,
             TOKEN,
@@ -170,7 +170,7 @@ async def serve(
 
 @pytest_asyncio.fixture(loop_scope="module")
 async def console(loopback: str) -> AsyncIterator[Served]:
-    """Yield a running console with a pretended pilot in real time."""
+    """Yield a running console with a fake pilot in real time."""
     async with serve(loopback) as served:
         yield served
 

@@ -14,7 +14,7 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.bus.topics import VIDEO
+from housefly.bus.topics import VIDEO_TOPIC
 from housefly.clock import RealClock
 from housefly.messages import OrderKind, Severity, VideoFrame
 
@@ -280,7 +280,7 @@ async def test_old_numbers_are_greyed_then_struck_out_and_a_banner_says_what_the
 
 
 async def test_faults_are_announced(page: Page, console: Any) -> None:
-    console.pilot.say(Severity.FAULT, "battery", "Battery is empty")
+    console.pilot.add_event(Severity.FAULT, "battery", "Battery is empty")
     await expect(page.locator("[role=alert].spoken")).to_have_text("Battery is empty")
     await expect(page.locator(".log [data-severity=fault]")).to_contain_text("Battery is empty")
 
@@ -318,7 +318,7 @@ async def test_choosing_a_goal_moves_nothing(page: Page) -> None:
     places = [
         "header",
         ".map",
-        ".errand",
+        ".mission",
         ".actions",
         ".stop",
         ".side",
@@ -421,7 +421,7 @@ async def feed(bus: Any) -> None:
         picture = np.full((180, 320, 3), [(number * 9) % 256, 128, 64], np.uint8)
         for packet in encoder.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")):
             bus.publish(
-                VIDEO,
+                VIDEO_TOPIC,
                 VideoFrame(bytes(packet), bool(packet.is_keyframe), 320, 180, number, clock.now()),
             )
         await asyncio.sleep(1 / 30)

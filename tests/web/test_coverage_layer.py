@@ -13,9 +13,9 @@ import pytest
 from housefly.errors import RoomError
 from housefly.room.bsen import bsen
 from housefly.room.coverage import seen_by
-from housefly.web.coverage_layer import CELL, CoverageLayer, CoverageView, coverage_view
+from housefly.web.coverage_layer import COVERAGE_CELL, CoverageLayer, CoverageView, coverage_view
 
-SMALL = CoverageView(1.1, 3, 2, (0.0, 0.0), CELL, ("012", "333"))
+SMALL = CoverageView(1.1, 3, 2, (0.0, 0.0), COVERAGE_CELL, ("012", "333"))
 
 
 @pytest.fixture(scope="module")
@@ -26,11 +26,11 @@ def view() -> CoverageView:
 def test_every_cell_says_how_many_cameras_see_its_middle(view: CoverageView) -> None:
     x0, y0, x1, y1 = bsen().bounds
     assert (view.cameras, view.origin) == (18, (x0, y0))
-    assert len(view.rows) == round((y1 - y0) / CELL) and {len(row) for row in view.rows} == {
-        round((x1 - x0) / CELL)
-    }
+    assert len(view.rows) == round((y1 - y0) / COVERAGE_CELL) and {
+        len(row) for row in view.rows
+    } == {round((x1 - x0) / COVERAGE_CELL)}
     for i, j in ((3, 16), (20, 10), (45, 8), (59, 31)):
-        middle = np.array([[x0 + CELL * (i + 0.5), y0 + CELL * (j + 0.5), 1.1]])
+        middle = np.array([[x0 + COVERAGE_CELL * (i + 0.5), y0 + COVERAGE_CELL * (j + 0.5), 1.1]])
         assert int(view.rows[j][i], 36) == seen_by(bsen(), middle).sum()
 
 

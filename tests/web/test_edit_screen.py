@@ -12,12 +12,12 @@ import pytest
 import pytest_asyncio
 from playwright.async_api import Browser, Page, expect
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
 from housefly.config.edits import Edits
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
-from housefly.web.edit_desk import EditDesk
+from housefly.web.edit_service import EditService
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
 
@@ -31,9 +31,9 @@ def versions(tmp_path: Path) -> EditVersions:
 
 @pytest_asyncio.fixture(loop_scope="module")
 async def console(serving: Any, loopback: str, versions: EditVersions) -> AsyncIterator[Any]:
-    premises = open_premises(read_site("bsen"))
+    loaded = open_site(read_site("bsen"))
     async with serving(
-        loopback, edits=EditDesk(bsen, premises.site, versions), view=room_view(premises)
+        loopback, edits=EditService(bsen, loaded.site, versions), view=room_view(loaded)
     ) as console:
         yield console
 

@@ -19,8 +19,8 @@ from housefly.config.edits import Edits, NoFlyZone
 from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
-from housefly.web.edit_desk import EditDesk
-from housefly.web.edits_api import BODY_MAX
+from housefly.web.edit_service import EditService
+from housefly.web.edits_api import MAX_BODY_SIZE
 
 pytestmark = [pytest.mark.wire, pytest.mark.asyncio(loop_scope="module")]
 
@@ -78,7 +78,7 @@ async def editor(
     serving: Callable[..., Any], loopback: str, tmp_path: Path
 ) -> AsyncIterator[Editor]:
     versions = EditVersions(tmp_path / "edits")
-    async with serving(loopback, edits=EditDesk(bsen, Site(), versions)) as console:
+    async with serving(loopback, edits=EditService(bsen, Site(), versions)) as console:
         cookie = await console.session()
         async with console.talk(cookie, TAB, "Ada") as talk:
             await talk.hear("viewers")
@@ -138,7 +138,7 @@ async def test_a_body_that_is_no_wish_is_422(editor: Editor, body: bytes) -> Non
 
 
 async def test_too_large_a_body_is_413(editor: Editor) -> None:
-    assert (await editor.post(b" " * (BODY_MAX + 1)))[0] == 413
+    assert (await editor.post(b" " * (MAX_BODY_SIZE + 1)))[0] == 413
 
 
 async def test_other_pages_strangers_and_watchers_may_not(editor: Editor) -> None:
@@ -184,15 +184,15 @@ async def test_edits_that_are_in_force_need_no_words(editor: Editor, tmp_path: P
     edits = Edits(zones=(NoFlyZone(rectangle=(5.0, 3.0, 6.0, 4.0), reason="wet floor"),))
     versions = EditVersions(tmp_path / "others")
     versions.save(edits, 0)
-    assert EditDesk(bsen, Site(edits=edits), versions).view().words == ""
-    assert EditDesk(bsen, Site(), versions).view().words.startswith("The drone keeps the map")
+    assert EditService(bsen, Site(edits=edits), versions).view().words == ""
+    assert EditService(bsen, Site(), versions).view().words.startswith("The drone keeps the map")
 
 
 @pytest.mark.parametrize("site", [changed(Site(), hub__edits=False), changed(Site(), mode="paper")])
 async def test_where_nothing_can_be_edited_it_says_why(
     serving: Any, loopback: str, tmp_path: Path, site: Site
 ) -> None:
-    async with serving(loopback, edits=EditDesk(bsen, site, EditVersions(tmp_path))) as console:
+    async with serving(loopback, edits=EditService(bsen, site, EditVersions(tmp_path))) as console:
         there = Editor(console, await console.session(), EditVersions(tmp_path))
         status, answer = await there.get()
         assert status == 404 and ("hub.edits" in answer["error"] or "mode paper" in answer["error"])

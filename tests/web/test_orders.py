@@ -3,48 +3,50 @@ from __future__ import annotations
 import pytest
 
 from housefly.messages import OrderKind
-from housefly.web.orders import IN_WORDS, in_words, objection, order_of
-from housefly.web.rehearsal_room import example_room
-from housefly.web.vocabulary import OrderRequest
+from housefly.web.fake_room import example_room
+from housefly.web.orders import ORDER_WORDS, order_in_words, order_objection, to_order
+from housefly.web.protocol import OrderRequest
 
 ROOM = example_room()
 
 
 def test_every_kind_of_order_can_be_said_in_words() -> None:
-    assert set(IN_WORDS) == set(OrderKind)
+    assert set(ORDER_WORDS) == set(OrderKind)
 
 
 def test_an_order_that_goes_somewhere_needs_one_target() -> None:
     for kind in (OrderKind.GO, OrderKind.SERVICE):
-        assert objection(OrderRequest("order", 1, kind), ROOM)
-        assert objection(OrderRequest("order", 1, kind, "entrance", (1.0, 1.0)), ROOM)
-        assert objection(OrderRequest("order", 1, kind, "entrance"), ROOM) == ""
-        assert objection(OrderRequest("order", 1, kind, goal=(1.0, 1.0)), ROOM) == ""
+        assert order_objection(OrderRequest("order", 1, kind), ROOM)
+        assert order_objection(OrderRequest("order", 1, kind, "entrance", (1.0, 1.0)), ROOM)
+        assert order_objection(OrderRequest("order", 1, kind, "entrance"), ROOM) == ""
+        assert order_objection(OrderRequest("order", 1, kind, goal=(1.0, 1.0)), ROOM) == ""
 
 
 @pytest.mark.parametrize(
     "kind", sorted(set(OrderKind) - {OrderKind.GO, OrderKind.SERVICE}, key=str)
 )
 def test_other_orders_take_no_target(kind: OrderKind) -> None:
-    assert objection(OrderRequest("order", 1, kind), ROOM) == ""
-    assert objection(OrderRequest("order", 1, kind, "entrance"), ROOM)
+    assert order_objection(OrderRequest("order", 1, kind), ROOM) == ""
+    assert order_objection(OrderRequest("order", 1, kind, "entrance"), ROOM)
 
 
 def test_an_unknown_place_is_refused_with_the_known_ones() -> None:
-    assert "entrance" in objection(OrderRequest("order", 1, OrderKind.GO, "cellar"), ROOM)
+    assert "entrance" in order_objection(OrderRequest("order", 1, OrderKind.GO, "cellar"), ROOM)
 
 
 def test_a_goal_outside_the_room_is_refused() -> None:
-    assert "outside" in objection(OrderRequest("order", 1, OrderKind.GO, goal=(100.0, 0.0)), ROOM)
+    assert "outside" in order_objection(
+        OrderRequest("order", 1, OrderKind.GO, goal=(100.0, 0.0)), ROOM
+    )
 
 
 def test_nothing_is_flown_to_before_the_room_is_known() -> None:
-    assert objection(OrderRequest("order", 1, OrderKind.GO, "entrance"), None)
+    assert order_objection(OrderRequest("order", 1, OrderKind.GO, "entrance"), None)
 
 
 def test_the_order_carries_who_asked_and_when() -> None:
     request = OrderRequest("order", 1, OrderKind.SERVICE, "entrance", look_s=7.0)
-    order = order_of(request, "Anna", 12.0)
+    order = to_order(request, "Anna", 12.0)
     assert (order.kind, order.place, order.look_s, order.issued_at, order.sender) == (
         OrderKind.SERVICE,
         "entrance",
@@ -52,4 +54,4 @@ def test_the_order_carries_who_asked_and_when() -> None:
         12.0,
         "Anna",
     )
-    assert in_words(request) == "look at entrance and come back"
+    assert order_in_words(request) == "look at entrance and come back"

@@ -22,13 +22,13 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.messages import OrderKind
+from housefly.web.fake_pilot import FakePilot
+from housefly.web.fake_room import example_room
 from housefly.web.process import main, run_web
-from housefly.web.rehearsal import PretendedPilot
-from housefly.web.rehearsal_room import example_room
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 SECRET = "00112233445566778899aabbccddeeff"
-PATIENCE = 20.0
+TIMEOUT = 20.0
 
 
 def free_port(kind: socket.SocketKind) -> int:
@@ -38,10 +38,10 @@ def free_port(kind: socket.SocketKind) -> int:
 
 
 class Meeting:
-    """A pretended pilot on a real bus, and what it takes to start consoles for it."""
+    """A fake pilot on a real bus, and what it takes to start consoles for it."""
 
     def __init__(self, bus: ZenohBus, endpoint: str, stop_port: int, site: Path) -> None:
-        self.pilot = PretendedPilot(bus, example_room())
+        self.pilot = FakePilot(bus, example_room())
         self.stops = 0
         self.endpoint, self.stop_port, self.site = endpoint, stop_port, site
 
@@ -63,7 +63,7 @@ class Meeting:
         )
         try:
             assert process.stdout is not None
-            line = (await asyncio.wait_for(process.stdout.readline(), PATIENCE)).decode()
+            line = (await asyncio.wait_for(process.stdout.readline(), TIMEOUT)).decode()
             found = re.search(r"(http://127\.0\.0\.1:\d+)/\?token=the-token", line)
             assert found, line
             yield process, found[1]
@@ -91,9 +91,8 @@ async def meeting(tmp_path: Path) -> AsyncIterator[Meeting]:
 async def cookie_of(address: str) -> str:
     host, _, port = address.removeprefix("http://").partition(":")
     reader, writer = await asyncio.open_connection(host, int(port))
-    writer.write(
-        f"GET /?token=the-token HTTP/1.1\r\nHost: {host}:{port}\r\nConnection: close\r\n\r\n".encode()
-    )
+    lines = ("GET /?token=the-token HTTP/1.1", f"Host: {host}:{port}", "Connection: close", "", "")
+    writer.write("\r\n".join(lines).encode())
     answer = (await reader.read()).decode()
     writer.close()
     return re.search(r"set-cookie: ([^;]+)", answer)[1]  # type: ignore[index]
@@ -110,7 +109,7 @@ def open_socket(address: str, cookie: str) -> Any:
 
 
 async def hear(one: ClientConnection, text: str) -> None:
-    async with asyncio.timeout(PATIENCE):
+    async with asyncio.timeout(TIMEOUT):
         while text not in await one.recv(decode=True):
             pass
 
@@ -126,7 +125,7 @@ async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outl
             await hear(one, '"type":"room"')
             await hear(one, '"type":"state"')
             await one.send('{"type":"stop","id":1}')
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(TIMEOUT):
                 while not (meeting.stops and meeting.pilot.orders):
                     await asyncio.sleep(0.01)
             assert meeting.stops == 1

@@ -21,20 +21,20 @@ from websockets.sync.client import connect as connect_socket
 
 import housefly
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS
+from housefly.bus.topics import HUB_QUERY, ROOM_NEWS_TOPIC
 from housefly.errors import HouseflyError, LinkError, ThingError, WireError
-from housefly.hub.answers import Answers
-from housefly.hub.api.room_json import answer_to_json, question_from_json, refusal_to_json
-from housefly.hub.asking.client import RoomClient
+from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.change_feed import ChangeFeed
+from housefly.hub.client.room_client import RoomClient
 from housefly.hub.memory import RoomMemory
-from housefly.hub.newsroom import Newsroom
-from housefly.hub.present import Present
-from housefly.hub.store.opening import open_store
-from housefly.hub.things.thing import Kind, Thing
-from housefly.messages import Happening, Observation
+from housefly.hub.query_handler import QueryHandler
+from housefly.hub.room_status import RoomStatus
+from housefly.hub.store.open import open_store
+from housefly.hub.things.thing import Thing, ThingKind
+from housefly.messages import Observation, RoomEvent
 from housefly.web.process import make_server
-from housefly.web.security import api_key
 from housefly.web.server import create_app
+from housefly.web.session_auth import api_key
 
 SECRET = "a-secret-for-tests-only"
 KEY = api_key(SECRET)
@@ -47,13 +47,13 @@ class Room:
     def __init__(self, host: str, folder: Path) -> None:
         self.bus = LocalBus()
         things = (
-            Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(1.0, 2.0, 0.5)),
+            Thing("cabinet", "the cabinet", ThingKind.FURNITURE, position=(1.0, 2.0, 0.5)),
             Thing("cup", "cup", inside="cabinet"),
         )
         self.memory = RoomMemory(things, lambda: open_store(folder / "room.db"))
-        self.present = Present(self.memory.writer.report)
-        self.newsroom = Newsroom(self.memory, self.present, time.time)
-        answers = Answers(self.memory, self.present, time.time)
+        self.status = RoomStatus(self.memory.writer.report)
+        self.change_feed = ChangeFeed(self.memory, self.status, time.time)
+        answers = QueryHandler(self.memory, self.status, time.time)
 
         def answer(text: str) -> str:
             try:
@@ -95,9 +95,9 @@ def client(room: Room) -> Iterator[RoomClient]:
 
 def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
     now = time.time()
-    room.memory.take(Observation("cup", "floor", now - 60.0, now, (3.0, 4.0, 0.0)))
-    room.memory.take(Happening("object taken", "cup", now - 50.0, "situations/objects", "person-1"))
-    room.memory.take(Observation("cup", "cabinet", now - 10.0, now, inside="cabinet"))
+    room.memory.add(Observation("cup", "floor", now - 60.0, now, (3.0, 4.0, 0.0)))
+    room.memory.add(RoomEvent("object taken", "cup", now - 50.0, "situations/objects", "person-1"))
+    room.memory.add(Observation("cup", "cabinet", now - 10.0, now, inside="cabinet"))
     assert client.where("cup").inside == ("cabinet",)
     assert client.where("cup", at=now - 30.0).position == (3.0, 4.0, 0.0)
     assert [thing.thing for thing in client.things("furniture")] == ["cabinet"]
@@ -148,9 +148,9 @@ def test_a_listener_hears_what_changes(room: Room, client: RoomClient) -> None:
     listener.start()
     deadline = time.monotonic() + 5.0
     while not heard and time.monotonic() < deadline:
-        room.memory.take(Observation("cup", "floor", time.time(), time.time(), (1.0, 1.0, 0.0)))
-        if (news := room.newsroom.news()) is not None:
-            room.bus.publish(ROOM_NEWS, news)
+        room.memory.add(Observation("cup", "floor", time.time(), time.time(), (1.0, 1.0, 0.0)))
+        if (news := room.change_feed.changes()) is not None:
+            room.bus.publish(ROOM_NEWS_TOPIC, news)
         time.sleep(0.02)
     listener.join(5.0)
     assert [thing.thing for thing in heard[0].things] == ["cup"]

@@ -20,10 +20,10 @@ from playwright.async_api import Browser, Page, expect
 from housefly.config.hub import HubConfig
 from housefly.config.site import Site
 from housefly.geometry import Vec3
-from housefly.hub.api.answers import Hindrance, Holding
-from housefly.hub.process import Hub
-from housefly.hub.things.thing import Kind, Thing
-from housefly.messages import Happening, Observation, OrderKind
+from housefly.hub.api.answers import ObstacleAnswer, SituationAnswer
+from housefly.hub.hub import Hub
+from housefly.hub.things.thing import Thing, ThingKind
+from housefly.messages import Observation, OrderKind, RoomEvent
 from housefly.sensors.contracts import SensorHealth
 from housefly.web.coverage_layer import CoverageView
 
@@ -62,10 +62,10 @@ class Room:
         ago: float = 0.0,
     ) -> None:
         at = time.time() - ago
-        self.hub.memory.take(Observation(thing, source, at, at, position, inside=inside))
+        self.hub.memory.add(Observation(thing, source, at, at, position, inside=inside))
 
     def happen(self, kind: str, thing: str, source: str, ago: float) -> None:
-        self.hub.memory.take(Happening(kind, thing, time.time() - ago, source))
+        self.hub.memory.add(RoomEvent(kind, thing, time.time() - ago, source))
 
 
 @pytest_asyncio.fixture(loop_scope="module")
@@ -75,15 +75,18 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
     async with serving(loopback, coverage=lambda: view) as console:
         site = Site(hub=HubConfig(store=str(tmp_path / "room.db")))
         hub = Hub(site, tmp_path, console.bus.join())
-        hub.present.watch(lambda: HEALTH)
+        hub.status.add_health_source(lambda: HEALTH)
         found = Room(hub, console, time.time())
-        hub.memory.know(
+        hub.memory.add_things(
             Thing("cup", "the red cup", aliases=("mug",)),
-            Thing("cabinet", "the cabinet", Kind.FURNITURE, position=(6.0, 2.5, 0.6)),
+            Thing("cabinet", "the cabinet", ThingKind.FURNITURE, position=(6.0, 2.5, 0.6)),
             Thing(
-                "refrigerator-2", "the small refrigerator", Kind.FURNITURE, position=(1.0, 3.0, 0.6)
+                "refrigerator-2",
+                "the small refrigerator",
+                ThingKind.FURNITURE,
+                position=(1.0, 3.0, 0.6),
             ),
-            Thing("person-1", "the resident", Kind.PERSON),
+            Thing("person-1", "the resident", ThingKind.PERSON),
         )
         found.see("cup", inside="refrigerator-2", source="refrigerator", ago=120.0)
         found.see("cup", inside="cabinet", source="cabinet", ago=30.0)
@@ -245,10 +248,12 @@ async def test_an_event_is_listed_filtered_and_shows_its_moment(page: Page, room
 
 
 async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, room: Room) -> None:
-    room.hub.present.hold(
-        [Holding("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")]
+    room.hub.status.set_situations(
+        [SituationAnswer("lies on the floor", "person-1", time.time(), 0.84, "low for 12 s")]
     )
-    room.hub.present.block([Hindrance("o-1", 4.0, 3.5, 0.3, 0.5, 0.0, 0.9, 0.0, "laser-1")])
+    room.hub.status.set_obstacles(
+        [ObstacleAnswer("o-1", 4.0, 3.5, 0.3, 0.5, 0.0, 0.9, 0.0, "laser-1")]
+    )
     await expect(mark(page, "person-1")).to_contain_text("△ lies on the floor, 84 %")
     await expect(page.locator(".holds")).to_contain_text("low for 12 s")
     await expect(page.locator(".obstacle")).to_contain_text("0.5 m/s, 90 % sure")
@@ -260,10 +265,10 @@ async def test_what_holds_and_what_is_in_the_way_is_drawn_and_said(page: Page, r
 async def test_tracked_furniture_is_drawn_as_it_lies_and_called_by_its_name(
     page: Page, room: Room
 ) -> None:
-    sofa = Hindrance(
+    sofa = ObstacleAnswer(
         "tracking/the sofa", 4.0, 3.0, 1.25, 0.0, 0.0, 1.0, 0.0, "tracking", 2.4, 0.8, 0.5 * pi
     )
-    room.hub.present.block([sofa])
+    room.hub.status.set_obstacles([sofa])
     await expect(page.locator(".obstacle.tracked")).to_contain_text("the sofa")
     box = await page.locator(".obstacle.tracked rect").bounding_box()
     scale = float(await page.locator(".plan-view > svg").get_attribute("data-scale") or 0)
@@ -293,7 +298,7 @@ async def test_no_key_sends_the_drone_where_its_goal_cannot_be_seen(page: Page, 
     await page.keyboard.up("Enter")
     assert room.console.pilot.orders == []
     await page.keyboard.press("r")
-    await expect(page.locator(".errand")).to_be_visible()
+    await expect(page.locator(".mission")).to_be_visible()
     await expect(page.locator(".ghost .tag")).to_have_count(0)
     await page.keyboard.press("r")
     await expect(page.locator(".room-deck")).to_be_visible()
@@ -337,4 +342,4 @@ async def test_stop_and_the_way_back_are_always_on_the_screen(
     await expect(page.locator(".stop")).to_contain_text("STOPPED")
     assert [order.kind for order in room.console.pilot.orders] == [OrderKind.STOP]
     await page.get_by_role("button", name="Fly", exact=True).click()
-    await expect(page.locator(".errand")).to_be_visible()
+    await expect(page.locator(".mission")).to_be_visible()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.web.server import STATIC
+from housefly.web.page_routes import STATIC_FOLDER
 
 LIMIT = 113_000
 """100 kB, 12 kB for editing places and zones, and 1 kB for furniture that stands elsewhere."""
@@ -17,12 +17,13 @@ LIMIT = 113_000
 
 def test_the_whole_console_is_smaller_than_113_kilobytes() -> None:
     assert (
-        sum(file.stat().st_size for file in STATIC.iterdir() if file.name != "LICENSES.txt") < LIMIT
+        sum(file.stat().st_size for file in STATIC_FOLDER.iterdir() if file.name != "LICENSES.txt")
+        < LIMIT
     )
 
 
 def test_nothing_in_it_points_to_another_host() -> None:
-    for file in STATIC.iterdir():
+    for file in STATIC_FOLDER.iterdir():
         if file.name == "LICENSES.txt":
             continue
         found = set(re.findall(r"(?:https?|wss?)://[\w.-]+", file.read_text(encoding="utf-8")))
@@ -30,18 +31,18 @@ def test_nothing_in_it_points_to_another_host() -> None:
 
 
 def test_the_page_holds_no_script_and_no_style_of_its_own() -> None:
-    page = (STATIC / "index.html").read_text(encoding="utf-8")
+    page = (STATIC_FOLDER / "index.html").read_text(encoding="utf-8")
     assert "style=" not in page and "<style" not in page
     assert re.findall(r"<script[^>]*>(.*?)</script>", page, re.DOTALL) == [""]
 
 
 def test_the_committed_bundle_is_what_the_source_builds(tmp_path: Path) -> None:
-    client = STATIC.parent / "client"
+    client = STATIC_FOLDER.parent / "client"
     node = shutil.which("node")
     if node is None or not (client / "node_modules" / "esbuild").is_dir():
         pytest.skip("the client's tools are not installed: npm ci in src/housefly/web/client")
     subprocess.run([node, "build.mjs", str(tmp_path)], cwd=client, check=True)
     for built in tmp_path.iterdir():
-        assert built.read_bytes() == (STATIC / built.name).read_bytes(), (
+        assert built.read_bytes() == (STATIC_FOLDER / built.name).read_bytes(), (
             f"{built.name}: run npm run build"
         )

@@ -13,22 +13,22 @@ from hypothesis import strategies as st
 
 from housefly.errors import WireError
 from housefly.wires.natnet import (
+    CommandRequest,
+    CommandResponse,
     Connect,
     Disconnect,
-    Frame,
-    Item,
     KeepAlive,
     ModelDef,
-    Request,
+    NatNetFrame,
+    NatNetMessage,
+    NatNetVersion,
     RequestModelDef,
-    Response,
     RigidBody,
     RigidBodyDescription,
     ServerInfo,
     Unrecognized,
-    Version,
-    decode_message,
-    encode_message,
+    decode_natnet,
+    encode_natnet,
 )
 
 i32 = st.integers(-(2**31), 2**31 - 1)
@@ -56,11 +56,11 @@ item = st.one_of(
         st.booleans(),
         group,
     ),
-    st.builds(Request, name),
-    st.builds(Response, i32),
+    st.builds(CommandRequest, name),
+    st.builds(CommandResponse, i32),
     st.builds(ModelDef, st.lists(described, max_size=4).map(tuple)),
     st.builds(
-        Frame,
+        NatNetFrame,
         i32,
         st.lists(body, max_size=4).map(tuple),
         st.floats(allow_nan=False),
@@ -78,46 +78,46 @@ SEEN = RigidBody(7, (1.0, 2.0, 3.0), (1.0, 0.0, 0.0, 0.0), 0.25)
 
 
 @given(item, versions)
-def test_what_is_encoded_is_decoded(whole: Item, version: Version) -> None:
-    assert decode_message(encode_message(whole, version), version) == whole
+def test_what_is_encoded_is_decoded(whole: NatNetMessage, version: NatNetVersion) -> None:
+    assert decode_natnet(encode_natnet(whole, version), version) == whole
 
 
 @given(st.binary(max_size=300), versions)
-def test_any_bytes_are_a_message_or_a_wire_error(datagram: bytes, version: Version) -> None:
+def test_any_bytes_are_a_message_or_a_wire_error(datagram: bytes, version: NatNetVersion) -> None:
     with suppress(WireError):
-        decode_message(datagram, version)
+        decode_natnet(datagram, version)
 
 
 @given(st.sampled_from([1, 2, 3, 5, 7]), st.binary(max_size=400), versions)
 def test_any_body_of_a_known_kind_is_a_message_or_a_wire_error(
-    kind: int, body: bytes, version: Version
+    kind: int, body: bytes, version: NatNetVersion
 ) -> None:
     with suppress(WireError):
-        decode_message(struct.pack("<HH", kind, len(body)) + body, version)
+        decode_natnet(struct.pack("<HH", kind, len(body)) + body, version)
 
 
 @given(item, versions, st.data())
 def test_a_damaged_message_is_a_message_or_a_wire_error(
-    whole: Item, version: Version, data: st.DataObject
+    whole: NatNetMessage, version: NatNetVersion, data: st.DataObject
 ) -> None:
-    datagram = bytearray(encode_message(whole, version))
+    datagram = bytearray(encode_natnet(whole, version))
     for _ in range(data.draw(st.integers(1, 5))):
         datagram[data.draw(st.integers(0, len(datagram) - 1))] = data.draw(byte)
     with suppress(WireError):
-        decode_message(bytes(datagram[: data.draw(st.integers(0, len(datagram)))]), version)
+        decode_natnet(bytes(datagram[: data.draw(st.integers(0, len(datagram)))]), version)
 
 
 @given(st.lists(body, max_size=3).map(tuple), versions, st.data())
 def test_a_frame_cut_short_is_a_wire_error(
-    bodies: tuple[RigidBody, ...], version: Version, data: st.DataObject
+    bodies: tuple[RigidBody, ...], version: NatNetVersion, data: st.DataObject
 ) -> None:
-    whole = encode_message(Frame(1, bodies), version)[4:-4]  # the end mark is not read
+    whole = encode_natnet(NatNetFrame(1, bodies), version)[4:-4]  # the end mark is not read
     cut = whole[: data.draw(st.integers(0, len(whole) - 1))]
     with pytest.raises(WireError, match="NatNet"):
-        decode_message(struct.pack("<HH", Frame.KIND, len(cut)) + cut, version)
+        decode_natnet(struct.pack("<HH", NatNetFrame.KIND, len(cut)) + cut, version)
 
 
-def crowded_frame(version: Version) -> bytes:
+def crowded_frame(version: NatNetVersion) -> bytes:
     """Return a frame with something in every section, as Motive streams it."""
     sized = version >= (4, 1)
 
@@ -147,14 +147,14 @@ def crowded_frame(version: Version) -> bytes:
 
 
 @pytest.mark.parametrize("version", [(3, 1), (4, 1), (4, 2)])
-def test_sections_that_we_do_not_use_are_stepped_over(version: Version) -> None:
-    assert decode_message(crowded_frame(version), version) == Frame(
+def test_sections_that_we_do_not_use_are_stepped_over(version: NatNetVersion) -> None:
+    assert decode_natnet(crowded_frame(version), version) == NatNetFrame(
         42, (SEEN,), 12.5, 100, 110, 120, True, True
     )
 
 
 @pytest.mark.parametrize("version", [(3, 1), (4, 1)])
-def test_descriptions_that_we_do_not_use_are_stepped_over(version: Version) -> None:
+def test_descriptions_that_we_do_not_use_are_stepped_over(version: NatNetVersion) -> None:
     sized = version >= (4, 1)
 
     def data_set(kind: int, body: bytes) -> bytes:
@@ -181,7 +181,7 @@ def test_descriptions_that_we_do_not_use_are_stepped_over(version: Version) -> N
         data_set(1, rigid),
     ]
     body = struct.pack("<i", len(sets)) + b"".join(sets)
-    assert decode_message(struct.pack("<HH", 5, len(body)) + body, version) == ModelDef(
+    assert decode_natnet(struct.pack("<HH", 5, len(body)) + body, version) == ModelDef(
         (RigidBodyDescription(7, "drone"),)
     )
 
@@ -203,27 +203,29 @@ def test_descriptions_that_we_do_not_use_are_stepped_over(version: Version) -> N
 )
 def test_garbage_is_refused_by_the_name_of_its_field(datagram: bytes, field: str) -> None:
     with pytest.raises(WireError, match=f"NatNet {field}"):
-        decode_message(datagram, (3, 1))
+        decode_natnet(datagram, (3, 1))
 
 
 def test_a_section_of_another_size_than_its_bodies_is_refused() -> None:
     body = struct.pack("<iiiiiii", 1, 0, 0, 0, 0, 1, 40) + bytes(40)
     with pytest.raises(WireError, match="rigid body count"):
-        decode_message(struct.pack("<HH", 7, len(body)) + body, (4, 1))
+        decode_natnet(struct.pack("<HH", 7, len(body)) + body, (4, 1))
 
 
 def test_greetings_of_all_clients_are_understood() -> None:
-    assert decode_message(b"\0\0\0\0", (3, 1)) == Connect()
-    assert decode_message(b"\0\0\x05\0Ping\0", (3, 1)) == Connect()
-    assert decode_message(b"\x04\0\0\0\0", (3, 1)) == RequestModelDef()
+    assert decode_natnet(b"\0\0\0\0", (3, 1)) == Connect()
+    assert decode_natnet(b"\0\0\x05\0Ping\0", (3, 1)) == Connect()
+    assert decode_natnet(b"\x04\0\0\0\0", (3, 1)) == RequestModelDef()
 
 
 def test_values_that_do_not_fit_are_refused() -> None:
     with pytest.raises(WireError):
-        encode_message(Request("x" * 300), (3, 1))
+        encode_natnet(CommandRequest("x" * 300), (3, 1))
     with pytest.raises(WireError):
-        encode_message(Frame(1, (RigidBody(1, (1e300, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)),)), (3, 1))
+        encode_natnet(
+            NatNetFrame(1, (RigidBody(1, (1e300, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)),)), (3, 1)
+        )
     with pytest.raises(WireError):
-        encode_message(Frame(1, (SEEN,) * 2000), (3, 1))
+        encode_natnet(NatNetFrame(1, (SEEN,) * 2000), (3, 1))
     with pytest.raises(WireError, match="group"):
-        encode_message(ServerInfo("x", (0, 0, 0, 0), (3, 1, 0, 0), 1, 1, True, "nowhere"), (3, 1))
+        encode_natnet(ServerInfo("x", (0, 0, 0, 0), (3, 1, 0, 0), 1, 1, True, "nowhere"), (3, 1))

@@ -13,22 +13,22 @@ from hypothesis import strategies as st
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, normalized, rotate
 from housefly.wires.vicon import (
-    HEADER_SIZE,
     MAX_PACKET,
+    VICON_HEADER_SIZE,
     ApplicationInfo,
-    Contents,
+    FrameContents,
     FrameInfo,
     GlobalSegments,
-    Item,
     LatencyInfo,
     ObjectEnums,
-    Ping,
     RequestFrame,
     RequestNextFrame,
     Segment,
     SegmentPose,
     StreamInfo,
     SubjectInfo,
+    ViconObject,
+    ViconPing,
     decode_packet,
     encode_packet,
     matrix_from_quaternion,
@@ -47,8 +47,8 @@ item = st.one_of(
     st.builds(ObjectEnums, kinds),
     st.builds(RequestFrame, st.booleans()),
     st.builds(RequestNextFrame, u32),
-    st.builds(Ping, st.integers(0, 2**64 - 1)),
-    st.builds(Contents, st.lists(st.tuples(u32, u32), max_size=5).map(tuple), kinds),
+    st.builds(ViconPing, st.integers(0, 2**64 - 1)),
+    st.builds(FrameContents, st.lists(st.tuples(u32, u32), max_size=5).map(tuple), kinds),
     st.builds(StreamInfo, st.integers(-(2**63), 2**63 - 1)),
     st.builds(ApplicationInfo, st.booleans()),
     st.builds(
@@ -66,12 +66,12 @@ quaternion = (
 
 
 def body_of(packet: bytes) -> bytes:
-    assert packet_length(packet[:HEADER_SIZE]) == len(packet) - HEADER_SIZE
-    return packet[HEADER_SIZE:]
+    assert packet_length(packet[:VICON_HEADER_SIZE]) == len(packet) - VICON_HEADER_SIZE
+    return packet[VICON_HEADER_SIZE:]
 
 
 @given(st.lists(item, max_size=6))
-def test_what_is_encoded_is_decoded(items: list[Item]) -> None:
+def test_what_is_encoded_is_decoded(items: list[ViconObject]) -> None:
     assert list(decode_packet(body_of(encode_packet(items)))) == items
 
 
@@ -83,7 +83,7 @@ def test_any_bytes_are_a_packet_or_a_wire_error(body: bytes) -> None:
 
 @given(st.lists(item, min_size=1, max_size=4), st.data())
 def test_a_damaged_packet_is_a_packet_or_a_wire_error(
-    items: list[Item], data: st.DataObject
+    items: list[ViconObject], data: st.DataObject
 ) -> None:
     body = bytearray(body_of(encode_packet(items)))
     for _ in range(data.draw(st.integers(1, 5))):
@@ -93,7 +93,7 @@ def test_a_damaged_packet_is_a_packet_or_a_wire_error(
 
 
 @given(item)
-def test_a_known_block_cut_short_is_a_wire_error(whole: Item) -> None:
+def test_a_known_block_cut_short_is_a_wire_error(whole: ViconObject) -> None:
     unread = 8 if isinstance(whole, SubjectInfo) else 0
     block = body_of(encode_packet([whole]))[8 : -unread - 1]
     with pytest.raises(WireError):

@@ -14,18 +14,18 @@ from hypothesis import strategies as st
 from housefly.errors import WireError
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
-    HEADER_SIZE,
     MAX_MESSAGE,
     SENDER_DESCRIPTION,
     TYPE_DESCRIPTION,
-    Message,
-    MessageStream,
-    Names,
+    VRPN_HEADER_SIZE,
     TrackerPose,
+    VrpnMessage,
+    VrpnNames,
+    VrpnStream,
     decode_cookie,
     decode_lob,
     decode_pose,
-    describe,
+    description_message,
     encode_cookie,
     encode_lob,
     encode_message,
@@ -38,21 +38,25 @@ name = st.text(max_size=30).filter(
     lambda text: "\0" not in text and text.encode("utf-8", "replace").decode("utf-8") == text
 )
 message = st.builds(
-    Message, i32, i32, st.integers(0, (2**31 - 1) * 1_000_000 + 999_999), st.binary(max_size=100)
+    VrpnMessage,
+    i32,
+    i32,
+    st.integers(0, (2**31 - 1) * 1_000_000 + 999_999),
+    st.binary(max_size=100),
 )
 pose = st.builds(TrackerPose, i32, st.tuples(*[real] * 3), st.tuples(*[real] * 4))
 
 
 @given(st.lists(message, max_size=6), st.integers(1, 50))
-def test_messages_survive_being_cut_into_pieces(messages: list[Message], size: int) -> None:
+def test_messages_survive_being_cut_into_pieces(messages: list[VrpnMessage], size: int) -> None:
     data = b"".join(encode_message(item, sequence) for sequence, item in enumerate(messages))
-    stream = MessageStream()
+    stream = VrpnStream()
     found = [item for at in range(0, len(data), size) for item in stream.feed(data[at : at + size])]
     assert found == messages
 
 
 @given(message)
-def test_every_message_fills_a_multiple_of_eight_bytes(whole: Message) -> None:
+def test_every_message_fills_a_multiple_of_eight_bytes(whole: VrpnMessage) -> None:
     assert len(encode_message(whole)) % 8 == 0
 
 
@@ -63,15 +67,17 @@ def test_a_pose_survives(whole: TrackerPose) -> None:
 
 @given(st.sampled_from([SENDER_DESCRIPTION, TYPE_DESCRIPTION]), st.integers(0, 1999), name)
 def test_a_description_names_a_number(kind: int, number: int, text: str) -> None:
-    names = Names()
-    assert names.learn(describe(kind, number, text))
-    assert names.sender(Message(5, number, 0, b"")) == (text if kind == SENDER_DESCRIPTION else "")
-    assert names.kind(Message(number, 5, 0, b"")) == (text if kind == TYPE_DESCRIPTION else "")
+    names = VrpnNames()
+    assert names.learn(description_message(kind, number, text))
+    assert names.sender(VrpnMessage(5, number, 0, b"")) == (
+        text if kind == SENDER_DESCRIPTION else ""
+    )
+    assert names.kind(VrpnMessage(number, 5, 0, b"")) == (text if kind == TYPE_DESCRIPTION else "")
 
 
 @given(st.lists(st.binary(max_size=200), max_size=5))
 def test_any_bytes_are_messages_or_a_wire_error(pieces: list[bytes]) -> None:
-    stream, names = MessageStream(), Names()
+    stream, names = VrpnStream(), VrpnNames()
     with suppress(WireError):
         for piece in pieces:
             for item in stream.feed(piece):
@@ -82,7 +88,7 @@ def test_any_bytes_are_messages_or_a_wire_error(pieces: list[bytes]) -> None:
 @given(i32, st.binary(max_size=120))
 def test_any_body_is_a_description_a_pose_or_a_wire_error(number: int, body: bytes) -> None:
     with suppress(WireError):
-        Names().learn(Message(SENDER_DESCRIPTION, number, 0, body))
+        VrpnNames().learn(VrpnMessage(SENDER_DESCRIPTION, number, 0, body))
     with suppress(WireError):
         decode_pose(body)
 
@@ -122,15 +128,15 @@ def test_a_callback_to_nowhere_is_refused(datagram: bytes) -> None:
 @pytest.mark.parametrize(
     ("header", "field"),
     [
-        (struct.pack(">IiiiiI", HEADER_SIZE - 1, 0, 0, 0, 0, 0), "length"),
+        (struct.pack(">IiiiiI", VRPN_HEADER_SIZE - 1, 0, 0, 0, 0, 0), "length"),
         (struct.pack(">IiiiiI", MAX_MESSAGE + 1, 0, 0, 0, 0, 0), "length"),
-        (struct.pack(">IiiiiI", HEADER_SIZE, -1, 0, 0, 0, 0), "time"),
-        (struct.pack(">IiiiiI", HEADER_SIZE, 0, 1_000_000, 0, 0, 0), "time"),
+        (struct.pack(">IiiiiI", VRPN_HEADER_SIZE, -1, 0, 0, 0, 0), "time"),
+        (struct.pack(">IiiiiI", VRPN_HEADER_SIZE, 0, 1_000_000, 0, 0, 0), "time"),
     ],
 )
 def test_a_bad_header_is_refused_by_the_name_of_its_field(header: bytes, field: str) -> None:
     with pytest.raises(WireError, match=f"VRPN {field}"):
-        MessageStream().feed(header)
+        VrpnStream().feed(header)
 
 
 def test_descriptions_that_cannot_be_are_refused() -> None:
@@ -140,17 +146,19 @@ def test_descriptions_that_cannot_be_are_refused() -> None:
         (0, b"abc"),
     ):
         with pytest.raises(WireError, match="VRPN description"):
-            Names().learn(Message(SENDER_DESCRIPTION, number, 0, body))
+            VrpnNames().learn(VrpnMessage(SENDER_DESCRIPTION, number, 0, body))
     with pytest.raises(WireError, match="VRPN description"):
-        Names().learn(Message(SENDER_DESCRIPTION, 1, 0, struct.pack(">I", 2**32 - 1) + b"a\0"))
+        VrpnNames().learn(
+            VrpnMessage(SENDER_DESCRIPTION, 1, 0, struct.pack(">I", 2**32 - 1) + b"a\0")
+        )
 
 
 def test_values_that_do_not_fit_are_refused() -> None:
     for make in (
-        lambda: encode_message(Message(2**31, 0, 0, b"")),
-        lambda: encode_message(Message(0, 0, 0, bytes(MAX_MESSAGE))),
+        lambda: encode_message(VrpnMessage(2**31, 0, 0, b"")),
+        lambda: encode_message(VrpnMessage(0, 0, 0, bytes(MAX_MESSAGE))),
         lambda: encode_pose(TrackerPose(2**31, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0))),
-        lambda: describe(SENDER_DESCRIPTION, 1, "x" * 100),
+        lambda: description_message(SENDER_DESCRIPTION, 1, "x" * 100),
     ):
         with pytest.raises(WireError):
             make()

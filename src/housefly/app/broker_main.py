@@ -16,25 +16,25 @@ from pathlib import Path
 
 from housefly.app.runtime import runtime_from_environment
 
-PLACES = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"))
+_SEARCH_PATH = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"))
 """Debian puts it where users who are not root do not look."""
-AGAIN = 60.0
+_RETRY_PAUSE = 60.0
 """Time until the launcher may try again without a broker installed [s]."""
-REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
+_REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
 
 
-def program() -> str | None:
+def _find_mosquitto() -> str | None:
     """Return the path of mosquitto, or None."""
-    return shutil.which("mosquitto", path=PLACES)
+    return shutil.which("mosquitto", path=_SEARCH_PATH)
 
 
 def main() -> int:
     """Become the broker."""
     site = runtime_from_environment().site()
-    found = program()
+    found = _find_mosquitto()
     if found is None:
-        print(REMEDY, file=sys.stderr, flush=True)
-        time.sleep(AGAIN)
+        print(_REMEDY, file=sys.stderr, flush=True)
+        time.sleep(_RETRY_PAUSE)
         return 1
     folder = Path(tempfile.mkdtemp(prefix="housefly-broker-"))
     settings = folder / "mosquitto.conf"

@@ -11,14 +11,14 @@ import threading
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, HTTPServer
 
-BROWSERS = (
+_BROWSERS = (
     "chromium",
     "chromium-browser",
     "google-chrome",
     "google-chrome-stable",
     "microsoft-edge",
 )
-FLAGS = (
+_FLAGS = (
     "--headless",
     "--disable-gpu",
     "--no-sandbox",
@@ -26,13 +26,14 @@ FLAGS = (
     "--disable-background-networking",
     "--dump-dom",
 )
-TIMEOUT_S = 20.0
-PAGE = b"""<!doctype html><title>?</title><p id=answer>unknown</p><script>
+_TIMEOUT = 20.0
+_PAGE = b"""<!doctype html><title>?</title><p id=answer>unknown</p><script>
 const tell = (word) => { document.getElementById("answer").textContent = word };
 if (typeof VideoDecoder === "undefined") tell("no-webcodecs");
-else VideoDecoder.isConfigSupported({codec: "avc1.42e01e"}).then((r) => tell(r.supported ? "h264" : "no-h264"));
+else VideoDecoder.isConfigSupported({codec: "avc1.42e01e"})
+  .then((r) => tell(r.supported ? "h264" : "no-h264"));
 </script>"""
-WORDS = {
+_WORDS = {
     "h264": "shows H.264 through WebCodecs",
     "no-h264": "knows WebCodecs but not H.264: the console falls back to single pictures",
     "no-webcodecs": "knows no WebCodecs: the console falls back to single pictures",
@@ -52,7 +53,7 @@ class _Page(BaseHTTPRequestHandler):
         self.send_response(200)
         self.send_header("Content-Type", "text/html")
         self.end_headers()
-        self.wfile.write(PAGE)
+        self.wfile.write(_PAGE)
 
     def log_message(self, format: str, *arguments: object) -> None:
         """Say nothing."""
@@ -60,18 +61,18 @@ class _Page(BaseHTTPRequestHandler):
 
 def video_of_the_browser() -> BrowserVideo:
     """Start the first known browser without a window and ask it."""
-    name = next((name for name in BROWSERS if shutil.which(name)), "")
+    name = next((name for name in _BROWSERS if shutil.which(name)), "")
     if not name:
         return BrowserVideo(
-            False, f"none of {', '.join(BROWSERS)} is installed; another one may do"
+            False, f"none of {', '.join(_BROWSERS)} is installed; another one may do"
         )
     with HTTPServer(("127.0.0.1", 0), _Page) as server, tempfile.TemporaryDirectory() as profile:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         page = f"http://127.0.0.1:{server.server_port}/"
-        command = [name, *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=3000", page]
+        command = [name, *_FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=3000", page]
         try:
             shown = subprocess.run(
-                command, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+                command, capture_output=True, text=True, timeout=_TIMEOUT, check=False
             ).stdout
         except (OSError, subprocess.TimeoutExpired):
             return BrowserVideo(False, f"{name} did not answer")
@@ -80,4 +81,4 @@ def video_of_the_browser() -> BrowserVideo:
     answer = next(
         (word for word in ("no-webcodecs", "no-h264", "h264") if f">{word}<" in shown), ""
     )
-    return BrowserVideo(answer == "h264", f"{name} {WORDS.get(answer, 'did not say')}")
+    return BrowserVideo(answer == "h264", f"{name} {_WORDS.get(answer, 'did not say')}")

@@ -3,33 +3,31 @@
 from __future__ import annotations
 
 import time
-from types import TracebackType
 from typing import Self
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+
+from housefly.app.terminal import ProgressDisplay
 
 
-class CampaignProgress:
+class CampaignProgress(ProgressDisplay):
     """A bar with drones done, drone-seconds a second, and the time left."""
 
-    def __init__(self, drones: int, there: int, duration: float, console: Console) -> None:
+    def __init__(self, drones: int, there: int, duration: float) -> None:
         """Prepare the bar.
 
         Args:
             drones: in the whole campaign.
             there: of them, left by an earlier run.
             duration: of one flight [s].
-            console: where to draw.
         """
-        columns = (
+        super().__init__(
             TextColumn("drones"),
             BarColumn(30),
             MofNCompleteColumn(),
             TextColumn("{task.fields[speed]}"),
             TimeRemainingColumn(),
         )
-        self._progress = Progress(*columns, console=console, transient=not console.is_terminal)
         self._task = self._progress.add_task("", total=drones, completed=there, speed="")
         self._duration = duration
         self._began = time.monotonic()
@@ -37,18 +35,9 @@ class CampaignProgress:
 
     def __enter__(self) -> Self:
         self._began = time.monotonic()
-        self._progress.start()
-        return self
+        return super().__enter__()
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self._progress.stop()
-
-    def landed(self, drones: int) -> None:
+    def advance(self, drones: int) -> None:
         """Show that some more have landed."""
         self._flown += drones
         speed = self._flown * self._duration / max(time.monotonic() - self._began, 1e-3)

@@ -9,21 +9,21 @@ from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 
-from housefly.app.premises import open_premises, read_site
+from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site
 from housefly.numeric import CACHE
 
-Say = Callable[[str], object]
+_Say = Callable[[str], object]
 
 
-class Part(Enum):
+class CompiledPart(Enum):
     """What is compiled together."""
 
     CHAIN = "the control loop"
     ENGINE = "the campaign engine"
 
 
-def compile_once(part: Part, say: Say) -> None:
+def compile_once(part: CompiledPart, say: _Say) -> None:
     """Compile a part and say so, unless that was done since the sources changed."""
     mark = (
         Path(os.environ.get("NUMBA_CACHE_DIR") or CACHE) / f"{CACHE.name}-{part.name.lower()}.done"
@@ -40,19 +40,22 @@ def compile_once(part: Part, say: Say) -> None:
 
 
 def _chain() -> None:
-    from housefly.pilot.pilot import warm_up
+    from housefly.pilot.assembly import warm_up
 
     for mode in ("default", "paper"):
-        premises = open_premises(read_site("bsen", mode=mode))
-        warm_up(premises.site, premises.room, premises.grid)
+        loaded = open_site(read_site("bsen", mode=mode))
+        warm_up(loaded.site, loaded.room, loaded.grid)
 
 
 def _engine() -> None:
     from housefly.lab.experiments.cases import cases
     from housefly.lab.experiments.engine import fly_many
-    from housefly.lab.experiments.mission import Mission, Task
+    from housefly.lab.experiments.flight_plan import FlightPlan, Task
 
-    fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 1.0), threads=1)
+    fly_many(cases(Site()), FlightPlan(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 1.0), threads=1)
 
 
-_COMPILE: dict[Part, Callable[[], None]] = {Part.CHAIN: _chain, Part.ENGINE: _engine}
+_COMPILE: dict[CompiledPart, Callable[[], None]] = {
+    CompiledPart.CHAIN: _chain,
+    CompiledPart.ENGINE: _engine,
+}

@@ -10,10 +10,15 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from housefly.lab.reproduction.fig17_service import Picture
+from housefly.lab.reproduction.fig17_service import RgbImage
 
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
-SIZE = {"width": 1280, "height": 720}
+_BROWSER_FLAGS = [
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--no-first-run",
+]
+_VIEWPORT = {"width": 1280, "height": 720}
 
 
 class ConsoleCamera:
@@ -27,7 +32,7 @@ class ConsoleCamera:
     def __init__(self, address: str) -> None:
         self._address = address
         self._wanted: list[str] = []
-        self._taken: dict[str, Picture] = {}
+        self._taken: dict[str, RgbImage] = {}
         self._wake, self._ending = threading.Condition(), False
         self._thread = threading.Thread(target=self._work, name="console camera", daemon=True)
         self.available = shutil.which("chromium") is not None and _playwright() is not None
@@ -50,7 +55,7 @@ class ConsoleCamera:
             self._wanted.append(title)
             self._wake.notify()
 
-    def pictures(self) -> dict[str, Picture]:
+    def pictures(self) -> dict[str, RgbImage]:
         """Return what was photographed, by title."""
         with self._wake:
             return dict(self._taken)
@@ -59,8 +64,10 @@ class ConsoleCamera:
         playwright = _playwright()
         assert playwright is not None
         with playwright.sync_playwright() as play:
-            browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-            page: Any = browser.new_page(viewport=SIZE, color_scheme="light")
+            browser = play.chromium.launch(
+                executable_path=shutil.which("chromium"), args=_BROWSER_FLAGS
+            )
+            page: Any = browser.new_page(viewport=_VIEWPORT, color_scheme="light")
             opened = False
             while True:
                 with self._wake:
@@ -90,5 +97,5 @@ def _playwright() -> Any | None:
     return sync_api
 
 
-def _decoded(png: bytes) -> Picture:
+def _decoded(png: bytes) -> RgbImage:
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))

@@ -10,14 +10,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
-from housefly.app.ports import needs_of
+from housefly.app.ports import port_needs
 from housefly.config.site import Site
 
-PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
+_RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class MachineCheck:
     """One check: what was looked at, whether it is well, what was found, and the line that mends
     it.
     """
@@ -29,22 +29,24 @@ class Finding:
     optional: bool = False
 
 
-def examine(site: Site) -> tuple[Finding, ...]:
+def check_machine(site: Site) -> tuple[MachineCheck, ...]:
     """Check this machine for a site."""
-    checks: tuple[Callable[[Site], Finding], ...] = (
+    checks: tuple[Callable[[Site], MachineCheck], ...] = (
         _python, _physics, _renderer, _encoder, _browser, _cores, _hardware, _priority,
     )  # fmt: skip
     return (*(check(site) for check in checks), *_ports(site))
 
 
-def _python(_: Site) -> Finding:
+def _python(_: Site) -> MachineCheck:
     version = ".".join(str(part) for part in sys.version_info[:3])
-    return Finding("Python", sys.version_info >= (3, 11), version, "apt-get install python3.11")
+    return MachineCheck(
+        "Python", sys.version_info >= (3, 11), version, "apt-get install python3.11"
+    )
 
 
-def _physics(_: Site) -> Finding:
+def _physics(_: Site) -> MachineCheck:
     there = importlib.util.find_spec("mujoco") is not None
-    return Finding(
+    return MachineCheck(
         "simulated room (MuJoCo)",
         there,
         "installed" if there else "missing",
@@ -52,7 +54,7 @@ def _physics(_: Site) -> Finding:
     )
 
 
-def _renderer(_: Site) -> Finding:
+def _renderer(_: Site) -> MachineCheck:
     working = [backend for backend in ("egl", "osmesa") if _renders(backend)]
     found = (
         f"works with {', '.join(working)}"
@@ -60,22 +62,28 @@ def _renderer(_: Site) -> Finding:
         else "none: the drone's camera shows a plain card"
     )
     remedy = "apt-get install -y --no-install-recommends libosmesa6"
-    return Finding("renderer for the simulated camera", bool(working), found, remedy, optional=True)
+    return MachineCheck(
+        "renderer for the simulated camera", bool(working), found, remedy, optional=True
+    )
 
 
 def _renders(backend: str) -> bool:
     environment = {**os.environ, "MUJOCO_GL": backend}
     done = subprocess.run(
-        [sys.executable, "-c", PROBE], env=environment, capture_output=True, timeout=60, check=False
+        [sys.executable, "-c", _RENDER_PROBE],
+        env=environment,
+        capture_output=True,
+        timeout=60,
+        check=False,
     )
     return done.returncode == 0
 
 
-def _encoder(_: Site) -> Finding:
+def _encoder(_: Site) -> MachineCheck:
     import av
 
     there = "libx264" in av.codecs_available
-    return Finding(
+    return MachineCheck(
         "H.264 encoder",
         there,
         "libx264" if there else "missing",
@@ -84,17 +92,19 @@ def _encoder(_: Site) -> Finding:
     )
 
 
-def _browser(_: Site) -> Finding:
+def _browser(_: Site) -> MachineCheck:
     found = video_of_the_browser()
     remedy = "apt-get install -y chromium (the console works without video in any browser)"
-    return Finding("browser that shows the video", found.shows, found.words, remedy, optional=True)
+    return MachineCheck(
+        "browser that shows the video", found.shows, found.words, remedy, optional=True
+    )
 
 
-def _cores(_: Site) -> Finding:
+def _cores(_: Site) -> MachineCheck:
     cores = (
         len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     )
-    return Finding(
+    return MachineCheck(
         "processor cores",
         cores >= 2,
         str(cores),
@@ -102,9 +112,9 @@ def _cores(_: Site) -> Finding:
     )
 
 
-def _ports(site: Site) -> tuple[Finding, ...]:
+def _ports(site: Site) -> tuple[MachineCheck, ...]:
     return tuple(
-        Finding(
+        MachineCheck(
             f"ports of the {need.name}",
             not need.taken,
             (
@@ -114,30 +124,30 @@ def _ports(site: Site) -> tuple[Finding, ...]:
             ),
             f"end the program that uses it, or change {need.remedy}",
         )
-        for need in needs_of(site, web=True)
+        for need in port_needs(site, web=True)
     )
 
 
-def _hardware(site: Site) -> Finding:
+def _hardware(site: Site) -> MachineCheck:
     if site.twin.enabled:
-        return Finding("drone and tracking", True, "simulated")
+        return MachineCheck("drone and tracking", True, "simulated")
     wire = site.tracking.wire
     tracking = (
         f"{site.tracking.address}:{site.tracking.port_of(wire)}" if wire else site.tracking.address
     )
-    return Finding(
+    return MachineCheck(
         "drone and tracking", True, f"real, expected at {site.drone.address} and {tracking}"
     )
 
 
-def _priority(_: Site) -> Finding:
+def _priority(_: Site) -> MachineCheck:
     well = os.geteuid() == 0
     found = (
         "the pilot may take a higher priority"
         if well
         else "the pilot runs at normal priority, the others below it"
     )
-    return Finding(
+    return MachineCheck(
         "privileges",
         well,
         found,

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.console import Console
-
+from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
+from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.ports import refuse_taken_ports
-from housefly.app.premises import Premises
-from housefly.app.progress import FlightProgress
 from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.terminal import console
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
 
-FIGURES = (
+_SUMMARY_FIGURES = (
     ("duration_s", "duration", "s", 1),
     ("path_length_m", "path", "m", 2),
     ("rms_error_m", "rms error", "m", 3),
@@ -29,49 +28,48 @@ FIGURES = (
 
 
 def fly_service(
-    premises: Premises,
+    loaded: LoadedSite,
     place: str,
     look_s: float,
     out: Path,
-    console: Console,
     *,
     lockstep: bool,
     web: bool,
 ) -> str:
     """Fly to a place, look, come home, land; write the record into ``out``; return the outcome."""
     if not lockstep:
-        refuse_taken_ports(premises.site, web=web)
-    recorder = FlightRecorder(out, premises.site, premises.room, premises.grid)
+        refuse_taken_ports(loaded.site, web=web)
+    recorder = FlightRecorder(out, loaded.site, loaded.room, loaded.grid)
     order = Order(OrderKind.SERVICE, place=place, look_s=look_s, sender="command line")
     outcome = "failed"
     try:
-        with FlightProgress(console) as progress:
+        with FlightProgress() as progress:
 
             def on_step(step: PilotStep) -> None:
                 recorder.step(step)
-                progress.step(step)
+                progress.show(step)
 
             if lockstep:
-                outcome = fly_lockstep(premises, order, on_step)
+                outcome = fly_lockstep(loaded, order, on_step)
             else:
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)
-                runtime = new_runtime(premises.site, logs)
+                runtime = new_runtime(loaded.site, logs)
                 if web:
                     console.print(f"console: {_address(runtime)}", soft_wrap=True)
                 outcome = fly_over_wires(
                     runtime,
                     logs,
-                    premises.room.home,
+                    loaded.room.home,
                     order,
                     recorder,
-                    progress.step,
+                    progress.show,
                     progress.say,
                     web=web,
                 )
     finally:
         summary = recorder.finish(outcome)
-    _tell(summary, out, console)
+    _print_summary(summary, out)
     return outcome
 
 
@@ -80,9 +78,9 @@ def _address(runtime: Runtime) -> str:
     return f"http://{web.host}:{web.port}/?token={runtime.token}"
 
 
-def _tell(summary: Summary, out: Path, console: Console) -> None:
+def _print_summary(summary: Summary, out: Path) -> None:
     console.print(f"[bold]{summary.outcome}[/bold]")
-    for key, words, unit, decimals in FIGURES:
+    for key, words, unit, decimals in _SUMMARY_FIGURES:
         value = getattr(summary, key)
         console.print(
             f"  {words:<22}"

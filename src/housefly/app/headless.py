@@ -9,12 +9,12 @@ from collections.abc import Callable
 from math import inf
 from pathlib import Path
 
-from housefly.app.launcher import Launcher, parts_of
+from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
-from housefly.app.service_watch import ServiceWatch
+from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK, ORDER, STEP, VIDEO
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.errors import LinkError
@@ -22,14 +22,14 @@ from housefly.geometry import Vec2
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
-START_TIMEOUT = 60.0
+_START_TIMEOUT = 60.0
 """How long pilot, twin and drone may take until everything answers [s]."""
-SETTLE = 5.0
+_STEADY_TIMEOUT = 5.0
 """How long the order waits at most for tracking to be steady [s]."""
-STEADY, GAP = 1.0, 0.4
+STEADY_TIME, LONGEST_GAP = 1.0, 0.4
 """Steady means that tracking saw the drone for so long, never silent for longer than the gap [s].
 """
-INTERRUPTED = "interrupted"
+_INTERRUPTED = "interrupted"
 
 
 def fly_over_wires(
@@ -53,15 +53,15 @@ def fly_over_wires(
     """
     site = runtime.site()
     with (
-        Launcher(runtime, folder, parts_of(runtime, web=web)),
+        Launcher(runtime, folder, processes_of(runtime, web=web)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
         missing = Readiness(
             site, bus, web=web, video=site.drone.has_video and site.twin.video
-        ).wait(START_TIMEOUT, say)
+        ).wait(_START_TIMEOUT, say)
         if missing:
             raise LinkError(
-                f"not ready after {START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
+                f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
         return _serve(bus, site.tracking.body, home, order, recorder, on_step, give_up_after)
 
@@ -78,12 +78,12 @@ class Steadiness:
         self._body = body
         self._since = self._last = -inf
 
-    def after(self, step: PilotStep) -> bool:
+    def update(self, step: PilotStep) -> bool:
         """Return whether it was seen for ``STEADY`` up to this step."""
         if any(sighting.body == self._body for sighting in step.inputs.sightings):
-            self._since = step.now if step.now - self._last > GAP else self._since
+            self._since = step.now if step.now - self._last > LONGEST_GAP else self._since
             self._last = step.now
-        return step.now - self._last <= GAP and self._last - self._since >= STEADY
+        return step.now - self._last <= LONGEST_GAP and self._last - self._since >= STEADY_TIME
 
 
 def _serve(
@@ -96,29 +96,29 @@ def _serve(
     give_up_after: float,
 ) -> str:
     clock, seen, done = RealClock(), threading.Event(), threading.Event()
-    watch, steadiness = ServiceWatch(clock.now(), home, give_up_after), Steadiness(body)
+    monitor, steadiness = ServiceMonitor(clock.now(), home, give_up_after), Steadiness(body)
 
-    def heard(step: PilotStep) -> None:
-        nonlocal watch
+    def on_pilot_step(step: PilotStep) -> None:
+        nonlocal monitor
         recorder.step(step)
         on_step(step)
-        if steadiness.after(step):
+        if steadiness.update(step):
             seen.set()
-        watch = watch.after(step)
-        if watch.outcome:
+        monitor = monitor.updated(step)
+        if monitor.outcome:
             done.set()
 
     open_ = [
-        bus.subscribe(STEP, heard),
-        bus.subscribe(VIDEO, recorder.video),
-        bus.subscribe(LINK, recorder.link),
+        bus.subscribe(STEP_TOPIC, on_pilot_step),
+        bus.subscribe(VIDEO_TOPIC, recorder.video),
+        bus.subscribe(LINK_TOPIC, recorder.link),
     ]
     try:
         # The recording must hold what the pilot knows when it decides, or no replay could decide
         # the same.
-        seen.wait(SETTLE)
+        seen.wait(_STEADY_TIMEOUT)
         bus.publish(
-            ORDER,
+            ORDER_TOPIC,
             Order(
                 order.kind,
                 order.place,
@@ -131,13 +131,13 @@ def _serve(
         )
         try:
             while not done.wait(0.2):
-                if clock.now() > watch.started_at + give_up_after + 5.0:
+                if clock.now() > monitor.started_at + give_up_after + 5.0:
                     return f"no word from the pilot for {give_up_after:.0f} s"
         except KeyboardInterrupt:
-            bus.publish(ORDER, Order(OrderKind.LAND, issued_at=clock.now(), sender="Ctrl-C"))
+            bus.publish(ORDER_TOPIC, Order(OrderKind.LAND, issued_at=clock.now(), sender="Ctrl-C"))
             done.wait(30.0)
-            return INTERRUPTED
-        return watch.outcome
+            return _INTERRUPTED
+        return monitor.outcome
     finally:
         for subscription in open_:
             subscription.close()

@@ -6,7 +6,7 @@ twin    the simulated drone and cameras, urgent too: real ones have processors o
     with real hardware
 hub     the room's memory
 broker  an MQTT broker of the run's own; absent where devices have theirs
-looker  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
+perception  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
 web     the console
 """
 
@@ -24,15 +24,15 @@ from typing import IO, Self
 
 from housefly.app.runtime import Runtime
 
-PATIENCE = 30.0
+_PILOT_EXIT_TIMEOUT = 30.0
 """How long the pilot may take to land and leave [s]."""
-RESTART_PAUSE = 0.5
+_RESTART_PAUSE = 0.5
 """Pause before a dead process is started again [s]."""
-POLL_PERIOD = 0.1
+_POLL_PERIOD = 0.1
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class ProcessSpec:
     """One process: its name, the module it runs with its arguments, and how much it yields to
     others.
 
@@ -46,33 +46,37 @@ class Part:
     niceness: int = 0
 
 
-def parts_of(runtime: Runtime, *, web: bool = True) -> tuple[Part, ...]:
+def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ...]:
     """Return the processes that a site needs."""
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
-    parts = [Part("pilot", "housefly.app.pilot_main")]
+    parts = [ProcessSpec("pilot", "housefly.app.pilot_main")]
     if site.mqtt.broker and site.mqtt.start:
-        parts.append(Part("broker", "housefly.app.broker_main", niceness=5))
+        parts.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
         twin_arguments = (
             (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
         )
-        parts.append(Part("twin", "housefly.twin.process", twin_arguments, niceness=-5))
+        parts.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         asked_at = ("--bus", runtime.bus, "--port", str(runtime.room_port))
-        parts.append(Part("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5))
+        parts.append(
+            ProcessSpec("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5)
+        )
     if site.lasers or site.depth_cameras:
-        parts.append(Part("looker", "housefly.app.looker_main", niceness=2))
+        parts.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
     if web:
         parts.append(
-            Part("web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5)
+            ProcessSpec(
+                "web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5
+            )
         )
     return tuple(parts)
 
 
 @dataclass(slots=True)
 class _Running:
-    part: Part
+    part: ProcessSpec
     process: subprocess.Popen[bytes]
     log: IO[bytes]
     restarts: int = 0
@@ -90,7 +94,7 @@ class Launcher:
 
     runtime: Runtime
     folder: Path
-    parts: tuple[Part, ...]
+    parts: tuple[ProcessSpec, ...]
     _running: dict[str, _Running] = field(default_factory=dict)
     _leaving: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
@@ -127,7 +131,7 @@ class Launcher:
         if self._supervisor is not None:
             self._supervisor.join()
         for name in sorted(self._running, key=lambda name: name != "pilot"):
-            _end(self._running[name].process, PATIENCE if name == "pilot" else 3.0)
+            _end(self._running[name].process, _PILOT_EXIT_TIMEOUT if name == "pilot" else 3.0)
         for running in self._running.values():
             running.log.close()
         self._running.clear()
@@ -139,7 +143,7 @@ class Launcher:
             running.process.kill()
             running.process.wait()
 
-    def _start(self, part: Part) -> _Running:
+    def _start(self, part: ProcessSpec) -> _Running:
         log = (self.folder / f"{part.name}.log").open("ab")
         command = [
             sys.executable,
@@ -163,11 +167,11 @@ class Launcher:
         return _Running(part, process, log)
 
     def _supervise(self) -> None:
-        while not self._leaving.wait(POLL_PERIOD):
+        while not self._leaving.wait(_POLL_PERIOD):
             for name, running in list(self._running.items()):
                 if running.process.poll() is None:
                     continue
-                if self._leaving.wait(RESTART_PAUSE):
+                if self._leaving.wait(_RESTART_PAUSE):
                     return
                 running.log.close()
                 fresh = self._start(running.part)

@@ -8,15 +8,15 @@ import os
 import signal
 from contextlib import suppress
 
+from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.pilot_shell import PilotShell
-from housefly.app.premises import Premises, open_premises
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
-from housefly.pilot.pilot import warm_up
+from housefly.pilot.assembly import warm_up
 
 URGENCY = -10
 """Nice value that the pilot takes where the system lets it."""
@@ -25,21 +25,21 @@ URGENCY = -10
 def main() -> None:
     """Run the pilot until it is told to leave."""
     runtime = runtime_from_environment()
-    premises = open_premises(runtime.site())
-    warm_up(premises.site, premises.room, premises.grid)
+    loaded = open_site(runtime.site())
+    warm_up(loaded.site, loaded.room, loaded.grid)
     with suppress(PermissionError):
         os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
     gc.collect()
     gc.freeze()
     with suppress(KeyboardInterrupt):
-        asyncio.run(_run(runtime, premises))
+        asyncio.run(_run(runtime, loaded))
 
 
-async def _run(runtime: Runtime, premises: Premises) -> None:
-    site, clock = premises.site, RealClock()
+async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
+    site, clock = loaded.site, RealClock()
     with ZenohBus(listen=runtime.bus) as bus:
         drone = ArDrone(site.drone, site.limits, clock)
-        shell = PilotShell(premises, bus, tracker_of(site.tracking, clock), drone)
+        shell = PilotShell(loaded, bus, tracker_of(site.tracking, clock), drone)
         stop = StopListener("127.0.0.1", runtime.stop_port, runtime.secret, shell.stop)
         await stop.start()
         loop = asyncio.get_running_loop()

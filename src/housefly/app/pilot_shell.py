@@ -15,12 +15,19 @@ import asyncio
 import contextlib
 from typing import TYPE_CHECKING
 
+from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Lateness
-from housefly.app.obstacle_intake import ObstacleIntake
-from housefly.app.premises import Premises
-from housefly.app.questions import Questions
+from housefly.app.obstacle_inbox import ObstacleInbox
+from housefly.app.pilot_queries import PilotQueryServer
 from housefly.bus.bus import Bus
-from housefly.bus.topics import FRAME, LINK, OBSTACLE, ORDER, STEP, VIDEO
+from housefly.bus.topics import (
+    FRAME_TOPIC,
+    LINK_TOPIC,
+    OBSTACLE_TOPIC,
+    ORDER_TOPIC,
+    STEP_TOPIC,
+    VIDEO_TOPIC,
+)
 from housefly.clock import Rate, RealClock
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError
@@ -37,17 +44,17 @@ from housefly.messages import (
     TrackedFrame,
     VideoFrame,
 )
+from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.maneuver import Maneuver
-from housefly.pilot.pilot import Pilot
 from housefly.room.grid import extent_of
 from housefly.tracking.contracts import Tracker
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-LINK_PERIOD = 0.5
+_LINK_PERIOD = 0.5
 """How often the health of the wires is published [s]."""
-LANDING_PATIENCE = 25.0
+_LANDING_TIMEOUT = 25.0
 """How long an ordered shutdown waits for the drone to land [s]."""
 
 
@@ -56,21 +63,21 @@ class PilotShell:
 
     def __init__(
         self,
-        premises: Premises,
+        loaded: LoadedSite,
         bus: Bus,
         tracker: Tracker,
         drone: Drone,
         maneuver: Maneuver | None = None,
     ) -> None:
-        self._questions = Questions(premises, bus)
-        self.pilot = Pilot(premises.site, premises.room, premises.grid, maneuver)
-        self._body = premises.site.tracking.body
-        self._rate_hz = premises.site.control.rate_hz
+        self._queries = PilotQueryServer(loaded, bus)
+        self.pilot = make_pilot(loaded.site, loaded.room, loaded.grid, maneuver)
+        self._body = loaded.site.tracking.body
+        self._rate_hz = loaded.site.control.rate_hz
         self._bus, self._tracker, self._drone = bus, tracker, drone
         self._clock = RealClock()
         self._sightings: list[Sighting] = []
         self._orders: list[Order] = []
-        self._obstacles = ObstacleIntake(extent_of(premises.grid), self._clock)
+        self._obstacles = ObstacleInbox(extent_of(loaded.grid), self._clock)
         self._sequence = 0
         self._tracking, self._video = Frequency(), Frequency()
         self._lateness = Lateness(int(10 * self._rate_hz))
@@ -82,10 +89,10 @@ class PilotShell:
         """Fly until ``leave`` is called and the drone is down."""
         loop = asyncio.get_running_loop()
         orders = self._bus.subscribe(
-            ORDER, lambda order: _soon(loop, lambda: self._orders.append(order))
+            ORDER_TOPIC, lambda order: _soon(loop, lambda: self._orders.append(order))
         )
         obstacles = self._bus.subscribe(
-            OBSTACLE, lambda seen: _soon(loop, lambda: self._obstacles.hear(seen))
+            OBSTACLE_TOPIC, lambda seen: _soon(loop, lambda: self._obstacles.add(seen))
         )
         self._drone.on_video(self._on_video)
         tasks = [
@@ -98,7 +105,7 @@ class PilotShell:
         finally:
             orders.close()
             obstacles.close()
-            self._questions.close()
+            self._queries.close()
             for task in tasks:
                 task.cancel()
             await asyncio.gather(*tasks, return_exceptions=True)
@@ -127,7 +134,7 @@ class PilotShell:
             self._step()
             if self._leaving:
                 now = self._clock.now()
-                give_up_at = give_up_at or now + LANDING_PATIENCE
+                give_up_at = give_up_at or now + _LANDING_TIMEOUT
                 if not self._airborne() or now > give_up_at:
                     return
 
@@ -137,7 +144,7 @@ class PilotShell:
             tuple(self._sightings),
             self._drone.telemetry,
             tuple(self._orders),
-            self._obstacles.take(),
+            self._obstacles.drain(),
         )
         self._sightings.clear()
         self._orders.clear()
@@ -145,8 +152,8 @@ class PilotShell:
         self._drone.send(outputs.command)
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
-        self._questions.heard(step)
-        self._bus.publish(STEP, step)
+        self._queries.update(step)
+        self._bus.publish(STEP_TOPIC, step)
 
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
@@ -161,11 +168,11 @@ class PilotShell:
         for sighting in sightings:
             if sighting.body == self._body:
                 self._tracking.add(sighting.received_at)
-        self._bus.publish(FRAME, TrackedFrame(sightings))
+        self._bus.publish(FRAME_TOPIC, TrackedFrame(sightings))
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._video.add(frame.received_at)
-        self._bus.publish(VIDEO, frame)
+        self._bus.publish(VIDEO_TOPIC, frame)
 
     async def _connect_drone(self) -> None:
         while True:
@@ -180,8 +187,8 @@ class PilotShell:
 
     async def _report_links(self) -> None:
         while True:
-            await asyncio.sleep(LINK_PERIOD)
-            self._bus.publish(LINK, self._link_status())
+            await asyncio.sleep(_LINK_PERIOD)
+            self._bus.publish(LINK_TOPIC, self._link_status())
 
     def _link_status(self) -> LinkStatus:
         now = self._clock.now()

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from housefly.config.site import MocapWire, Site
 from housefly.errors import LinkError
 
-DRONE_PORTS = (
+_DRONE_PORTS = (
     (5554, socket.SOCK_DGRAM, "UDP"),
     (5556, socket.SOCK_DGRAM, "UDP"),
     (5555, socket.SOCK_STREAM, "TCP"),
     (5559, socket.SOCK_STREAM, "TCP"),
 )
 _TCP, _UDP = (socket.SOCK_STREAM, "TCP"), (socket.SOCK_DGRAM, "UDP")
-TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], ...]]] = {
+_TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], ...]]] = {
     "vicon": ("port", (_TCP,)),
     "natnet": ("natnet_port", (_UDP,)),
     "vrpn": ("vrpn_port", (_TCP, _UDP)),
@@ -24,7 +24,7 @@ TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str], 
 
 
 @dataclass(frozen=True, slots=True)
-class Need:
+class PortNeed:
     """Ports that one part of a run listens on.
 
     Attributes:
@@ -40,16 +40,16 @@ class Need:
     remedy: str
 
 
-def needs_of(site: Site, *, web: bool) -> tuple[Need, ...]:
+def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Look at the ports that a site needs on this machine."""
     needs = []
     if site.twin.enabled:
         address = site.drone.address
         taken = tuple(
-            f"{word} {port}" for port, kind, word in DRONE_PORTS if not _free(address, port, kind)
+            f"{word} {port}" for port, kind, word in _DRONE_PORTS if not _free(address, port, kind)
         )
         needs.append(
-            Need("simulated drone", address, taken, "drone.address, for example 127.0.0.2")
+            PortNeed("simulated drone", address, taken, "drone.address, for example 127.0.0.2")
         )
         needs += [_tracking_need(site, wire) for wire in site.served_wires]
         needs += [
@@ -65,7 +65,7 @@ def refuse_taken_ports(site: Site, *, web: bool) -> None:
     """Raise LinkError when a port that the site needs is taken: better now than a drone of somebody
     else's in the picture.
     """
-    for need in needs_of(site, web=web):
+    for need in port_needs(site, web=web):
         if need.taken:
             raise LinkError(
                 f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another"
@@ -73,15 +73,15 @@ def refuse_taken_ports(site: Site, *, web: bool) -> None:
             )
 
 
-def _tracking_need(site: Site, wire: MocapWire) -> Need:
+def _tracking_need(site: Site, wire: MocapWire) -> PortNeed:
     address, port = site.tracking.address, site.tracking.port_of(wire)
-    key, kinds = TRACKING_PORTS[wire]
+    key, kinds = _TRACKING_PORTS[wire]
     taken = tuple(f"{word} {port}" for kind, word in kinds if not _free(address, port, kind))
-    return Need("simulated tracking system", address, taken, f"tracking.{key}")
+    return PortNeed("simulated tracking system", address, taken, f"tracking.{key}")
 
 
-def _tcp(name: str, address: str, port: int, remedy: str) -> Need:
-    return Need(
+def _tcp(name: str, address: str, port: int, remedy: str) -> PortNeed:
+    return PortNeed(
         name, address, () if _free(address, port, socket.SOCK_STREAM) else (f"TCP {port}",), remedy
     )
 

@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK, STEP, VIDEO
+from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.config.site import Site
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 
@@ -29,9 +29,9 @@ class Readiness:
         ]
         self._notes: tuple[str, ...] = ()
         self._open = [
-            bus.subscribe(STEP, self._on_step),
-            bus.subscribe(LINK, self._on_link),
-            bus.subscribe(VIDEO, self._on_video),
+            bus.subscribe(STEP_TOPIC, self._on_step),
+            bus.subscribe(LINK_TOPIC, self._on_link),
+            bus.subscribe(VIDEO_TOPIC, self._on_video),
         ]
 
     def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:

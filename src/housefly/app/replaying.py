@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from housefly.app.premises import Premises
+from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site, load_site
 from housefly.errors import RecordingError
-from housefly.pilot.pilot import Pilot
-from housefly.record.replay import Verdict, verify
+from housefly.pilot.assembly import make_pilot
+from housefly.record.replay import ReplayResult, verify
 
 
 def recorded_site(recording: Path) -> Site:
@@ -21,6 +21,6 @@ def recorded_site(recording: Path) -> Site:
     return load_site(path)
 
 
-def verify_recording(recording: Path, premises: Premises) -> Verdict:
+def verify_recording(recording: Path, loaded: LoadedSite) -> ReplayResult:
     """Replay a recording and compare each command bit for bit."""
-    return verify(recording, lambda: Pilot(premises.site, premises.room, premises.grid))
+    return verify(recording, lambda: make_pilot(loaded.site, loaded.room, loaded.grid))

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from housefly.config.site import Site, changed, load_site
 from housefly.errors import ConfigError
-from housefly.hub.asking.discovery import ROOM_KEY, MeetingPlace
-from housefly.web.security import api_key
+from housefly.hub.client.discovery import ROOM_KEY, RoomAddress
+from housefly.web.session_auth import api_key
 
 SITE, BUS, STOP_PORT, SECRET, TOKEN = (
     "HOUSEFLY_SITE",
@@ -67,13 +67,13 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
     gets a free one too.
     """
     if site.web.port == 0:
-        site = changed(site, web__port=free_port(socket.SOCK_STREAM))
+        site = changed(site, web__port=_free_port(socket.SOCK_STREAM))
     if site.mqtt.start and site.mqtt.port == 0:
-        site = changed(site, mqtt__port=free_port(socket.SOCK_STREAM))
+        site = changed(site, mqtt__port=_free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
     bus_port, room_port, stop_port = (
-        free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM)
+        _free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM)
     )
     bus, secret, token = (
         f"tcp/127.0.0.1:{bus_port}",
@@ -83,12 +83,12 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
     return Runtime(site_file, bus, stop_port, secret, token, room_port)
 
 
-def meeting_place(runtime: Runtime) -> MeetingPlace:
+def discovery_entry(runtime: Runtime) -> RoomAddress:
     """Return what other programs of this user need to ask the room of a run."""
     site = runtime.site()
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
     port = runtime.room_port if site.hub.enabled else 0
-    return MeetingPlace(
+    return RoomAddress(
         site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), port
     )
 
@@ -112,7 +112,7 @@ def runtime_from_environment() -> Runtime:
         ) from error
 
 
-def free_port(kind: socket.SocketKind) -> int:
+def _free_port(kind: socket.SocketKind) -> int:
     """Return a loopback port that is free now."""
     with socket.socket(socket.AF_INET, kind) as probe:
         probe.bind(("127.0.0.1", 0))

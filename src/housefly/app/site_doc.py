@@ -14,12 +14,13 @@ from pydantic.fields import FieldInfo
 from housefly.config.section import Section
 from housefly.config.site import Site
 
-HEAD = """# The site file
+_HEAD = """# The site file
 
-A site file (TOML) names the room, the drone, the tracking system and the limits of one place where Housefly flies.
-Every key has a default: an empty file is a valid site (the simulated B-sen). A value of the wrong type or outside its
-range, an unknown key, or a combination that cannot fly is refused with the key and what is allowed. All numbers are SI;
-a key whose unit is not SI says so in its name.
+A site file (TOML) names the room, the drone, the tracking system and the limits of one place where
+Housefly flies. Every key has a default: an empty file is a valid site (the simulated B-sen). A
+value of the wrong type or outside its range, an unknown key, or a combination that cannot fly is
+refused with the key and what is allowed. All numbers are SI; a key whose unit is not SI says so in
+its name.
 
 ```toml
 name = "my lab"
@@ -46,7 +47,7 @@ This page is made from the code (`python -m housefly.app.site_doc`); a test keep
 def site_page() -> str:
     """Return the page as Markdown."""
     parts = [
-        HEAD,
+        _HEAD,
         _table("Top level", {k: v for k, v in Site.model_fields.items() if not _is_section(v)}),
     ]
     for key, found in Site.model_fields.items():

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from housefly.app.premises import Premises
-from housefly.hub.api.queries import GridView, OutlineView, PlaceView, RoomView
+from housefly.app.loaded_site import LoadedSite
+from housefly.hub.api.pilot_queries import GridView, OutlineView, PlaceView, RoomView
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Solid
 from housefly.room.outline import outline
 from housefly.room.tracked import untracked, untracked_grid
 
-CELL_LETTERS = {
+_CELL_LETTERS = {
     Cell.FREE: ".",
     Cell.OCCUPIED: "#",
     Cell.VIRTUAL: "v",
@@ -18,16 +18,16 @@ CELL_LETTERS = {
 }
 
 
-def room_view(premises: Premises) -> RoomView:
+def room_view(loaded: LoadedSite) -> RoomView:
     """Return everything static that the console draws."""
-    site, room = premises.site, premises.room
+    site, room = loaded.site, loaded.room
     limits = site.limits
     standing = frozenset(solid.name for solid in untracked(room, site).solids)
     return RoomView(
         site=site.name,
         mode=site.mode,
         bounds=room.bounds,
-        grid=grid_view(untracked_grid(room, site, premises.grid)),
+        grid=_grid_view(untracked_grid(room, site, loaded.grid)),
         outlines=tuple(_outline(solid, solid.name not in standing) for solid in room.solids),
         places=tuple(
             PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at)
@@ -47,10 +47,10 @@ def room_view(premises: Premises) -> RoomView:
     )
 
 
-def grid_view(grid: OccupancyGrid) -> GridView:
+def _grid_view(grid: OccupancyGrid) -> GridView:
     """Return the occupancy grid as rows of letters, lowest y first."""
     width, height = grid.cells.shape
-    letters = [CELL_LETTERS[Cell(value)] for value in range(len(CELL_LETTERS))]
+    letters = [_CELL_LETTERS[Cell(value)] for value in range(len(_CELL_LETTERS))]
     rows = tuple("".join(letters[value] for value in grid.cells[:, row]) for row in range(height))
     return GridView(grid.origin, grid.resolution, width, height, rows)
 

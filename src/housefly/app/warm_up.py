@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from functools import partial
 
-from housefly.app.compiling import Part, compile_once
+from housefly.app.compiling import CompiledPart, compile_once
 
 
 def main() -> None:
     """Compile, and say so when there is something to compile."""
-    for part in Part:
+    for part in CompiledPart:
         compile_once(part, partial(print, flush=True))
 
 

@@ -10,7 +10,7 @@ from typing import Protocol, Self, TypeVar
 
 from housefly.bus.topics import Topic
 
-Message = TypeVar("Message")
+_Message = TypeVar("_Message")
 
 
 class Subscription(Protocol):
@@ -28,11 +28,13 @@ class Bus(Protocol):
     raise.
     """
 
-    def publish(self, topic: Topic[Message], message: Message) -> None:
+    def publish(self, topic: Topic[_Message], message: _Message) -> None:
         """Send one message; never blocks for a LATEST topic."""
         ...
 
-    def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> Subscription:
+    def subscribe(
+        self, topic: Topic[_Message], handler: Callable[[_Message], None]
+    ) -> Subscription:
         """Call the handler with each message; LATEST topics skip messages that a slow handler
         missed.
         """

@@ -22,13 +22,13 @@ from housefly.bus.interfaces import ros_name, type_store
 from housefly.errors import WireError
 from housefly.geometry import Vec2
 
-Message = TypeVar("Message")
-Convert = Callable[[Any], Any]
-Pair = tuple[Convert, Convert]
+_Message = TypeVar("_Message")
+_Convert = Callable[[Any], Any]
+_Conversion = tuple[_Convert, _Convert]
 """A conversion to the wire and the one back."""
 
 
-def encode(message: object) -> bytes:
+def to_cdr(message: object) -> bytes:
     """Return the CDR bytes of a message; raises WireError when a value does not fit its field."""
     name = type(message).__name__
     try:
@@ -46,12 +46,12 @@ def encode(message: object) -> bytes:
         raise WireError(f"{name} cannot be encoded: {error}") from error
 
 
-def decode(kind: type[Message], data: bytes) -> Message:
+def from_cdr(kind: type[_Message], data: bytes) -> _Message:
     """Return the message that the CDR bytes hold; raises WireError for anything else."""
     name = kind.__name__
     _, from_wire = _record(name)
     try:
-        message: Message = from_wire(type_store().deserialize_cdr(data, ros_name(name)))
+        message: _Message = from_wire(type_store().deserialize_cdr(data, ros_name(name)))
     except (
         SerdeError,
         struct.error,
@@ -70,7 +70,7 @@ def _same(value: Any) -> Any:
 
 
 @cache
-def _standard(name: str) -> Pair | None:
+def _standard(name: str) -> _Conversion | None:
     """Conversion of the standard types that our messages hold as tuples or as a Pose."""
     wire = type_store().types[name]
     if name in ("geometry_msgs/msg/Point", "geometry_msgs/msg/Vector3"):
@@ -82,12 +82,12 @@ def _standard(name: str) -> Pair | None:
     return None
 
 
-def _nested(name: str) -> Pair:
+def _nested(name: str) -> _Conversion:
     return _standard(name) or _record(name.rsplit("/", 1)[1])
 
 
 @cache
-def _record(name: str) -> Pair:
+def _record(name: str) -> _Conversion:
     """Conversion of a whole dataclass, field by field."""
     kind = getattr(messages, name)
     wire_name = "geometry_msgs/msg/Pose" if name == "Pose" else ros_name(name)
@@ -110,7 +110,7 @@ def _record(name: str) -> Pair:
     return to_wire, from_wire
 
 
-def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> Pair:
+def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> _Conversion:
     shape, content = description
     if shape == Nodetype.BASE:
         return (
@@ -130,13 +130,13 @@ def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> P
     return _PLAIN_SEQUENCES[element_content[0]]
 
 
-def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> Pair:
+def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conversion:
     code = {member: numbers[f"{name.upper()}_{member.name}"] for member in kind}
     member_of = {number: member for member, number in code.items()}
     return code.__getitem__, member_of.__getitem__
 
 
-def _optional(to_wire: Convert, from_wire: Convert) -> Pair:
+def _optional(to_wire: _Convert, from_wire: _Convert) -> _Conversion:
     def back(found: list[Any]) -> Any:
         if len(found) > 1:
             raise ValueError(f"{len(found)} values where at most one is allowed")
@@ -145,7 +145,7 @@ def _optional(to_wire: Convert, from_wire: Convert) -> Pair:
     return lambda value: [] if value is None else [to_wire(value)], back
 
 
-def _tuple(to_wire: Convert, from_wire: Convert) -> Pair:
+def _tuple(to_wire: _Convert, from_wire: _Convert) -> _Conversion:
     return lambda values: [to_wire(value) for value in values], lambda found: tuple(
         [from_wire(value) for value in found]
     )
@@ -163,7 +163,7 @@ def _points(flat: Any) -> tuple[Vec2, ...]:
     return tuple(zip(numbers, numbers, strict=True))
 
 
-_PLAIN_SEQUENCES: dict[str, Pair] = {
+_PLAIN_SEQUENCES: dict[str, _Conversion] = {
     "string": (_same, tuple),
     "uint8": (lambda data: np.frombuffer(data, dtype=np.uint8), lambda found: found.tobytes()),
     "float64": (_flat, _points),

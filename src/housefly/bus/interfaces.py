@@ -13,7 +13,7 @@ from typing import Any
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 
-PACKAGE = "housefly_msgs"
+_PACKAGE = "housefly_msgs"
 """ROS package name of our own types."""
 
 _FOREIGN = {"CompressedVideo": "foxglove_msgs"}
@@ -24,7 +24,7 @@ def ros_name(name: str) -> str:
     """Return the full ROS 2 name of a type whose text lies in ``msg/``, for example
     ``housefly_msgs/msg/Order``.
     """
-    return f"{_FOREIGN.get(name, PACKAGE)}/msg/{name}"
+    return f"{_FOREIGN.get(name, _PACKAGE)}/msg/{name}"
 
 
 @cache

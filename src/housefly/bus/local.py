@@ -15,7 +15,7 @@ from typing import Any, Self, TypeVar
 from housefly.bus.topics import Topic
 from housefly.errors import LinkError
 
-Message = TypeVar("Message")
+_Message = TypeVar("_Message")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,7 +71,7 @@ class LocalBus:
         member._topics, member._queries = self._topics, self._queries
         return member
 
-    def publish(self, topic: Topic[Message], message: Message) -> None:
+    def publish(self, topic: Topic[_Message], message: _Message) -> None:
         """Call every handler of the topic with the message; does nothing after ``close``."""
         if self._closed:
             return
@@ -79,7 +79,7 @@ class LocalBus:
             handler(message)
 
     def subscribe(
-        self, topic: Topic[Message], handler: Callable[[Message], None]
+        self, topic: Topic[_Message], handler: Callable[[_Message], None]
     ) -> _LocalSubscription:
         """Call the handler with each message from now on."""
         return self._register(self._topics, _Entry(topic.key, handler))

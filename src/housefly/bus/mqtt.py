@@ -1,4 +1,4 @@
-"""A connection to an MQTT broker: how it is made, and its troubles in words."""
+"""Connections to an MQTT broker, and what is wrong with them in words."""
 
 from __future__ import annotations
 
@@ -12,13 +12,11 @@ from paho.mqtt.properties import Properties
 from housefly.config.devices import MqttConfig
 from housefly.errors import ConfigError
 
-TROUBLES = (aiomqtt.MqttError, OSError, UnicodeError)
-"""Whatever a connection may raise; a UnicodeError is a broker name that cannot be one."""
+MQTT_ERRORS = (aiomqtt.MqttError, OSError, UnicodeError)
+"""What a connection may raise; UnicodeError comes from a malformed broker name."""
 _TIMEOUT = 5.0
 _KEEPALIVE = 10
-"""A broker that says nothing for one and a half times this [s] is gone: a pulled cable says
-nothing.
-"""
+"""A broker silent for one and a half times this [s] is gone: a pulled cable gives no notice."""
 _QUEUE = 4096
 _LOG = logging.getLogger("housefly.mqtt")
 _LOG.addHandler(logging.NullHandler())
@@ -27,15 +25,15 @@ _REFUSED = frozenset({4, 5, 134, 135})
 """Reason codes of MQTT 3.1.1 and 5: bad user name or password, not authorised."""
 
 
-def client(
+def mqtt_client(
     config: MqttConfig, will: aiomqtt.Will | None = None, largest: int | None = None
 ) -> aiomqtt.Client:
     """Return a client that is not connected yet.
 
     Args:
         config: where the broker is, who we are.
-        will: what the broker says when we vanish.
-        largest: the broker keeps longer messages from us [bytes].
+        will: published by the broker when the connection is lost.
+        largest: the broker withholds longer messages [bytes].
 
     Raises:
         ConfigError: the password file cannot be read.
@@ -47,7 +45,7 @@ def client(
         config.broker,
         config.port,
         username=config.username or None,
-        password=password(config),
+        password=read_password(config),
         protocol=aiomqtt.ProtocolVersion.V5,
         properties=properties,
         will=will,
@@ -58,10 +56,8 @@ def client(
     )
 
 
-def password(config: MqttConfig) -> str | None:
-    """Return the password, None when there is none; raises ConfigError when its file cannot be
-    read.
-    """
+def read_password(config: MqttConfig) -> str | None:
+    """Return the password or None; raises ConfigError when its file cannot be read."""
     if not config.password_file:
         return None
     try:
@@ -72,8 +68,8 @@ def password(config: MqttConfig) -> str | None:
         ) from error
 
 
-def words(error: Exception, config: MqttConfig, was_connected: bool) -> str:
-    """Return why there is no connection, and what to do about it."""
+def mqtt_problem(error: Exception, config: MqttConfig, was_connected: bool) -> str:
+    """Return why there is no connection and what to do about it, in words."""
     where = f"{config.broker}:{config.port}"
     code = getattr(getattr(error, "rc", None), "value", getattr(error, "rc", None))
     if code in _REFUSED:

@@ -1,40 +1,128 @@
-"""One connection after the other, for every client of a wire that may fall silent and come back."""
+"""The base of every client whose device may fall silent and come back."""
 
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
-from typing import NoReturn
+from abc import ABC, abstractmethod
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from typing import ClassVar, Generic, NoReturn, TypeVar
 
+from housefly.clock import Clock, RealClock
 from housefly.errors import LinkError, MissingPartError, WireError
 
-FIRST_PAUSE, LONGEST_PAUSE = 0.1, 2.0
-"""Between two connections [s]; twice as long each time that nothing was heard."""
+DATA_AGE_MAX = 1.0
+"""A client is connected while its newest data are at most this old [s]."""
+_FIRST_PAUSE, _LONGEST_PAUSE = 0.1, 2.0
+"""Between two connections [s]; doubled each time that nothing arrived."""
 
-Trouble = LinkError | WireError | MissingPartError
-"""What ends a connection and is no reason to give up."""
+TcpStream = tuple[asyncio.StreamReader, asyncio.StreamWriter]
+_Item = TypeVar("_Item")
+_Result = TypeVar("_Result")
 
 
-async def reconnect_for_ever(
-    session: Callable[[], Awaitable[None]],
-    heard: Callable[[], int],
-    on_trouble: Callable[[Trouble], None],
-) -> NoReturn:
-    """Run session after session; ends only when cancelled.
+class ReconnectingClient(ABC, Generic[_Item]):
+    """Connects, reads until the connection ends, and reconnects for ever.
+
+    A subclass implements ``_read_connection`` and calls ``_data_arrived`` for all that it reads.
 
     Args:
-        session: reads one connection to its end.
-        heard: how much arrived so far; after a session in which anything did, the next begins soon.
-        on_trouble: takes what ended a session.
+        where: names the other side in messages.
+        clock: for ages.
+
+    Attributes:
+        malformed: connections given up because of bytes that are not the protocol.
     """
-    pause = FIRST_PAUSE
-    while True:
-        before = heard()
+
+    SILENCE_TIMEOUT: ClassVar[float] = 5.0
+    """Longest silence [s] before reconnecting: a pulled cable gives no notice."""
+
+    def __init__(self, where: str, clock: Clock | None = None) -> None:
+        self.malformed = 0
+        self._where = where
+        self._clock = clock or RealClock()
+        self._data_at = float("-inf")
+        self._problem = f"not connected to {where} yet"
+        self._pause = _FIRST_PAUSE
+
+    @property
+    def connected(self) -> bool:
+        """Whether data arrived within the last second."""
+        return self._clock.now() - self._data_at <= DATA_AGE_MAX
+
+    @property
+    def problem(self) -> str:
+        """Why no data arrive, in words, or ""."""
+        return self._problem or ("" if self.connected else self._no_data_problem())
+
+    async def run(self, sink: Callable[[_Item], None]) -> NoReturn:
+        """Connect and read for ever; ends only when cancelled."""
+        while True:
+            try:
+                await self._read_connection(sink)
+            except WireError as error:
+                self.malformed += 1
+                self._problem = self._protocol_problem(error)
+            except (LinkError, MissingPartError) as error:
+                self._problem = str(error)
+            await asyncio.sleep(self._pause)
+            self._pause = min(2 * self._pause, _LONGEST_PAUSE)
+
+    @abstractmethod
+    async def _read_connection(self, sink: Callable[[_Item], None]) -> None:
+        """Read one connection to its end; raises LinkError, WireError or MissingPartError."""
+
+    def _protocol_problem(self, error: WireError) -> str:
+        """Return why the other side's bytes make no sense, in words."""
+        return str(error)
+
+    def _no_data_problem(self) -> str:
+        """Return why an open connection brings no data, in words."""
+        return f"connected to {self._where}, but it is silent"
+
+    def _data_arrived(self, now: float) -> None:
+        """Note new data [s]; the next reconnection begins soon."""
+        self._data_at = now
+        self._pause = _FIRST_PAUSE
+
+    @asynccontextmanager
+    async def _open(self, stream: TcpStream) -> AsyncIterator[TcpStream]:
+        """Close a stream at the end; raises LinkError when it breaks."""
         try:
-            await session()
-        except (LinkError, WireError, MissingPartError) as error:
-            on_trouble(error)
-        if heard() > before:
-            pause = FIRST_PAUSE
-        await asyncio.sleep(pause)
-        pause = min(2 * pause, LONGEST_PAUSE)
+            yield stream
+        except (asyncio.IncompleteReadError, OSError) as error:
+            raise LinkError(f"the connection to {self._where} was lost") from error
+        finally:
+            stream[1].transport.abort()
+
+    async def _before_timeout(self, reading: Awaitable[_Result], silence: str) -> _Result:
+        """Await a read; raises LinkError with this text after ``SILENCE_TIMEOUT``."""
+        return await within(self.SILENCE_TIMEOUT, reading, silence)
+
+
+async def within(seconds: float, work: Awaitable[_Result], complaint: str) -> _Result:
+    """Await work for at most this long [s]; raises LinkError with the complaint afterwards."""
+    try:
+        async with asyncio.timeout(seconds):
+            return await work
+    except TimeoutError as error:
+        raise LinkError(complaint) from error
+
+
+async def open_tcp(
+    address: str, port: int, timeout: float, complaint: str, limit: int = 64 * 1024
+) -> TcpStream:
+    """Connect by TCP; raises LinkError with the complaint.
+
+    Args:
+        address: host name or IP address.
+        port: TCP port.
+        timeout: for the connection to be accepted [s].
+        complaint: what to say when it is not.
+        limit: of the reader's buffer [bytes].
+    """
+    try:
+        async with asyncio.timeout(timeout):
+            return await asyncio.open_connection(address, port, limit=limit)
+    except (OSError, UnicodeError) as error:
+        raise LinkError(complaint) from error

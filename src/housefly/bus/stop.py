@@ -25,7 +25,7 @@ from typing import Self
 
 from housefly.errors import ConfigError, LinkError, WireError
 
-Address = tuple[str, int]
+_Address = tuple[str, int]
 
 _STOP, _ACKNOWLEDGED = b"HFs1", b"HFa1"
 _BODY = struct.Struct("<4sQ8s")
@@ -86,7 +86,7 @@ class StopListener:
     def __init__(self, host: str, port: int, secret: str, handler: Callable[[], None]) -> None:
         if not ipaddress.ip_address(host).is_loopback:
             raise ConfigError("STOP address", f"is {host}; only a loopback address is allowed")
-        self.address: Address = (host, port)
+        self.address: _Address = (host, port)
         self.ignored = 0
         self._secret = _key(secret)
         self._handler = handler
@@ -111,7 +111,7 @@ class StopListener:
             self._transport.close()
             self._transport = None
 
-    def _received(self, data: bytes, sender: Address) -> None:
+    def _received(self, data: bytes, sender: _Address) -> None:
         try:
             token = _verified(data, _STOP, self._secret)
         except WireError:
@@ -131,10 +131,10 @@ class StopListener:
 
 
 class _Protocol(asyncio.DatagramProtocol):
-    def __init__(self, received: Callable[[bytes, Address], None]) -> None:
+    def __init__(self, received: Callable[[bytes, _Address], None]) -> None:
         self._received = received
 
-    def datagram_received(self, data: bytes, addr: Address) -> None:
+    def datagram_received(self, data: bytes, addr: _Address) -> None:
         self._received(data, addr)
 
 
@@ -151,7 +151,7 @@ class StopSender:
     """
 
     def __init__(self, host: str, port: int, secret: str) -> None:
-        self._address: Address = (host, port)
+        self._address: _Address = (host, port)
         self._secret = _key(secret)
         self._pending: set[Future[bool]] = set()
 

@@ -21,7 +21,7 @@ from housefly.messages import (
     VideoFrame,
 )
 
-Message = TypeVar("Message")
+_Message = TypeVar("_Message")
 
 
 class Delivery(Enum):
@@ -32,7 +32,7 @@ class Delivery(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Topic(Generic[Message]):
+class Topic(Generic[_Message]):
     """A named stream of one message type.
 
     Attributes:
@@ -44,24 +44,34 @@ class Topic(Generic[Message]):
     """
 
     key: str
-    type: type[Message]
+    type: type[_Message]
     delivery: Delivery
     depth: int = 1
 
 
-FRAME: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
+FRAME_TOPIC: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
 # Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can
 # replay bit for bit.
-STEP: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1000)
-LINK: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
-VIDEO: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
-ORDER: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
-ROOM_NEWS: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
-OBSTACLE: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
-DEPTH: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
-SENSOR: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
+STEP_TOPIC: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1000)
+LINK_TOPIC: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
+VIDEO_TOPIC: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
+ORDER_TOPIC: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
+ROOM_NEWS_TOPIC: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
+OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
+DEPTH_TOPIC: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
+SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 
-TOPICS = (FRAME, STEP, LINK, VIDEO, ORDER, ROOM_NEWS, OBSTACLE, DEPTH, SENSOR)
+TOPICS = (
+    FRAME_TOPIC,
+    STEP_TOPIC,
+    LINK_TOPIC,
+    VIDEO_TOPIC,
+    ORDER_TOPIC,
+    ROOM_NEWS_TOPIC,
+    OBSTACLE_TOPIC,
+    DEPTH_TOPIC,
+    SENSOR_TOPIC,
+)
 
 PLAN_QUERY = "pilot/plan"
 """Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""

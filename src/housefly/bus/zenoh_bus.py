@@ -18,11 +18,11 @@ from typing import Any, Self, TypeVar
 
 import zenoh
 
-from housefly.bus.codec import decode, encode
+from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.topics import Delivery, Topic
 from housefly.errors import LinkError, WireError
 
-Message = TypeVar("Message")
+_Message = TypeVar("_Message")
 
 _log = logging.getLogger(__name__)
 
@@ -98,7 +98,7 @@ class ZenohBus:
         # shuts down.
         atexit.register(self.close)
 
-    def publish(self, topic: Topic[Message], message: Message) -> None:
+    def publish(self, topic: Topic[_Message], message: _Message) -> None:
         """Send one message; does nothing after ``close``.
 
         A LATEST topic drops what the network cannot take at once, and costs next to nothing while
@@ -107,12 +107,12 @@ class ZenohBus:
         try:
             publisher = self._publisher(topic)
             if topic.delivery is Delivery.EVERY or publisher.matching_status.matching:
-                publisher.put(encode(message))
+                publisher.put(to_cdr(message))
         except zenoh.ZError as error:
             if not self._session.is_closed():
                 raise LinkError(f"cannot publish {topic.key}: {_words(error)}") from error
 
-    def subscribe(self, topic: Topic[Message], handler: Callable[[Message], None]) -> _Reader:
+    def subscribe(self, topic: Topic[_Message], handler: Callable[[_Message], None]) -> _Reader:
         """Call the handler with each message, on a thread of this subscription."""
         ring = topic.delivery is Delivery.LATEST
         channel: Any = (
@@ -125,7 +125,7 @@ class ZenohBus:
             _Reader(
                 source,
                 topic.key,
-                lambda sample: handler(decode(topic.type, sample.payload.to_bytes())),
+                lambda sample: handler(from_cdr(topic.type, sample.payload.to_bytes())),
             )
         )
 

@@ -8,6 +8,7 @@ from typing import Annotated, Self
 
 from pydantic import Field, StringConstraints, model_validator
 
+from housefly.config.rectangle import check_rectangle
 from housefly.config.section import Section
 
 PLACES_MAX, ZONES_MAX = 40, 40
@@ -53,11 +54,7 @@ class NoFlyZone(Section):
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:
-        x_min, y_min, x_max, y_max = self.rectangle
-        if not (x_min < x_max and y_min < y_max):
-            raise ValueError(
-                "a rectangle is x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max"
-            )
+        check_rectangle(self.rectangle)
         return self
 
 

@@ -4,12 +4,12 @@ people read.
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from housefly.config.toml import read_toml
 from housefly.errors import ConfigError
 
 
@@ -59,14 +59,7 @@ def load_profile(path: Path) -> dict[str, float]:
     Raises:
         ConfigError: naming the key, the value and the allowed range.
     """
-    try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(
-            "drone.profile", f"cannot be read ({error.strerror})", str(path)
-        ) from error
-    except ValueError as error:
-        raise ConfigError("drone.profile", f"cannot be parsed: {error}", str(path)) from error
+    tree = read_toml(path, "drone.profile")
     constants = tree.get("constants")
     if not isinstance(constants, dict) or not constants:
         raise ConfigError("constants", "is missing: this is no drone profile", str(path))

@@ -11,14 +11,15 @@ from housefly.messages import Command, Telemetry, VideoFrame
 class Drone(Protocol):
     """One drone on its own wire; all calls belong to one asyncio loop.
 
-    The driver repeats the last command at the drone's cadence by itself. When no ``send`` came for
-    0.25 s while flying it commands hover, after 2 s it lands. A change of action, and everything
-    that is not FLY, leaves at once.
+    The driver repeats the last command at the drone's own rate. Without a ``send`` for 0.25 s in
+    flight it commands hover, after 2 s it lands. A change of action leaves at once.
     """
 
     async def connect(self) -> None:
-        """Open the wire and configure the drone; afterwards it reconnects by itself. Raises
-        LinkError after its first timeout.
+        """Open the wire and configure the drone; later it reconnects by itself.
+
+        Raises:
+            LinkError: no answer in time.
         """
         ...
 

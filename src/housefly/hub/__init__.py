@@ -1,3 +1,4 @@
-"""The room's memory: what every sensor tells goes in, what anybody asks comes out; nothing of the
-flight waits for it.
+"""The room's memory: stores what every sensor reports and answers questions about it.
+
+No flight waits for it.
 """

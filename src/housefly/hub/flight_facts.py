@@ -1,43 +1,40 @@
-"""What a flight tells the room: where the tracked bodies are, and what the pilot did, from the
-steps that it publishes.
-"""
+"""Turns the pilot's steps into observations and events of the room."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from housefly.messages import Estimate, Happening, Observation, Phase, PilotStep, Sighting
+from housefly.messages import Estimate, Observation, Phase, PilotStep, RoomEvent, Sighting
 
-PILOT = "pilot"
-"""Source of what the pilot says."""
-BEGINNINGS = {
+_PILOT = "pilot"
+"""Source of what the pilot reports."""
+_PHASE_EVENTS = {
     Phase.TAKING_OFF: "flight started",
     Phase.LOOKING: "looking",
     Phase.IDLE: "flight ended",
 }
-"""Phases that are worth remembering when they begin."""
+"""Phases whose beginning is an event."""
 
 
 class FlightFacts:
-    """Turns steps into observations and happenings.
+    """Turns steps into observations and events.
 
     Args:
         drone: id of the drone, the name of its tracked body.
         tracking: id of the tracking system.
-        things: ids of things by the names of their tracked bodies; other bodies are called by their
-            names.
+        things: ids of things by tracked body; other bodies keep their names as ids.
     """
 
     def __init__(self, drone: str, tracking: str, things: Mapping[str, str]) -> None:
         self._drone, self._tracking, self._things = drone, tracking, things
         self._phase: Phase | None = None
 
-    def after(self, step: PilotStep, unix: float) -> Iterator[Observation | Happening]:
-        """Return what a step tells.
+    def items_of(self, step: PilotStep, unix: float) -> Iterator[Observation | RoomEvent]:
+        """Yield the observations and events of a step.
 
         Args:
             step: of the pilot.
-            unix: Unix time at which the pilot's clock stood at zero [s].
+            unix: Unix time at which the pilot's clock was zero [s].
         """
         for sighting in step.inputs.sightings:
             yield self._seen(sighting, unix)
@@ -47,7 +44,7 @@ class FlightFacts:
         yield from self._phases(step, unix)
         for event in step.outputs.events:
             facts = (("code", event.code), ("severity", event.severity.value))
-            yield Happening(event.text[:200], self._drone, unix + event.at, PILOT, facts=facts)
+            yield RoomEvent(event.text[:200], self._drone, unix + event.at, _PILOT, facts=facts)
 
     def _seen(self, sighting: Sighting, unix: float) -> Observation:
         return Observation(
@@ -63,13 +60,15 @@ class FlightFacts:
         variance = estimate.position_std**2
         at = unix + estimate.at
         covariance = (variance, 0.0, 0.0, variance, 0.0, variance)
-        return Observation(self._drone, PILOT, at, at, estimate.position, covariance=covariance)
+        return Observation(self._drone, _PILOT, at, at, estimate.position, covariance=covariance)
 
-    def _phases(self, step: PilotStep, unix: float) -> Iterator[Happening]:
+    def _phases(self, step: PilotStep, unix: float) -> Iterator[RoomEvent]:
         phase, before = step.outputs.phase, self._phase
         self._phase = phase
-        if before is None or phase is before or phase not in BEGINNINGS:
+        if before is None or phase is before or phase not in _PHASE_EVENTS:
             return
         facts = (("goal", step.outputs.goal_name),) if step.outputs.goal_name else ()
         sender = next((order.sender for order in step.inputs.orders), "")
-        yield Happening(BEGINNINGS[phase], self._drone, unix + step.now, PILOT, sender, facts=facts)
+        yield RoomEvent(
+            _PHASE_EVENTS[phase], self._drone, unix + step.now, _PILOT, sender, facts=facts
+        )

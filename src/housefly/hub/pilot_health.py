@@ -1,6 +1,4 @@
-"""How tracking and drone do, as the pilot's steps show it: rates and ages beside those of the
-room's other sensors.
-"""
+"""Health of tracking and drone, from the pilot's steps."""
 
 from __future__ import annotations
 
@@ -10,42 +8,42 @@ from math import inf
 from housefly.clock import Clock
 from housefly.messages import PilotStep
 from housefly.sensors.contracts import SensorHealth
-from housefly.sensors.pulse import Pulse
+from housefly.sensors.message_rate import MessageRate
 
-SILENT = 1.0
-"""Nothing heard for so long is a problem [s]."""
+_SILENT_AFTER = 1.0
+"""A source silent for longer is a problem [s]."""
 
 
 class PilotHealth:
-    """Watches steps go by; safe from any thread.
+    """Measures rates and ages from the pilot's steps; thread-safe.
 
     Args:
         tracking: id of the tracking system.
-        clock: the monotonic clock that the pilot stamps with.
+        clock: the monotonic clock of the pilot's stamps.
     """
 
     def __init__(self, tracking: str, clock: Clock) -> None:
         self._tracking, self._clock = tracking, clock
         self._lock = threading.Lock()
-        self._steps, self._frames, self._reports = Pulse(), Pulse(), Pulse()
+        self._steps, self._frames, self._reports = MessageRate(), MessageRate(), MessageRate()
         self._captured = self._received = -inf
-        self._told_at = -inf
+        self._telemetry_at = -inf
 
-    def heard(self, step: PilotStep) -> None:
-        """Note one step."""
+    def update(self, step: PilotStep) -> None:
+        """Add one step."""
         telemetry = step.inputs.telemetry
         with self._lock:
-            self._steps.beat(self._clock.now())
+            self._steps.add(self._clock.now())
             for sighting in step.inputs.sightings:
                 if sighting.captured_at > self._captured:
                     self._captured, self._received = sighting.captured_at, sighting.received_at
-                    self._frames.beat(sighting.received_at)
-            if telemetry is not None and telemetry.received_at > self._told_at:
-                self._told_at = telemetry.received_at
-                self._reports.beat(telemetry.received_at)
+                    self._frames.add(sighting.received_at)
+            if telemetry is not None and telemetry.received_at > self._telemetry_at:
+                self._telemetry_at = telemetry.received_at
+                self._reports.add(telemetry.received_at)
 
     def health(self) -> tuple[SensorHealth, ...]:
-        """Return how tracking and drone do."""
+        """Return the health of tracking and drone."""
         now = self._clock.now()
         with self._lock:
             pilot = self._steps.age(now)
@@ -70,15 +68,17 @@ class PilotHealth:
                     name,
                     kind,
                     title,
-                    pulse,
+                    rate,
                     now,
-                    words if pilot < SILENT else "the pilot is not heard",
+                    words if pilot < _SILENT_AFTER else "the pilot is not heard",
                 )
-                for name, kind, title, pulse, words in rows
+                for name, kind, title, rate, words in rows
             )
 
 
-def _health(name: str, kind: str, title: str, pulse: Pulse, now: float, words: str) -> SensorHealth:
-    age = pulse.age(now)
-    well = age < SILENT
-    return SensorHealth(name, kind, title, well, pulse.rate_hz(now), age, "" if well else words)
+def _health(
+    name: str, kind: str, title: str, rate: MessageRate, now: float, words: str
+) -> SensorHealth:
+    age = rate.age(now)
+    well = age < _SILENT_AFTER
+    return SensorHealth(name, kind, title, well, rate.rate_hz(now), age, "" if well else words)

@@ -1,4 +1,4 @@
-"""The things that site and room model already know: furniture, places, tracking cameras, the drone."""
+"""Things that the site and the room model define: furniture, places, tracking cameras, the drone."""
 
 from __future__ import annotations
 
@@ -6,14 +6,16 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import atan2
+from pathlib import Path
 
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.site import Site
 from housefly.geometry import Vec3, quaternion_from_euler
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
+from housefly.hub.things.catalogue import load_catalogue
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
 from housefly.room.model import Room, Solid
 
-BUILDING = (
+_BUILDING_WORDS = (
     "wall",
     "floor",
     "ceiling",
@@ -24,33 +26,43 @@ BUILDING = (
     "carpet",
     "door",
 )
-"""Solids of things with these words in their names are parts of the building."""
+"""Words in the names of solids that belong to the building."""
 
 
 def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
-    """Return the catalogue that a room brings along; ids are their names in lower case with dashes."""
+    """Return the things of a room; ids are their names in lower case with dashes."""
     found = {
         thing.id: thing
         for thing in (*_furniture(room), *_places(room, site.map.flight_height), *_sensors(room))
     }
     for piece in site.furniture:
-        known = found.get(thing_of(piece), Thing(thing_of(piece), piece.name, Kind.FURNITURE))
+        known = found.get(
+            furniture_id(piece), Thing(furniture_id(piece), piece.name, ThingKind.FURNITURE)
+        )
         names = tuple(
             name for name in (piece.name, piece.body) if name not in (known.name, known.id)
         )
         found[known.id] = replace(known, aliases=tuple(dict.fromkeys((*known.aliases, *names))))
     body = site.tracking.body
-    found.setdefault(body, Thing(body, "the drone", Kind.ROBOT, ("drone",), (*room.home, 0.0)))
+    found.setdefault(body, Thing(body, "the drone", ThingKind.ROBOT, ("drone",), (*room.home, 0.0)))
     if room.visitor is not None:
         found.setdefault(
             site.tracking.visitor,
-            Thing(site.tracking.visitor, "the visitor", Kind.PERSON, ("visitor",)),
+            Thing(site.tracking.visitor, "the visitor", ThingKind.PERSON, ("visitor",)),
         )
     return tuple(found.values())
 
 
-def thing_of(piece: FurnitureConfig) -> str:
-    """Return the id of a thing that the tracking system sees."""
+def catalogue_of(site: Site, room: Room, folder: Path) -> tuple[Thing, ...]:
+    """Return the things of a room and of the site's own catalogue; raises ConfigError for a bad
+    one.
+    """
+    own = load_catalogue(folder / site.hub.things) if site.hub.things else ()
+    return (*things_of(site, room), *own)
+
+
+def furniture_id(piece: FurnitureConfig) -> str:
+    """Return the id of a tracked piece of furniture."""
     return _id(piece.model or piece.name)
 
 
@@ -60,10 +72,10 @@ def _furniture(room: Room) -> Iterator[Thing]:
         parts.setdefault(solid.thing, []).append(solid)
     for name, solids in parts.items():
         slug = _id(name)
-        is_building = any(word in name for word in BUILDING)
+        is_building = any(word in name for word in _BUILDING_WORDS)
         middle = _middle(solids)
         yaw = solids[0].yaw
-        kind = Kind.STRUCTURE if is_building else Kind.FURNITURE
+        kind = ThingKind.STRUCTURE if is_building else ThingKind.FURNITURE
         yield Thing(slug, name, kind, (), middle, quaternion_from_euler(0.0, 0.0, yaw))
 
 
@@ -76,7 +88,7 @@ def _places(room: Room, height: float) -> Iterator[Thing]:
         yield Thing(
             _id(f"place {place.name}"),
             title,
-            Kind.PLACE,
+            ThingKind.PLACE,
             (place.name,),
             place.look_at,
             viewpoints=(view,),
@@ -88,7 +100,7 @@ def _sensors(room: Room) -> Iterator[Thing]:
         yield Thing(
             _id(f"camera {camera.name}"),
             f"tracking camera {camera.name}",
-            Kind.SENSOR,
+            ThingKind.SENSOR,
             (),
             camera.position,
         )
@@ -99,7 +111,7 @@ def _id(name: str) -> str:
 
 
 def _middle(solids: Iterable[Solid]) -> Vec3:
-    """Return the middle of what the solids reach over, each taken unturned [m]."""
+    """Return the middle of the bounding box of the solids' positions [m]."""
     places = [solid.position for solid in solids]
     x, y, z = (0.5 * (min(axis) + max(axis)) for axis in zip(*places, strict=True))
     return x, y, z

@@ -42,7 +42,7 @@ from housefly.messages.steering import (
     SafetyMode,
     Setpoint,
 )
-from housefly.messages.world import Covariance, Fact, Facts, Happening, Observation, RoomNews
+from housefly.messages.world import Covariance, Fact, Facts, Observation, RoomEvent, RoomNews
 
 __all__ = [
     "LEVEL",
@@ -56,7 +56,6 @@ __all__ = [
     "Event",
     "Fact",
     "Facts",
-    "Happening",
     "Inputs",
     "LinkStatus",
     "Observation",
@@ -70,6 +69,7 @@ __all__ = [
     "PlanAnswer",
     "Pose",
     "Reference",
+    "RoomEvent",
     "RoomNews",
     "SafetyMode",
     "Scan",

@@ -47,7 +47,7 @@ class Observation:
 
 
 @dataclass(frozen=True, slots=True)
-class Happening:
+class RoomEvent:
     """Something that happened.
 
     Attributes:

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from housefly.config.laser import LaserConfig
-from housefly.numeric import compiled
-from housefly.room.distance import Floats, footprints
+from housefly.numeric import FloatArray, compiled
+from housefly.room.distance import footprints
 from housefly.room.model import Solid
 
 HALF_THICKNESS = 0.02
@@ -61,7 +61,7 @@ def _cast(rows: Any, x: float, y: float, angles: Any, out: Any) -> None:
 
 def expected_ranges(
     solids: Iterable[Solid], laser: LaserConfig, first_angle: float, step: float, beams: int
-) -> Floats:
+) -> FloatArray:
     """Return the distance [m] at which each beam meets the room; infinite where it meets nothing.
 
     Args:

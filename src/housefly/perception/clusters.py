@@ -9,23 +9,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray
 
-NEARER = 0.15
+_FOREGROUND_MARGIN = 0.15
 """A beam that ends this much before the room does hits something new [m]: five times the noise, and
 the room's own roughness.
 """
-GAP = 0.25
+_MAX_GAP = 0.25
 """Points farther apart than this belong to two things [m]."""
-MISSING = 3
+_MAX_MISSING_BEAMS = 3
 """So many beams in a row may be lost within one thing."""
-FEWEST = 3
+_MIN_POINTS = 3
 """Fewer points are noise."""
-SMALLEST = 0.05
+_MIN_RADIUS = 0.05
 """No thing is taken for smaller than this [m, radius]."""
-LARGEST_DISC = 0.5
+_MAX_DISC_RADIUS = 0.5
 """Wider things are taken for rectangles [m, radius]."""
-DEPTH = pi / 4
+_DISC_DEPTH = pi / 4
 """The visible side of a disc lies on average this share of its radius before its middle."""
 
 
@@ -48,17 +48,17 @@ class Cluster:
     points: int
 
 
-def foreground(ranges: Floats, background: Floats) -> NDArray[np.bool_]:
+def foreground(ranges: FloatArray, background: FloatArray) -> NDArray[np.bool_]:
     """Return which beams end clearly before the room does; at an edge the nearer side of the room
     counts.
     """
     nearest = background.copy()
     nearest[1:] = np.minimum(nearest[1:], background[:-1])
     nearest[:-1] = np.minimum(nearest[:-1], background[1:])
-    return np.asarray(np.isfinite(ranges) & (ranges < nearest - NEARER), dtype=np.bool_)
+    return np.asarray(np.isfinite(ranges) & (ranges < nearest - _FOREGROUND_MARGIN), dtype=np.bool_)
 
 
-def clusters_of(points: Floats, beams: NDArray[np.int64], origin: Vec2) -> tuple[Cluster, ...]:
+def clusters_of(points: FloatArray, beams: NDArray[np.int64], origin: Vec2) -> tuple[Cluster, ...]:
     """Return the things that foreground points belong to.
 
     Args:
@@ -68,28 +68,30 @@ def clusters_of(points: Floats, beams: NDArray[np.int64], origin: Vec2) -> tuple
     """
     if not len(points):
         return ()
-    jumps = (np.hypot(*np.diff(points, axis=0).T) > GAP) | (np.diff(beams) > MISSING + 1)
+    jumps = (np.hypot(*np.diff(points, axis=0).T) > _MAX_GAP) | (
+        np.diff(beams) > _MAX_MISSING_BEAMS + 1
+    )
     groups = np.split(points, np.flatnonzero(jumps) + 1)
-    return tuple(cluster_of(group, origin) for group in groups if len(group) >= FEWEST)
+    return tuple(cluster_of(group, origin) for group in groups if len(group) >= _MIN_POINTS)
 
 
-def cluster_of(points: Floats, origin: Vec2) -> Cluster:
+def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
     """Return the thing that points [m] from its one edge to the other belong to, seen from an
     origin [m].
     """
     (ax, ay), (bx, by) = points[0].tolist(), points[-1].tolist()
     width = hypot(bx - ax, by - ay)
-    if width > 2.0 * LARGEST_DISC:
+    if width > 2.0 * _MAX_DISC_RADIUS:
         return _rectangle(points, atan2(by - ay, bx - ax))
     mx, my = points.mean(axis=0).tolist()
-    radius = max(width / 2.0, SMALLEST)
+    radius = max(width / 2.0, _MIN_RADIUS)
     away = max(hypot(mx - origin[0], my - origin[1]), 1e-9)
-    behind = DEPTH * radius / away
+    behind = _DISC_DEPTH * radius / away
     middle = (mx + (mx - origin[0]) * behind, my + (my - origin[1]) * behind)
     return Cluster(middle, radius, (0.0, 0.0), 0.0, len(points))
 
 
-def _rectangle(points: Floats, yaw: float) -> Cluster:
+def _rectangle(points: FloatArray, yaw: float) -> Cluster:
     """Return the rectangle along the line from the first point to the last that holds all points."""
     along = points @ np.array([cos(yaw), sin(yaw)])
     across = points @ np.array([-sin(yaw), cos(yaw)])

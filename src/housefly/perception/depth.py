@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from housefly.geometry import Vec2, rotate
 from housefly.messages import Pose
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray
 from housefly.room.grid import OccupancyGrid
 
-FEWEST = 4
+_MIN_CELL_POINTS = 4
 """Fewer points in a cell are noise."""
-NEAREST, FARTHEST = 0.2, 8.0
+MIN_DEPTH, _MAX_DEPTH = 0.2, 8.0
 """Depths outside this are not believed [m]."""
 
 
@@ -28,7 +28,7 @@ class Intrinsics:
     cy: float
 
 
-def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
+def points_of(depth: FloatArray, camera: Intrinsics, pose: Pose) -> FloatArray:
     """Return the world points [m] that a depth image shows, shape (n, 3); pixels without a
     believable depth are left out.
 
@@ -37,7 +37,7 @@ def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
         camera: its intrinsics.
         pose: of the camera in the world; it looks along its own +z, x right in the image, y down.
     """
-    believable = np.isfinite(depth) & (depth >= NEAREST) & (depth <= FARTHEST)
+    believable = np.isfinite(depth) & (depth >= MIN_DEPTH) & (depth <= _MAX_DEPTH)
     v, u = np.nonzero(believable)
     z = depth[v, u]
     local = np.stack([(u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z], axis=1)
@@ -47,12 +47,12 @@ def points_of(depth: Floats, camera: Intrinsics, pose: Pose) -> Floats:
             for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
         ]
     )
-    points: Floats = local @ axes + np.array(pose.position)
+    points: FloatArray = local @ axes + np.array(pose.position)
     return points
 
 
 def occupied_cells(
-    points: Floats, grid: OccupancyGrid, band: Vec2, fewest: int = FEWEST
+    points: FloatArray, grid: OccupancyGrid, band: Vec2, fewest: int = _MIN_CELL_POINTS
 ) -> NDArray[np.bool_]:
     """Return which cells of a grid hold enough points between two heights; shape of the grid.
 

@@ -9,17 +9,17 @@ import numpy as np
 from housefly.config.depth import DepthCameraConfig
 from housefly.messages import DepthImage
 
-AHEAD_OF_TIME, TOO_OLD = 0.05, 1.0
+_MAX_AHEAD, _IMAGE_AGE_MAX = 0.05, 1.0
 """An image from farther in the future, or older, is not believed [s]."""
-MOST_PIXELS = 1_000_000
+_MAX_PIXELS = 1_000_000
 """No image is larger [px]."""
-FROZEN = 3
+FROZEN_IMAGES = 3
 """So many images that are alike to the last bit come from a camera that stands still."""
-SEEN_AT_ALL = 0.01
+_MIN_MEASURED_SHARE = 0.01
 """A camera that measures a smaller share of its pixels is covered."""
-FARTHEST_CAMERA = 1000.0
+_MAX_CAMERA_DISTANCE = 1000.0
 """No camera is farther from the room's origin [m]."""
-EARLY = 0.9
+_MIN_PERIOD_SHARE = 0.9
 """An image may come after this share of the camera's period."""
 
 
@@ -48,12 +48,12 @@ class DepthChecks:
         self._alike[image.source] = self._alike.get(image.source, 0) + 1 if is_alike else 0
         if (
             np.count_nonzero(np.frombuffer(image.data, dtype="<u2"))
-            < SEEN_AT_ALL * image.width * image.height
+            < _MIN_MEASURED_SHARE * image.width * image.height
         ):
             return "it measures next to nothing; does something cover it?"
         return (
             "the same image to the last bit again and again: it stands still"
-            if self._alike[image.source] >= FROZEN
+            if self._alike[image.source] >= FROZEN_IMAGES
             else ""
         )
 
@@ -65,7 +65,7 @@ class DepthChecks:
             return "an image that is not newer than the last"
         return (
             f"more than {rate:g} images a second"
-            if image.captured_at - last.captured_at < EARLY / rate
+            if image.captured_at - last.captured_at < _MIN_PERIOD_SHARE / rate
             else ""
         )
 
@@ -78,8 +78,8 @@ def _nonsense(image: DepthImage) -> str:
         for number in (image.captured_at, *camera, *image.pose.position, w, x, y, z)
     ):
         return "not all its numbers are finite"
-    if image.width < 1 or image.height < 1 or image.width * image.height > MOST_PIXELS:
-        return f"it has no pixels, or more than {MOST_PIXELS}"
+    if image.width < 1 or image.height < 1 or image.width * image.height > _MAX_PIXELS:
+        return f"it has no pixels, or more than {_MAX_PIXELS}"
     if len(image.data) != 2 * image.width * image.height:
         return "it does not hold two bytes a pixel"
     if min(image.fx, image.fy) < 1.0 or not (
@@ -88,15 +88,17 @@ def _nonsense(image: DepthImage) -> str:
         return "intrinsics that are none"
     if (
         abs(hypot(w, x, y, z) - 1.0) > 0.01
-        or max(abs(number) for number in image.pose.position) > FARTHEST_CAMERA
+        or max(abs(number) for number in image.pose.position) > _MAX_CAMERA_DISTANCE
     ):
         return "a pose that is none"
     return ""
 
 
 def _wrong_time(image: DepthImage, now: float) -> str:
-    if image.captured_at > now + AHEAD_OF_TIME:
+    if image.captured_at > now + _MAX_AHEAD:
         return "an image from the future"
     return (
-        f"an image that is older than {TOO_OLD:.0f} s" if image.captured_at < now - TOO_OLD else ""
+        f"an image that is older than {_IMAGE_AGE_MAX:.0f} s"
+        if image.captured_at < now - _IMAGE_AGE_MAX
+        else ""
     )

@@ -11,29 +11,30 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2, distance
+from housefly.numeric import FloatArray
 from housefly.perception.clusters import Cluster, cluster_of
 from housefly.perception.depth import occupied_cells
-from housefly.room.distance import Floats, clearance_field, footprints
+from housefly.room.distance import clearance_field, footprints
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room
 
-RESOLUTION = 0.1
+_RESOLUTION = 0.1
 """Edge of a cell [m]."""
-EXPLAINED = 0.2
+_EXPLAINED_DISTANCE = 0.2
 """What is seen within this of the modelled room belongs to it [m]: noise of the camera, error of
 its pose, edge of a cell.
 """
-SLACK = 0.05
+_BAND_MARGIN = 0.05
 """The room counts this much below and above the band in which the camera's points count [m]: its
 pose is not exact.
 """
-FEWEST = 12
+_MIN_POINTS = 12
 """Things of fewer points are noise."""
-GAP_CELLS = 4
+_GAP_CELLS = 4
 """Cells no farther apart than this belong to one thing: a side seen at a flat angle has holes, and
 no drone fits between.
 """
-MOST = 64
+_MAX_CLUSTERS = 64
 """Of more things only the nearest count."""
 
 
@@ -42,18 +43,21 @@ def known_room(room: Room, band: Vec2) -> OccupancyGrid:
     are occupied.
     """
     x_min, y_min, x_max, y_max = room.bounds
-    xs = np.arange(x_min + RESOLUTION / 2, x_max, RESOLUTION)
-    ys = np.arange(y_min + RESOLUTION / 2, y_max, RESOLUTION)
+    xs = np.arange(x_min + _RESOLUTION / 2, x_max, _RESOLUTION)
+    ys = np.arange(y_min + _RESOLUTION / 2, y_max, _RESOLUTION)
     solids = [replace(solid, collides=True) for solid in room.solids]
     clearance = clearance_field(
-        footprints(solids, band[0] - SLACK, band[1] + SLACK), xs, ys, 2.0 * EXPLAINED
+        footprints(solids, band[0] - _BAND_MARGIN, band[1] + _BAND_MARGIN),
+        xs,
+        ys,
+        2.0 * _EXPLAINED_DISTANCE,
     )
-    cells = np.where(clearance < EXPLAINED, Cell.OCCUPIED, Cell.FREE).astype(np.uint8)
-    return OccupancyGrid((x_min, y_min), RESOLUTION, cells, clearance)
+    cells = np.where(clearance < _EXPLAINED_DISTANCE, Cell.OCCUPIED, Cell.FREE).astype(np.uint8)
+    return OccupancyGrid((x_min, y_min), _RESOLUTION, cells, clearance)
 
 
 def unexplained(
-    points: Floats, known: OccupancyGrid, band: Vec2, origin: Vec2
+    points: FloatArray, known: OccupancyGrid, band: Vec2, origin: Vec2
 ) -> tuple[Cluster, ...]:
     """Return the things that points belong to, without those that the room model explains.
 
@@ -71,11 +75,11 @@ def unexplained(
     places, names = points[inside, :2], labels[cells[inside, 0], cells[inside, 1]]
     order = np.argsort(names, kind="stable")
     groups = np.split(places[order], np.flatnonzero(np.diff(names[order], prepend=0)))[1:]
-    things = [_cluster(group, origin) for group in groups if len(group) >= FEWEST]
-    return tuple(sorted(things, key=lambda thing: distance(thing.position, origin))[:MOST])
+    things = [_cluster(group, origin) for group in groups if len(group) >= _MIN_POINTS]
+    return tuple(sorted(things, key=lambda thing: distance(thing.position, origin))[:_MAX_CLUSTERS])
 
 
-def _cluster(points: Floats, origin: Vec2) -> Cluster:
+def _cluster(points: FloatArray, origin: Vec2) -> Cluster:
     """Return the thing that points belong to, taken from left to right as the camera sees them."""
     away = points - np.array(origin)
     ahead = away.mean(axis=0)
@@ -106,4 +110,4 @@ def _around(cell: tuple[int, int]) -> Iterable[tuple[int, int]]:
     return ((i + di, j + dj) for di in _NEAR for dj in _NEAR)
 
 
-_NEAR = range(-GAP_CELLS, GAP_CELLS + 1)
+_NEAR = range(-_GAP_CELLS, _GAP_CELLS + 1)

@@ -7,16 +7,16 @@ from math import sqrt
 
 from housefly.geometry import Vec2
 
-PUSH = 1.5
+_ACCELERATION_SIGMA = 1.5
 """One-sigma acceleration of people [m/s^2]."""
-BLUR = 0.05
+_POSITION_SIGMA = 0.05
 """One-sigma error of a cluster's middle [m]: which side of a thing is seen changes as it turns."""
-START_SPEED = 1.0
+_START_SPEED_SIGMA = 1.0
 """One-sigma speed of something new [m/s]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class MotionState:
     """The filter's state; both axes share the covariance (pp, pv, vv).
 
     Attributes:
@@ -29,23 +29,23 @@ class Motion:
     at: float
     position: Vec2
     velocity: Vec2 = (0.0, 0.0)
-    pp: float = BLUR * BLUR
+    pp: float = _POSITION_SIGMA * _POSITION_SIGMA
     pv: float = 0.0
-    vv: float = START_SPEED * START_SPEED
+    vv: float = _START_SPEED_SIGMA * _START_SPEED_SIGMA
 
     @property
     def std(self) -> float:
         """One-sigma error of the position [m]."""
         return sqrt(self.pp)
 
-    def predicted(self, at: float) -> Motion:
+    def predicted(self, at: float) -> MotionState:
         """Return the state at a later time [s]."""
         dt = max(0.0, at - self.at)
         (x, y), (vx, vy) = self.position, self.velocity
-        q = PUSH * PUSH
+        q = _ACCELERATION_SIGMA * _ACCELERATION_SIGMA
         pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * dt**4 / 4.0
         pv = self.pv + dt * self.vv + q * dt**3 / 2.0
-        return Motion(
+        return MotionState(
             max(at, self.at),
             (x + vx * dt, y + vy * dt),
             self.velocity,
@@ -54,14 +54,14 @@ class Motion:
             self.vv + q * dt * dt,
         )
 
-    def seen(self, place: Vec2) -> Motion:
+    def updated(self, place: Vec2) -> MotionState:
         """Return the state after a thing was seen at a place [m] at the state's own time."""
-        gain = self.pp / (self.pp + BLUR * BLUR)
-        gain_v = self.pv / (self.pp + BLUR * BLUR)
+        gain = self.pp / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
+        gain_v = self.pv / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
         off_x, off_y = place[0] - self.position[0], place[1] - self.position[1]
         position = (self.position[0] + gain * off_x, self.position[1] + gain * off_y)
         velocity = (self.velocity[0] + gain_v * off_x, self.velocity[1] + gain_v * off_y)
-        return Motion(
+        return MotionState(
             self.at,
             position,
             velocity,

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 from math import isinf
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
-from housefly.messages import Obstacle, Order, OrderKind, Path, PlanAnswer
-from housefly.pilot.behavior.cells import CellFollower
-from housefly.pilot.behavior.errand import STAY, Mission
-from housefly.pilot.behavior.navigator import Block, Follower
-from housefly.pilot.behavior.tracking import PathFollower
+from housefly.messages import Obstacle, Order, OrderKind, Path, PlanAnswer, Sighting
+from housefly.pilot.behavior.mission_state import STAY, Mission, Refused
+from housefly.pilot.behavior.navigator import PathBlock
+from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid
 from housefly.pilot.planning.obstacles import Memory, fault_of, rows_of
 from housefly.pilot.planning.planner import plan
@@ -26,7 +24,7 @@ PLAN_HORIZON = 1.5
 """New paths keep out of where a moving obstacle may be within this time [s] ..."""
 WATCH_HORIZON = 1.0
 """... and a path in use is blocked where one may be within this time [s]."""
-REFRESH = 0.1
+MAP_REFRESH_PERIOD = 0.1
 """How often the map of moving and ageing obstacles is made anew when nothing is heard of them [s].
 """
 
@@ -47,22 +45,25 @@ class RoomNavigator:
             site.map.flight_height - site.map.half_band,
             site.map.flight_height + site.map.half_band,
         )
+        self._furniture = TrackedFurniture(site, room)
         self._memory = Memory()
         self._soon, self._names = rows_of((), 0.0, 0.0, self._band)
         self._refreshed = 0.0
 
-    def hear(self, obstacles: Iterable[Obstacle], now: float) -> list[str]:
-        """Take in what was heard of obstacles and bring the map up to now [s]; return in words what
-        is not believed.
-        """
-        faults = [(obstacle, fault_of(obstacle, now, self._extent)) for obstacle in obstacles]
-        heard = [obstacle for obstacle, fault in faults if not fault]
-        if heard or (self._memory.obstacles and now - self._refreshed >= REFRESH):
-            self._refresh(heard, now)
+    def update(
+        self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
+    ) -> list[str]:
+        """Bring the map up to now [s]; return in words which obstacles are refused."""
+        known = (*obstacles, *self._furniture.step(sightings, now))
+        faults = [(obstacle, fault_of(obstacle, now, self._extent)) for obstacle in known]
+        accepted = [obstacle for obstacle, fault in faults if not fault]
+        is_due = now - self._refreshed >= MAP_REFRESH_PERIOD
+        if accepted or (self._memory.obstacles and is_due):
+            self._refresh(accepted, now)
         return [f"{obstacle.source or 'somebody'}: {fault}" for obstacle, fault in faults if fault]
 
-    def _refresh(self, heard: list[Obstacle], now: float) -> None:
-        self._memory, self._refreshed = self._memory.after(heard, now), now
+    def _refresh(self, accepted: list[Obstacle], now: float) -> None:
+        self._memory, self._refreshed = self._memory.after(accepted, now), now
         self._soon, self._names = rows_of(self._memory.obstacles, now, WATCH_HORIZON, self._band)
         self._live = None
 
@@ -74,7 +75,7 @@ class RoomNavigator:
             self._live = live_grid(self._static, later, self._distances.reach)
         return self._live
 
-    def block(self, here: Vec2, path: Path, waypoint: int) -> Block | None:
+    def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:
         """Return what blocks the rest of a path, from a place [m] by the next waypoint to its end;
         None when it is free.
         """
@@ -83,16 +84,16 @@ class RoomNavigator:
         along, row = first_block(
             self._soon, (here, *path.waypoints[waypoint:]), self._distances.tight
         )
-        return None if isinf(along) else Block(along, self._names[row])
+        return None if isinf(along) else PathBlock(along, self._names[row])
 
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
-        """Tell whether there is a way when the obstacles of now are gone."""
+        """Return whether there is a way once the obstacles of now are gone."""
         return (
             self._grid is not self._static and self._way(self._static, start, goal).path is not None
         )
 
-    def mission(self, order: Order) -> Mission | str:
-        """Return what an order means in this room, or in words why it means nothing."""
+    def mission(self, order: Order) -> Mission | Refused:
+        """Return what an order means in this room, or why it means nothing."""
         if order.kind is OrderKind.TAKE_OFF:
             return STAY
         if order.kind is OrderKind.HOME:
@@ -100,7 +101,7 @@ class RoomNavigator:
         if order.place:
             return self._at_place(order)
         if order.goal is None:
-            return "it names neither a place nor a goal"
+            return Refused("it names neither a place nor a goal")
         name = f"({order.goal[0]:.1f}, {order.goal[1]:.1f})"
         return Mission(order.kind, name, order.goal, order.look_at, order.look_s)
 
@@ -139,15 +140,11 @@ class RoomNavigator:
         longer = Path((start, *way.waypoints), way.length + distance(start, free), way.clearance)
         return replace(onward, start=start, path=longer, duration=longer.length / self._speed)
 
-    def follower(self, path: Path, yaw: float) -> Follower:
-        """Return a follower of the mode for this path, starting at heading yaw [rad]."""
-        return CellFollower(path, yaw) if self._paper else PathFollower(path, self._speed)
-
-    def _at_place(self, order: Order) -> Mission | str:
+    def _at_place(self, order: Order) -> Mission | Refused:
         try:
             place = self._room.place(order.place)
         except KeyError as error:
-            return str(error.args[0])
+            return Refused(str(error.args[0]))
         return Mission(
             order.kind, place.name, place.viewpoint, order.look_at or place.look_at, order.look_s
         )

@@ -1,66 +1,59 @@
 """The whole chain as one pure step: sightings, telemetry and orders in, one command out.
 
-    see -> look around -> obey -> watch -> look ahead -> track -> accept -> steer -> judge
+    estimate -> map -> mission -> gate's rules -> compiled step -> command
 
 No clock, no wire, no thread: the same pilot flies hardware, the twin, a recording, and any number
-    of simulated flights, and the
-same inputs give the same outputs bit for bit.
+of simulated flights, and the same inputs give the same outputs bit for bit. What is numbers runs in
+``estimation.estimator`` and ``step``, which the batch of ``lab.experiments`` calls too; here are
+words, events and the mission.
 """
 
 from __future__ import annotations
 
 from math import inf, nan
 
-from housefly.config.site import Site
-from housefly.geometry import Vec2, distance, quaternion_from_euler
+from housefly.geometry import Vec2
 from housefly.messages import (
     Action,
     Behavior,
-    Command,
     DroneStatus,
     Estimate,
     Event,
     Inputs,
     Obstacle,
-    Order,
-    OrderKind,
     Outputs,
     Phase,
     PlanAnswer,
-    Pose,
     Reference,
-    SafetyMode,
     Severity,
     Sighting,
     Telemetry,
 )
 from housefly.numeric import wrapped
-from housefly.pilot.behavior.acceptor import PAPER_EPSILONS, Acceptor, Condition, conditions_of
-from housefly.pilot.behavior.captain import Captain
-from housefly.pilot.behavior.lookout import Lookout
 from housefly.pilot.behavior.maneuver import Maneuver
-from housefly.pilot.behavior.nose import YAW_SLEW, Nose, nose_after
-from housefly.pilot.behavior.scene import Scene
-from housefly.pilot.behavior.tracking import Track
-from housefly.pilot.behavior.watch import Watch
-from housefly.pilot.control.autopilot import Autopilot
-from housefly.pilot.control.laws import acceleration
-from housefly.pilot.control.steering import Aim, Where
-from housefly.pilot.estimation.contracts import Estimator
-from housefly.pilot.estimation.filter import PoseFilter
-from housefly.pilot.estimation.paper_filter import PaperFilter
-from housefly.pilot.navigator import RoomNavigator
-from housefly.pilot.planning.furniture import TrackedFurniture
-from housefly.pilot.safety.facts import Facts, Fence
-from housefly.pilot.safety.gate import Gate, Verdict
-from housefly.pilot.safety.notices import Notices
-from housefly.pilot.safety.rules import CEILING_SLACK
-from housefly.room.grid import OccupancyGrid, extent_of
-from housefly.room.model import Room
+from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+from housefly.pilot.contracts import Map, Missions, PilotSettings
+from housefly.pilot.estimation.estimator import PoseEstimate
+from housefly.pilot.estimation.pose_estimator import PoseEstimator
+from housefly.pilot.safety.gate import Gate, GateVerdict, released
+from housefly.pilot.safety.gate_inputs import GateInputs
+from housefly.pilot.safety.gate_notices import GateNotices
+from housefly.pilot.safety.rules import MODE_SEVERITY
+from housefly.pilot.step import (
+    INITIAL_STEP,
+    NO_OVERRIDE,
+    Guidance,
+    Override,
+    StepOutput,
+    progress_started,
+    step_commanded,
+)
 
-LONGEST_TICK = 0.1
+TICK_MAX = 0.1
 """After a stall the references move on by no more than this [s]."""
-MOST_REFUSALS = 100
+REFUSALS_MAX = 100
 """No more refusals of obstacles are told and remembered than this."""
 FLYING_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
 PHASE_ACTIONS = {
@@ -68,45 +61,42 @@ PHASE_ACTIONS = {
     Phase.TAKING_OFF: Action.TAKE_OFF,
     Phase.LANDING: Action.LAND,
 }
-MOVING_BEHAVIORS = frozenset({Behavior.PATH_TRACKING, Behavior.HOVER})
+BEHAVIORS = tuple(Behavior)
+NOWHERE = PoseEstimate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class Pilot:
-    """One drone's pilot; all its state is in the parts named in the constructor."""
+    """One drone's pilot; ``assembly.make_pilot`` builds one for a site and a room."""
 
     def __init__(
-        self, site: Site, room: Room, grid: OccupancyGrid, maneuver: Maneuver | None = None
+        self,
+        settings: PilotSettings,
+        room_map: Map,
+        missions: Missions,
+        gate: Gate,
+        maneuver: Maneuver | None = None,
     ) -> None:
-        self._site = site
+        self._settings = settings
+        self._params = settings.parameters
+        self._map = room_map
+        self._missions = missions
+        self._gate = gate
         self._maneuver = maneuver
-        self._paper = site.mode == "paper"
-        self._navigator = RoomNavigator(site, room, grid)
-        self._furniture = TrackedFurniture(site, room)
-        self._filter = _estimator(site)
-        self._captain = Captain(site.limits, self._navigator)
-        tolerance = PAPER_EPSILONS[2] if self._paper else site.control.epsilon_position
-        self._lookout = Lookout(self._captain, self._navigator)
-        self._watch = Watch(self._captain, site.limits, tolerance, self._paper, self._lookout)
-        self._autopilot = Autopilot(site)
-        self._gate = Gate(
-            site.limits, Fence(extent_of(grid), site.limits.height_max + CEILING_SLACK)
-        )
-        self._acceptor = Acceptor()
-        self._home = room.home
+        self._notices = GateNotices()
+        self._estimator: PoseEstimator | None = None
+        self._step = INITIAL_STEP
+        self._profile: PathProfile = NO_PATH
+        self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
-        self._nose = Nose()
-        self._track: Track | None = None
-        self._held_back = False
-        self._notices = Notices()
         self._refused: set[str] = set()
 
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
-        estimate = self._filter.estimate(self._now)
-        here = estimate.position[:2] if estimate else self._home
-        return self._navigator.route(start or here, goal)
+        found = self._estimator.estimate(self._now) if self._estimator else None
+        here = found[1].position[:2] if found else self._settings.home
+        return self._map.route(start or here, goal)
 
     def step(self, now: float, inputs: Inputs) -> Outputs:
         """Take in what happened and return what to do.
@@ -117,235 +107,192 @@ class Pilot:
                 telemetry, orders, obstacles.
         """
         now = max(now, self._now)
-        dt = min(now - self._now, LONGEST_TICK)
+        dt = min(now - self._now, TICK_MAX)
         self._now = now
-        self._hear(inputs.telemetry)
+        self._receive(inputs.telemetry)
         events = self._see(inputs, now)
-        events.extend(
-            self._look_around(
-                (*inputs.obstacles, *self._furniture.step(inputs.sightings, now)), now
-            )
-        )
-        estimate = self._filter.estimate(now)
-        scene = self._scene(now, estimate)
-        events.extend(self._captain.obey(order, scene) for order in inputs.orders)
-        events.extend(self._watch.step(scene, self._track, self._facing(estimate)))
-        events.extend(self._lookout.step(scene, self._track))
-        self._follow(estimate, dt)
-        verdict = self._gate.judge(self._proposal(now, estimate), self._facts(scene))
-        events.extend(self._notices.after(verdict, now))
-        self._remember(now, verdict, estimate)
+        events.extend(self._update_map(inputs.obstacles, inputs.sightings, now))
+        here, estimate = self._estimated(now)
+        vehicle = self._vehicle_status(now, estimate)
+        facing = self._is_facing(estimate)
+        events.extend(self._missions.update(inputs.orders, vehicle, self._target, facing))
+        verdict = self._command(vehicle, here, now, dt)
+        events.extend(self._notices.update(verdict, now))
         return self._outputs(estimate, verdict, tuple(events))
 
-    def _hear(self, telemetry: Telemetry | None) -> None:
+    def _receive(self, telemetry: Telemetry | None) -> None:
         if telemetry is not None:
             self._telemetry = telemetry
-            self._status = (
-                self._status if telemetry.status is DroneStatus.UNKNOWN else telemetry.status
-            )
+            is_unknown = telemetry.status is DroneStatus.UNKNOWN
+            self._status = self._status if is_unknown else telemetry.status
+
+    # --- estimation ---
 
     def _see(self, inputs: Inputs, now: float) -> list[Event]:
-        """Hand the sightings to the filter; an order on the pad starts it anew.
+        """Hand the sightings to the estimator; an order on the pad starts it anew.
 
         What a filter learned from a drone that stands still says nothing about the air, and so a
         flight depends on no more of the past than its own recording holds.
         """
         grounded = self._status is DroneStatus.LANDED
-        events = list(self._filter.see(inputs.sightings, now, grounded))
-        believed = self._filter.believed
-        if (
-            inputs.orders
-            and grounded
-            and self._captain.errand.phase is Phase.IDLE
-            and believed is not None
-        ):
-            self._filter = _estimator(self._site)
-            events.extend(self._filter.see((believed,), now, grounded))
+        estimator = self._estimator or self._new_estimator(now)
+        events = list(estimator.update(inputs.sightings, now, grounded))
+        accepted, phase = estimator.accepted, self._missions.state.phase
+        if inputs.orders and grounded and phase is Phase.IDLE and accepted is not None:
+            estimator = self._new_estimator(now)
+            events.extend(estimator.update((accepted,), now, grounded))
+        self._estimator = estimator
         return events
 
-    def _look_around(self, obstacles: tuple[Obstacle, ...], now: float) -> list[Event]:
-        """Bring the map up to now; what is not believed is told once for each source and reason."""
+    def _new_estimator(self, now: float) -> PoseEstimator:
+        return PoseEstimator(self._params.estimator, self._settings.body, now)
+
+    def _estimated(self, now: float) -> tuple[PoseEstimate, Estimate | None]:
+        assert self._estimator is not None
+        return self._estimator.estimate(now) or (NOWHERE, None)
+
+    # --- map and mission ---
+
+    def _update_map(
+        self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
+    ) -> list[Event]:
+        """Bring the map up to now; a refused obstacle is told once for each source and reason."""
         refused = [
-            words for words in self._navigator.hear(obstacles, now) if words not in self._refused
+            words
+            for words in self._map.update(obstacles, sightings, now)
+            if words not in self._refused
         ]
-        refused = refused[: MOST_REFUSALS - len(self._refused)]
+        refused = refused[: REFUSALS_MAX - len(self._refused)]
         self._refused.update(refused)
         return [
             Event(now, Severity.WARNING, "obstacle_refused", f"obstacle refused: {words}")
             for words in refused
         ]
 
-    def _scene(self, now: float, estimate: Estimate | None) -> Scene:
-        heard = self._telemetry
-        age = now - heard.received_at if heard else inf
-        return Scene(
-            now, self._status, heard.battery if heard else 0.0, age, estimate, self._gate.landing
+    def _vehicle_status(self, now: float, estimate: Estimate | None) -> VehicleStatus:
+        telemetry = self._telemetry
+        return VehicleStatus(
+            now=now,
+            status=self._status,
+            battery=telemetry.battery if telemetry else 0.0,
+            telemetry_age=now - telemetry.received_at if telemetry else inf,
+            estimate=estimate,
+            landing_forced=self._gate.landing,
         )
 
-    def _facing(self, estimate: Estimate | None) -> bool:
-        return (
-            estimate is not None
-            and abs(wrapped(self._nose.target - estimate.yaw)) < self._site.control.epsilon_yaw
+    def _is_facing(self, estimate: Estimate | None) -> bool:
+        if estimate is None:
+            return False
+        turn = wrapped(self._step.yaw.target - estimate.yaw)
+        return abs(turn) < self._settings.facing_tolerance
+
+    # --- the compiled step ---
+
+    def _command(
+        self, vehicle: VehicleStatus, here: PoseEstimate, now: float, dt: float
+    ) -> GateVerdict:
+        assert self._estimator is not None
+        state = self._missions.state
+        assessment = self._gate.assess(self._gate_inputs(vehicle))
+        guidance = self._guidance(vehicle.estimate)
+        self._step, self._estimator.state, output = step_commanded(
+            self._step,
+            self._estimator.state,
+            self._estimator.history,
+            self._params,
+            here,
+            guidance,
+            self._profile,
+            self._override(now, vehicle.estimate),
+            MODE_SEVERITY[assessment.mode],
+            assessment.airborne and not state.resetting,
+            now,
+            dt,
+        )
+        self._target = output.target if guidance.active else None
+        return released(self._action(output), output.command, assessment)
+
+    def _guidance(self, estimate: Estimate | None) -> Guidance:
+        """Return what to track; a new path begins at its start."""
+        task, mission = self._missions.task, self._missions.state
+        active = estimate is not None and mission.phase in FLYING_PHASES
+        x, y = estimate.position[:2] if estimate else (0.0, 0.0)
+        arrival_yaw: float | None = None
+        if active and estimate is not None and task.profile is not None:
+            if task.profile is not self._profile:
+                self._profile = task.profile
+                progress = progress_started(self._params, estimate.yaw)
+                self._step = self._step._replace(progress=progress)
+            arrival_yaw = mission.mission.arrival_yaw((x, y))
+        hold_x, hold_y = task.hold or (x, y)
+        return Guidance(
+            active=active,
+            following=task.profile is not None,
+            x=hold_x,
+            y=hold_y,
+            yaw=task.hold_yaw,
+            arrival_yaw=nan if arrival_yaw is None else arrival_yaw,
+            height=self._settings.flight_height,
         )
 
-    # --- behavior: what to track, and the acceptor's state ---
+    def _override(self, now: float, estimate: Estimate | None) -> Override:
+        """Return the setpoint of the maneuver, while the drone holds a place."""
+        mission = self._missions.state
+        if self._maneuver is None or estimate is None or mission.phase is not Phase.HOLDING:
+            return NO_OVERRIDE
+        if mission.stopped or mission.cutting or mission.resetting:
+            return NO_OVERRIDE
+        setpoint = self._maneuver.propose(now, estimate)
+        if setpoint is None:
+            return NO_OVERRIDE
+        return Override(True, setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
 
-    def _follow(self, estimate: Estimate | None, dt: float) -> None:
-        """Move the reference on and let the acceptor choose its state."""
-        if estimate is None or self._captain.errand.phase not in FLYING_PHASES:
-            self._track, self._nose = None, Nose(self._nose.target)
-            self._acceptor = self._acceptor.after(Condition.REST, self._now)
-            return
-        track = self._tracked(estimate, dt)
-        self._track = track
-        turn_max = inf if self._paper else YAW_SLEW * dt
-        self._nose = nose_after(
-            self._nose, self._wished_yaw(track, estimate), estimate.yaw, turn_max
-        )
-        errors = self._errors(track, estimate)
-        conditions = conditions_of(self._acceptor, errors, self._site.control, self._paper)
-        dwell = 0.0 if self._paper else self._site.control.dwell
-        self._acceptor = self._acceptor.after(conditions, self._now, dwell)
+    def _action(self, output: StepOutput) -> Action:
+        """Return what the pilot wants; in the paper's hover it leaves the drone to itself."""
+        mission = self._missions.state
+        if mission.cutting or mission.resetting:
+            return Action.CUT if mission.cutting else Action.RESET
+        if mission.phase not in FLYING_PHASES:
+            return PHASE_ACTIONS[mission.phase]
+        return Action.FLY if self._target is not None and output.flying else Action.HOVER
 
-    def _tracked(self, estimate: Estimate, dt: float) -> Track:
-        course = self._captain.course
-        if course.follower is None:
-            return Track(course.hold or estimate.position[:2], yaw=course.hold_yaw)
-        moving = self._acceptor.state in MOVING_BEHAVIORS and not self._held_back
-        return course.follower.step(estimate.position[:2], moving, dt)
-
-    def _wished_yaw(self, track: Track, estimate: Estimate) -> float:
-        """Return the heading that the way or the errand wants [rad]; nan keeps the last."""
-        wish = track.yaw
-        if track.finished and not self._paper and self._captain.course.follower is not None:
-            arrival = self._captain.errand.mission.arrival_yaw(estimate.position[:2])
-            wish = wish if arrival is None else arrival
-        return nan if wish is None else wish
-
-    def _errors(self, track: Track, estimate: Estimate) -> tuple[float, float, float]:
-        """Return errors of height [m], yaw [rad] and place [m]; the place is the path's end, in
-        mode paper the waypoint.
-        """
-        x, y, z = estimate.position
-        follower = self._captain.course.follower
-        place = track.position if self._paper or follower is None else follower.goal
-        yaw_error = wrapped(estimate.yaw - self._nose.target)
-        return z - self._site.map.flight_height, yaw_error, distance((x, y), place)
-
-    # --- control ---
-
-    def _proposal(self, now: float, estimate: Estimate | None) -> Command:
-        errand = self._captain.errand
-        if errand.cutting or errand.resetting:
-            return Command(Action.CUT if errand.cutting else Action.RESET)
-        if errand.phase not in FLYING_PHASES:
-            return Command(PHASE_ACTIONS[errand.phase])
-        forecast = self._filter.forecast(now)
-        if estimate is None or forecast is None or self._track is None:
-            return Command(Action.HOVER)
-        track = self._track
-        aim = Aim(
-            track.position,
-            track.velocity,
-            track.acceleration,
-            self._site.map.flight_height,
-            self._nose.reference,
-        )
-        where = Where(
-            forecast.position,
-            forecast.velocity,
-            forecast.disturbance,
-            estimate.position[2],
-            estimate.yaw,
-        )
-        command = (
-            self._autopilot.paper(self._acceptor.state, aim, where)
-            if self._paper
-            else self._autopilot.default(aim, where)
-        )
-        if self._maneuver is None or errand.phase is not Phase.HOLDING or errand.stopped:
-            return command
-        return self._maneuver.propose(now, estimate, command)
-
-    # --- safety ---
-
-    def _facts(self, scene: Scene) -> Facts:
-        errand = self._captain.errand
-        position = scene.estimate.position if scene.estimate else None
-        return Facts(
-            now=scene.now,
-            status=scene.status,
-            battery=scene.battery,
-            pose_age=scene.pose_age,
-            telemetry_age=scene.telemetry_age,
-            position=position,
-            stopped=errand.stopped,
-            cutting=errand.cutting,
+    def _gate_inputs(self, vehicle: VehicleStatus) -> GateInputs:
+        mission = self._missions.state
+        return GateInputs(
+            now=vehicle.now,
+            status=vehicle.status,
+            battery=vehicle.battery,
+            pose_age=vehicle.pose_age,
+            telemetry_age=vehicle.telemetry_age,
+            position=vehicle.estimate.position if vehicle.estimate else None,
+            stopped=mission.stopped,
+            cutting=mission.cutting,
         )
 
-    # --- memory and answer ---
-
-    def _remember(self, now: float, verdict: Verdict, estimate: Estimate | None) -> None:
-        """Tell the filter what was sent (it predicts with what left the gate, not with what was
-        wished) and keep the verdict.
-        """
-        self._held_back = verdict.mode is not SafetyMode.NOMINAL
-        command = verdict.command
-        flown = command.action is Action.FLY and estimate is not None
-        yaw = estimate.yaw if estimate else 0.0
-        pushed: Vec2 = acceleration(command.setpoint.theta, command.setpoint.phi, yaw)
-        self._filter.sent(now, pushed, flown)
+    # --- answer ---
 
     def _outputs(
-        self, estimate: Estimate | None, verdict: Verdict, events: tuple[Event, ...]
+        self, estimate: Estimate | None, verdict: GateVerdict, events: tuple[Event, ...]
     ) -> Outputs:
-        track, errand = self._track, self._captain.errand
+        mission, task, target = self._missions.state, self._missions.task, self._target
+        last = len(task.path.waypoints) - 1 if task.path else 0
         return Outputs(
             command=verdict.command,
             estimate=estimate,
-            reference=self._reference(track),
-            behavior=self._acceptor.state,
-            phase=errand.phase,
+            reference=self._reference(),
+            behavior=BEHAVIORS[self._step.acceptor.state],
+            phase=mission.phase,
             safety=verdict.mode,
-            goal_name=errand.mission.name,
-            path=self._captain.course.path,
-            waypoint=track.waypoint if track else 0,
-            reason=verdict.reason or self._captain.course.waiting,
+            goal_name=mission.mission.name,
+            path=task.path,
+            waypoint=min(target.waypoint, last) if target else 0,
+            reason=verdict.reason or task.waiting,
             events=events,
         )
 
-    def _reference(self, track: Track | None) -> Reference | None:
-        if track is None:
+    def _reference(self) -> Reference | None:
+        if self._target is None:
             return None
-        (x, y), (vx, vy) = track.position, track.velocity
-        return Reference((x, y, self._site.map.flight_height), (vx, vy, 0.0), self._nose.reference)
-
-
-def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
-    """Compile every numeric function that a pilot of this site calls, by flying a second on paper."""
-    pilot = Pilot(site, room, grid)
-    pose = Pose(
-        (*room.home, site.map.flight_height), quaternion_from_euler(0.0, 0.0, room.home_yaw)
-    )
-    goal = next((place.name for place in room.places if place.name != "home"), "home")
-    for tick in range(50):
-        at = 0.02 * tick
-        orders = (Order(OrderKind.GO, goal, issued_at=at),) if tick == 10 else ()
-        sighting = Sighting(site.tracking.body, pose, at, at)
-        chair = Obstacle("chair", (room.home[0] + 1e-3 * tick, room.home[1]), 0.1, seen_at=at)
-        pilot.step(
-            at,
-            Inputs(
-                (sighting,),
-                Telemetry(at, DroneStatus.FLYING, 1.0),
-                orders,
-                (chair,) if tick > 20 else (),
-            ),
-        )
-    pilot.plan(room.home)
-
-
-def _estimator(site: Site) -> Estimator:
-    if site.mode == "paper":
-        return PaperFilter(site.control, site.tracking.body)
-    return PoseFilter(site.drone, site.control, site.tracking.body)
+        target, height = self._target, self._settings.flight_height
+        position, velocity = (target.x, target.y, height), (target.vx, target.vy, 0.0)
+        return Reference(position, velocity, self._step.yaw.reference)

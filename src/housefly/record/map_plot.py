@@ -1,4 +1,4 @@
-"""The report's map: grid, furniture, planned and flown way."""
+"""The report's map: grid, furniture, planned and flown path."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from housefly.room.model import Room
 from housefly.room.outline import outline
 
 _CELLS = (
-    (Cell.OUTSIDE, svg.OUTSIDE, "", "outside"),
-    (Cell.INFLATED, svg.INFLATED, "", "too close"),
-    (Cell.VIRTUAL, svg.VIRTUAL, "////", "kept free"),
-    (Cell.OCCUPIED, svg.OCCUPIED, "", "occupied"),
+    (Cell.OUTSIDE, svg.OUTSIDE_FILL, "", "outside"),
+    (Cell.INFLATED, svg.INFLATED_FILL, "", "too close"),
+    (Cell.VIRTUAL, svg.VIRTUAL_FILL, "////", "kept free"),
+    (Cell.OCCUPIED, svg.OCCUPIED_FILL, "", "occupied"),
 )
 _WIDTH = 10.4
 """Width of every picture of the report [inch]."""
 
 
 def map_svg(flight: FlightSeries, room: Room, grid: OccupancyGrid) -> str:
-    """Return the room from above with what was planned and what was flown."""
+    """Return the plan of the room with the planned and the flown path."""
     x_min, y_min, x_max, y_max = room.bounds
     with svg.drawing("map"):
         figure = Figure(
@@ -73,9 +73,7 @@ def _draw_cells(axes: Axes, grid: OccupancyGrid) -> list[Patch | Line2D]:
 
 
 def _boxes(grid: OccupancyGrid, cell: Cell) -> Iterator[list[Vec2]]:
-    """Yield the corners of boxes that cover the cells of one kind: runs along x, joined while they
-    repeat along y.
-    """
+    """Yield the corners of boxes that cover the cells of one kind: runs along x, merged along y."""
     open_runs: dict[tuple[int, int], int] = {}
     for row in range(grid.cells.shape[1] + 1):
         runs = _runs(grid.cells[:, row] == cell) if row < grid.cells.shape[1] else set()
@@ -106,15 +104,17 @@ def _corners(grid: OccupancyGrid, run: tuple[int, int], first_row: int, end_row:
 def _draw_furniture(axes: Axes, room: Room) -> None:
     outlines = [outline(solid) for solid in room.solids if solid.collides]
     axes.add_collection(
-        PolyCollection(outlines, facecolor="none", edgecolor=svg.FURNITURE, linewidth=0.7, zorder=2)
+        PolyCollection(
+            outlines, facecolor="none", edgecolor=svg.FURNITURE_LINE, linewidth=0.7, zorder=2
+        )
     )
 
 
 def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
-    planned = Line2D([], [], color=svg.SECOND, linestyle=(0, (4, 3)), label="planned")
+    planned = Line2D([], [], color=svg.SECONDARY, linestyle=(0, (4, 3)), label="planned")
     flown = Line2D([], [], color=svg.ACCENT, linewidth=2.4, label="flown")
     for path in flight.paths:
-        axes.plot(*np.array(path.waypoints).T, color=svg.SECOND, linestyle=(0, (4, 3)), zorder=4)
+        axes.plot(*np.array(path.waypoints).T, color=svg.SECONDARY, linestyle=(0, (4, 3)), zorder=4)
     if len(flight.sighting):
         axes.plot(
             flight.sighting[:, 0], flight.sighting[:, 1], color=svg.ACCENT, linewidth=2.4, zorder=3
@@ -125,9 +125,9 @@ def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
 def _draw_points(axes: Axes, room: Room, flight: FlightSeries) -> None:
     for place in room.places:
         _mark(axes, place.viewpoint, ".", place.title or place.name, svg.MUTED)
-    _mark(axes, room.home, "s", "", svg.INK)
+    _mark(axes, room.home, "s", "", svg.TEXT)
     if room.visitor is not None:
-        _mark(axes, room.visitor, "o", "visitor", svg.INK)
+        _mark(axes, room.visitor, "o", "visitor", svg.TEXT)
     outbound = flight.path[flight.during(Phase.OUTBOUND) & (flight.path >= 0)]
     if outbound.size:
         _mark(axes, flight.paths[outbound[-1]].waypoints[-1], "*", "", svg.ACCENT)
@@ -136,5 +136,11 @@ def _draw_points(axes: Axes, room: Room, flight: FlightSeries) -> None:
 def _mark(axes: Axes, point: Vec2, marker: str, label: str, colour: str) -> None:
     axes.plot(*point, marker=marker, markersize=8, color=colour, linestyle="none", zorder=5)
     axes.annotate(
-        label, point, xytext=(6, 6), textcoords="offset points", color=svg.INK, fontsize=8, zorder=6
+        label,
+        point,
+        xytext=(6, 6),
+        textcoords="offset points",
+        color=svg.TEXT,
+        fontsize=8,
+        zorder=6,
     )

@@ -1,4 +1,4 @@
-"""One MCAP file of ROS 2 messages, readable up to its last moments when the writer dies."""
+"""One MCAP file of ROS 2 messages, readable up to its last moments if the writer dies."""
 
 from __future__ import annotations
 
@@ -8,18 +8,14 @@ from typing import Any
 
 from mcap.writer import Writer
 
-from housefly.bus.codec import encode
+from housefly.bus.codec import to_cdr
 from housefly.bus.interfaces import definition, ros_name, type_store
 from housefly.record.ros_messages import nanoseconds
 
 _CHUNK_SIZE = 32 * 1024
-"""A chunk [bytes] is lost when the process dies: this is a quarter of a second at 100 steps/s, and
-still compresses well.
-"""
+"""Chunk size [bytes]: a quarter of a second at 100 steps/s is lost when the process dies."""
 _BUFFER_SIZE = 512
-"""Smaller than a chunk [bytes], so that each one goes to the operating system as soon as it is
-finished.
-"""
+"""Smaller than a chunk [bytes], so that each chunk is written as soon as it is finished."""
 
 
 class McapLog:
@@ -54,7 +50,7 @@ class McapLog:
 
     def add_own(self, topic: str, at: float, message: object) -> None:
         """Append one of our own messages at a time [s]."""
-        self._append(topic, at, ros_name(type(message).__name__), encode(message))
+        self._append(topic, at, ros_name(type(message).__name__), to_cdr(message))
 
     def close(self) -> None:
         """Write the index and close the file."""

@@ -1,4 +1,4 @@
-"""The drone's pictures as a playable film, without decoding or encoding anything."""
+"""The drone's video as a playable file, without decoding or encoding."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ _OPTIONS = {"movflags": "hybrid_fragmented+frag_keyframe", "flush_packets": "1"}
 
 
 class Movie:
-    """An MP4 file that grows with each H.264 access unit; starts with the first key frame that can
-    be understood.
+    """An MP4 file that grows with each H.264 access unit, from the first decodable key frame on.
+
+    Frames of another size than the first are dropped: one MP4 track has one size.
 
     Pictures of another size than the first are left out: one MP4 track has one size.
 
@@ -36,8 +37,9 @@ class Movie:
         self._last_pts = -1
 
     def add(self, frame: VideoFrame) -> None:
-        """Append one picture, shown from its ``received_at`` on; may raise OSError and
-        av.FFmpegError.
+        """Append one frame, shown from its ``received_at`` on.
+
+        May raise OSError and av.FFmpegError.
         """
         if self._container is None and not (frame.keyframe and self._open(frame)):
             return
@@ -52,13 +54,13 @@ class Movie:
         self._container.mux(packet)
 
     def close(self) -> None:
-        """End the film; closing twice does no harm."""
+        """Close the file; closing twice does no harm."""
         container, self._container = self._container, None
         if container is not None:
             container.close()
 
     def _open(self, first: VideoFrame) -> bool:
-        """Begin the film; False when the picture does not hold the stream's parameters."""
+        """Open the file; False when the frame lacks the stream's parameters."""
         try:
             with av.open(io.BytesIO(first.data), format="h264") as probe:
                 template = probe.streams.video[0]

@@ -1,5 +1,4 @@
-"""The flight recorder: everything that happened, into one folder, without ever getting in the way
-of the flight.
+"""The flight recorder: the whole flight in one folder, without ever delaying it.
 
 flight.mcap    every step, whole, and standard ROS 2 topics beside it
 video.mp4      the drone's pictures
@@ -25,27 +24,24 @@ from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record import ros_messages
 from housefly.record.mcap_log import McapLog
 from housefly.record.movie import Movie
-from housefly.record.replay import STEP_TOPIC, replay
+from housefly.record.replay import STEP_TOPIC, read_steps
 from housefly.record.report import write_report
 from housefly.record.ros_topics import StepTopics
 from housefly.record.series import collect
-from housefly.record.summary import Summary, summarize
+from housefly.record.summary import Summary, summarize_flight
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
 _log = logging.getLogger(__name__)
 
 _QUEUE_SIZE = 2000
-"""Messages that wait for the disk: more than ten seconds of a flight with pictures."""
+"""Messages waiting for the disk: more than ten seconds of a flight with video."""
 _PATIENCE = 2.0
-"""How long [s] a sender waits for room in the queue: a lock-step flight is faster than the disk, a
-real one never is.
-"""
+"""How long a sender waits for room in the queue [s]; only a lock-step flight outruns the disk."""
 
 
 class FlightRecorder:
-    """Records one flight; ``step``, ``video`` and ``link`` may be called from any thread and never
-    raise.
+    """Records one flight; ``step``, ``video`` and ``link`` are thread-safe and never raise.
 
     Args:
         directory: where the files go; made if need be.
@@ -80,7 +76,7 @@ class FlightRecorder:
 
     @property
     def problems(self) -> tuple[str, ...]:
-        """What went wrong with the recording so far, in words."""
+        """What went wrong with the recording so far."""
         return tuple(self._problems)
 
     def step(self, step: PilotStep) -> None:
@@ -88,7 +84,7 @@ class FlightRecorder:
         self._put(lambda: self._write_step(step))
 
     def video(self, frame: VideoFrame) -> None:
-        """Record one picture."""
+        """Record one video frame."""
         self._put(lambda: self._write_video(frame))
 
     def link(self, status: LinkStatus) -> None:
@@ -96,8 +92,9 @@ class FlightRecorder:
         self._put(lambda: self._write_link(status))
 
     def finish(self, outcome: str) -> Summary:
-        """Close the recording, write summary and report, and return the summary; a second call
-        returns the same one.
+        """Close the recording, write summary and report, and return the summary.
+
+        A second call returns the same summary.
         """
         if self._summary is None:
             self._queue.put(None)
@@ -150,9 +147,7 @@ class FlightRecorder:
             self._mcap = None
 
     def _guard(self, name: str, work: Callable[[], Any]) -> bool:
-        """Do the work and return whether the file can go on; a failure is told, and the flight goes
-        on in any case.
-        """
+        """Do the work and return whether the file can go on; failures are only reported."""
         try:
             work()
         except WireError as error:
@@ -169,7 +164,7 @@ class FlightRecorder:
 
     def _conclude(self, outcome: str) -> Summary:
         flight = collect(self._readable(), self._site.tracking.body)
-        summary = summarize(
+        summary = summarize_flight(
             flight,
             outcome,
             self._site,
@@ -193,6 +188,6 @@ class FlightRecorder:
 
     def _readable(self) -> Iterable[PilotStep]:
         try:
-            yield from replay(self._directory / "flight.mcap")
+            yield from read_steps(self._directory / "flight.mcap")
         except RecordingError as error:
             self._report(str(error))

@@ -1,4 +1,4 @@
-"""Reads a recording back, and gives it to a fresh pilot."""
+"""Reads a recording, and replays it with a fresh pilot."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC
 from zstandard import ZstdError
 
-from housefly.bus.codec import decode
+from housefly.bus.codec import from_cdr
 from housefly.bus.interfaces import definition, ros_name
 from housefly.errors import RecordingError, WireError
 from housefly.messages import Command, Inputs, Outputs, PilotStep
@@ -24,14 +24,13 @@ from housefly.messages import Command, Inputs, Outputs, PilotStep
 STEP_TOPIC = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
 _RECORD_LIMIT = 64 * 2**20
-"""Largest record [bytes] that a sane recording holds; a damaged length must not fill the memory."""
+"""Largest record in a sane recording [bytes]; a damaged length must not exhaust the memory."""
 _HEAD = struct.Struct("<BQ")
 """Kind and length [bytes] of an MCAP record."""
 
 
-def replay(path: Path) -> Iterator[PilotStep]:
-    """Yield the steps of a recording in order; one that was cut short yields what is readable and
-    then ends.
+def read_steps(path: Path) -> Iterator[PilotStep]:
+    """Yield the steps of a recording in order; a truncated one ends at its last readable step.
 
     Args:
         path: ``flight.mcap``, or the folder that holds it.
@@ -60,15 +59,13 @@ def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
             step_channel = record.id
         elif isinstance(record, Message) and record.channel_id == step_channel:
             try:
-                yield decode(PilotStep, record.data)
+                yield from_cdr(PilotStep, record.data)
             except WireError as error:
                 raise RecordingError(f"{path} is damaged: {error}") from error
 
 
 def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
-    """Yield the records of an MCAP file, chunk by chunk; ends quietly at the last one that is
-    whole.
-    """
+    """Yield the records of an MCAP file; ends quietly after the last complete one."""
     if file.read(len(MCAP0_MAGIC)) != MCAP0_MAGIC:
         raise RecordingError(f"{path} is not a recording")
     while len(head := file.read(_HEAD.size)) == _HEAD.size:
@@ -118,7 +115,7 @@ class SteppedPilot(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """The first step at which a fresh pilot decided otherwise."""
+    """The first step at which a fresh pilot decided differently."""
 
     step: PilotStep
     replayed: Command
@@ -132,7 +129,7 @@ class Difference:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class ReplayResult:
     """How a replay compares with its recording.
 
     Attributes:
@@ -147,17 +144,18 @@ class Verdict:
     difference: Difference | None
 
 
-def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> Verdict:
-    """Give a recording to a fresh pilot and compare each command bit for bit; raises RecordingError
-    like ``replay``.
+def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResult:
+    """Replay a recording with a fresh pilot and compare each command bit for bit.
+
+    Raises RecordingError like ``read_steps``.
     """
     pilot = pilot_factory()
     count, missing, last = 0, 0, None
-    for step in replay(path):
+    for step in read_steps(path):
         missing += max(0, step.sequence - last - 1) if last is not None else 0
         last = step.sequence
         command = pilot.step(step.now, step.inputs).command
         if repr(command) != repr(step.outputs.command):
-            return Verdict(count, missing, Difference(step, command))
+            return ReplayResult(count, missing, Difference(step, command))
         count += 1
-    return Verdict(count, missing, None)
+    return ReplayResult(count, missing, None)

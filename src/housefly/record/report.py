@@ -1,6 +1,4 @@
-"""The flight report: one HTML file with everything in it, readable in ten years without this
-program.
-"""
+"""The flight report: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -10,7 +8,7 @@ from pathlib import Path
 
 from housefly.config.site import Site
 from housefly.record.map_plot import map_svg
-from housefly.record.report_style import STYLE
+from housefly.record.report_style import REPORT_CSS
 from housefly.record.series import FlightSeries
 from housefly.record.summary import EventRecord, Summary
 from housefly.record.time_plots import commands_svg, health_svg, position_svg, states_svg
@@ -72,7 +70,7 @@ def _page(header: str, body: str) -> str:
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>Housefly flight report</title>
-<style>{STYLE}</style>
+<style>{REPORT_CSS}</style>
 </head>
 <body>
 <main>

@@ -15,7 +15,7 @@ _DARK = """
   --s0: #262d37; --s1: #1d3b5c; --s2: #24538a; --s3: #20492f; --s4: #424a1e; --s5: #3d3563; --s6: #5a3b22;
 """
 
-STYLE = f"""
+REPORT_CSS = f"""
 :root {{{_LIGHT}
   --font: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", sans-serif;
 }}

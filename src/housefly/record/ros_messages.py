@@ -26,7 +26,7 @@ from housefly.messages import (
 )
 from housefly.room.grid import Cell, OccupancyGrid
 
-WORLD, DRONE = "world", "drone"
+_WORLD_FRAME, _DRONE_FRAME = "world", "drone"
 
 _LOG_LEVEL = {Severity.INFO: 20, Severity.WARNING: 30, Severity.FAULT: 40}
 _MAP_VALUE = {
@@ -48,13 +48,16 @@ def nanoseconds(seconds: float) -> int:
 def pose_stamped(at: float, pose: Pose) -> Any:
     """Return geometry_msgs/PoseStamped of a body in the world."""
     return _new(
-        "geometry_msgs/msg/PoseStamped", _header(at, WORLD), _pose(pose.position, pose.orientation)
+        "geometry_msgs/msg/PoseStamped",
+        _header(at, _WORLD_FRAME),
+        _pose(pose.position, pose.orientation),
     )
 
 
 def odometry(estimate: Estimate) -> Any:
-    """Return nav_msgs/Odometry of the estimate: pose in the world, velocity in the drone's frame,
-    variances of x and y.
+    """Return nav_msgs/Odometry of the estimate, with the variances of x and y.
+
+    The pose is in the world, the velocity in the drone's frame.
     """
     turn = _about_z(estimate.yaw)
     covariance = np.zeros(36)
@@ -66,27 +69,28 @@ def odometry(estimate: Estimate) -> Any:
         _twist(rotate(back, estimate.velocity), (0.0, 0.0, 0.0)),
         _NO_COVARIANCE,
     )
-    return _new("nav_msgs/msg/Odometry", _header(estimate.at, WORLD), DRONE, pose, twist)
+    return _new(
+        "nav_msgs/msg/Odometry", _header(estimate.at, _WORLD_FRAME), _DRONE_FRAME, pose, twist
+    )
 
 
 def velocity_command(at: float, setpoint: Setpoint) -> Any:
     """Return geometry_msgs/TwistStamped of a setpoint.
 
     The drone takes angles, not speeds: linear.x is theta [rad] (positive forward), linear.y is -phi
-        [rad] (positive left),
-    linear.z the climb rate [m/s], angular.z the yaw rate [rad/s].
+    [rad] (positive left), linear.z the climb rate [m/s], angular.z the yaw rate [rad/s].
     """
     twist = _twist((setpoint.theta, -setpoint.phi, setpoint.vz), (0.0, 0.0, setpoint.yaw_rate))
-    return _new("geometry_msgs/msg/TwistStamped", _header(at, DRONE), twist)
+    return _new("geometry_msgs/msg/TwistStamped", _header(at, _DRONE_FRAME), twist)
 
 
 def battery_state(telemetry: Telemetry) -> Any:
-    """Return sensor_msgs/BatteryState; what the drone does not say is not a number."""
+    """Return sensor_msgs/BatteryState; unknown values are nan."""
     known = telemetry.status is not DroneStatus.UNKNOWN
     electrical = [nan] * 6
     return _new(
         "sensor_msgs/msg/BatteryState",
-        _header(telemetry.received_at, DRONE),
+        _header(telemetry.received_at, _DRONE_FRAME),
         *electrical,
         telemetry.battery if known else nan,
         _POWER_DISCHARGING,
@@ -106,12 +110,12 @@ def planned_path(at: float, path: Path | None, height: float) -> Any:
     stamped = [
         _new(
             "geometry_msgs/msg/PoseStamped",
-            _header(at, WORLD),
+            _header(at, _WORLD_FRAME),
             _pose((x, y, height), _about_z(0.0)),
         )
         for x, y in waypoints
     ]
-    return _new("nav_msgs/msg/Path", _header(at, WORLD), stamped)
+    return _new("nav_msgs/msg/Path", _header(at, _WORLD_FRAME), stamped)
 
 
 def occupancy(at: float, grid: OccupancyGrid) -> Any:
@@ -129,11 +133,14 @@ def occupancy(at: float, grid: OccupancyGrid) -> Any:
     for cell, value in _MAP_VALUE.items():
         values[cell] = value
     return _new(
-        "nav_msgs/msg/OccupancyGrid", _header(at, WORLD), info, values[grid.cells.T].reshape(-1)
+        "nav_msgs/msg/OccupancyGrid",
+        _header(at, _WORLD_FRAME),
+        info,
+        values[grid.cells.T].reshape(-1),
     )
 
 
-def log(event: Event) -> Any:
+def log_message(event: Event) -> Any:
     """Return rcl_interfaces/Log of an event."""
     return _new(
         "rcl_interfaces/msg/Log",

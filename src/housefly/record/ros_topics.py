@@ -1,4 +1,4 @@
-"""Which standard ROS 2 topics a recording holds beside the complete steps."""
+"""The standard ROS 2 topics in a recording, beside the complete steps."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Sample(NamedTuple):
 
 
 class StepTopics:
-    """Turns the pilot's steps into standard messages; remembers only what it said last.
+    """Turns the pilot's steps into standard messages; remembers only the last ones.
 
     Args:
         flight_height: where a planned path is drawn [m].
@@ -31,9 +31,7 @@ class StepTopics:
         self._path: Path | None = None
 
     def of(self, step: PilotStep) -> Iterator[Sample]:
-        """Yield what one step adds: sightings, odometry, command, and battery, path and events when
-        they are new.
-        """
+        """Yield the messages of one step; battery, path and events only when they are new."""
         now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
         for sighting in step.inputs.sightings:
             stamped = ros_messages.pose_stamped(sighting.captured_at, sighting.pose)
@@ -52,7 +50,7 @@ class StepTopics:
                 "/path", now, ros_messages.planned_path(now, outputs.path, self._flight_height)
             )
         for event in outputs.events:
-            yield Sample("/events", now, ros_messages.log(event))
+            yield Sample("/events", now, ros_messages.log_message(event))
 
 
 def _topic_part(name: str) -> str:

@@ -1,6 +1,4 @@
-"""A recorded flight as arrays: one row a step, one row a sighting. Summary and report are computed
-from these.
-"""
+"""A recorded flight as arrays: one row per step, one per sighting."""
 
 from __future__ import annotations
 
@@ -12,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.messages import Behavior, DroneStatus, Event, Path, Phase, PilotStep, SafetyMode
+from housefly.numeric import FloatArray
 
-Floats = NDArray[np.float64]
-Numbers = NDArray[np.int64]
+IntArray = NDArray[np.int64]
 
 PHASES, BEHAVIORS, SAFETY_MODES, STATUSES = (
     tuple(Phase),
@@ -22,15 +20,14 @@ PHASES, BEHAVIORS, SAFETY_MODES, STATUSES = (
     tuple(SafetyMode),
     tuple(DroneStatus),
 )
-"""What the numbers in the arrays of states mean."""
+"""Meaning of the indices in the arrays of states."""
 
 _NOWHERE = (nan, nan, nan)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FlightSeries:
-    """One flight; unknown values are not a number, states are indices into the tuples of this
-    module.
+    """One flight; unknown values are nan, states are indices into the tuples of this module.
 
     Attributes:
         time: of each step [s], shape (n,).
@@ -50,22 +47,22 @@ class FlightSeries:
         missing_steps: gaps in the step numbers.
     """
 
-    time: Floats
-    estimate: Floats
-    reference: Floats
-    setpoint: Floats
-    phase: Numbers
-    behavior: Numbers
-    safety: Numbers
-    status: Numbers
-    battery: Floats
-    pose_age: Floats
-    telemetry_age: Floats
-    path: Numbers
+    time: FloatArray
+    estimate: FloatArray
+    reference: FloatArray
+    setpoint: FloatArray
+    phase: IntArray
+    behavior: IntArray
+    safety: IntArray
+    status: IntArray
+    battery: FloatArray
+    pose_age: FloatArray
+    telemetry_age: FloatArray
+    path: IntArray
     paths: tuple[Path, ...]
-    sighting_step: Numbers
-    sighting_time: Floats
-    sighting: Floats
+    sighting_step: IntArray
+    sighting_time: FloatArray
+    sighting: FloatArray
     goal_name: tuple[str, ...]
     events: tuple[Event, ...]
     missing_steps: int

@@ -1,4 +1,4 @@
-"""What a flight was like, in numbers that can be looked up.
+"""A flight in numbers.
 
 All errors are measured in the horizontal plane, and where the tracking system saw the drone, not
 where the filter believed it to be. A number that could not be measured is None.
@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2
-from housefly.messages import DroneStatus, Event, Path, Phase
-from housefly.record.series import SAFETY_MODES, STATUSES, FlightSeries, Floats
+from housefly.messages import DroneStatus, Event, Phase
+from housefly.numeric import FloatArray
+from housefly.record.series import SAFETY_MODES, STATUSES, FlightSeries
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
@@ -26,9 +27,7 @@ _AIRBORNE = [
     for status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 ]
 _TRACK_PERIOD = 0.2
-"""Spacing [s] of the points that the length of the way is measured with; closer ones would add up
-the noise.
-"""
+"""Sampling period of the flown length [s]; shorter ones would add up the noise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +94,7 @@ class Summary:
         return json.dumps(asdict(self), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def summarize(
+def summarize_flight(
     flight: FlightSeries,
     outcome: str,
     site: Site,
@@ -132,9 +131,9 @@ def summarize(
     )
 
 
-def distance_to_path(points: Floats, path: Path) -> Floats:
-    """Return the distance [m] of each point, shape (n, 2), from the polyline of a path, shape (n,)."""
-    corners = np.array(path.waypoints, dtype=np.float64).reshape(-1, 2)
+def distance_to_path(points: FloatArray, waypoints: tuple[Vec2, ...]) -> FloatArray:
+    """Return the distance [m] of each point, shape (n, 2), from a polyline, shape (n,)."""
+    corners = np.array(waypoints, dtype=np.float64).reshape(-1, 2)
     starts, ends = (corners[:-1], corners[1:]) if len(corners) > 1 else (corners, corners)
     legs = ends - starts
     squared = np.maximum(np.einsum("ij,ij->i", legs, legs), np.finfo(float).tiny)
@@ -168,11 +167,13 @@ def _flown_length(flight: FlightSeries) -> float | None:
     return _number(np.linalg.norm(np.diff(track, axis=0), axis=1).sum()) if len(track) > 1 else None
 
 
-def _path_errors(flight: FlightSeries) -> Floats:
+def _path_errors(flight: FlightSeries) -> FloatArray:
     step = flight.sighting_step
     flying = flight.during(Phase.OUTBOUND, Phase.RETURNING)[step]
     errors = [
-        distance_to_path(flight.sighting[flying & (flight.path[step] == number), :2], path)
+        distance_to_path(
+            flight.sighting[flying & (flight.path[step] == number), :2], path.waypoints
+        )
         for number, path in enumerate(flight.paths)
     ]
     return np.concatenate(errors) if errors else np.empty(0)
@@ -188,9 +189,7 @@ def _arrival_error(flight: FlightSeries, room: Room) -> float | None:
 
 
 def _goal(flight: FlightSeries, looking: NDArray[np.int64], room: Room) -> Vec2 | None:
-    """Return the viewpoint that was asked for: the named place's, else the end of the path that led
-    there.
-    """
+    """Return the goal's viewpoint: the named place's, or the end of the path that led there."""
     if not looking.size:
         return None
     try:

@@ -15,11 +15,13 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-INK, MUTED, LINE, ACCENT, SECOND, WARN, FAULT = (f"#{n:02x}{n:02x}{n:02x}" for n in range(1, 8))
-"""Text, small text, grid lines, the one accent, what it is compared with, limits, danger."""
-OCCUPIED, INFLATED, VIRTUAL, OUTSIDE, FURNITURE = (f"#{n:02x}{n:02x}{n:02x}" for n in range(8, 13))
+TEXT, MUTED, LINE, ACCENT, SECONDARY, WARN, FAULT = (f"#{n:02x}{n:02x}{n:02x}" for n in range(1, 8))
+"""Text, small text, grid lines, accent, what it is compared with, limits, danger."""
+OCCUPIED_FILL, INFLATED_FILL, VIRTUAL_FILL, OUTSIDE_FILL, FURNITURE_LINE = (
+    f"#{n:02x}{n:02x}{n:02x}" for n in range(8, 13)
+)
 """Fills of the map."""
-STATES = tuple(f"#{n:02x}{n:02x}{n:02x}" for n in range(13, 20))
+STATE_FILLS = tuple(f"#{n:02x}{n:02x}{n:02x}" for n in range(13, 20))
 """Fills of the bands of states."""
 
 _NAMES = (
@@ -49,7 +51,7 @@ _STYLE: Any = {
     "axes.titlelocation": "left",
     "axes.edgecolor": LINE,
     "axes.labelcolor": MUTED,
-    "axes.titlecolor": INK,
+    "axes.titlecolor": TEXT,
     "axes.facecolor": "none",
     "axes.grid": True,
     "axes.axisbelow": True,
@@ -62,11 +64,11 @@ _STYLE: Any = {
     "hatch.color": MUTED,
     "hatch.linewidth": 0.6,
     "legend.frameon": False,
-    "legend.labelcolor": INK,
+    "legend.labelcolor": TEXT,
     "legend.fontsize": 8,
     "lines.linewidth": 1.4,
     "path.simplify_threshold": 0.5,
-    "text.color": INK,
+    "text.color": TEXT,
     "xtick.color": MUTED,
     "ytick.color": MUTED,
     "xtick.major.size": 0,
@@ -75,14 +77,15 @@ _STYLE: Any = {
 
 
 def drawing(name: str) -> AbstractContextManager[None]:
-    """Return the context to draw the figure of this name in; names keep the ids of several pictures
-    of one page apart.
+    """Return the context for drawing the figure of this name.
+
+    The name keeps the ids of several figures on one page apart.
     """
     return matplotlib.rc_context({**_STYLE, "svg.hashsalt": name})
 
 
 def to_svg(figure: Figure, title: str) -> str:
-    """Return the figure as an ``<svg>`` element with a title for those who cannot see it."""
+    """Return the figure as an ``<svg>`` element with an accessible title."""
     buffer = io.StringIO()
     figure.savefig(
         buffer, format="svg", metadata={"Date": None, "Creator": None, "Format": None, "Type": None}

@@ -11,8 +11,15 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from housefly.config.site import Site
+from housefly.numeric import FloatArray
 from housefly.record import svg
-from housefly.record.series import BEHAVIORS, PHASES, SAFETY_MODES, FlightSeries, Floats, Numbers
+from housefly.record.series import (
+    BEHAVIORS,
+    PHASES,
+    SAFETY_MODES,
+    FlightSeries,
+    IntArray,
+)
 
 _WIDTH = 10.4
 _ROW = 1.35
@@ -20,7 +27,7 @@ _ROW = 1.35
 
 
 def position_svg(flight: FlightSeries) -> str:
-    """Return x, y, z and yaw: where the drone was seen or believed, and where it should have been."""
+    """Return x, y, z and yaw: estimate and reference."""
     with svg.drawing("position"):
         figure, rows = _strips(flight, 4)
         names = ("x [m]", "y [m]", "z [m]", "yaw [rad]")
@@ -37,7 +44,7 @@ def position_svg(flight: FlightSeries) -> str:
             axes.plot(
                 _elapsed(flight),
                 reference[:, column],
-                color=svg.SECOND,
+                color=svg.SECONDARY,
                 linestyle=(0, (4, 3)),
                 label="reference",
             )
@@ -66,20 +73,18 @@ def commands_svg(flight: FlightSeries, site: Site) -> str:
 
 
 def states_svg(flight: FlightSeries) -> str:
-    """Return the states of errand, acceptor and last gate as labelled bands."""
+    """Return the states of mission, acceptor and gate as labelled bands."""
     with svg.drawing("states"):
         figure, rows = _strips(flight, 3, row=0.78)
-        quiet = (svg.STATES[0], svg.STATES[2], svg.WARN, svg.WARN, svg.FAULT)
-        _draw_bands(rows[0], "errand", flight, flight.phase, PHASES, svg.STATES)
-        _draw_bands(rows[1], "behavior", flight, flight.behavior, BEHAVIORS, svg.STATES)
+        quiet = (svg.STATE_FILLS[0], svg.STATE_FILLS[2], svg.WARN, svg.WARN, svg.FAULT)
+        _draw_bands(rows[0], "errand", flight, flight.phase, PHASES, svg.STATE_FILLS)
+        _draw_bands(rows[1], "behavior", flight, flight.behavior, BEHAVIORS, svg.STATE_FILLS)
         _draw_bands(rows[2], "safety", flight, flight.safety, SAFETY_MODES, quiet)
         return svg.to_svg(figure, "States over time: errand, behavior and safety")
 
 
 def health_svg(flight: FlightSeries, site: Site) -> str:
-    """Return battery charge, and how old pose and telemetry were, with the limits that safety
-    watches.
-    """
+    """Return battery charge and the ages of pose and telemetry, with the limits of safety."""
     limits = site.limits
     with svg.drawing("health"):
         figure, rows = _strips(flight, 3)
@@ -112,11 +117,11 @@ def _strips(flight: FlightSeries, count: int, row: float = _ROW) -> tuple[Figure
     return figure, rows
 
 
-def _elapsed(flight: FlightSeries) -> Floats:
+def _elapsed(flight: FlightSeries) -> FloatArray:
     return flight.time - flight.time[0] if flight.time.size else flight.time
 
 
-def _unwound(flight: FlightSeries) -> tuple[Floats, Floats]:
+def _unwound(flight: FlightSeries) -> tuple[FloatArray, FloatArray]:
     """Return estimate and reference with headings that do not jump where an angle wraps."""
     estimate, reference = flight.estimate.copy(), flight.reference.copy()
     known = np.isfinite(estimate[:, 3])
@@ -131,7 +136,7 @@ def _draw_bands(
     axes: Axes,
     title: str,
     flight: FlightSeries,
-    numbers: Numbers,
+    numbers: IntArray,
     states: tuple[Enum, ...],
     colours: tuple[str, ...],
 ) -> None:
@@ -167,11 +172,11 @@ def _draw_bands(
                 ha="center",
                 va="center",
                 fontsize=8,
-                color=svg.INK,
+                color=svg.TEXT,
             )
 
 
-def _draw_age(axes: Axes, title: str, flight: FlightSeries, age: Floats) -> None:
+def _draw_age(axes: Axes, title: str, flight: FlightSeries, age: FloatArray) -> None:
     axes.set_title(title)
     axes.plot(_elapsed(flight), np.maximum(age, 1e-3), color=svg.ACCENT, linewidth=0.8)
     axes.set(

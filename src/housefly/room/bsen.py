@@ -1,10 +1,8 @@
-"""B-sen, the paper's room, written by us from the facts: its furniture poses, its 0.1 m grid, its
-camera calibration.
+"""B-sen, the paper's room, from its furniture poses, 0.1 m grid and camera calibration.
 
 World frame: B-sen's own, 15 m x 8 m, x along the long wall. Lengths in metres, angles in radians.
-    Furniture stands where
-B-sen's robot model puts it; walls and free floor follow its grid; the entrance door and windows
-follow its 3-D model.
+Furniture stands where B-sen's robot model puts it; walls and free floor follow its grid; the
+entrance door and windows follow its 3-D model.
 """
 
 from __future__ import annotations
@@ -15,46 +13,46 @@ from math import atan, pi
 
 from housefly.geometry import Quaternion, Vec3, normalized
 from housefly.room import furniture
-from housefly.room.bsen_shell import HEIGHT, shell
+from housefly.room.bsen_shell import CEILING_HEIGHT, shell
 from housefly.room.home_pad import home_pad
 from housefly.room.model import Place, Room, Solid, TrackingCamera
-from housefly.room.parts import Part, placed
+from housefly.room.parts import Part, place_parts
 
-BOUNDS = (0.0, 0.0, 15.0, 8.0)
-HOME = (10.55, 1.25)
-VISITOR = (0.85, 4.20)
+_BOUNDS = (0.0, 0.0, 15.0, 8.0)
+_HOME = (10.55, 1.25)
+_VISITOR = (0.85, 4.20)
 
-SOUTH, EAST, NORTH, WEST = -pi / 2, 0.0, pi / 2, pi
+_SOUTH, _EAST, _NORTH, _WEST = -pi / 2, 0.0, pi / 2, pi
 
 # thing, name, parts, x, y, direction of its front
-FURNITURE: tuple[tuple[str, str, tuple[Part, ...], float, float, float], ...] = (
-    ("kitchen", "", furniture.KITCHEN, 9.03, 5.87, SOUTH),
-    ("refrigerator", "", furniture.REFRIGERATOR, 7.176, 5.82, SOUTH),
-    ("wardrobe", "", furniture.WARDROBE, 13.46, 5.90, SOUTH),
-    ("work desk", "", furniture.WORK_DESK, 11.80, 5.90, SOUTH),
-    ("drawer", "", furniture.DRAWER, 12.72, 5.80, SOUTH),
-    ("chair", "work chair", furniture.WORK_CHAIR, 11.80, 5.28, NORTH),
-    ("bed", "", furniture.BED, 10.35, 2.70, EAST),
-    ("sofa", "", furniture.SOFA, 11.75, 2.60, EAST),
-    ("sofa table", "", furniture.SOFA_TABLE, 12.70, 2.50, EAST),
-    ("carpet", "", furniture.CARPET, 12.30, 2.60, EAST),
-    ("tv table", "", furniture.TV_TABLE, 14.25, 2.50, WEST),
-    ("tv", "", furniture.TV, 14.37, 2.20, WEST),
-    ("smart shelf", "", furniture.SMART_SHELF, 11.50, 4.20, EAST),
-    ("partition", "", furniture.PARTITION_PANEL, 10.90, 5.00, NORTH),
-    ("meeting table", "", furniture.MEETING_TABLE, 5.70, 1.50, EAST),
-    ("chair", "meeting chair north", furniture.MEETING_CHAIR, 5.70, 2.28, SOUTH),
-    ("chair", "meeting chair west", furniture.MEETING_CHAIR, 4.99, 1.50, EAST),
-    ("chair", "meeting chair south", furniture.MEETING_CHAIR, 5.70, 0.84, NORTH),
-    ("chair", "meeting chair east", furniture.MEETING_CHAIR, 6.45, 1.50, WEST),
-    ("wall shelf", "", furniture.WALL_SHELF, 7.50, 0.65, NORTH),
-    ("wagon", "", furniture.WAGON, 6.58, 5.75, EAST),
-    ("tree", "", furniture.TREE, 14.30, 5.30, EAST),
+_FURNITURE: tuple[tuple[str, str, tuple[Part, ...], float, float, float], ...] = (
+    ("kitchen", "", furniture.KITCHEN, 9.03, 5.87, _SOUTH),
+    ("refrigerator", "", furniture.REFRIGERATOR, 7.176, 5.82, _SOUTH),
+    ("wardrobe", "", furniture.WARDROBE, 13.46, 5.90, _SOUTH),
+    ("work desk", "", furniture.WORK_DESK, 11.80, 5.90, _SOUTH),
+    ("drawer", "", furniture.DRAWER, 12.72, 5.80, _SOUTH),
+    ("chair", "work chair", furniture.WORK_CHAIR, 11.80, 5.28, _NORTH),
+    ("bed", "", furniture.BED, 10.35, 2.70, _EAST),
+    ("sofa", "", furniture.SOFA, 11.75, 2.60, _EAST),
+    ("sofa table", "", furniture.SOFA_TABLE, 12.70, 2.50, _EAST),
+    ("carpet", "", furniture.CARPET, 12.30, 2.60, _EAST),
+    ("tv table", "", furniture.TV_TABLE, 14.25, 2.50, _WEST),
+    ("tv", "", furniture.TV, 14.37, 2.20, _WEST),
+    ("smart shelf", "", furniture.SMART_SHELF, 11.50, 4.20, _EAST),
+    ("partition", "", furniture.PARTITION_PANEL, 10.90, 5.00, _NORTH),
+    ("meeting table", "", furniture.MEETING_TABLE, 5.70, 1.50, _EAST),
+    ("chair", "meeting chair north", furniture.MEETING_CHAIR, 5.70, 2.28, _SOUTH),
+    ("chair", "meeting chair west", furniture.MEETING_CHAIR, 4.99, 1.50, _EAST),
+    ("chair", "meeting chair south", furniture.MEETING_CHAIR, 5.70, 0.84, _NORTH),
+    ("chair", "meeting chair east", furniture.MEETING_CHAIR, 6.45, 1.50, _WEST),
+    ("wall shelf", "", furniture.WALL_SHELF, 7.50, 0.65, _NORTH),
+    ("wagon", "", furniture.WAGON, 6.58, 5.75, _EAST),
+    ("tree", "", furniture.TREE, 14.30, 5.30, _EAST),
 )
 
-PLACES = (
-    Place("home", HOME, (6.0, 2.6, 1.1), "Home"),
-    Place("entrance", (3.05, 4.25), (VISITOR[0], VISITOR[1], 1.35), "Entrance"),
+_PLACES = (
+    Place("home", _HOME, (6.0, 2.6, 1.1), "Home"),
+    Place("entrance", (3.05, 4.25), (_VISITOR[0], _VISITOR[1], 1.35), "Entrance"),
     Place("table", (7.55, 2.25), (5.70, 1.50, 0.75), "Meeting table"),
     Place("bed", (8.05, 2.75), (10.2, 2.70, 0.50), "Bed"),
     Place("kitchen", (9.05, 4.25), (9.03, 5.80, 0.95), "Kitchen"),
@@ -64,14 +62,14 @@ PLACES = (
     Place("window", (13.55, 4.25), (14.80, 4.60, 1.60), "Window"),
 )
 
-SENSOR = {"Bonita 10": (1024, 1024), "Bonita 3": (640, 480)}
-MARKER = 0.014
+_SENSORS = {"Bonita 10": (1024, 1024), "Bonita 3": (640, 480)}
+_MARKER_DIAMETER = 0.014
 """Diameter of the reflecting spheres on tracked bodies [m]."""
 
 # Number, kind, position [m], camera to world (w, x, y, z), focal length [px], from the calibration
 # of 2016-05-19. It measures some cameras up to 0.34 m inside our walls, which follow another
 # survey: those (10, 11, 12, 14 to 17) hang 7 cm in front.
-CAMERAS: tuple[tuple[int, str, Vec3, Quaternion, float], ...] = (
+_CAMERAS: tuple[tuple[int, str, Vec3, Quaternion, float], ...] = (
     (0, "Bonita 10", (0.270, 4.460, 2.428), (0.2092, -0.5122, 0.7278, -0.4052), 710.2),
     (1, "Bonita 10", (4.670, 4.380, 2.394), (0.1671, -0.4044, 0.8343, -0.3354), 721.6),
     (2, "Bonita 10", (6.257, 6.012, 2.485), (0.1680, -0.4378, 0.7871, -0.4007), 725.2),
@@ -98,32 +96,30 @@ def bsen() -> Room:
     """Return B-sen."""
     return Room(
         name="B-sen",
-        bounds=BOUNDS,
-        height=HEIGHT,
+        bounds=_BOUNDS,
+        height=CEILING_HEIGHT,
         solids=tuple(_solids()),
-        places=PLACES,
-        cameras=tuple(_camera(*row) for row in CAMERAS),
-        home=HOME,
+        places=_PLACES,
+        cameras=tuple(_camera(*row) for row in _CAMERAS),
+        home=_HOME,
         home_yaw=pi,
-        visitor=VISITOR,
+        visitor=_VISITOR,
         visitor_yaw=0.0,
     )
 
 
 def _solids() -> Iterator[Solid]:
     yield from shell()
-    for thing, name, parts, x, y, yaw in FURNITURE:
-        yield from placed(thing, parts, x, y, yaw, name)
-    yield from home_pad(HOME)
+    for thing, name, parts, x, y, yaw in _FURNITURE:
+        yield from place_parts(thing, parts, x, y, yaw, name)
+    yield from home_pad(_HOME)
 
 
 def _camera(
     number: int, kind: str, position: Vec3, orientation: Quaternion, focal_px: float
 ) -> TrackingCamera:
-    """Return a tracking camera that sees a marker as long as its picture is at least 0.8 pixels
-    wide (our choice).
-    """
-    width, height = SENSOR[kind]
+    """Return a tracking camera; a marker is seen while it is at least 0.8 px wide (our choice)."""
+    width, height = _SENSORS[kind]
     field = (2 * atan(width / 2 / focal_px), 2 * atan(height / 2 / focal_px))
-    reach = round(MARKER * focal_px / 0.8, 2)
+    reach = round(_MARKER_DIAMETER * focal_px / 0.8, 2)
     return TrackingCamera(f"{kind} #{number}", position, normalized(orientation), field, reach)

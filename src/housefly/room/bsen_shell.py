@@ -1,6 +1,4 @@
-"""B-sen's walls, windows and doors, from its 0.1 m grid and the door and windows of its 3-D model;
-lengths in metres.
-"""
+"""B-sen's walls, windows and doors, from its 0.1 m grid and its 3-D model; lengths in metres."""
 
 from __future__ import annotations
 
@@ -17,21 +15,21 @@ from housefly.room.parts import (
     Part,
     box,
     paint,
-    placed,
+    place_parts,
 )
 
-HEIGHT = 2.70
-SKIRTING = 0.012
+CEILING_HEIGHT = 2.70
+_SKIRTING = 0.012
 
-WALL = paint(0.92, 0.90, 0.85)
-ACCENT = paint(0.63, 0.72, 0.70)
-DOOR_LEAF = paint(0.36, 0.22, 0.14)
+_WALL_COLOUR = paint(0.92, 0.90, 0.85)
+_ACCENT_COLOUR = paint(0.63, 0.72, 0.70)
+_DOOR_COLOUR = paint(0.36, 0.22, 0.14)
 
-Rectangle = tuple[float, float, float, float]
+_Footprint = tuple[float, float, float, float]
 
 # Inner faces: corridor x 0.15..4.75, y 3.35..5.05; living area x 4.75..14.75, y 0.55..6.25; an
 # alcove at its north-west.
-WALLS: tuple[tuple[str, Rectangle], ...] = (
+_WALLS: tuple[tuple[str, _Footprint], ...] = (
     ("corridor south", (0.05, 3.25, 4.75, 3.35)),
     ("corridor north", (0.05, 5.05, 6.15, 5.15)),
     ("living west", (4.65, 0.45, 4.75, 3.25)),
@@ -43,37 +41,48 @@ WALLS: tuple[tuple[str, Rectangle], ...] = (
     ("kitchen side", (10.59, 5.54, 10.61, 6.25)),
 )
 
-WINDOWS = ((0.70, 1.50), (1.58, 2.38), (2.46, 3.26), (3.34, 4.14), (4.22, 5.02))
-WINDOW_BOTTOM, WINDOW_TOP = 1.10, 2.45
+_WINDOWS = ((0.70, 1.50), (1.58, 2.38), (2.46, 3.26), (3.34, 4.14), (4.22, 5.02))
+_WINDOW_BOTTOM, _WINDOW_TOP = 1.10, 2.45
 
 # The entrance: a leaf, a narrow glazed side panel and a fanlight in one frame of 1.38 m x 2.61 m.
-LEAF = (3.975, 4.875)
-SIDE = (3.525, 3.945)
+_DOOR_LEAF = (3.975, 4.875)
+_SIDE_PANEL = (3.525, 3.945)
 
 
 def shell() -> tuple[Solid, ...]:
     """Return all walls, windows, doors and skirting boards of B-sen."""
-    walls = [box(name, (r[0], r[1], 0.0), (r[2], r[3], HEIGHT), WALL, "wall") for name, r in WALLS]
+    walls = [
+        box(name, (r[0], r[1], 0.0), (r[2], r[3], CEILING_HEIGHT), _WALL_COLOUR, "wall")
+        for name, r in _WALLS
+    ]
     return (
-        *placed("wall", walls, 0.0, 0.0),
-        *placed("wall", _east_wall(), 0.0, 0.0),
-        *placed("wall", _west_wall(), 0.0, 0.0),
-        *placed("window", _windows(), 0.0, 0.0),
-        *placed("entrance door", _entrance(), 0.0, 0.0),
-        *placed("room door", _room_door(), 6.75, 6.65, 0.0),
-        *placed("decoration", _decoration(), 0.0, 0.0),
+        *place_parts("wall", walls, 0.0, 0.0),
+        *place_parts("wall", _east_wall(), 0.0, 0.0),
+        *place_parts("wall", _west_wall(), 0.0, 0.0),
+        *place_parts("window", _windows(), 0.0, 0.0),
+        *place_parts("entrance door", _entrance(), 0.0, 0.0),
+        *place_parts("room door", _room_door(), 6.75, 6.65, 0.0),
+        *place_parts("decoration", _decoration(), 0.0, 0.0),
     )
 
 
 def _east_wall() -> list[Part]:
     x0, x1 = 14.75, 14.85
-    edges = [0.45, *(edge for window in WINDOWS for edge in window), 6.25]
+    edges = [0.45, *(edge for window in _WINDOWS for edge in window), 6.25]
     piers = zip(edges[::2], edges[1::2], strict=True)
     return [
-        box("east sill", (x0, 0.45, 0.0), (x1, 6.25, WINDOW_BOTTOM), WALL, "wall"),
-        box("east lintel", (x0, 0.45, WINDOW_TOP), (x1, 6.25, HEIGHT), WALL, "wall"),
+        box("east sill", (x0, 0.45, 0.0), (x1, 6.25, _WINDOW_BOTTOM), _WALL_COLOUR, "wall"),
+        box(
+            "east lintel", (x0, 0.45, _WINDOW_TOP), (x1, 6.25, CEILING_HEIGHT), _WALL_COLOUR, "wall"
+        ),
         *(
-            box(f"east pier {i}", (x0, a, WINDOW_BOTTOM), (x1, b, WINDOW_TOP), WALL, "wall")
+            box(
+                f"east pier {i}",
+                (x0, a, _WINDOW_BOTTOM),
+                (x1, b, _WINDOW_TOP),
+                _WALL_COLOUR,
+                "wall",
+            )
             for i, (a, b) in enumerate(piers)
         ),
     ]
@@ -81,36 +90,36 @@ def _east_wall() -> list[Part]:
 
 def _windows() -> list[Part]:
     parts: list[Part] = []
-    for i, (a, b) in enumerate(WINDOWS):
+    for i, (a, b) in enumerate(_WINDOWS):
         parts += [
             box(
                 f"pane {i}",
-                (14.79, a, WINDOW_BOTTOM),
-                (14.81, b, WINDOW_TOP),
+                (14.79, a, _WINDOW_BOTTOM),
+                (14.81, b, _WINDOW_TOP),
                 paint(0.62, 0.74, 0.82),
                 "daylight",
             ),
             box(
                 f"bar {i}",
-                (14.76, (a + b) / 2 - 0.02, WINDOW_BOTTOM),
-                (14.80, (a + b) / 2 + 0.02, WINDOW_TOP),
+                (14.76, (a + b) / 2 - 0.02, _WINDOW_BOTTOM),
+                (14.80, (a + b) / 2 + 0.02, _WINDOW_TOP),
                 WHITE,
             ),
-            box(f"sill {i}", (14.66, a, WINDOW_BOTTOM - 0.03), (14.75, b, WINDOW_BOTTOM), WHITE),
+            box(f"sill {i}", (14.66, a, _WINDOW_BOTTOM - 0.03), (14.75, b, _WINDOW_BOTTOM), WHITE),
         ]
     return parts
 
 
 def _west_wall() -> list[Part]:
     return [
-        box("west right", (0.05, 3.35, 0.0), (0.15, 3.49, HEIGHT), ACCENT, "wall"),
-        box("west left", (0.05, 4.91, 0.0), (0.15, 5.05, HEIGHT), ACCENT, "wall"),
-        box("west top", (0.05, 3.49, 2.61), (0.15, 4.91, HEIGHT), ACCENT, "wall"),
+        box("west right", (0.05, 3.35, 0.0), (0.15, 3.49, CEILING_HEIGHT), _ACCENT_COLOUR, "wall"),
+        box("west left", (0.05, 4.91, 0.0), (0.15, 5.05, CEILING_HEIGHT), _ACCENT_COLOUR, "wall"),
+        box("west top", (0.05, 3.49, 2.61), (0.15, 4.91, CEILING_HEIGHT), _ACCENT_COLOUR, "wall"),
     ]
 
 
 def _entrance() -> list[Part]:
-    (leaf_right, leaf_left), (side_right, side_left) = LEAF, SIDE
+    (leaf_right, leaf_left), (side_right, side_left) = _DOOR_LEAF, _SIDE_PANEL
     frame = [
         box("frame right", (0.05, 3.49, 0.0), (0.19, side_right, 2.61), WHITE),
         box("frame left", (0.05, leaf_left, 0.0), (0.19, 4.91, 2.61), WHITE),
@@ -131,14 +140,14 @@ def _entrance() -> list[Part]:
             paint(0.56, 0.68, 0.76),
             "daylight",
         ),
-        box("side foot", (0.07, side_right, 0.0), (0.13, side_left, 0.20), DOOR_LEAF, "wood"),
+        box("side foot", (0.07, side_right, 0.0), (0.13, side_left, 0.20), _DOOR_COLOUR, "wood"),
         *(
             box(f"side bar {i}", (0.08, side_right, z), (0.13, side_left, z + 0.03), WHITE)
             for i, z in enumerate((0.86, 1.53))
         ),
     ]
     leaf = [
-        box("leaf", (0.07, leaf_right, 0.01), (0.13, leaf_left, 2.21), DOOR_LEAF, "wood"),
+        box("leaf", (0.07, leaf_right, 0.01), (0.13, leaf_left, 2.21), _DOOR_COLOUR, "wood"),
         *(
             box(f"panel {i}", (0.13, a, low), (0.142, b, high), paint(0.45, 0.29, 0.18), "wood")
             for i, (a, b, low, high) in enumerate(
@@ -178,8 +187,8 @@ def _room_door() -> list[Part]:
 
 
 def _decoration() -> list[Part]:
-    s, top = SKIRTING, 0.08
-    runs: tuple[tuple[str, Rectangle], ...] = (
+    s, top = _SKIRTING, 0.08
+    runs: tuple[tuple[str, _Footprint], ...] = (
         ("corridor south", (0.15, 3.35, 4.75, 3.35 + s)),
         ("corridor north", (0.15, 5.05 - s, 6.15, 5.05)),
         ("living west", (4.75, 0.55, 4.75 + s, 3.25)),

@@ -1,24 +1,22 @@
-"""Which tracking cameras see a point of the room: field of view, reach, and nothing in between."""
+"""Which tracking cameras see a point of the room: field of view, reach, occlusion."""
 
 from __future__ import annotations
 
 from math import cos, sin, tan
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.geometry import rotate
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray
 from housefly.room.model import Room, Shape, Solid, TrackingCamera
+from housefly.room.reach import Mask
 
-Mask = NDArray[np.bool_]
-
-TOUCH = 1e-6
-BRACKET = 0.10
-"""Solids hit within this distance of the camera are its bracket and do not count [m]."""
+_TOUCH = 1e-6
+_BRACKET = 0.10
+"""Solids within this distance of a camera are its bracket and are ignored [m]."""
 
 
-def seen_by(room: Room, points: Floats) -> Mask:
+def seen_by(room: Room, points: FloatArray) -> Mask:
     """Return which cameras see which points.
 
     Args:
@@ -40,17 +38,7 @@ def seen_by(room: Room, points: Floats) -> Mask:
     return seen
 
 
-def tracked(room: Room, points: Floats, cameras: int = 2) -> Mask:
-    """Return which points at least this many cameras see; all of them in a room without cameras.
-    Shape (n,).
-    """
-    if not room.cameras:
-        return np.ones(len(points), dtype=np.bool_)
-    enough: Mask = seen_by(room, points).sum(axis=1) >= cameras
-    return enough
-
-
-def _in_view(camera: TrackingCamera, points: Floats) -> Mask:
+def _in_view(camera: TrackingCamera, points: FloatArray) -> Mask:
     right, down, ahead = (
         np.array(rotate(camera.orientation, axis))
         for axis in ((1.0, 0, 0), (0, 1.0, 0), (0, 0, 1.0))
@@ -67,10 +55,8 @@ def _in_view(camera: TrackingCamera, points: Floats) -> Mask:
     return inside
 
 
-def _hides(solid: Solid, eye: Floats, points: Floats) -> Mask:
-    """Return which segments from the eye to the points pass through the solid's box (slab test in
-    the solid's own frame).
-    """
+def _hides(solid: Solid, eye: FloatArray, points: FloatArray) -> Mask:
+    """Return which segments from eye to points pass through the solid's box (slab test)."""
     c, s = cos(solid.yaw), sin(solid.yaw)
     turn = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     start = turn @ (eye - np.array(solid.position))
@@ -81,5 +67,5 @@ def _hides(solid: Solid, eye: Floats, points: Floats) -> Mask:
     enter = np.nanmax(np.minimum(first, second), axis=1)
     leave = np.nanmin(np.maximum(first, second), axis=1)
     length = np.linalg.norm(rays, axis=1)
-    hidden: Mask = (enter < leave) & (leave * length > BRACKET) & (enter < 1.0 - TOUCH)
+    hidden: Mask = (enter < leave) & (leave * length > _BRACKET) & (enter < 1.0 - _TOUCH)
     return hidden

@@ -11,18 +11,13 @@ from math import cos, hypot, sin, sqrt
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from housefly.numeric import compiled, compiled_with_arrays
+from housefly.numeric import FloatArray, compiled, compiled_with_arrays
 from housefly.room.model import Shape, Solid
 
-Floats = NDArray[np.float64]
 
-
-def footprints(solids: Iterable[Solid], bottom: float, top: float) -> Floats:
-    """Return the footprints of the solids that the drone can touch between two heights [m]; shape
-    (n, 7).
-    """
+def footprints(solids: Iterable[Solid], bottom: float, top: float) -> FloatArray:
+    """Return the footprints of the solids that collide between two heights [m], shape (n, 7)."""
     rows = [
         (
             float(solid.shape is Shape.CYLINDER),
@@ -87,9 +82,10 @@ def _shares(
             out[i, j] = hits / (samples * samples)
 
 
-def clearance_field(rows: Floats, xs: Floats, ys: Floats, cap: float) -> Floats:
-    """Return the distance [m] from each point (xs[i], ys[j]) to the nearest footprint, at most cap;
-    shape (nx, ny).
+def clearance_field(rows: FloatArray, xs: FloatArray, ys: FloatArray, cap: float) -> FloatArray:
+    """Return the distance [m] from each point (xs[i], ys[j]) to the nearest footprint.
+
+    At most ``cap``; shape (nx, ny).
     """
     out = np.empty((xs.size, ys.size))
     _nearest(rows, np.hypot(rows[:, 3], rows[:, 4]), xs, ys, cap, out)
@@ -97,10 +93,16 @@ def clearance_field(rows: Floats, xs: Floats, ys: Floats, cap: float) -> Floats:
 
 
 def covered_shares(
-    rows: Floats, xs: Floats, ys: Floats, edge: float, clearance: Floats, samples: int = 8
-) -> Floats:
-    """Return which share of the square of this edge [m] around each point lies under a footprint, 0
-    to 1; shape (nx, ny).
+    rows: FloatArray,
+    xs: FloatArray,
+    ys: FloatArray,
+    edge: float,
+    clearance: FloatArray,
+    samples: int = 8,
+) -> FloatArray:
+    """Return the share of a square around each point that lies under a footprint, 0 to 1.
+
+    ``edge`` is the square's side [m]; shape (nx, ny).
     """
     out = np.zeros((xs.size, ys.size))
     _shares(rows, xs, ys, edge, samples, clearance, out)

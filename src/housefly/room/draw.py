@@ -1,4 +1,4 @@
-"""Draws a room and its map: a picture for people, and text for the terminal."""
+"""Draws a room and its map: as an image, and as text for the terminal."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room, Shape, Solid
 from housefly.room.outline import outline
 
-LOOK: dict[Cell, tuple[str, str, str]] = {
+_CELL_LOOK: dict[Cell, tuple[str, str, str]] = {
     Cell.FREE: ("#fbfaf7", ".", "free"),
     Cell.OCCUPIED: ("#3b4046", "#", "occupied"),
     Cell.VIRTUAL: ("#f3d9b1", "v", "virtual obstacle"),
     Cell.INFLATED: ("#dfe3e6", "+", "too close for the hull"),
     Cell.OUTSIDE: ("#ffffff", " ", "outside"),
 }
-INK, QUIET, ACCENT, PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
-UNLABELLED = frozenset(
+_INK, _QUIET, _ACCENT, _PERSON = "#23272b", "#7b838a", "#0f6e78", "#b3392f"
+_UNLABELLED = frozenset(
     {"wall", "window", "decoration", "home pad", "carpet", "room door", "unexplored"}
 )
-INCHES_PER_METRE = 0.92
-TEXT_COLUMNS = 110
-LABEL_SPACING = 0.42
-"""Names closer than this to that of a larger thing are left out [m]."""
+_INCHES_PER_METRE = 0.92
+_TEXT_COLUMNS = 110
+_LABEL_SPACING = 0.42
+"""Labels closer than this to that of a larger thing are left out [m]."""
 
 
 def draw_room(
@@ -47,8 +47,9 @@ def draw_room(
     route: Sequence[Vec2] | None = None,
     trail: Sequence[Vec2] | None = None,
 ) -> None:
-    """Write a PNG of the map with furniture, places, tracking cameras and home, and optionally a
-    route and a flown trail.
+    """Write a PNG of the map with furniture, places, cameras and home.
+
+    A planned route and a flown trail are drawn when given.
 
     Args:
         room: what stands where.
@@ -61,7 +62,7 @@ def draw_room(
         RoomError: the file cannot be written.
     """
     x_min, y_min, x_max, y_max = _frame(room, grid)
-    scale = min(INCHES_PER_METRE, 14.0 / (x_max - x_min), 14.0 / (y_max - y_min))
+    scale = min(_INCHES_PER_METRE, 14.0 / (x_max - x_min), 14.0 / (y_max - y_min))
     width, height = max(5.0, (x_max - x_min) * scale), (y_max - y_min) * scale
     figure = Figure(figsize=(width + 0.6, height + 1.5), dpi=120, facecolor="white")
     FigureCanvasAgg(figure)
@@ -85,14 +86,13 @@ def draw_room(
 
 
 def text_map(room: Room, grid: OccupancyGrid) -> str:
-    """Return the map as text, north (+y) up: cells, H for home, capital initials for places, a
-    legend below.
+    """Return the map as text, north (+y) up, with a legend below.
 
-    Fine grids are thinned to about a hundred columns; a character shows the worst cell that it
-    stands for, blocked before free.
+    H is home, capital initials are places. Fine grids are thinned to about a hundred columns; a
+    character shows the worst cell it stands for, blocked before free.
     """
     nx, ny = grid.shape
-    step = max(1, -(-nx // TEXT_COLUMNS))
+    step = max(1, -(-nx // _TEXT_COLUMNS))
     rank = np.array([0, 4, 3, 2, 1])
     cells = np.array(grid.cells)
     canvas = [
@@ -113,7 +113,9 @@ def text_map(room: Room, grid: OccupancyGrid) -> str:
     while rows and not rows[-1]:
         rows.pop()
     legend = "  ".join(
-        f"{letter} {words}" for kind, (_, letter, words) in LOOK.items() if kind is not Cell.OUTSIDE
+        f"{letter} {words}"
+        for kind, (_, letter, words) in _CELL_LOOK.items()
+        if kind is not Cell.OUTSIDE
     )
     names = "  ".join(f"{mark} {name}" for name, mark in marks.items())
     return "\n".join([*rows, "", f"{legend}  (cells of {grid.resolution:g} m)", names])
@@ -121,13 +123,11 @@ def text_map(room: Room, grid: OccupancyGrid) -> str:
 
 def _worst(block: Any, rank: Any) -> str:
     values = block.ravel()
-    return LOOK[Cell(int(values[np.argmax(rank[values])]))][1]
+    return _CELL_LOOK[Cell(int(values[np.argmax(rank[values])]))][1]
 
 
 def _frame(room: Room, grid: OccupancyGrid) -> tuple[float, float, float, float]:
-    """Return the part of the plan worth drawing: all solids, the grid's cells that are not outside,
-    and a margin [m].
-    """
+    """Return the part of the plan worth drawing [m]: solids, inside cells, a margin."""
     inside = np.argwhere(grid.cells != Cell.OUTSIDE)
     low = (
         np.array(grid.origin) + inside.min(axis=0) * grid.resolution
@@ -145,7 +145,7 @@ def _frame(room: Room, grid: OccupancyGrid) -> tuple[float, float, float, float]
 
 
 def _cells(axes: Axes, grid: OccupancyGrid) -> None:
-    colours = np.array([to_rgba(LOOK[Cell(value)][0]) for value in range(len(Cell))])
+    colours = np.array([to_rgba(_CELL_LOOK[Cell(value)][0]) for value in range(len(Cell))])
     nx, ny = grid.shape
     x, y = grid.origin
     extent = (x, x + nx * grid.resolution, y, y + ny * grid.resolution)
@@ -163,12 +163,12 @@ def _patch(solid: Solid) -> Patch:
     fill = to_rgba(solid.colour[:3], 0.5 if solid.collides else 0.25)
     style: dict[str, Any] = {
         "facecolor": fill,
-        "edgecolor": to_rgba(INK, 0.45),
+        "edgecolor": to_rgba(_INK, 0.45),
         "linewidth": 0.4,
         "zorder": 2,
     }
     if solid.thing in ("wall", "unexplored"):
-        style |= {"facecolor": LOOK[Cell.OCCUPIED][0], "edgecolor": "none"}
+        style |= {"facecolor": _CELL_LOOK[Cell.OCCUPIED][0], "edgecolor": "none"}
     if solid.shape is Shape.CYLINDER:
         return Circle(solid.position[:2], solid.size[0] / 2, **style)
     return Polygon(outline(solid), closed=True, **style)
@@ -179,12 +179,12 @@ def _labels(axes: Axes, room: Room) -> None:
     largest: dict[str, Solid] = {}
     for solid in room.solids:
         best = largest.get(solid.thing)
-        if solid.thing not in UNLABELLED and (best is None or _area(solid) > _area(best)):
+        if solid.thing not in _UNLABELLED and (best is None or _area(solid) > _area(best)):
             largest[solid.thing] = solid
     written: list[Vec2] = []
     for thing, solid in sorted(largest.items(), key=lambda item: -_area(item[1])):
         x, y, _ = solid.position
-        if any(hypot(x - u, y - v) < LABEL_SPACING for u, v in written):
+        if any(hypot(x - u, y - v) < _LABEL_SPACING for u, v in written):
             continue
         written.append((x, y))
         extent = np.ptp(outline(solid), axis=0)
@@ -194,7 +194,7 @@ def _labels(axes: Axes, room: Room) -> None:
             y,
             thing,
             fontsize=7.5,
-            color=INK,
+            color=_INK,
             ha="center",
             va="center",
             rotation=upright,
@@ -217,7 +217,7 @@ def _cameras(axes: Axes, room: Room) -> None:
         ahead = rotate(camera.orientation, (0.0, 0.0, 1.0))
         heading = degrees(atan2(ahead[1], ahead[0]))
         axes.plot(
-            x, y, marker=(3, 0, heading - 90.0), color=QUIET, ms=7, mec="white", mew=0.6, zorder=7
+            x, y, marker=(3, 0, heading - 90.0), color=_QUIET, ms=7, mec="white", mew=0.6, zorder=7
         )
 
 
@@ -225,11 +225,11 @@ def _lines(axes: Axes, route: Sequence[Vec2] | None, trail: Sequence[Vec2] | Non
     if route:
         xs, ys = zip(*route, strict=True)
         axes.plot(xs, ys, color="white", lw=5.0, alpha=0.9, solid_joinstyle="round", zorder=7)
-        axes.plot(xs, ys, color=ACCENT, lw=2.6, solid_joinstyle="round", zorder=8)
-        axes.plot(xs, ys, ls="", marker="o", ms=4.0, mfc="white", mec=ACCENT, mew=1.3, zorder=9)
+        axes.plot(xs, ys, color=_ACCENT, lw=2.6, solid_joinstyle="round", zorder=8)
+        axes.plot(xs, ys, ls="", marker="o", ms=4.0, mfc="white", mec=_ACCENT, mew=1.3, zorder=9)
     if trail:
         xs, ys = zip(*trail, strict=True)
-        axes.plot(xs, ys, color=PERSON, lw=1.4, alpha=0.9, zorder=9)
+        axes.plot(xs, ys, color=_PERSON, lw=1.4, alpha=0.9, zorder=9)
 
 
 def _landmarks(axes: Axes, room: Room) -> None:
@@ -241,9 +241,9 @@ def _landmarks(axes: Axes, room: Room) -> None:
                 "",
                 (x + 0.34 * cos(yaw), y + 0.34 * sin(yaw)),
                 (x, y),
-                arrowprops={"arrowstyle": "->", "color": ACCENT, "lw": 1.2},
+                arrowprops={"arrowstyle": "->", "color": _ACCENT, "lw": 1.2},
             )
-            axes.plot(x, y, marker="o", ms=6.5, mfc=ACCENT, mec="white", mew=1.0, zorder=10)
+            axes.plot(x, y, marker="o", ms=6.5, mfc=_ACCENT, mec="white", mew=1.0, zorder=10)
             title = place.title or place.name
             axes.text(
                 x,
@@ -251,27 +251,27 @@ def _landmarks(axes: Axes, room: Room) -> None:
                 title,
                 fontsize=8.5,
                 weight="bold",
-                color=ACCENT,
+                color=_ACCENT,
                 ha="center",
                 va="top",
                 zorder=11,
                 **_halo(3),
             )
     x, y = room.home
-    axes.plot(x, y, marker="o", ms=15, mfc=ACCENT, mec="white", mew=1.6, zorder=10)
+    axes.plot(x, y, marker="o", ms=15, mfc=_ACCENT, mec="white", mew=1.6, zorder=10)
     axes.text(
         x, y, "H", fontsize=9, weight="bold", color="white", ha="center", va="center", zorder=11
     )
     if room.visitor:
         x, y = room.visitor
-        axes.plot(x, y, marker="o", ms=12, mfc=PERSON, mec="white", mew=1.4, zorder=10)
+        axes.plot(x, y, marker="o", ms=12, mfc=_PERSON, mec="white", mew=1.4, zorder=10)
         axes.text(
             x,
             y - 0.28,
             "visitor",
             fontsize=8.5,
             weight="bold",
-            color=PERSON,
+            color=_PERSON,
             ha="center",
             va="top",
             zorder=11,
@@ -292,31 +292,31 @@ def _frame_and_legend(
     axes.set_xlim(x_min, x_max)
     axes.set_ylim(y_min, y_max)
     axes.set_aspect("equal")
-    axes.tick_params(labelsize=7.5, colors=QUIET, length=3)
+    axes.tick_params(labelsize=7.5, colors=_QUIET, length=3)
     for spine in axes.spines.values():
         spine.set_visible(False)
     axes.set_title(
         f"{room.name}: {grid.shape[0]} x {grid.shape[1]} cells of {grid.resolution:g} m",
         fontsize=12,
-        color=INK,
+        color=_INK,
         loc="left",
     )
     present = set(np.unique(grid.cells).tolist())
     entries: list[Any] = [
         Rectangle((0, 0), 1, 1, facecolor=colour, edgecolor="#9aa1a7", linewidth=0.5, label=words)
-        for kind, (colour, _, words) in LOOK.items()
+        for kind, (colour, _, words) in _CELL_LOOK.items()
         if int(kind) in present and kind is not Cell.OUTSIDE
     ]
     if room.cameras:
         entries.append(
-            Line2D([], [], ls="", marker=(3, 0, 0), color=QUIET, ms=7, label="tracking camera")
+            Line2D([], [], ls="", marker=(3, 0, 0), color=_QUIET, ms=7, label="tracking camera")
         )
     if route:
-        entries.append(Line2D([], [], color=ACCENT, lw=2.6, label="planned route"))
+        entries.append(Line2D([], [], color=_ACCENT, lw=2.6, label="planned route"))
     if trail:
-        entries.append(Line2D([], [], color=PERSON, lw=1.4, label="flown"))
+        entries.append(Line2D([], [], color=_PERSON, lw=1.4, label="flown"))
     entries.append(
-        Line2D([], [], ls="", marker="o", color=ACCENT, ms=6, label="viewpoint (H: home)")
+        Line2D([], [], ls="", marker="o", color=_ACCENT, ms=6, label="viewpoint (H: home)")
     )
     figure.legend(
         handles=entries,
@@ -324,5 +324,5 @@ def _frame_and_legend(
         ncols=min(len(entries), 7),
         fontsize=8,
         frameon=False,
-        labelcolor=INK,
+        labelcolor=_INK,
     )

@@ -1,8 +1,7 @@
-"""Versions of a room's edits as files: ``0001.json``, ``0002.json``, ...; nothing is ever changed
-or deleted.
+"""Versions of a room's edits as files ``0001.json``, ``0002.json``, ..., never changed or deleted.
 
-Version 0 is the room without edits. Undo saves a new version equal to the one before. A file that
-cannot be read is moved aside, in words, and the version before it counts; its number is not used
+Version 0 is the room without edits. Undo saves a new version equal to the previous one. A file that
+cannot be read is moved aside, reported, and the version before it counts; its number is not used
 again.
 """
 
@@ -23,13 +22,13 @@ from housefly.config.edits import Edits
 from housefly.errors import EditsError, StaleEdits
 from housefly.room.edits import edits_from_tree
 
-NUMBERED = re.compile(r"^(\d{4,9})\.json")
-ASIDE = ".damaged"
-NO_EDITS = Edits()
+_NUMBERED = re.compile(r"^(\d{4,9})\.json")
+_DAMAGED_SUFFIX = ".damaged"
+_NO_EDITS = Edits()
 
 
 @dataclass(frozen=True, slots=True)
-class Version:
+class EditVersion:
     """One saved state.
 
     Attributes:
@@ -42,7 +41,7 @@ class Version:
     """
 
     number: int = 0
-    edits: Edits = NO_EDITS
+    edits: Edits = _NO_EDITS
     equals: int = 0
     saved_at: float = 0.0
     by: str = ""
@@ -59,16 +58,16 @@ class EditVersions:
     def __init__(self, folder: Path, now: Callable[[], float] = time.time) -> None:
         self.folder, self._now = folder, now
         self.problem = ""
-        """What was found damaged, in words, or ""."""
+        """What was found damaged, or ""."""
 
-    def newest(self) -> Version:
-        """Return the version that counts; raises EditsError when the folder cannot be read."""
+    def newest(self) -> EditVersion:
+        """Return the current version; raises EditsError when the folder cannot be read."""
         for number in sorted(self._numbers()[0], reverse=True):
             if (found := self._read(number)) is not None:
                 return found
-        return Version()
+        return EditVersion()
 
-    def save(self, edits: Edits, based_on: int, by: str = "") -> Version:
+    def save(self, edits: Edits, based_on: int, by: str = "") -> EditVersion:
         """Save a new version.
 
         Raises:
@@ -77,25 +76,23 @@ class EditVersions:
         """
         return self._save(edits, based_on, None, by)
 
-    def undo(self, based_on: int, by: str = "") -> Version:
-        """Save a version equal to the one before, and before that when pressed again; raises as
-        ``save``.
-        """
+    def undo(self, based_on: int, by: str = "") -> EditVersion:
+        """Save a version equal to the previous one, and so on back; raises as ``save``."""
         before = self.before(self._checked(based_on))
         if before is None:
             raise EditsError("there is nothing to undo: this is the room as its file has it")
         return self._save(before.edits, based_on, before.equals, by)
 
-    def before(self, version: Version) -> Version | None:
+    def before(self, version: EditVersion) -> EditVersion | None:
         """Return the version that undo would go back to, or None."""
         if version.equals == 0:
             return None
         for number in sorted((n for n in self._numbers()[0] if n < version.equals), reverse=True):
             if (found := self._read(number)) is not None:
                 return found
-        return Version()
+        return EditVersion()
 
-    def _checked(self, based_on: int) -> Version:
+    def _checked(self, based_on: int) -> EditVersion:
         newest = self.newest()
         if newest.number != based_on:
             who = f" by {newest.by}" if newest.by else ""
@@ -105,13 +102,13 @@ class EditVersions:
             )
         return newest
 
-    def _save(self, edits: Edits, based_on: int, equals: int | None, by: str) -> Version:
+    def _save(self, edits: Edits, based_on: int, equals: int | None, by: str) -> EditVersion:
         good, bad = self._numbers()
         number = max((*good, *bad, 0)) + 1
         self._checked(
             based_on
         )  # after the number was chosen: who saves from now on takes it, and the link below fails
-        version = Version(number, edits, number if equals is None else equals, self._now(), by)
+        version = EditVersion(number, edits, number if equals is None else equals, self._now(), by)
         text = json.dumps({**_head(version), "edits": edits.model_dump(mode="json")}, indent=1)
         draft = self.folder / f".{number:04d}.{secrets.token_hex(4)}.draft"
         try:
@@ -148,15 +145,15 @@ class EditVersions:
             raise EditsError(
                 f"the edits in {self.folder} cannot be read: {error.strerror}"
             ) from error
-        found = {name: int(match.group(1)) for name in names if (match := NUMBERED.match(name))}
+        found = {name: int(match.group(1)) for name in names if (match := _NUMBERED.match(name))}
         good = {number for name, number in found.items() if name == f"{number:04d}.json"}
         return good, set(found.values()) - good
 
-    def _read(self, number: int) -> Version | None:
+    def _read(self, number: int) -> EditVersion | None:
         path = self._path(number)
         try:
             tree: Any = json.loads(path.read_text(encoding="utf-8"))
-            version = Version(
+            version = EditVersion(
                 number,
                 edits_from_tree(tree["edits"]),
                 int(tree["equals"]),
@@ -175,9 +172,9 @@ class EditVersions:
         return version
 
     def _move_aside(self, path: Path, error: Exception) -> None:
-        aside = path.with_name(path.name + ASIDE)
+        aside = path.with_name(path.name + _DAMAGED_SUFFIX)
         if aside.exists():
-            aside = path.with_name(f"{path.name}{ASIDE}.{secrets.token_hex(4)}")
+            aside = path.with_name(f"{path.name}{_DAMAGED_SUFFIX}.{secrets.token_hex(4)}")
         with suppress(OSError):
             path.rename(aside)
         self.problem = (
@@ -186,7 +183,7 @@ class EditVersions:
         )
 
 
-def _head(version: Version) -> dict[str, Any]:
+def _head(version: EditVersion) -> dict[str, Any]:
     return {
         "version": version.number,
         "equals": version.equals,

@@ -1,4 +1,4 @@
-"""Places and no-fly zones that people change: checked against the room, in words, and applied.
+"""Places and no-fly zones that people edit: checked against the room, and applied.
 
 Whoever reads a site gets them with it (``site.edits``): ``room_of`` applies the places,
 ``room.grid`` the zones. Mode ``paper`` flies the paper's own map and knows no edits.
@@ -16,34 +16,33 @@ import numpy as np
 from pydantic import ValidationError
 
 from housefly.config.edits import NAME_MAX, Edits, NoFlyZone, PlaceEdit
-from housefly.config.section import explain
 from housefly.config.site import Site
+from housefly.config.validation import explain
 from housefly.errors import EditsError
 from housefly.geometry import Vec2
 from housefly.room.files import load_room
 from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
-from housefly.room.home_pad import RADIUS as HOME_RADIUS
+from housefly.room.home_pad import HOME_PAD_RADIUS
 from housefly.room.model import Place, Room
 from housefly.room.reach import Mask, flood
 
-ZONE_MIN = 0.2
-"""Shortest side of a zone [m]; never less than a cell of the grid, so that no zone falls between
-the cells' middles.
-"""
-HOME = "home"
-SHOWN = 160
-"""A refused value is repeated up to this many letters."""
+_MIN_ZONE = 0.2
+"""Shortest side of a zone [m]; never less than a grid cell, so that no zone misses all cells."""
+_HOME = "home"
+_MAX_SHOWN = 160
+"""A refused value is quoted up to this many characters."""
 
 
 def room_of(site: Site, base: Path | None = None) -> Room:
-    """Return the room that a site names, with the places of its edits; raises RoomError or
-    ConfigError as ``load_room``.
+    """Return the room of a site with the places of its edits.
+
+    Raises RoomError or ConfigError as ``load_room``.
     """
     return with_places(load_room(site.room.model, base), site)
 
 
 def with_places(room: Room, site: Site) -> Room:
-    """Return the room with the places that its site's edits make of its own."""
+    """Return the room with the places changed by its site's edits."""
     if site.mode == "paper" or not (site.edits.places or site.edits.removed):
         return room
     changed = {
@@ -62,9 +61,7 @@ def with_places(room: Room, site: Site) -> Room:
 
 
 def edits_from_tree(tree: Any) -> Edits:
-    """Return edits from plain values; raises EditsError for the first bad one, naming the item and
-    what is allowed.
-    """
+    """Return edits from plain values; raises EditsError for the first bad one."""
     try:
         return Edits.model_validate(tree)
     except ValidationError as error:
@@ -80,7 +77,7 @@ def edits_from_tree(tree: Any) -> Edits:
             )
         where = f"{'.'.join(location)}: " if location else ""
         raise EditsError(
-            where + (words if len(words) <= 2 * SHOWN else f"{words[:SHOWN]} ..."),
+            where + (words if len(words) <= 2 * _MAX_SHOWN else f"{words[:_MAX_SHOWN]} ..."),
             ".".join(location[:2]),
         ) from error
 
@@ -116,10 +113,10 @@ def edited(room: Room, site: Site, edits: Edits) -> tuple[Room, Site]:
 
 def _check_names(room: Room, changed: Room, edits: Edits) -> None:
     own = {place.name: place for place in room.places}
-    if HOME in edits.removed:
+    if _HOME in edits.removed:
         raise EditsError(
             "home cannot be removed: the drone starts and lands there",
-            f"removed.{edits.removed.index(HOME)}",
+            f"removed.{edits.removed.index(_HOME)}",
         )
     for number, name in enumerate(edits.removed):
         if name not in own:
@@ -130,7 +127,7 @@ def _check_names(room: Room, changed: Room, edits: Edits) -> None:
     names: set[str] = set()
     for number, edit in enumerate(edits.places):
         item = f"places.{number}"
-        if edit.name == HOME:
+        if edit.name == _HOME:
             raise EditsError("home cannot be changed: the pad stands where it stands", item)
         if edit.name in names:
             raise EditsError(f"two places are called {edit.name!r}: names must differ", item)
@@ -194,7 +191,7 @@ def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> No
     shown = f"zone {zone.reason!r}"
     if not (_within(room, x_min, y_min) and _within(room, x_max, y_max)):
         raise EditsError(f"{shown} is not inside the room; allowed: {_bounds(room)}", item)
-    least = max(ZONE_MIN, resolution)
+    least = max(_MIN_ZONE, resolution)
     if min(x_max - x_min, y_max - y_min) < least - 1e-9:
         size = f"{x_max - x_min:.2f} m x {y_max - y_min:.2f} m"
         raise EditsError(
@@ -202,18 +199,16 @@ def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> No
         )
     home_x, home_y = room.home
     away = hypot(max(x_min - home_x, 0.0, home_x - x_max), max(y_min - home_y, 0.0, home_y - y_max))
-    if away < HOME_RADIUS:
+    if away < HOME_PAD_RADIUS:
         raise EditsError(
             f"{shown} covers the home pad, where the drone starts and lands; allowed:"
-            f" {HOME_RADIUS:.2f} m and more from ({home_x:.2f}, {home_y:.2f}) m",
+            f" {HOME_PAD_RADIUS:.2f} m and more from ({home_x:.2f}, {home_y:.2f}) m",
             item,
         )
 
 
 def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -> None:
-    """Refuse zones that cut places off that could be reached without them, and name the first zone
-    that does.
-    """
+    """Refuse zones that cut off reachable places; the error names the first such zone."""
     counted = [place for place in changed.places if _at(reached, bare, place.viewpoint)]
     for number, grid in _grids(changed, site, counted):
         left = _reached(grid, changed.home)
@@ -234,9 +229,7 @@ def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -
 
 
 def _grids(room: Room, site: Site, places: list[Place]) -> Iterator[tuple[int, OccupancyGrid]]:
-    """Yield the grid with the first zone, with the first two, ...; nothing when all zones together
-    cut nothing off.
-    """
+    """Yield the grid with the first zone, the first two, ...; nothing when no place is cut off."""
     zones = site.edits.zones
     if not zones or _all_reached(build_grid(room, site), room, places):
         return

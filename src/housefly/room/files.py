@@ -6,21 +6,23 @@ Lengths in metres, angles in radians, colours from 0 to 1; a solid is one line.
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
+from housefly.config.section import Section
+from housefly.config.toml import parse_toml
+from housefly.config.validation import dotted, explain
 from housefly.errors import ConfigError, RoomError
 from housefly.geometry import Quaternion, normalized
 from housefly.room.bsen import bsen
 from housefly.room.model import Place, Room, Shape, Solid, TrackingCamera
 
-BUILT_IN = {"bsen": bsen}
-FILE_NAME = "room.toml"
-UNITS: dict[int | str, str] = {
+_BUILT_IN_ROOMS = {"bsen": bsen}
+_FILE_NAME = "room.toml"
+_UNITS: dict[int | str, str] = {
     **dict.fromkeys(
         (
             "bounds",
@@ -33,71 +35,67 @@ UNITS: dict[int | str, str] = {
             "look_at",
             "reach",
         ),
-        " m",
+        "m",
     ),
-    **dict.fromkeys(("home_yaw", "visitor_yaw", "yaw", "field_of_view"), " rad"),
+    **dict.fromkeys(("home_yaw", "visitor_yaw", "yaw", "field_of_view"), "rad"),
 }
 
-Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
-Extent = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
-Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
-Fraction = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
-Name = Annotated[str, Field(min_length=1, max_length=80)]
+_Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+_Extent = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
+_Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
+_Fraction = Annotated[float, Field(ge=0.0, le=1.0, allow_inf_nan=False)]
+_Name = Annotated[str, Field(min_length=1, max_length=80)]
 
 
-class _Entry(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid")
-
-
-class SolidEntry(_Entry):
+class _SolidEntry(Section):
     """One solid of ``room.toml``."""
 
-    name: Name
-    thing: Name
+    name: _Name
+    thing: _Name
     shape: Shape = Shape.BOX
-    position: tuple[Coordinate, Coordinate, Coordinate]
-    size: tuple[Extent, Extent, Extent]
-    yaw: Angle = 0.0
-    colour: tuple[Fraction, Fraction, Fraction, Fraction] = (0.7, 0.7, 0.7, 1.0)
+    position: tuple[_Coordinate, _Coordinate, _Coordinate]
+    size: tuple[_Extent, _Extent, _Extent]
+    yaw: _Angle = 0.0
+    colour: tuple[_Fraction, _Fraction, _Fraction, _Fraction] = (0.7, 0.7, 0.7, 1.0)
     collides: bool = True
     texture: str = Field(default="", max_length=40)
 
 
-class PlaceEntry(_Entry):
+class _PlaceEntry(Section):
     """One place of ``room.toml``."""
 
     name: str = Field(pattern=r"^[a-z0-9][a-z0-9 _-]{0,39}$")
-    viewpoint: tuple[Coordinate, Coordinate]
-    look_at: tuple[Coordinate, Coordinate, Coordinate]
+    viewpoint: tuple[_Coordinate, _Coordinate]
+    look_at: tuple[_Coordinate, _Coordinate, _Coordinate]
     title: str = Field(default="", max_length=60)
 
 
-class CameraEntry(_Entry):
+class _CameraEntry(Section):
     """One tracking camera of ``room.toml``."""
 
-    name: Name
-    position: tuple[Coordinate, Coordinate, Coordinate]
-    orientation: tuple[Coordinate, Coordinate, Coordinate, Coordinate]
+    name: _Name
+    position: tuple[_Coordinate, _Coordinate, _Coordinate]
+    orientation: tuple[_Coordinate, _Coordinate, _Coordinate, _Coordinate]
     field_of_view: tuple[
         Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)],
         Annotated[float, Field(gt=0.0, lt=3.1, allow_inf_nan=False)],
     ]
-    reach: Extent = 12.0
+    reach: _Extent = 12.0
 
 
-class RoomEntry(_Entry):
+class _RoomEntry(Section):
     """The whole of ``room.toml``."""
 
     name: str = Field(min_length=1, max_length=60)
-    bounds: tuple[Coordinate, Coordinate, Coordinate, Coordinate]
+    bounds: tuple[_Coordinate, _Coordinate, _Coordinate, _Coordinate]
     height: Annotated[float, Field(ge=1.0, le=100.0, allow_inf_nan=False)]
-    home: tuple[Coordinate, Coordinate]
-    home_yaw: Angle = 0.0
-    visitor: tuple[Coordinate, Coordinate] | None = None
-    visitor_yaw: Angle = 0.0
-    solids: tuple[SolidEntry, ...] = ()
-    places: tuple[PlaceEntry, ...]
-    cameras: tuple[CameraEntry, ...] = ()
+    home: tuple[_Coordinate, _Coordinate]
+    home_yaw: _Angle = 0.0
+    visitor: tuple[_Coordinate, _Coordinate] | None = None
+    visitor_yaw: _Angle = 0.0
+    solids: tuple[_SolidEntry, ...] = ()
+    places: tuple[_PlaceEntry, ...]
+    cameras: tuple[_CameraEntry, ...] = ()
 
     @model_validator(mode="after")
     def _combinations(self) -> Self:
@@ -135,30 +133,30 @@ def load_room(model: str, base: Path | None = None) -> Room:
         RoomError: there is no such room.
         ConfigError: a value of ``room.toml`` is bad; names the key and what is allowed.
     """
-    if model in BUILT_IN:
-        return BUILT_IN[model]()
-    path = (base or Path()) / model / FILE_NAME
+    if model in _BUILT_IN_ROOMS:
+        return _BUILT_IN_ROOMS[model]()
+    path = (base or Path()) / model / _FILE_NAME
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        known = ", ".join(sorted(BUILT_IN))
+        known = ", ".join(sorted(_BUILT_IN_ROOMS))
         raise RoomError(
             f"room.model {model!r} is neither a built-in room ({known}) nor a directory with a"
-            f" readable {FILE_NAME}: {error}"
+            f" readable {_FILE_NAME}: {error}"
         ) from error
     return room_from_toml(text, str(path))
 
 
 def room_from_toml(text: str, source: str = "") -> Room:
-    """Return the room that a ``room.toml`` describes; raises ConfigError for the first bad value."""
+    """Return the room of a ``room.toml``; raises ConfigError for the first bad value."""
+    tree = parse_toml(text, _FILE_NAME, source, "is not valid TOML")
     try:
-        entry = RoomEntry.model_validate(tomllib.loads(text))
-    except tomllib.TOMLDecodeError as error:
-        raise ConfigError(FILE_NAME, f"is not valid TOML: {error}", source) from error
+        entry = _RoomEntry.model_validate(tree)
     except ValidationError as error:
         # A misspelt key also leaves the right one missing: name the misspelt one.
         first = min(error.errors(), key=lambda problem: problem["type"] != "extra_forbidden")
-        raise ConfigError(_key(first["loc"]), _explain(first), source) from error
+        key = dotted(first["loc"]) or _FILE_NAME
+        raise ConfigError(key, explain(first, units=_UNITS), source) from error
     return Room(
         name=entry.name,
         bounds=entry.bounds,
@@ -174,15 +172,13 @@ def room_from_toml(text: str, source: str = "") -> Room:
 
 
 def room_to_toml(room: Room) -> str:
-    """Return the text of a ``room.toml`` from which ``room_from_toml`` makes the same room again."""
+    """Return the text of a ``room.toml``; ``room_from_toml`` makes the same room of it."""
     return "\n".join(_lines(room)) + "\n"
 
 
 def save_room(room: Room, directory: Path) -> Path:
-    """Write ``room.toml`` into a directory, made when absent, and return its path; raises RoomError
-    when that fails.
-    """
-    path = directory / FILE_NAME
+    """Write ``room.toml`` into a directory and return its path; raises RoomError on failure."""
+    path = directory / _FILE_NAME
     try:
         directory.mkdir(parents=True, exist_ok=True)
         path.write_text(room_to_toml(room), encoding="utf-8")
@@ -226,11 +222,11 @@ def _toml(value: Any) -> str:
 
 
 def toml_string(text: str) -> str:
-    """Return a text as a TOML string; JSON's escapes are TOML's, but for the delete character."""
+    """Return a TOML string; JSON's escapes are TOML's, except for the delete character."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
-def _camera(number: int, entry: CameraEntry, source: str) -> TrackingCamera:
+def _camera(number: int, entry: _CameraEntry, source: str) -> TrackingCamera:
     fields = dict(entry)
     fields["orientation"] = _unit(entry.orientation, f"cameras.{number}.orientation", source)
     return TrackingCamera(**fields)
@@ -245,18 +241,3 @@ def _unit(q: Quaternion, key: str, source: str) -> Quaternion:
             source,
         )
     return q if abs(length - 1.0) < 1e-9 else normalized(q)
-
-
-def _key(location: tuple[int | str, ...]) -> str:
-    return ".".join(str(part) for part in location) or FILE_NAME
-
-
-def _explain(problem: Any) -> str:
-    if problem["type"] == "extra_forbidden":
-        return "is not a known key"
-    if problem["type"] == "missing":
-        return "is missing"
-    if problem["type"] == "value_error":
-        return str(problem["ctx"]["error"])
-    unit = next((UNITS[key] for key in problem["loc"] if key in UNITS), "")
-    return f"is {problem['input']!r}; {problem['msg'][0].lower()}{problem['msg'][1:]}{unit}"

@@ -1,5 +1,4 @@
-"""The furniture of B-sen as tables of parts; outer sizes follow B-sen's own models, the rest is
-drawn by us.
+"""The furniture of B-sen as tables of parts; outer sizes follow B-sen's own models.
 
 Every table is in the frame of ``room.parts``: x to the front, origin on the floor under the middle
 [m].
@@ -28,12 +27,12 @@ from housefly.room.parts import (
     pillar,
 )
 
-NAVY = paint(0.18, 0.26, 0.42)
-SAGE = paint(0.55, 0.66, 0.62)
-SCREEN = paint(0.05, 0.07, 0.10)
+_NAVY = paint(0.18, 0.26, 0.42)
+_SAGE = paint(0.55, 0.66, 0.62)
+_SCREEN = paint(0.05, 0.07, 0.10)
 
 
-def legs(
+def _legs(
     length: float, width: float, top: float, inset: float, thick: float, colour: tuple[float, ...]
 ) -> tuple[Part, ...]:
     """Return four square legs under a table top of length x width [m]."""
@@ -48,12 +47,12 @@ def legs(
 BED = (
     box("frame", (-0.97, -0.41, 0.14), (0.97, 0.41, 0.30), BIRCH),
     box("mattress", (-0.93, -0.40, 0.30), (0.93, 0.40, 0.46), WHITE),
-    box("blanket", (-0.34, -0.42, 0.40), (0.94, 0.42, 0.50), NAVY, "fabric"),
+    box("blanket", (-0.34, -0.42, 0.40), (0.94, 0.42, 0.50), _NAVY, "fabric"),
     box("turned sheet", (-0.46, -0.42, 0.41), (-0.30, 0.42, 0.51), CREAM),
     box("pillow", (-0.88, -0.28, 0.46), (-0.54, 0.28, 0.56), WHITE, "fabric"),
     box("headboard", (-0.975, -0.41, 0.14), (-0.935, 0.41, 0.82), OAK, "wood"),
     box("footboard", (0.935, -0.41, 0.14), (0.975, 0.41, 0.60), OAK, "wood"),
-    *legs(1.95, 0.82, 0.14, 0.06, 0.06, CHARCOAL),
+    *_legs(1.95, 0.82, 0.14, 0.06, 0.06, CHARCOAL),
 )
 
 SOFA = (
@@ -73,13 +72,13 @@ SOFA = (
     ),
     Part("cushion", (-0.08, 0.72, 0.58), (0.14, 0.38, 0.34), paint(0.90, 0.66, 0.27), "fabric"),
     Part("cushion red", (-0.08, -0.72, 0.57), (0.14, 0.36, 0.32), BRICK, "fabric"),
-    *legs(0.80, 2.35, 0.08, 0.08, 0.06, WALNUT),
+    *_legs(0.80, 2.35, 0.08, 0.08, 0.06, WALNUT),
 )
 
 SOFA_TABLE = (
     box("top", (-0.25, -0.65, 0.38), (0.25, 0.65, 0.43), WALNUT, "wood"),
     box("shelf", (-0.22, -0.60, 0.16), (0.22, 0.60, 0.18), WALNUT, "wood"),
-    *legs(0.50, 1.30, 0.38, 0.05, 0.05, CHARCOAL),
+    *_legs(0.50, 1.30, 0.38, 0.05, 0.05, CHARCOAL),
     box("book", (-0.10, -0.35, 0.43), (0.08, -0.10, 0.46), BRICK),
     pillar("cup", (0.06, 0.25), 0.43, 0.52, 0.08, WHITE),
 )
@@ -110,7 +109,7 @@ TV_TABLE = (
         for i, y in enumerate((-0.89, 0.0, 0.89))
     ),
     box("plinth", (-0.15, -1.30, 0.0), (0.13, 1.30, 0.04), CHARCOAL),
-    box("player", (-0.10, 0.55, 0.35), (0.14, 0.98, 0.41), SCREEN),
+    box("player", (-0.10, 0.55, 0.35), (0.14, 0.98, 0.41), _SCREEN),
 )
 
 TV = (
@@ -123,7 +122,7 @@ KITCHEN = (
     box("plinth", (-0.325, -1.56, 0.0), (0.26, 1.56, 0.10), CHARCOAL),
     box("cupboards", (-0.325, -1.56, 0.10), (0.30, 1.56, 0.78), CREAM),
     *(
-        box(f"front {i}", (0.30, y - 0.25, 0.13), (0.318, y + 0.25, 0.75), SAGE)
+        box(f"front {i}", (0.30, y - 0.25, 0.13), (0.318, y + 0.25, 0.75), _SAGE)
         for i, y in enumerate((-1.30, -0.78, -0.26, 0.26, 0.78, 1.30))
     ),
     *(
@@ -134,7 +133,7 @@ KITCHEN = (
     box("sink", (-0.18, -0.95, 0.815), (0.22, -0.25, 0.825), STEEL),
     pillar("tap", (-0.24, -0.60), 0.82, 1.08, 0.035, STEEL),
     box("tap spout", (-0.24, -0.615, 1.05), (-0.04, -0.585, 1.08), STEEL),
-    box("hob", (-0.22, 0.55, 0.82), (0.22, 1.15, 0.828), SCREEN),
+    box("hob", (-0.22, 0.55, 0.82), (0.22, 1.15, 0.828), _SCREEN),
     *(
         pillar(f"ring {i}", (x, y), 0.828, 0.834, 0.17, BRICK)
         for i, (x, y) in enumerate(((0.08, 0.71), (0.08, 0.99), (-0.12, 0.85)))
@@ -142,7 +141,7 @@ KITCHEN = (
     pillar("pot", (0.08, 0.99), 0.834, 0.98, 0.20, BRICK),
     box("wall cupboards", (-0.325, -1.56, 1.55), (0.02, 0.50, 2.20), CREAM),
     *(
-        box(f"wall front {i}", (0.02, y - 0.32, 1.57), (0.035, y + 0.32, 2.18), SAGE)
+        box(f"wall front {i}", (0.02, y - 0.32, 1.57), (0.035, y + 0.32, 2.18), _SAGE)
         for i, y in enumerate((-1.21, -0.53, 0.15))
     ),
     box("hood", (-0.325, 0.55, 1.62), (0.10, 1.15, 1.80), STEEL),
@@ -170,7 +169,7 @@ WARDROBE = (
 
 WORK_DESK = (
     box("top", (-0.325, -1.22, 0.67), (0.325, 1.22, 0.71), BIRCH, "wood"),
-    *legs(0.65, 2.44, 0.67, 0.05, 0.06, CHARCOAL),
+    *_legs(0.65, 2.44, 0.67, 0.05, 0.06, CHARCOAL),
     box("modesty panel", (-0.30, -1.16, 0.30), (-0.28, 1.16, 0.67), WHITE),
     box("monitor foot", (-0.20, -0.14, 0.71), (0.0, 0.14, 0.73), CHARCOAL),
     box("monitor stand", (-0.14, -0.03, 0.73), (-0.11, 0.03, 0.90), CHARCOAL),
@@ -207,8 +206,8 @@ WORK_CHAIR = (
         for i, a in enumerate(2 * pi * k / 5 for k in range(5))
     ),
     pillar("column", (0.0, 0.0), 0.05, 0.44, 0.06, STEEL),
-    box("seat", (-0.24, -0.24, 0.44), (0.24, 0.24, 0.52), NAVY, "fabric"),
-    box("back", (-0.28, -0.22, 0.56), (-0.21, 0.22, 1.06), NAVY, "fabric"),
+    box("seat", (-0.24, -0.24, 0.44), (0.24, 0.24, 0.52), _NAVY, "fabric"),
+    box("back", (-0.28, -0.22, 0.56), (-0.21, 0.22, 1.06), _NAVY, "fabric"),
     box("back bar", (-0.28, -0.03, 0.44), (-0.24, 0.03, 0.60), CHARCOAL),
 )
 
@@ -225,7 +224,7 @@ MEETING_CHAIR = (
     box("back", (-0.23, -0.20, 0.52), (-0.19, 0.20, 0.795), paint(0.84, 0.45, 0.22), "fabric"),
     box("left post", (-0.225, 0.15, 0.44), (-0.195, 0.18, 0.78), STEEL),
     box("right post", (-0.225, -0.18, 0.44), (-0.195, -0.15, 0.78), STEEL),
-    *legs(0.40, 0.40, 0.42, 0.03, 0.03, STEEL),
+    *_legs(0.40, 0.40, 0.42, 0.03, 0.03, STEEL),
 )
 
 SMART_SHELF = (
@@ -244,7 +243,7 @@ SMART_SHELF = (
 WAGON = (
     box("upper tray", (-0.305, -0.172, 0.62), (0.305, 0.172, 0.66), WHITE),
     box("lower tray", (-0.305, -0.172, 0.14), (0.305, 0.172, 0.18), WHITE),
-    *legs(0.61, 0.344, 0.70, 0.02, 0.025, STEEL),
+    *_legs(0.61, 0.344, 0.70, 0.02, 0.025, STEEL),
     pillar("kettle", (0.12, 0.0), 0.66, 0.84, 0.15, BRICK),
     box("tray", (-0.25, -0.12, 0.66), (-0.02, 0.12, 0.68), OAK),
 )
@@ -261,7 +260,7 @@ TREE = (
 WALL_SHELF = (
     box("board", (-0.10, -2.20, 0.95), (0.10, 2.20, 1.05), OAK, "wood"),
     box("books", (-0.06, -1.70, 1.05), (0.06, -1.10, 1.28), BRICK),
-    box("books blue", (-0.06, -1.08, 1.05), (0.06, -0.72, 1.31), NAVY),
+    box("books blue", (-0.06, -1.08, 1.05), (0.06, -0.72, 1.31), _NAVY),
     pillar("vase", (0.0, 0.30), 1.05, 1.32, 0.11, TEAL),
     box("picture", (-0.06, 1.00, 1.05), (-0.04, 1.35, 1.30), paint(0.90, 0.66, 0.27)),
 )

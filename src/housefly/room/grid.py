@@ -26,25 +26,18 @@ from numpy.typing import NDArray
 from housefly.config.edits import NoFlyZone
 from housefly.config.site import Site, VirtualObstacle
 from housefly.geometry import Vec2
-from housefly.room.distance import (
-    Floats,
-    clearance_field,
-    covered_shares,
-    footprints,
-    half_diagonal,
-)
+from housefly.numeric import FloatArray
+from housefly.room.distance import clearance_field, covered_shares, footprints, half_diagonal
 from housefly.room.model import Room
 from housefly.room.reach import reachable
 
 CellIndex = tuple[int, int]
-Cells = NDArray[np.uint8]
+_Cells = NDArray[np.uint8]
 
-COVERED_SHARE = 0.25
+_COVERED_SHARE = 0.25
 """A cell with more than this share under a footprint is occupied."""
-FINE = 0.1
-"""Largest cell edge [m] that reachability is computed with: walls are thinner than the paper's
-cells.
-"""
+_FINE_EDGE = 0.1
+"""Largest cell edge for reachability [m]: walls are thinner than the paper's cells."""
 
 
 class Cell(IntEnum):
@@ -71,8 +64,8 @@ class OccupancyGrid:
 
     origin: Vec2
     resolution: float
-    cells: Cells
-    clearance: Floats
+    cells: _Cells
+    clearance: FloatArray
 
     def __post_init__(self) -> None:
         self.cells.setflags(write=False)
@@ -85,9 +78,7 @@ class OccupancyGrid:
         return nx, ny
 
     def cell_of(self, point: Vec2) -> CellIndex:
-        """Return the cell that a point [m] lies in; it may be off the grid. Points that are not
-        finite are off the grid.
-        """
+        """Return the cell of a point [m]; it may be off the grid, as are non-finite points."""
         if not (isfinite(point[0]) and isfinite(point[1])):
             return -1, -1
         return (
@@ -116,9 +107,7 @@ class OccupancyGrid:
         return self.kind(cell) is Cell.FREE
 
     def clearance_at(self, point: Vec2) -> float:
-        """Return the distance [m] from a point to the nearest real obstacle, to half a cell
-        diagonal; 0 off the grid.
-        """
+        """Return the clearance [m] of a point, to half a cell diagonal; 0 off the grid."""
         cell = self.cell_of(point)
         return float(self.clearance[cell]) if self.contains(cell) else 0.0
 
@@ -130,9 +119,7 @@ def extent_of(grid: OccupancyGrid) -> tuple[float, float, float, float]:
 
 
 def inflation(site: Site) -> float:
-    """Return how far [m] the middle of the drone keeps from obstacles: half hull diagonal +
-    tracking bound + margin.
-    """
+    """Return the inflation [m]: half hull diagonal + tracking bound + margin."""
     return (
         half_diagonal(site.drone.hull_length, site.drone.hull_width)
         + site.map.tracking_bound
@@ -183,15 +170,15 @@ def _grid(
     cells[clearance < keep] = Cell.INFLATED
     for obstacle in virtual:
         cells[_inside(obstacle, xs, ys)] = Cell.VIRTUAL
-    cells[~_on_reachable_floor(room, rows, min(resolution, FINE), xs, ys, cap)] = Cell.OUTSIDE
-    covered = covered_shares(rows, xs, ys, resolution, clearance) > COVERED_SHARE
+    cells[~_on_reachable_floor(room, rows, min(resolution, _FINE_EDGE), xs, ys, cap)] = Cell.OUTSIDE
+    covered = covered_shares(rows, xs, ys, resolution, clearance) > _COVERED_SHARE
     cells[covered | (clearance == 0.0)] = Cell.OCCUPIED
     return OccupancyGrid((rectangle[0], rectangle[1]), resolution, cells, clearance)
 
 
 def _middles(
     rectangle: tuple[float, float, float, float], resolution: float
-) -> tuple[Floats, Floats]:
+) -> tuple[FloatArray, FloatArray]:
     x_min, y_min, x_max, y_max = rectangle
     nx = max(1, round((x_max - x_min) / resolution))
     ny = max(1, round((y_max - y_min) / resolution))
@@ -201,17 +188,17 @@ def _middles(
     )
 
 
-def _inside(obstacle: VirtualObstacle | NoFlyZone, xs: Floats, ys: Floats) -> NDArray[np.bool_]:
+def _inside(
+    obstacle: VirtualObstacle | NoFlyZone, xs: FloatArray, ys: FloatArray
+) -> NDArray[np.bool_]:
     x_min, y_min, x_max, y_max = obstacle.rectangle
     return ((xs >= x_min) & (xs <= x_max))[:, None] & ((ys >= y_min) & (ys <= y_max))[None, :]
 
 
 def _on_reachable_floor(
-    room: Room, rows: Floats, fine: float, xs: Floats, ys: Floats, cap: float
+    room: Room, rows: FloatArray, fine: float, xs: FloatArray, ys: FloatArray, cap: float
 ) -> NDArray[np.bool_]:
-    """Return for each point whether a point-sized drone could get there from home without touching
-    a footprint.
-    """
+    """Return which points a point-sized drone can reach from home without touching a footprint."""
     fine_xs, fine_ys = _middles(room.bounds, fine)
     reached = reachable(
         clearance_field(rows, fine_xs, fine_ys, cap), fine_xs, fine_ys, fine, room.home

@@ -1,4 +1,4 @@
-"""The pad on the floor where the drone starts and lands; nothing touches it."""
+"""The home pad on the floor, where the drone starts and lands; it does not collide."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from housefly.geometry import Vec2
 from housefly.room.model import Solid
-from housefly.room.parts import paint, pillar, placed
+from housefly.room.parts import paint, pillar, place_parts
 
-RADIUS = 0.40
-"""Of the pad [m]."""
-PAD = (
-    pillar("rim", (0.0, 0.0), 0.0, 0.004, 2 * RADIUS, paint(0.94, 0.94, 0.92)),
+HOME_PAD_RADIUS = 0.40
+"""Radius of the pad [m]."""
+_PAD = (
+    pillar("rim", (0.0, 0.0), 0.0, 0.004, 2 * HOME_PAD_RADIUS, paint(0.94, 0.94, 0.92)),
     pillar("disc", (0.0, 0.0), 0.004, 0.006, 0.74, paint(0.13, 0.38, 0.42)),
     pillar("dot", (0.0, 0.0), 0.006, 0.008, 0.20, paint(0.94, 0.94, 0.92)),
 )
@@ -19,4 +19,4 @@ PAD = (
 
 def home_pad(home: Vec2) -> tuple[Solid, ...]:
     """Return the pad's discs around a position [m]."""
-    return tuple(replace(solid, collides=False) for solid in placed("home pad", PAD, *home))
+    return tuple(replace(solid, collides=False) for solid in place_parts("home pad", _PAD, *home))

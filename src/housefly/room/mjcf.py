@@ -1,7 +1,6 @@
-"""A room as MuJoCo's model text: the same solids that the grid is computed from, with materials,
-lights and the visitor.
+"""A room as MuJoCo's MJCF: the solids of the grid, with materials, lights and the visitor.
 
-No file besides the text is needed: all textures are made by MuJoCo's own builders.
+No other file is needed: all textures are made by MuJoCo's own builders.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from housefly.room.visitor import visitor_body
 
 # Flat maps: MuJoCo lays them on a geom's local x and y, so that its sides carry them as stripes
 # along z (grain, wallpaper).
-TEXTURES = {
+_TEXTURES = {
     "wood": 'builtin="flat" rgb1="1 1 1" mark="random" markrgb="0.84 0.80 0.76" random="0.25"',
     "fabric": (
         'builtin="checker" rgb1="1 1 1" rgb2="0.93 0.93 0.93" mark="random" markrgb="0.86 0.86'
@@ -36,7 +35,7 @@ TEXTURES = {
         ' 0.46 0.31" random="0.05"'
     ),
 }
-MATERIALS = {
+_MATERIALS = {
     "wood": 'texture="wood" texuniform="true" texrepeat="1.2 1.2" specular="0.2" shininess="0.3"',
     "fabric": 'texture="fabric" texuniform="true" texrepeat="3 3" specular="0.02" shininess="0.02"',
     "rug": 'texture="rug" texuniform="true" texrepeat="4 4" specular="0" shininess="0"',
@@ -52,24 +51,22 @@ MATERIALS = {
     "plain": 'specular="0.12" shininess="0.2"',
     "cloth": 'specular="0.05" shininess="0.1"',
 }
-VISUAL = (
+_VISUAL = (
     '<visual><headlight ambient="0.58 0.58 0.58" diffuse="0.16 0.16 0.16" specular="0.05 0.05'
     ' 0.05"/><map znear="0.005" zfar="12" haze="0"/><quality shadowsize="2048"'
     ' offsamples="0"/><global offwidth="1920" offheight="1080"/></visual>'
 )
-BUILDING = frozenset({"wall", "unexplored", "window", "entrance door", "room door"})
+_BUILDING = frozenset({"wall", "unexplored", "window", "entrance door", "room door"})
 # Two lights without shadows from opposite sides give every side of a box a brightness of its own.
-LIGHTS = (("daylight", "-0.62 0.30 -0.72", 0.30), ("fill", "0.50 -0.62 -0.60", 0.22))
-LAMP_SPACING = 3.0
+_LIGHTS = (("daylight", "-0.62 0.30 -0.72", 0.30), ("fill", "0.50 -0.62 -0.60", 0.22))
+_LAMP_SPACING = 3.0
 """Distance between ceiling lamps along x [m]."""
-SHADE_BELOW, SHADE_MARGIN, SHADE = 0.32, 0.05, 0.10
-"""A solid lower than this above the floor [m] darkens the floor around it this far [m] and by this
-share.
-"""
+_SHADE_BELOW, _SHADE_MARGIN, _SHADE = 0.32, 0.05, 0.10
+"""Solids lower than this [m] darken the floor around them, this far [m] and by this share."""
 
 
 def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str = "") -> str:
-    """Return the MJCF text of a room; raises nothing, imports nothing.
+    """Return the MJCF text of a room.
 
     Geoms carry the names of the solids; solids that do not collide get no contacts. The visitor, if
     the room has a place for one, is the mocap body "visitor". Ceiling, lamps and painted shadows
@@ -86,7 +83,7 @@ def room_to_mjcf(room: Room, *, bodies: str = "", assets: str = "", options: str
             f"<mujoco model={quoteattr(room.name)}>",
             '<compiler angle="radian" autolimits="true"/>',
             '<statistic extent="8" meansize="0.1"/>',
-            VISUAL,
+            _VISUAL,
             options,
             "<asset>",
             *_assets(),
@@ -110,9 +107,9 @@ def _assets() -> Iterator[str]:
         '<texture type="skybox" builtin="gradient" rgb1="0.80 0.88 0.95" rgb2="0.93 0.94 0.95"'
         ' width="64" height="384"/>'
     )
-    for name, attributes in TEXTURES.items():
+    for name, attributes in _TEXTURES.items():
         yield f'<texture name="{name}" type="2d" width="128" height="128" {attributes}/>'
-    for name, attributes in MATERIALS.items():
+    for name, attributes in _MATERIALS.items():
         yield f'<material name="{name}" {attributes}/>'
 
 
@@ -129,13 +126,13 @@ def _surroundings(room: Room) -> Iterator[str]:
         f' size="{length:.9g} {width:.9g} 1" quat="0 1 0 0" rgba="0.95 0.95 0.94 1"'
         ' material="ceiling" contype="0" conaffinity="0" group="1"/>'
     )
-    for name, direction, strength in LIGHTS:
+    for name, direction, strength in _LIGHTS:
         yield (
             f'<light name="{name}" directional="true" castshadow="false" pos="{x:.9g} {y:.9g}'
             f' {room.height:.9g}" dir="{direction}" ambient="0 0 0" diffuse="{strength} {strength}'
             f' {strength}" specular="0.05 0.05 0.05"/>'
         )
-    for n in range(count := max(1, round(2 * length / LAMP_SPACING))):
+    for n in range(count := max(1, round(2 * length / _LAMP_SPACING))):
         at = x_min + (n + 0.5) * 2 * length / count
         yield (
             f'<geom name="lamp {n}" type="cylinder" pos="{at:.9g} {y:.9g} {room.height - 0.03:.9g}"'
@@ -145,23 +142,21 @@ def _surroundings(room: Room) -> Iterator[str]:
 
 
 def _shades(solids: tuple[Solid, ...]) -> Iterator[str]:
-    """Yield dark translucent patches on the floor under low things: the look of shadows at a
-    fraction of their price.
-    """
+    """Yield dark translucent patches on the floor under low things: cheap shadows."""
     for solid in solids:
         low = solid.position[2] - solid.size[2] / 2
         if (
             solid.collides
-            and low < SHADE_BELOW
+            and low < _SHADE_BELOW
             and solid.size[2] > 0.02
-            and solid.thing not in BUILDING
+            and solid.thing not in _BUILDING
         ):
             x, y, _ = solid.position
-            a, b = solid.size[0] / 2 + SHADE_MARGIN, solid.size[1] / 2 + SHADE_MARGIN
+            a, b = solid.size[0] / 2 + _SHADE_MARGIN, solid.size[1] / 2 + _SHADE_MARGIN
             size = f"{a:.9g} {b:.9g} 0.001" if solid.shape is Shape.BOX else f"{a:.9g} 0.001"
             yield (
                 f'<geom type="{solid.shape.value}" pos="{x:.9g} {y:.9g} 0.002"'
-                f' size="{size}"{_turn(solid.yaw)} rgba="0.1 0.06 0.03 {SHADE}" material="shade"'
+                f' size="{size}"{_turn(solid.yaw)} rgba="0.1 0.06 0.03 {_SHADE}" material="shade"'
                 ' contype="0" conaffinity="0" group="1"/>'
             )
 
@@ -176,7 +171,7 @@ def geom(solid: Solid) -> str:
     a, b, c = (extent / 2 for extent in solid.size)
     size = f"{a:.9g} {b:.9g} {c:.9g}" if solid.shape is Shape.BOX else f"{a:.9g} {c:.9g}"
     colour = " ".join(f"{part:.4g}" for part in solid.colour)
-    material = solid.texture if solid.texture in MATERIALS else "plain"
+    material = solid.texture if solid.texture in _MATERIALS else "plain"
     contact = "" if solid.collides else ' contype="0" conaffinity="0"'
     return (
         f'<geom name={quoteattr(solid.name)} type="{solid.shape.value}" pos="{x:.9g} {y:.9g}'

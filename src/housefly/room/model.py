@@ -69,8 +69,9 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class TrackingCamera:
-    """One camera of the motion capture system: pinhole at ``position``, looking along its own +z
-    (see ``room.coverage``).
+    """One camera of the motion capture system: a pinhole looking along its own +z.
+
+    See ``room.coverage``.
 
     Attributes:
         name: for people.
@@ -90,7 +91,7 @@ class TrackingCamera:
 
 @dataclass(frozen=True, slots=True)
 class Room:
-    """Everything that is known of a room beforehand.
+    """Everything known about a room in advance.
 
     Attributes:
         name: for people.

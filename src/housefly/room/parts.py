@@ -1,7 +1,7 @@
-"""Furniture is a table of parts in its own frame; ``placed`` puts a table of parts into the room.
+"""Furniture is a table of parts in its own frame; ``place_parts`` puts it into the room.
 
 The frame of a piece of furniture: origin on the floor under its middle, x to its front, y to its
-    left, z up.
+left, z up.
 """
 
 from __future__ import annotations
@@ -70,10 +70,10 @@ def pillar(
     return Part(name, position, (diameter, diameter, top - bottom), colour, texture, Shape.CYLINDER)
 
 
-def placed(
+def place_parts(
     thing: str, parts: Iterable[Part], x: float, y: float, yaw: float = 0.0, name: str = ""
 ) -> tuple[Solid, ...]:
-    """Return the solids of a piece of furniture that stands at (x, y) [m], turned by yaw [rad].
+    """Return the solids of a piece of furniture at (x, y) [m], turned by yaw [rad].
 
     Args:
         thing: what it is; shown on the map.

@@ -1,6 +1,4 @@
-"""Which floor belongs to the room: a flood from the home pad that no wall, however thin, lets
-through.
-"""
+"""Which floor belongs to the room: a flood fill from the home pad that no wall lets through."""
 
 from __future__ import annotations
 
@@ -10,17 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2
-from housefly.numeric import compiled_with_arrays
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray, compiled_with_arrays
 
 Mask = NDArray[np.bool_]
 
 
 @compiled_with_arrays
 def flood(open_cells: Any, i: int, j: int) -> Any:
-    """Return the mask of open cells that are 4-connected to the cell (i, j); all false when that
-    one is closed.
-    """
+    """Return the open cells 4-connected to the cell (i, j); none when that one is closed."""
     nx, ny = open_cells.shape
     seen = np.zeros((nx, ny), dtype=np.bool_)
     if not open_cells[i, j]:
@@ -40,8 +35,14 @@ def flood(open_cells: Any, i: int, j: int) -> Any:
     return seen
 
 
-def reachable(clearance: Floats, xs: Floats, ys: Floats, edge: float, home: Vec2) -> Mask:
+def reachable(
+    clearance: FloatArray, xs: FloatArray, ys: FloatArray, edge: float, home: Vec2
+) -> Mask:
     """Return the cells from whose middle a point can move to the home pad; shape (nx, ny).
+
+    Only cells with more than half their diagonal of clearance conduct: of two neighbours on
+    opposite sides of a wall at least one is closer than that, so even a line of no thickness is
+    tight. Cells that touch a conducting one belong to the floor as well.
 
     Only cells with more than half their diagonal of clearance conduct: of two neighbours on both
         sides of a wall at least one is

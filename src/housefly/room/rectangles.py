@@ -1,26 +1,25 @@
-"""Covers a mask with few rectangles: runs along y, merged along x as long as they are equal."""
+"""Covers a mask with few rectangles: runs along y, merged along x while they are equal."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-Rectangle = tuple[int, int, int, int]
+_CellRectangle = tuple[int, int, int, int]
 
 
-def rectangles(mask: NDArray[np.bool_]) -> tuple[Rectangle, ...]:
-    """Return disjoint rectangles (i0, j0, i1, j1), ends excluded, that cover exactly the true cells
-    of a mask.
+def rectangles(mask: NDArray[np.bool_]) -> tuple[_CellRectangle, ...]:
+    """Return disjoint rectangles (i0, j0, i1, j1), ends excluded, that cover exactly a mask.
 
-    Both directions of runs are tried and the shorter answer is taken.
+    Both directions of runs are tried; the shorter answer wins.
     """
     upright = _merged(mask)
     flat = tuple((i0, j0, i1, j1) for j0, i0, j1, i1 in _merged(mask.T))
     return min(upright, flat, key=len)
 
 
-def _merged(mask: NDArray[np.bool_]) -> tuple[Rectangle, ...]:
-    done: list[Rectangle] = []
+def _merged(mask: NDArray[np.bool_]) -> tuple[_CellRectangle, ...]:
+    done: list[_CellRectangle] = []
     open_runs: dict[tuple[int, int], int] = {}
     for i in range(mask.shape[0] + 1):
         runs = _runs(mask[i]) if i < mask.shape[0] else []

@@ -1,6 +1,4 @@
-"""Reads a ROS map (a picture and its yaml) into occupied, free and unknown pixels in the world's
-axes.
-"""
+"""Reads a ROS map (image and yaml) into occupied, free and unknown pixels in world axes."""
 
 from __future__ import annotations
 
@@ -16,17 +14,16 @@ from PIL import Image, UnidentifiedImageError
 
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
+from housefly.room.reach import Mask
 
-Mask = NDArray[np.bool_]
-
-LARGEST = 4096
-"""Longest side of a picture that is read [px]."""
-MODES = ("trinary",)
+_MAX_SIDE = 4096
+"""Longest side of an image that is read [px]."""
+_MODES = ("trinary",)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RosMap:
-    """A map as ROS's map server keeps it.
+    """A map as ROS's map server stores it.
 
     Attributes:
         origin: world position of the lower left corner [m].
@@ -61,9 +58,9 @@ def read_ros_map(yaml_path: Path) -> RosMap:
             " and set yaw to 0"
         )
     mode = tree.get("mode", "trinary")
-    if mode not in MODES:
+    if mode not in _MODES:
         raise RoomError(
-            f"{yaml_path}: mode is {mode!r}; allowed: {', '.join(MODES)} (save the map again in"
+            f"{yaml_path}: mode is {mode!r}; allowed: {', '.join(_MODES)} (save the map again in"
             " that mode)"
         )
     occupied_from = _number(tree, "occupied_thresh", 0.0, 1.0, "", yaml_path)
@@ -126,9 +123,9 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
     """Return brightness from 0 to 1 and which pixels are opaque, rows from the top."""
     try:
         with Image.open(path) as image:
-            if max(image.size) > LARGEST:
+            if max(image.size) > _MAX_SIDE:
                 raise RoomError(
-                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {LARGEST} a side"
+                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {_MAX_SIDE} a side"
                     " can be imported"
                 )
             pixels = np.asarray(image.convert("LA"), dtype=np.float64) / 255.0

@@ -1,6 +1,4 @@
-"""Makes a room of a ROS map: occupied pixels become walls, home and a few places are chosen where
-there is most space.
-"""
+"""Turns a ROS map into a room: occupied pixels become walls; home and places go where space is."""
 
 from __future__ import annotations
 
@@ -8,29 +6,33 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.errors import RoomError
 from housefly.room.files import save_room, toml_string
 from housefly.room.grid import build_grid
 from housefly.room.home_pad import home_pad
 from housefly.room.model import Colour, Place, Room, Shape, Solid
+from housefly.room.reach import Mask
 from housefly.room.rectangles import rectangles
 from housefly.room.ros_image import RosMap, read_ros_map
-from housefly.room.spots import LOOK_DISTANCE, Manner, manner_and_home, places_around, site_for
+from housefly.room.spots import (
+    LOOK_DISTANCE,
+    ClearanceProfile,
+    places_around,
+    profile_and_home,
+    site_for,
+)
 
-Mask = NDArray[np.bool_]
-
-WALL_HEIGHT = 2.5
-WALL: Colour = (0.86, 0.83, 0.77, 1.0)
-UNEXPLORED: Colour = (0.60, 0.63, 0.66, 1.0)
-MOST_SOLIDS = 20_000
-LARGEST_AREA = 40_000.0
+_WALL_HEIGHT = 2.5
+_WALL_COLOUR: Colour = (0.86, 0.83, 0.77, 1.0)
+_UNEXPLORED_COLOUR: Colour = (0.60, 0.63, 0.66, 1.0)
+_MAX_SOLIDS = 20_000
+_MAX_AREA = 40_000.0
 """Largest room [m^2]."""
 
 
 def import_ros_map(
-    yaml_path: Path, out: Path, *, name: str = "", wall_height: float = WALL_HEIGHT
+    yaml_path: Path, out: Path, *, name: str = "", wall_height: float = _WALL_HEIGHT
 ) -> Room:
     """Make a room of a ROS map and write ``room.toml`` and ``site.toml`` into a directory.
 
@@ -52,7 +54,7 @@ def import_ros_map(
     shell = Room(
         title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0)
     )
-    manner, home = manner_and_home(shell, ros_map, yaml_path)
+    manner, home = profile_and_home(shell, ros_map, yaml_path)
     site = site_for(manner)
     grid = build_grid(replace(shell, home=home), site)
     places = (
@@ -66,9 +68,7 @@ def import_ros_map(
 
 
 def _cropped(ros_map: RosMap, source: Path) -> RosMap:
-    """Return the part with free pixels and a border of two; its lower left corner is the new origin
-    (0, 0).
-    """
+    """Return the part with free pixels and a border of two, moved so that it begins at (0, 0)."""
     columns, rows = (
         np.flatnonzero(ros_map.free.any(axis=1)),
         np.flatnonzero(ros_map.free.any(axis=0)),
@@ -79,9 +79,9 @@ def _cropped(ros_map: RosMap, source: Path) -> RosMap:
         )
     part = slice(max(columns[0] - 2, 0), columns[-1] + 3), slice(max(rows[0] - 2, 0), rows[-1] + 3)
     occupied, free = np.pad(ros_map.occupied[part], 1), np.pad(ros_map.free[part], 1)
-    if occupied.size * ros_map.resolution**2 > LARGEST_AREA:
+    if occupied.size * ros_map.resolution**2 > _MAX_AREA:
         raise RoomError(
-            f"{source}: the map covers more than {LARGEST_AREA:.0f} m^2; cut out the part to fly in"
+            f"{source}: the map covers more than {_MAX_AREA:.0f} m^2; cut out the part to fly in"
         )
     return RosMap((0.0, 0.0), ros_map.resolution, occupied, free)
 
@@ -94,14 +94,18 @@ def _bounds(ros_map: RosMap) -> tuple[float, float, float, float]:
 def _walls(ros_map: RosMap, height: float) -> tuple[Solid, ...]:
     unknown = ~ros_map.occupied & ~ros_map.free
     solids = (
-        *_extruded("wall", ros_map.occupied, ros_map.resolution, height, WALL),
+        *_extruded("wall", ros_map.occupied, ros_map.resolution, height, _WALL_COLOUR),
         *_extruded(
-            "unexplored", unknown & _beside(ros_map.free), ros_map.resolution, height, UNEXPLORED
+            "unexplored",
+            unknown & _beside(ros_map.free),
+            ros_map.resolution,
+            height,
+            _UNEXPLORED_COLOUR,
         ),
     )
-    if len(solids) > MOST_SOLIDS:
+    if len(solids) > _MAX_SOLIDS:
         raise RoomError(
-            f"the map needs {len(solids)} boxes, at most {MOST_SOLIDS} are supported; clean it of"
+            f"the map needs {len(solids)} boxes, at most {_MAX_SOLIDS} are supported; clean it of"
             " single pixels"
         )
     return solids
@@ -135,15 +139,15 @@ def _extruded(
     )
 
 
-def _write_site(path: Path, room: Room, manner: Manner, source: Path) -> None:
-    text = SITE_TEXT.format(name=toml_string(room.name), source=source.name, manner=manner)
+def _write_site(path: Path, room: Room, manner: ClearanceProfile, source: Path) -> None:
+    text = _SITE_TEXT.format(name=toml_string(room.name), source=source.name, manner=manner)
     try:
         path.write_text(text, encoding="utf-8")
     except OSError as error:
         raise RoomError(f"{path} cannot be written: {error.strerror}") from error
 
 
-SITE_TEXT = """\
+_SITE_TEXT = """\
 # A room made of the ROS map {source}. Every key and its range: docs/site.md.
 
 name = {name}

@@ -1,6 +1,4 @@
-"""Chooses, in a room made of a map, how close to fly to walls, where home is, and a few roomy
-places.
-"""
+"""Chooses wall distances, home and a few roomy places in a room made from a map."""
 
 from __future__ import annotations
 
@@ -8,36 +6,30 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.config.site import Site, changed
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
 from housefly.room.model import Place, Room
-from housefly.room.reach import flood
+from housefly.room.reach import Mask, flood
 from housefly.room.ros_image import RosMap
 
-Mask = NDArray[np.bool_]
-
-PLACE_NAMES = ("far", "north", "south", "east", "west")
-PLACE_SPACING = 1.5
+_PLACE_NAMES = ("far", "north", "south", "east", "west")
+_PLACE_SPACING = 1.5
 """Places are at least this far apart [m]."""
 LOOK_DISTANCE = 2.0
-ROOMINESS = 3.0
-"""A place gives up this many metres towards its side for one metre more from walls, up to 1 m from
-walls.
-"""
-CONNECTED = 0.6
-"""Keep less distance from walls as long as a smaller share than this of the flyable floor hangs
-together.
-"""
+_ROOMINESS = 3.0
+"""A place gives up this many metres towards its side for a metre of clearance, up to 1 m."""
+_CONNECTED_SHARE = 0.6
+"""Fly closer to walls while a smaller share than this of the flyable floor is connected."""
 
 
 @dataclass(frozen=True, slots=True)
-class Manner:
-    """How to fly in a map: distances that are added to the hull [m], cell edge [m], speed [m/s],
-    and a word about it.
+class ClearanceProfile:
+    """How to fly in a map.
+
+    Distances added to the hull [m], cell edge [m], speed [m/s], and a remark.
     """
 
     tracking_bound: float
@@ -47,23 +39,23 @@ class Manner:
     remark: str
 
 
-MANNERS = (
-    Manner(0.10, 0.05, 0.10, 0.50, "the usual distance from walls"),
-    Manner(
+_PROFILES = (
+    ClearanceProfile(0.10, 0.05, 0.10, 0.50, "the usual distance from walls"),
+    ClearanceProfile(
         0.05,
         0.02,
         0.05,
         0.35,
         "narrow: at the usual distance from walls this map falls into parts; fly slower and closer",
     ),
-    Manner(
+    ClearanceProfile(
         0.03, 0.00, 0.05, 0.25, "very narrow: hardly more than the hull fits through; fly slowly"
     ),
 )
 
 
-def site_for(manner: Manner) -> Site:
-    """Return a site that flies in this manner."""
+def site_for(manner: ClearanceProfile) -> Site:
+    """Return a site with this profile."""
     return changed(
         Site(),
         map__tracking_bound=manner.tracking_bound,
@@ -72,18 +64,16 @@ def site_for(manner: Manner) -> Site:
     )
 
 
-def manner_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[Manner, Vec2]:
-    """Return the most careful manner in which most of the map can be flown, and the roomiest spot
-    of its largest part.
-    """
-    choices = [(manner, *_flyable(shell, site_for(manner), ros_map)) for manner in MANNERS]
+def profile_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[ClearanceProfile, Vec2]:
+    """Return the most careful profile that can fly most of the map, and the roomiest home."""
+    choices = [(manner, *_flyable(shell, site_for(manner), ros_map)) for manner in _PROFILES]
     for manner, home, share in choices:
-        if home and share >= CONNECTED:
+        if home and share >= _CONNECTED_SHARE:
             return manner, home
     for manner, home, _ in choices:
         if home:
             return manner, home
-    needed = inflation(site_for(MANNERS[-1]))
+    needed = inflation(site_for(_PROFILES[-1]))
     raise RoomError(
         f"{source}: the drone fits nowhere: it keeps {needed:.2f} m from walls; check resolution in"
         " the yaml file"
@@ -91,9 +81,7 @@ def manner_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[Manner,
 
 
 def _flyable(shell: Room, site: Site, ros_map: RosMap) -> tuple[Vec2 | None, float]:
-    """Return the roomiest spot of the largest part that the drone can fly in, and that part's share
-    of all flyable floor.
-    """
+    """Return the roomiest point of the largest flyable part, and its share of all parts."""
     grid = build_grid(shell, site)
     xs = [grid.centre_of((i, 0))[0] for i in range(grid.shape[0])]
     ys = [grid.centre_of((0, j))[1] for j in range(grid.shape[1])]
@@ -127,18 +115,18 @@ def _largest_area(open_cells: Mask) -> Mask | None:
 
 
 def places_around(grid: OccupancyGrid, home: Vec2) -> tuple[Place, ...]:
-    """Return roomy viewpoints: one far away, and one towards each side, all reachable from home."""
+    """Return roomy viewpoints, reachable from home: one far away, and one towards each side."""
     i, j = grid.cell_of(home)
     area: Mask = flood(grid.cells == Cell.FREE, i, j)
     ix, iy = np.nonzero(area)
     x = grid.origin[0] + (ix + 0.5) * grid.resolution
     y = grid.origin[1] + (iy + 0.5) * grid.resolution
-    room_there = ROOMINESS * np.minimum(grid.clearance[ix, iy], 1.0)
+    room_there = _ROOMINESS * np.minimum(grid.clearance[ix, iy], 1.0)
     wishes = (np.hypot(x - home[0], y - home[1]), y, -y, x, -x)
     places: list[Place] = []
     taken = [home]
-    for name, wish in zip(PLACE_NAMES, wishes, strict=True):
-        apart = np.min([np.hypot(x - u, y - v) for u, v in taken], axis=0) >= PLACE_SPACING
+    for name, wish in zip(_PLACE_NAMES, wishes, strict=True):
+        apart = np.min([np.hypot(x - u, y - v) for u, v in taken], axis=0) >= _PLACE_SPACING
         if apart.any():
             best = int(np.where(apart, wish + room_there, -np.inf).argmax())
             spot = _rounded((float(x[best]), float(y[best])))

@@ -1,8 +1,7 @@
-"""Furniture that stands in the room model and carries markers: the model says where it stood,
-tracking says where it stands.
+"""Furniture of the room model that carries markers: its pose comes from tracking.
 
-The pilot's map and whoever looks for what no map shows take such a thing out of the room;
-``planning.furniture`` puts it back where it is.
+The pilot's map and perception take such a thing out of the room; ``planning.furniture`` puts it
+back where it is.
 """
 
 from __future__ import annotations
@@ -21,8 +20,8 @@ from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room, Solid
 from housefly.room.outline import outline
 
-GIVE = 0.05
-"""A footprint of the site file may be smaller than that of the model by this [m]."""
+_TOLERANCE = 0.05
+"""A footprint in the site file may be smaller than the model's by this [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +51,7 @@ def solids_of(room: Room, name: str) -> tuple[Solid, ...]:
 
 
 def untracked(room: Room, site: Site) -> Room:
-    """Return the room without the things that tracking sees; the very same room when it sees none.
+    """Return the room without the things that tracking sees; the same room when it sees none.
 
     Raises:
         ConfigError: the room has no such thing, or its footprint in the site file is too small for
@@ -69,22 +68,21 @@ def untracked(room: Room, site: Site) -> Room:
 
 
 def untracked_grid(room: Room, site: Site, grid: OccupancyGrid) -> OccupancyGrid:
-    """Return the map of the room without the things that tracking sees; the given one, of the whole
-    room, when it sees none.
-    """
+    """Return the grid without the things that tracking sees; ``grid`` itself when it sees none."""
     bare = untracked(room, site)
     return grid if bare is room else build_grid(bare, site)
 
 
 def stand_of(room: Room, piece: FurnitureConfig) -> Stand | None:
-    """Return where a piece stands in the room model, None when it is not in there; raises
-    ConfigError as ``untracked``.
+    """Return where a piece stands in the room model, or None.
+
+    Raises ConfigError as ``untracked``.
     """
     return _stand(_checked(room, piece), piece) if piece.model else None
 
 
 def footprint_of(piece: FurnitureConfig, pose: Pose) -> tuple[Vec2, float]:
-    """Return the middle [m] and the yaw [rad] of the footprint of a thing whose body is at a pose."""
+    """Return the middle [m] and yaw [rad] of the footprint of a thing whose body has this pose."""
     (x, y, _), yaw = pose.position, pose.yaw
     middle = (
         x + cos(yaw) * piece.x - sin(yaw) * piece.y,
@@ -94,9 +92,7 @@ def footprint_of(piece: FurnitureConfig, pose: Pose) -> tuple[Vec2, float]:
 
 
 def body_pose_of(piece: FurnitureConfig, middle: Vec2, yaw: float) -> Pose:
-    """Return the pose on the floor of the body of a thing whose footprint has this middle [m] and
-    yaw [rad].
-    """
+    """Return the body pose of a thing whose footprint has this middle [m] and yaw [rad]."""
     turn = wrap_angle(yaw - piece.yaw)
     x, y = cos(turn) * piece.x - sin(turn) * piece.y, sin(turn) * piece.x + cos(turn) * piece.y
     return Pose((middle[0] - x, middle[1] - y, 0.0), quaternion_from_euler(0.0, 0.0, turn))
@@ -110,12 +106,12 @@ def _checked(room: Room, piece: FurnitureConfig) -> tuple[Solid, ...]:
             key, f"model {piece.model!r} is nothing that the room model has; it has: {things}"
         )
     stand = _stand(solids, piece)
-    if min(piece.length - stand.size[0], piece.width - stand.size[1]) < -GIVE:
+    if min(piece.length - stand.size[0], piece.width - stand.size[1]) < -_TOLERANCE:
         size = f"{stand.size[0]:.2f} m long and {stand.size[1]:.2f} m wide"
         raise ConfigError(
             key, f"{piece.model!r} is {size} in the room model: length and width must be as large"
         )
-    if piece.bottom > stand.bottom + GIVE or piece.top < stand.top - GIVE:
+    if piece.bottom > stand.bottom + _TOLERANCE or piece.top < stand.top - _TOLERANCE:
         heights = f"{stand.bottom:.2f} to {stand.top:.2f} m"
         raise ConfigError(
             key,
@@ -126,9 +122,7 @@ def _checked(room: Room, piece: FurnitureConfig) -> tuple[Solid, ...]:
 
 
 def _stand(solids: tuple[Solid, ...], piece: FurnitureConfig) -> Stand:
-    """Return the rectangle around solids, along the first of them, its longer side where the site
-    file has the longer one.
-    """
+    """Return the rectangle around solids, along the first; its longer side is the site file's."""
     touched = [solid for solid in solids if solid.collides]
     yaw = touched[0].yaw
     along, aside = np.array((cos(yaw), sin(yaw))), np.array((-sin(yaw), cos(yaw)))

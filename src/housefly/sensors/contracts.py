@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from math import inf
 from typing import Protocol
 
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 
-Sink = Callable[[Observation | Happening], None]
+SensorSink = Callable[[Observation | RoomEvent], None]
 """Takes what a sensor tells; it neither waits nor raises."""
-Counts = tuple[tuple[str, int], ...]
+_Counts = tuple[tuple[str, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,13 +36,13 @@ class SensorHealth:
     rate_hz: float = 0.0
     age: float = inf
     problem: str = ""
-    counts: Counts = ()
+    counts: _Counts = ()
 
 
 class Sensor(Protocol):
     """One driver, of one sensor or of many that share a wire; all calls belong to one asyncio loop."""
 
-    async def run(self, sink: Sink) -> None:
+    async def run(self, sink: SensorSink) -> None:
         """Connect, hand what is heard to the sink, reconnect for ever; ends only when cancelled."""
         ...
 

@@ -1,7 +1,8 @@
-"""Reads any tracking system that PyPI ``motioncapture`` knows and writes one line a frame.
+"""Reads any tracking system that PyPI ``motioncapture`` knows; writes one line per frame.
 
-A process of its own, since ``motioncapture`` connects with the interpreter's lock held and waits
-for frames for ever: neither can be ended from inside. Started by ``tracking.bridge``, ends with it.
+A process of its own, because ``motioncapture`` connects with the interpreter's lock held and waits
+for frames for ever: neither can be interrupted from inside. ``tracking.bridge`` starts it; it ends
+with its parent.
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ import sys
 import threading
 from typing import IO, Any
 
-CONNECT_TIMEOUT = 10.0
-"""A connection that takes longer [s] ends the process."""
+_CONNECT_TIMEOUT = 10.0
+"""Longest time to connect [s] before the process ends."""
 
 
 def main() -> None:
@@ -33,7 +34,7 @@ def main() -> None:
 def _bridge(system: str, settings: dict[str, str], out: IO[str]) -> None:
     import motioncapture
 
-    signal.setitimer(signal.ITIMER_REAL, CONNECT_TIMEOUT)
+    signal.setitimer(signal.ITIMER_REAL, _CONNECT_TIMEOUT)
     client = motioncapture.connect(system, settings)
     signal.setitimer(signal.ITIMER_REAL, 0.0)
     _write(out, {"bodies": {}})
@@ -48,7 +49,7 @@ def _numbers(body: Any) -> list[float]:
 
 
 def _own_output() -> IO[str]:
-    """Return the standard output, and let what the library itself prints go to the standard error."""
+    """Return the standard output; what the library itself prints goes to the standard error."""
     out = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)
     return out

@@ -1,4 +1,4 @@
-"""From the lines of the bridge's child to poses; state that spans lines lives here."""
+"""Converts the lines of the bridge's child to poses; holds the state that spans lines."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from housefly.tracking.poses import checked_pose
 
 
 class BridgeLines:
-    """Turns lines into sightings.
+    """Converts lines to sightings.
 
-    ``motioncapture`` tells no capture time: it is the time of arrival less the configured latency,
-    so jitter on the way moves the drone. It repeats the last pose of a lost body with some systems:
-    a pose that is the last one to the bit is dropped.
+    ``motioncapture`` gives no capture time: it is the time of arrival less the configured latency,
+    so network jitter moves the drone. With some systems it repeats the last pose of a lost body:
+    a pose equal to the last one, bit for bit, is dropped.
 
     Args:
         latency: from exposure to arrival [s].
@@ -35,7 +35,7 @@ class BridgeLines:
         """Return the bodies of a line, or None when nothing in it is new.
 
         Raises:
-            LinkError: the child tells of a failure.
+            LinkError: the child reports a failure.
             WireError: the line makes no sense.
         """
         bodies = _bodies(line)

@@ -1,13 +1,11 @@
-"""When did the cameras see it? Capture times on our clock from a server's frame numbers."""
+"""Capture times on our clock from a server's frame numbers."""
 
 from __future__ import annotations
 
 from collections import deque
 
-WINDOW = 1.0
-"""Time over which the least delayed frame counts [s]: long against jitter, short against a server's
-clock that slips.
-"""
+OFFSET_WINDOW = 1.0
+"""Window of the min-filter [s]: long against jitter, short against a server's clock drift."""
 
 
 class CaptureClock:
@@ -24,7 +22,7 @@ class CaptureClock:
         self._last = float("-inf")
 
     def reset(self) -> None:
-        """Forget the offsets: the server counts anew."""
+        """Forget the offsets: the server restarted its count."""
         self._offsets.clear()
 
     def captured_at(self, number: int, period: float, latency: float, received_at: float) -> float:
@@ -32,8 +30,8 @@ class CaptureClock:
 
         Args:
             number: the server's frame number.
-            period: time between two numbers [s]; 0 when the server does not say it.
-            latency: from exposure to sending, as the server says or as configured [s].
+            period: time between two numbers [s]; 0 when the server does not send it.
+            latency: from exposure to sending, as sent or as configured [s].
             received_at: when the frame arrived [s].
         """
         captured = latest = received_at - latency
@@ -45,12 +43,10 @@ class CaptureClock:
         return self._last
 
     def _offset(self, offset: float, received_at: float) -> float:
-        """Return the smallest offset of the window; the queue keeps only offsets that can still
-        become the smallest.
-        """
+        """Return the smallest offset in the window, from a monotonic queue."""
         while self._offsets and self._offsets[-1][1] >= offset:
             self._offsets.pop()
         self._offsets.append((received_at, offset))
-        while self._offsets[0][0] < received_at - WINDOW:
+        while self._offsets[0][0] < received_at - OFFSET_WINDOW:
             self._offsets.popleft()
         return self._offsets[0][1]

@@ -7,17 +7,15 @@ from typing import Protocol
 
 from housefly.messages import Sighting
 
-Sink = Callable[[tuple[Sighting, ...]], None]
-"""Gets the sightings of one frame."""
+SightingSink = Callable[[tuple[Sighting, ...]], None]
+"""Receives the sightings of one frame."""
 
 
 class Tracker(Protocol):
     """One motion capture system; all calls belong to one asyncio loop."""
 
-    async def run(self, sink: Sink) -> None:
-        """Connect, hand each frame's sightings to the sink, reconnect for ever; ends only when
-        cancelled.
-        """
+    async def run(self, sink: SightingSink) -> None:
+        """Connect, hand on each frame's sightings, reconnect for ever; ends only when cancelled."""
         ...
 
     @property

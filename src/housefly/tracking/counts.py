@@ -1,4 +1,4 @@
-"""What came over the wire of a tracking system so far."""
+"""Statistics of a tracking client."""
 
 from __future__ import annotations
 
@@ -7,19 +7,18 @@ from dataclasses import dataclass
 
 @dataclass(slots=True)
 class FrameCounts:
-    """What came over the wire so far.
+    """What arrived so far, and what was dropped.
 
     Attributes:
         frames: frames used.
         repeated: frames dropped because they were the last one again.
         backward: frames dropped because they were older than the last one.
         refused: poses dropped because they were not finite, not a rotation, or a kilometre away.
-        misstamped: frames whose latency could not be, and whose capture time was taken from their
-            arrival.
-        jumps: how often the server's clock leapt by a second or more.
-        flooded: frames dropped because more came than any tracking system sends.
-        malformed: datagrams or messages that are not the protocol.
-        strangers: datagrams from another machine than the one asked.
+        misstamped: frames with an impossible latency; their capture time is that of their arrival.
+        jumps: how often the server's clock jumped by a second or more.
+        flooded: frames dropped because more arrived than any tracking system sends.
+        malformed: datagrams that are not the protocol.
+        other_hosts: datagrams from a machine other than the one asked.
         unnamed: poses of bodies whose name is not known (yet).
     """
 
@@ -31,5 +30,5 @@ class FrameCounts:
     jumps: int = 0
     flooded: int = 0
     malformed: int = 0
-    strangers: int = 0
+    other_hosts: int = 0
     unnamed: int = 0

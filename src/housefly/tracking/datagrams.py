@@ -6,29 +6,29 @@ import asyncio
 import socket
 from collections.abc import Callable
 
-Address = tuple[str, int]
-_BUFFER = 256 * 1024
-"""Bytes that the kernel may keep for us; more would only be older."""
+SocketAddress = tuple[str, int]
+_RECEIVE_BUFFER = 256 * 1024
+"""Receive buffer of the kernel [bytes]; a larger one would only hold older data."""
 
 
-class Ear(asyncio.DatagramProtocol):
-    """Hands datagrams to a function; remembers the network's last complaint.
+class DatagramReceiver(asyncio.DatagramProtocol):
+    """Hands datagrams to a function and remembers whether the network refused the last one sent.
 
     Args:
-        heard: called with each datagram and its sender.
+        on_datagram: called with each datagram and its sender.
 
     Attributes:
-        refused: whether the network said that nobody listens there.
+        refused: whether the network reported that nobody listens there.
     """
 
-    def __init__(self, heard: Callable[[bytes, Address], None]) -> None:
+    def __init__(self, on_datagram: Callable[[bytes, SocketAddress], None]) -> None:
         self.refused = False
-        self._heard = heard
+        self._on_datagram = on_datagram
 
-    def datagram_received(self, data: bytes, addr: Address) -> None:
+    def datagram_received(self, data: bytes, addr: SocketAddress) -> None:
         """Pass a datagram on."""
         self.refused = False
-        self._heard(data, addr)
+        self._on_datagram(data, addr)
 
     def error_received(self, exc: Exception) -> None:
         """Note that nobody listens."""
@@ -41,7 +41,7 @@ def multicast_receiver(group: str, port: int, interface: str) -> socket.socket:
     try:
         receiver.setblocking(False)
         receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _BUFFER)
+        receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, _RECEIVE_BUFFER)
         receiver.bind((group, port))
         membership = socket.inet_aton(group) + socket.inet_aton(interface)
         receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)

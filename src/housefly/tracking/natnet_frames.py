@@ -1,4 +1,4 @@
-"""From NatNet frames to poses in metres; state that spans frames lives here."""
+"""Converts NatNet frames to poses in metres; holds the state that spans frames."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from housefly.messages import Sighting
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.poses import checked_pose
 from housefly.tracking.sender_clock import SenderClock
-from housefly.wires.natnet import Frame, ModelDef
+from housefly.wires.natnet import ModelDef, NatNetFrame
 
-_LONGEST_LATENCY = 5.0
+_LATENCY_MAX = 5.0
 
 
 class NatNetFrames:
-    """Turns the messages of one server into sightings.
+    """Converts the messages of one server to sightings.
 
     Args:
         clock_hz: ticks per second of the server's stamps [Hz].
@@ -36,40 +36,38 @@ class NatNetFrames:
         self._clock = SenderClock(counts)
         self._names: dict[int, str] = {}
 
-    def use_names(self, model: ModelDef) -> None:
+    def learn_names(self, model: ModelDef) -> None:
         """Learn which number is which body."""
         self._names = {body.identity: body.name for body in model.bodies}
         self.wants_names = False
 
     def forget_names(self) -> None:
-        """Name nobody until the server is asked again: it may be another one, with other numbers."""
+        """Drop all names: the server may have been replaced by one that numbers its bodies anew."""
         self._names = {}
         self.wants_names = True
 
-    def read(self, frame: Frame, received_at: float) -> tuple[Sighting, ...] | None:
+    def read(self, frame: NatNetFrame, received_at: float) -> tuple[Sighting, ...] | None:
         """Return the bodies seen in a frame, or None when the frame is not new."""
-        leaps_before = self._counts.jumps
+        jumps_before = self._counts.jumps
         captured_at = self._captured_at(frame, received_at)
-        self.wants_names = self.wants_names or frame.changed or self._counts.jumps > leaps_before
+        self.wants_names = self.wants_names or frame.changed or self._counts.jumps > jumps_before
         if captured_at is None:
             return None
         self._counts.frames += 1
         return tuple(self._sightings(frame, captured_at, received_at))
 
-    def _captured_at(self, frame: Frame, received_at: float) -> float | None:
-        """Return the middle of the exposure on our clock; cameras that do not tell it leave the
-        time of sending.
-        """
+    def _captured_at(self, frame: NatNetFrame, received_at: float) -> float | None:
+        """Return the middle of the exposure on our clock, or the time of sending if not known."""
         if not frame.exposed:
             return self._clock.captured_at(frame.sent, self._period, self._latency, received_at)
         latency = (frame.sent - frame.exposed) * self._period
-        if not 0 <= latency < _LONGEST_LATENCY:
+        if not 0 <= latency < _LATENCY_MAX:
             self._counts.misstamped += 1
             latency = self._latency
         return self._clock.captured_at(frame.exposed, self._period, latency, received_at)
 
     def _sightings(
-        self, frame: Frame, captured_at: float, received_at: float
+        self, frame: NatNetFrame, captured_at: float, received_at: float
     ) -> Iterable[Sighting]:
         for body in frame.bodies:
             name = self._names.get(body.identity)

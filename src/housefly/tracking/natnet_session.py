@@ -1,4 +1,4 @@
-"""One conversation with a NatNet server, from the greeting to its silence."""
+"""One session with a NatNet server, from the greeting to its silence."""
 
 from __future__ import annotations
 
@@ -8,35 +8,31 @@ from collections.abc import Callable
 from housefly.clock import Clock
 from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.tracking.contracts import Sink
+from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
-from housefly.tracking.datagrams import Address, Ear, multicast_receiver
-from housefly.tracking.flood import MOST, FloodGate
+from housefly.tracking.datagrams import DatagramReceiver, SocketAddress, multicast_receiver
 from housefly.tracking.natnet_frames import NatNetFrames
+from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
 from housefly.wires.natnet import (
+    CommandRequest,
+    CommandResponse,
     Connect,
-    Frame,
-    Item,
     KeepAlive,
     ModelDef,
-    Request,
+    NatNetFrame,
+    NatNetMessage,
+    NatNetVersion,
     RequestModelDef,
-    Response,
     ServerInfo,
-    Version,
-    decode_message,
-    encode_message,
+    decode_natnet,
+    encode_natnet,
 )
 
-WISH: Version = (4, 1)
-"""The newest version that was checked against others; servers that speak a newer one are asked for
-it.
-"""
-SILENCE = 5.0
-"""A server silent for this long [s] is greeted anew, by a new session: it may have come back as
-another.
-"""
-QUIET = 1.0
+_NEWEST_VERSION: NatNetVersion = (4, 1)
+"""The newest version that was checked against others; newer servers are asked for it."""
+_SILENCE_TIMEOUT = 5.0
+"""After this long without a frame [s] a new session begins: the server may have been replaced."""
+_GREET_AGAIN = 1.0
 """After this long without a frame [s] a server is greeted again: it may have forgotten us."""
 _GREETINGS, _GREETING_PERIOD = 8, 0.25
 _TICK = 0.5
@@ -50,30 +46,27 @@ class NatNetSession:
         clock: for arrival times.
         sink: gets each frame's sightings.
         counts: kept up to date.
-
-    Attributes:
-        frame_at: when the last new frame came [s].
     """
 
     def __init__(
-        self, config: TrackingConfig, clock: Clock, sink: Sink, counts: FrameCounts
+        self, config: TrackingConfig, clock: Clock, sink: SightingSink, counts: FrameCounts
     ) -> None:
-        self.frame_at = float("-inf")
+        self._frame_at = float("-inf")
         self._config = config
         self._clock = clock
         self._sink = sink
         self._counts = counts
-        self._gate = FloodGate()
+        self._limiter = FrameLimiter()
         self._flooded_at = self._arrived_at = self._greeted_at = float("-inf")
-        self._version: Version = (3, 1)
+        self._version: NatNetVersion = (3, 1)
         self._info: ServerInfo | None = None
         self._frames: NatNetFrames | None = None
         self._response: int | None = None
-        self._another = False
-        self._stranger = self._garbage = self._host = self._interface = ""
-        self._news = asyncio.Event()
+        self._replaced = False
+        self._other_host = self._malformed = self._host = self._interface = ""
+        self._changed = asyncio.Event()
         self._transports: list[asyncio.DatagramTransport] = []
-        self._ear = Ear(self._heard)
+        self._receiver = DatagramReceiver(self._on_datagram)
 
     @property
     def greeted(self) -> bool:
@@ -82,10 +75,11 @@ class NatNetSession:
 
     @property
     def flood_problem(self) -> str:
-        """Whether more comes than can be, in words, or ""."""
-        flooded = self._clock.now() - self._flooded_at <= QUIET
+        """That more arrives than any tracking system sends, in words, or ""."""
+        flooded = self._clock.now() - self._flooded_at <= _GREET_AGAIN
         return (
-            f"{self._where} sends more than {MOST} datagrams a second; the others are dropped"
+            f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} datagrams a second; the others"
+            " are dropped"
             if flooded
             else ""
         )
@@ -94,19 +88,19 @@ class NatNetSession:
     def silence(self) -> str:
         """Why no new frame comes, in words."""
         now = self._clock.now()
-        if now - self._arrived_at <= QUIET:
+        if now - self._arrived_at <= _GREET_AGAIN:
             return (
                 f"frames arrive from {self._where}, but their time stands still; is Motive paused?"
             )
-        if self._garbage:
+        if self._malformed:
             return (
                 f"what arrives from {self._where} is not NatNet"
-                f" {self._version[0]}.{self._version[1]} ({self._garbage})"
+                f" {self._version[0]}.{self._version[1]} ({self._malformed})"
             )
-        if self._stranger:
+        if self._other_host:
             return (
-                f"frames come from {self._stranger}, not from {self._host}; set tracking.address to"
-                f" {self._stranger}"
+                f"frames come from {self._other_host}, not from {self._host}; set"
+                f" tracking.address to {self._other_host}"
             )
         if self._info is not None and self._info.multicast:
             return (
@@ -121,7 +115,7 @@ class NatNetSession:
         try:
             await self._open()
             info = await self._greet()
-            await self._settle_version(info)
+            await self._negotiate_version(info)
             if info.multicast:
                 await self._join(info)
             self._greeted_at = self._clock.now()
@@ -142,7 +136,7 @@ class NatNetSession:
         target = (self._config.address, self._config.natnet_port)
         try:
             transport, _ = await loop.create_datagram_endpoint(
-                lambda: self._ear, remote_addr=target
+                lambda: self._receiver, remote_addr=target
             )
         except (OSError, UnicodeError) as error:
             raise LinkError(f"{self._where} cannot be reached ({error})") from error
@@ -152,24 +146,22 @@ class NatNetSession:
 
     async def _greet(self) -> ServerInfo:
         for _ in range(_GREETINGS):
-            self._send(Connect(WISH))
+            self._send(Connect(_NEWEST_VERSION))
             if (
-                await self._comes(lambda: self._info is not None, _GREETING_PERIOD)
+                await self._wait_for(lambda: self._info is not None, _GREETING_PERIOD)
                 and self._info is not None
             ):
                 return self._info
-        if self._garbage:
+        if self._malformed:
             raise LinkError(
-                f"what answers at {self._where} does not speak NatNet ({self._garbage})"
+                f"what answers at {self._where} does not speak NatNet ({self._malformed})"
             )
         raise LinkError(
             f"nobody answers at {self._where}; is Motive running, with streaming switched on?"
         )
 
-    async def _settle_version(self, info: ServerInfo) -> None:
-        """Use the server's version, or the one that we wish for where it is newer and the server
-        lets us.
-        """
+    async def _negotiate_version(self, info: ServerInfo) -> None:
+        """Use the server's version, or ``_NEWEST_VERSION`` if a newer server agrees."""
         major, minor, *_ = info.version
         if major not in (3, 4):
             raise LinkError(
@@ -177,10 +169,13 @@ class NatNetSession:
                 " 2.0 to 3.x)"
             )
         self._version = (major, minor)
-        if self._version > WISH and not info.multicast:
-            self._send(Request(f"Bitstream,{WISH[0]}.{WISH[1]}"))
-            if await self._comes(lambda: self._response is not None, _TICK) and self._response == 0:
-                self._version = WISH
+        if self._version > _NEWEST_VERSION and not info.multicast:
+            self._send(CommandRequest(f"Bitstream,{_NEWEST_VERSION[0]}.{_NEWEST_VERSION[1]}"))
+            if (
+                await self._wait_for(lambda: self._response is not None, _TICK)
+                and self._response == 0
+            ):
+                self._version = _NEWEST_VERSION
 
     async def _join(self, info: ServerInfo) -> None:
         loop = asyncio.get_running_loop()
@@ -191,78 +186,80 @@ class NatNetSession:
                 f"cannot join the multicast group {info.group}:{info.data_port} at"
                 f" {self._interface} ({error.strerror}); choose unicast in Motive"
             ) from error
-        transport, _ = await loop.create_datagram_endpoint(lambda: Ear(self._heard), sock=receiver)
+        transport, _ = await loop.create_datagram_endpoint(
+            lambda: DatagramReceiver(self._on_datagram), sock=receiver
+        )
         self._transports.append(transport)
 
     async def _listen(self, frames: NatNetFrames, multicast: bool) -> None:
-        """Keep the conversation going; frames arrive by ``_heard``."""
+        """Keep the session alive; frames arrive by ``_on_datagram``."""
         while True:
-            quiet = self._clock.now() - max(self.frame_at, self._greeted_at)
-            if quiet > SILENCE:
+            quiet = self._clock.now() - max(self._frame_at, self._greeted_at)
+            if quiet > _SILENCE_TIMEOUT:
                 raise LinkError(self.silence)
-            if self._another:
+            if self._replaced:
                 raise LinkError(f"another server answers at {self._where} now")
-            if self._ear.refused and quiet > QUIET:
+            if self._receiver.refused and quiet > _GREET_AGAIN:
                 raise LinkError(
                     f"the server at {self._where} is gone; is Motive running, with streaming"
                     " switched on?"
                 )
-            if quiet > QUIET:
-                self._send(Connect(WISH))
+            if quiet > _GREET_AGAIN:
+                self._send(Connect(_NEWEST_VERSION))
             elif not multicast:
                 self._send(KeepAlive())
             if frames.wants_names:
                 self._send(RequestModelDef())
             await asyncio.sleep(_TICK)
 
-    def _send(self, item: Item) -> None:
-        self._transports[0].sendto(encode_message(item, self._version))
+    def _send(self, item: NatNetMessage) -> None:
+        self._transports[0].sendto(encode_natnet(item, self._version))
 
-    async def _comes(self, condition: Callable[[], bool], seconds: float) -> bool:
-        """Wait until a message makes the condition true; tell whether it did in time."""
+    async def _wait_for(self, condition: Callable[[], bool], seconds: float) -> bool:
+        """Wait until a message makes the condition true; return whether one did in time."""
         try:
             async with asyncio.timeout(seconds):
                 while not condition():
-                    self._news.clear()
-                    await self._news.wait()
+                    self._changed.clear()
+                    await self._changed.wait()
         except TimeoutError:
             return False
         return True
 
-    def _heard(self, datagram: bytes, sender: Address) -> None:
+    def _on_datagram(self, datagram: bytes, sender: SocketAddress) -> None:
         now = self._clock.now()
         if sender[0] != self._host:
-            self._counts.strangers += 1
-            self._stranger = sender[0]
+            self._counts.other_hosts += 1
+            self._other_host = sender[0]
             return
-        if not self._gate.admits(now):
+        if not self._limiter.admits(now):
             self._counts.flooded += 1
             self._flooded_at = now
             return
         try:
-            item = decode_message(datagram, self._version)
+            item = decode_natnet(datagram, self._version)
         except WireError as error:
             self._counts.malformed += 1
-            self._garbage = str(error)
+            self._malformed = str(error)
             return
-        self._garbage = ""
-        self._use(item, now)
-        self._news.set()
+        self._malformed = ""
+        self._on_message(item, now)
+        self._changed.set()
 
-    def _use(self, item: Item, now: float) -> None:
+    def _on_message(self, item: NatNetMessage, now: float) -> None:
         match item:
-            case Frame() if self._frames is not None:
+            case NatNetFrame() if self._frames is not None:
                 self._arrived_at = now
                 sightings = self._frames.read(item, now)
                 if sightings is not None:
-                    self.frame_at = now
+                    self._frame_at = now
                     self._sink(sightings)
             case ModelDef() if self._frames is not None:
-                self._frames.use_names(item)
-            case Response(code):
+                self._frames.learn_names(item)
+            case CommandResponse(code):
                 self._response = code
             case ServerInfo() if self._info is None:
                 self._info = item
             case ServerInfo() if self._frames is not None:
-                self._another = item != self._info
+                self._replaced = item != self._info
                 self._frames.forget_names()

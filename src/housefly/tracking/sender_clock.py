@@ -5,10 +5,8 @@ from __future__ import annotations
 from housefly.tracking.capture_clock import CaptureClock
 from housefly.tracking.counts import FrameCounts
 
-LEAP = 1.0
-"""Stamps that run this much before or behind the time that passed here [s] are a clock that was set
-anew.
-"""
+CLOCK_JUMP = 1.0
+"""Stamps this much ahead of or behind the time that passed here [s] mean that the clock was set."""
 
 
 class SenderClock:
@@ -32,7 +30,7 @@ class SenderClock:
         Args:
             stamp: the sender's time of capture [periods].
             period: unit of the stamp [s].
-            latency: from capture to sending, as the sender says or as configured [s].
+            latency: from capture to sending, as sent or as configured [s].
             received_at: when the frame arrived [s].
         """
         if not self._is_new(stamp, period, received_at):
@@ -44,7 +42,7 @@ class SenderClock:
         if self._stamp is None:
             return True
         step = (stamp - self._stamp) * period
-        if step <= -LEAP or step - (received_at - self._received_at) >= LEAP:
+        if step <= -CLOCK_JUMP or step - (received_at - self._received_at) >= CLOCK_JUMP:
             self._clock.reset()
             self._counts.jumps += 1
             return True

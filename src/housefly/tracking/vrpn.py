@@ -1,144 +1,112 @@
-"""Client of VRPN 07.x servers: Motive, Vicon Tracker, ART, PhaseSpace, Qualisys and many others can
-be one.
+"""Client of VRPN 07.x servers.
+
+Motive, Vicon Tracker, ART, PhaseSpace, Qualisys and many others can be one.
 """
 
 from __future__ import annotations
 
 import asyncio
-import socket
 
-from housefly.bus.reconnect import Trouble, reconnect_for_ever
-from housefly.clock import Clock, RealClock
+from housefly.bus.reconnect import DATA_AGE_MAX, ReconnectingClient, TcpStream, within
+from housefly.clock import Clock
 from housefly.config.site import TrackingConfig
 from housefly.errors import LinkError, WireError
-from housefly.tracking.contracts import Sink
+from housefly.messages import Sighting
+from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
-from housefly.tracking.flood import MOST, FloodGate
+from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
 from housefly.tracking.vrpn_frames import VrpnFrames
-from housefly.tracking.vrpn_link import CONNECT_TIMEOUT, Stream, be_connected, connect
+from housefly.tracking.vrpn_link import VRPN_TIMEOUT, open_by_datagram, open_directly
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
-    MAJOR,
-    Message,
-    MessageStream,
+    MAJOR_VERSION,
+    VrpnMessage,
+    VrpnStream,
     decode_cookie,
     encode_cookie,
 )
 
-FRESH = 1.0
-"""``connected`` means a pose within this time [s]."""
-SILENCE = 5.0
-"""A server silent for this long [s] is connected to anew: a pulled cable says nothing."""
 _CHUNK = 64 * 1024
-_WAYS = {"tcp": connect, "udp": be_connected}
+_TRANSPORTS = {"tcp": open_directly, "udp": open_by_datagram}
 
 
-class VrpnTracker:
-    """Connects, hands poses to a sink as they arrive, and reconnects for ever.
+class VrpnTracker(ReconnectingClient[tuple[Sighting, ...]]):
+    """Connects either way and hands poses to a sink as they arrive.
 
     Attributes:
         counts: frames and what was dropped.
     """
 
     def __init__(self, config: TrackingConfig, clock: Clock | None = None) -> None:
+        super().__init__(f"{config.address}:{config.vrpn_port}", clock)
         self.counts = FrameCounts()
         self._config = config
-        self._clock = clock or RealClock()
-        self._gate = FloodGate()
-        self._frame_at = self._flooded_at = float("-inf")
-        self._problem = f"not connected to {self._where} yet"
-
-    @property
-    def connected(self) -> bool:
-        """Whether a pose arrived within the last second."""
-        return self._clock.now() - self._frame_at <= FRESH
+        self._limiter = FrameLimiter()
+        self._flooded_at = float("-inf")
 
     @property
     def problem(self) -> str:
-        """Why no poses arrive, in words, or ""."""
-        if not self._problem and self._clock.now() - self._flooded_at <= FRESH:
-            return f"{self._where} sends more than {MOST} messages a second; the others are dropped"
-        if self._problem or self.connected:
-            return self._problem
+        """Why no poses arrive, or why some are dropped, in words, or ""."""
+        if not self._problem and self._clock.now() - self._flooded_at <= DATA_AGE_MAX:
+            return (
+                f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} messages a second; the"
+                " others are dropped"
+            )
+        return super().problem
+
+    def _no_data_problem(self) -> str:
         return (
             f"connected to {self._where}, but no new poses arrive; is the body seen, the server not"
             " paused?"
         )
 
-    async def run(self, sink: Sink) -> None:
-        """Connect and read for ever; ends only when cancelled."""
-        await reconnect_for_ever(
-            lambda: self._session(sink), lambda: self.counts.frames, self._ended
-        )
+    def _protocol_problem(self, error: WireError) -> str:
+        return f"what answers at {self._where} does not speak VRPN {MAJOR_VERSION} ({error})"
 
-    def _ended(self, error: Trouble) -> None:
-        if isinstance(error, WireError):
-            self.counts.malformed += 1
-            self._problem = f"what answers at {self._where} does not speak VRPN {MAJOR} ({error})"
-        else:
-            self._problem = str(error)
-
-    @property
-    def _where(self) -> str:
-        return f"{self._config.address}:{self._config.vrpn_port}"
-
-    async def _session(self, sink: Sink) -> None:
-        """Read one connection to its end; raises WireError or LinkError."""
-        reader, writer = await _WAYS[self._config.vrpn_transport](
-            self._config.address, self._config.vrpn_port
-        )
-        try:
-            await self._greet((reader, writer))
-            stream, frames = (
-                MessageStream(),
-                VrpnFrames(self._config.latency, self._config.y_up, self.counts),
-            )
+    async def _read_connection(self, sink: SightingSink) -> None:
+        open_stream = _TRANSPORTS[self._config.vrpn_transport]
+        stream = await open_stream(self._config.address, self._config.vrpn_port)
+        async with self._open(stream) as (reader, _):
+            await self._exchange_cookies(stream)
+            messages = VrpnStream()
+            frames = VrpnFrames(self._config.latency, self._config.y_up, self.counts)
             while True:
-                messages = stream.feed(await self._piece(reader))
+                arrived = messages.feed(await self._chunk(reader))
                 now = self._clock.now()
-                for sightings in frames.read(self._within_limit(messages, now), now):
-                    self._frame_at = now
+                for sightings in frames.read(self._within_limit(arrived, now), now):
+                    self._data_arrived(now)
                     sink(sightings)
-        except (asyncio.IncompleteReadError, OSError) as error:
-            raise LinkError(f"the connection to {self._where} was lost") from error
-        finally:
-            writer.transport.abort()
 
-    async def _greet(self, connection: Stream) -> None:
-        """Exchange cookies; raises WireError for another major version."""
-        reader, writer = connection
-        writer.get_extra_info("socket").setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    async def _exchange_cookies(self, stream: TcpStream) -> None:
+        """Exchange versions; raises LinkError for another major version."""
+        reader, writer = stream
         writer.write(encode_cookie())
-        try:
-            async with asyncio.timeout(CONNECT_TIMEOUT):
-                version = decode_cookie(await reader.readexactly(COOKIE_SIZE))
-        except TimeoutError as error:
+        cookie = await within(
+            VRPN_TIMEOUT,
+            reader.readexactly(COOKIE_SIZE),
+            f"connected to {self._where}, but it sends no VRPN cookie; is it a VRPN server?",
+        )
+        version = decode_cookie(cookie)
+        if not version.startswith(MAJOR_VERSION):
             raise LinkError(
-                f"connected to {self._where}, but it sends no VRPN cookie; is it a VRPN server?"
-            ) from error
-        if not version.startswith(MAJOR):
-            raise LinkError(
-                f"the server at {self._where} speaks VRPN {version}; Housefly speaks {MAJOR}.x"
+                f"the server at {self._where} speaks VRPN {version}; Housefly speaks"
+                f" {MAJOR_VERSION}.x"
             )
         self._problem = ""
 
-    async def _piece(self, reader: asyncio.StreamReader) -> bytes:
-        try:
-            async with asyncio.timeout(SILENCE):
-                piece = await reader.read(_CHUNK)
-        except TimeoutError as error:
-            raise LinkError(
-                f"connected to {self._where}, but it is silent; is the body seen, the server not"
-                " paused?"
-            ) from error
-        if not piece:
+    async def _chunk(self, reader: asyncio.StreamReader) -> bytes:
+        chunk = await self._before_timeout(
+            reader.read(_CHUNK),
+            f"connected to {self._where}, but it is silent; is the body seen, the server not"
+            " paused?",
+        )
+        if not chunk:
             raise LinkError(f"the connection to {self._where} was lost")
-        return piece
+        return chunk
 
-    def _within_limit(self, messages: tuple[Message, ...], now: float) -> list[Message]:
-        kept = [
-            message for message in messages if message.kind < 0 or self._gate.admits(now)
-        ]  # names are always heard
+    def _within_limit(self, messages: tuple[VrpnMessage, ...], now: float) -> list[VrpnMessage]:
+        # system messages (negative kinds) carry the names: always keep them
+        kept = [message for message in messages if message.kind < 0 or self._limiter.admits(now)]
         if len(kept) < len(messages):
             self.counts.flooded += len(messages) - len(kept)
             self._flooded_at = now

@@ -1,4 +1,4 @@
-"""From VRPN messages to poses in metres; state that spans messages lives here."""
+"""Converts VRPN messages to poses in metres; holds the state that spans messages."""
 
 from __future__ import annotations
 
@@ -10,21 +10,20 @@ from housefly.messages import Sighting
 from housefly.tracking.counts import FrameCounts
 from housefly.tracking.poses import checked_pose
 from housefly.tracking.sender_clock import SenderClock
-from housefly.wires.vrpn import POSE, Message, Names, TrackerPose, decode_pose
+from housefly.wires.vrpn import POSE_TYPE, TrackerPose, VrpnMessage, VrpnNames, decode_pose
 
-MOST_SENSORS = 1000
+_SENSORS_MAX = 1000
 """Sensors of one tracker are numbered below this."""
 _MICROSECOND = 1e-6
 
 
 class VrpnFrames:
-    """Turns the messages of one connection into sightings.
+    """Converts the messages of one connection to sightings.
 
-    A body is called as its tracker; where a tracker has several sensors, as tracker/sensor from
-    sensor 1 on.
+    A body has the name of its tracker; from sensor 1 on it is called tracker/sensor.
 
     Args:
-        latency: from exposure to arrival [s]; VRPN does not tell it.
+        latency: from exposure to arrival [s]; VRPN does not carry it.
         y_up: whether the server has y up.
         counts: kept up to date.
     """
@@ -33,13 +32,13 @@ class VrpnFrames:
         self._latency = latency
         self._y_up = y_up
         self._counts = counts
-        self._names = Names()
+        self._names = VrpnNames()
         self._clocks: dict[tuple[int, int], SenderClock] = {}
 
-    def read(self, messages: Iterable[Message], received_at: float) -> list[tuple[Sighting, ...]]:
-        """Return the sightings of some messages, those of one time stamp together; raises
-        WireError.
-        """
+    def read(
+        self, messages: Iterable[VrpnMessage], received_at: float
+    ) -> list[tuple[Sighting, ...]]:
+        """Return the sightings, those of one time stamp together; raises WireError."""
         poses = [message for message in messages if self._is_pose(message)]
         frames = []
         for _, group in groupby(poses, key=lambda message: message.stamp):
@@ -53,12 +52,12 @@ class VrpnFrames:
                 frames.append(sightings)
         return frames
 
-    def _is_pose(self, message: Message) -> bool:
-        return not self._names.learn(message) and self._names.kind(message) == POSE
+    def _is_pose(self, message: VrpnMessage) -> bool:
+        return not self._names.learn(message) and self._names.kind(message) == POSE_TYPE
 
-    def _sighting(self, message: Message, received_at: float) -> Sighting | None:
+    def _sighting(self, message: VrpnMessage, received_at: float) -> Sighting | None:
         report = decode_pose(message.body)
-        name = self._body(message, report)
+        name = self._body_name(message, report)
         if not name:
             self._counts.unnamed += 1
             return None
@@ -73,8 +72,8 @@ class VrpnFrames:
             return None
         return Sighting(name, pose, captured_at, received_at)
 
-    def _body(self, message: Message, report: TrackerPose) -> str:
+    def _body_name(self, message: VrpnMessage, report: TrackerPose) -> str:
         name = self._names.sender(message)
-        if not name or not 0 <= report.sensor < MOST_SENSORS:
+        if not name or not 0 <= report.sensor < _SENSORS_MAX:
             return ""
         return name if report.sensor == 0 else f"{name}/{report.sensor}"

@@ -1,57 +1,52 @@
-"""Two ways to a VRPN server: we connect to it, or we ask it by datagram to connect to us."""
+"""Two ways to reach a VRPN server: connect to it, or ask it by datagram to connect back."""
 
 from __future__ import annotations
 
 import asyncio
 
+from housefly.bus.reconnect import TcpStream, open_tcp
 from housefly.errors import LinkError
-from housefly.tracking.datagrams import Ear
+from housefly.tracking.datagrams import DatagramReceiver
 from housefly.wires.vrpn import encode_lob
 
-Stream = tuple[asyncio.StreamReader, asyncio.StreamWriter]
-CONNECT_TIMEOUT = 3.0
-"""How long a server may take to be there [s]."""
-_LOB_PERIOD = 0.5
+VRPN_TIMEOUT = 3.0
+"""How long a server may take to connect, and to send its cookie [s]."""
+_REQUEST_PERIOD = 0.5
 
 
-async def connect(address: str, port: int) -> Stream:
+async def open_directly(address: str, port: int) -> TcpStream:
     """Connect to a server; raises LinkError."""
-    try:
-        async with asyncio.timeout(CONNECT_TIMEOUT):
-            return await asyncio.open_connection(address, port)
-    except (OSError, UnicodeError) as error:
-        raise LinkError(
-            f"nobody answers at {address}:{port} (TCP); is the VRPN server running?"
-        ) from error
+    complaint = f"nobody answers at {address}:{port} (TCP); is the VRPN server running?"
+    return await open_tcp(address, port, VRPN_TIMEOUT, complaint)
 
 
-async def be_connected(address: str, port: int) -> Stream:
-    """Ask a server to connect to us, and wait for it; raises LinkError."""
+async def open_by_datagram(address: str, port: int) -> TcpStream:
+    """Ask a server to connect back, and wait for it; raises LinkError."""
     loop = asyncio.get_running_loop()
-    called: asyncio.Future[Stream] = loop.create_future()
+    connection: asyncio.Future[TcpStream] = loop.create_future()
     try:
         transport, _ = await loop.create_datagram_endpoint(
-            lambda: Ear(lambda data, sender: None), remote_addr=(address, port)
+            lambda: DatagramReceiver(lambda data, sender: None), remote_addr=(address, port)
         )
     except (OSError, UnicodeError) as error:
         raise LinkError(f"{address}:{port} cannot be reached ({error})") from error
     host = transport.get_extra_info("sockname")[0]
     server_host = transport.get_extra_info("peername")[0]
 
-    def answered(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        if called.done() or writer.get_extra_info("peername")[0] not in (server_host, host):
+    def connected_back(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        if connection.done() or writer.get_extra_info("peername")[0] not in (server_host, host):
             writer.transport.abort()
         else:
-            called.set_result((reader, writer))
+            connection.set_result((reader, writer))
 
-    listener = await asyncio.start_server(answered, host, 0)
+    listener = await asyncio.start_server(connected_back, host, 0)
     try:
         own_port = listener.sockets[0].getsockname()[1]
-        for _ in range(round(CONNECT_TIMEOUT / _LOB_PERIOD)):
+        for _ in range(round(VRPN_TIMEOUT / _REQUEST_PERIOD)):
             transport.sendto(encode_lob(host, own_port))
-            done, _ = await asyncio.wait([called], timeout=_LOB_PERIOD)
+            done, _ = await asyncio.wait([connection], timeout=_REQUEST_PERIOD)
             if done:
-                return called.result()
+                return connection.result()
         raise LinkError(
             f"the VRPN server at {address}:{port} (UDP) does not connect back to {host}:{own_port};"
             ' is it running, does the firewall let it in? Or set tracking.vrpn_transport = "tcp"'

@@ -1,10 +1,13 @@
-"""Where the twin may listen: loopback, unless someone asks for more."""
+"""Where the twin may listen: on loopback, unless asked for more."""
 
 from __future__ import annotations
 
 from ipaddress import ip_address
 
 from housefly.errors import ConfigError
+
+PeerAddress = tuple[str, int]
+"""IP address and port of a peer."""
 
 
 def check_address(key: str, address: str, beyond_loopback: bool) -> None:

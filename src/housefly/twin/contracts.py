@@ -1,6 +1,6 @@
 """What the twin's wire servers may ask of the simulated world, and nothing more.
 
-``twin.world`` implements ``World``; ``twin.ardrone_server``, ``twin.vicon_server`` and
+``twin.world`` implements ``TwinWorld``; ``twin.ardrone_server``, ``twin.vicon_server`` and
 ``twin.lockstep`` use it. World frame and body frame (forward, left, up) as everywhere; native
 AR.Drone signs live only in ``wires.ardrone`` and the server.
 """
@@ -13,25 +13,13 @@ from typing import Protocol
 
 from housefly.geometry import Vec3
 from housefly.messages import Pose
+from housefly.wires.ardrone.conversions import Stick
+
+AWAY_Z = -30.0
+"""Height at which bodies wait that are not in the room [m]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Stick:
-    """What PCMD asks: fractions from -1 to 1 of the configured maxima, body signs (forward, left,
-    up, counter-clockwise).
-
-    ``hover`` is the cleared progressive bit: the drone holds its place by optical flow and ignores
-    the rest.
-    """
-
-    forward: float = 0.0
-    left: float = 0.0
-    up: float = 0.0
-    turn: float = 0.0
-    hover: bool = True
-
-
-class Flight(Enum):
+class FlightState(Enum):
     """Major control states of the simulated firmware."""
 
     LANDED = "landed"
@@ -41,8 +29,18 @@ class Flight(Enum):
     LANDING = "landing"
     EMERGENCY = "emergency"
 
+    @property
+    def airborne(self) -> bool:
+        """Whether the drone is off the ground with its motors running."""
+        return self in _AIRBORNE
 
-class Camera(Enum):
+
+_AIRBORNE = frozenset(
+    {FlightState.TAKING_OFF, FlightState.FLYING, FlightState.HOVERING, FlightState.LANDING}
+)
+
+
+class DroneCamera(Enum):
     """The drone's two cameras."""
 
     FRONT = "front"
@@ -62,7 +60,7 @@ class OnboardLimits:
 
 
 @dataclass(frozen=True, slots=True)
-class Onboard:
+class OnboardState:
     """What the simulated drone's own computer believes; feeds navdata.
 
     Attributes:
@@ -78,7 +76,7 @@ class Onboard:
     """
 
     at: float
-    flight: Flight
+    flight: FlightState
     battery: float
     battery_voltage: float
     phi: float
@@ -97,13 +95,33 @@ class Onboard:
 
 
 @dataclass(frozen=True, slots=True)
-class Truth:
+class GroundTruth:
     """What really is: for pictures, scores and tests, never for the pilot."""
 
     at: float
     pose: Pose
     velocity: Vec3
     contacts: int
+
+
+@dataclass(frozen=True, slots=True)
+class EncodedPicture:
+    """One encoded picture of the drone's camera.
+
+    Attributes:
+        number: counts up from 1, over restarts of the camera process too.
+        data: H.264 Annex B access unit; key frames start with SPS and PPS.
+        keyframe: can be decoded without earlier pictures; the first after a restart always is.
+        width, height: shown size [px].
+        at: world time of exposure [s].
+    """
+
+    number: int
+    data: bytes
+    keyframe: bool
+    width: int
+    height: int
+    at: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +141,7 @@ class MocapFrame:
     bodies: tuple[tuple[str, Pose | None], ...]
 
 
-class World(Protocol):
+class TwinWorld(Protocol):
     """The simulated room with one drone in it; moves only when told."""
 
     @property
@@ -135,7 +153,7 @@ class World(Protocol):
         """Run physics, firmware, tracking and batteries for this long."""
         ...
 
-    def stick(self, stick: Stick) -> None:
+    def set_stick(self, stick: Stick) -> None:
         """Hand over a movement command; takes effect after the command delay."""
         ...
 
@@ -165,11 +183,11 @@ class World(Protocol):
         """Configuration changed the maxima."""
         ...
 
-    def onboard(self) -> Onboard:
+    def onboard(self) -> OnboardState:
         """Return what the firmware believes now."""
         ...
 
-    def truth(self) -> Truth:
+    def truth(self) -> GroundTruth:
         """Return what really is now."""
         ...
 

@@ -11,22 +11,27 @@ from math import cos, sin, tan
 
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, wrap_angle
 from housefly.messages import Pose
-from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
+from housefly.twin.contracts import (
+    FlightState,
+    GroundTruth,
+    MocapFrame,
+    OnboardLimits,
+    OnboardState,
+)
+from housefly.wires.ardrone.conversions import Stick
 
-STEP = 0.005
-DRAG = 0.58
+_STEP = 0.005
+_DRAG = 0.58
 """Deceleration per speed [1/s]."""
-TAKE_OFF_HEIGHT = 1.0
-TAKE_OFF_CLIMB = 0.8
-SINK = 0.5
-FLAG_AFTER = 0.05
-LOST_AFTER = 2.0
-
-AIRBORNE = frozenset({Flight.TAKING_OFF, Flight.FLYING, Flight.HOVERING, Flight.LANDING})
+_TAKE_OFF_HEIGHT = 1.0
+_TAKE_OFF_CLIMB = 0.8
+_SINK = 0.5
+_WATCHDOG_AFTER = 0.05
+_COM_LOST_AFTER = 2.0
 
 
 class KinematicWorld:
-    """Implements ``twin.contracts.World``.
+    """Implements ``twin.contracts.TwinWorld``.
 
     Attributes:
         flight: major control state.
@@ -37,7 +42,7 @@ class KinematicWorld:
     """
 
     def __init__(self) -> None:
-        self.flight = Flight.LANDED
+        self.flight = FlightState.LANDED
         self.asked = Stick()
         self.limits = OnboardLimits()
         self.battery = 1.0
@@ -57,12 +62,12 @@ class KinematicWorld:
         return self._now
 
     def advance(self, seconds: float) -> None:
-        """Move in steps of at most ``STEP``."""
+        """Move in steps of at most ``_STEP``."""
         end = self._now + seconds
         while self._now < end - 1e-9:
-            self._step(min(STEP, end - self._now))
+            self._step(min(_STEP, end - self._now))
 
-    def stick(self, stick: Stick) -> None:
+    def set_stick(self, stick: Stick) -> None:
         """Take a movement command."""
         self.asked = stick
 
@@ -72,32 +77,34 @@ class KinematicWorld:
 
     def request_take_off(self) -> None:
         """Take off from the ground."""
-        if self.flight is Flight.LANDED:
-            self.flight = Flight.TAKING_OFF
+        if self.flight is FlightState.LANDED:
+            self.flight = FlightState.TAKING_OFF
 
     def request_land(self) -> None:
         """Land from the air."""
-        if self.flight in AIRBORNE:
-            self.flight = Flight.LANDING
+        if self.flight.airborne:
+            self.flight = FlightState.LANDING
 
     def toggle_emergency(self) -> None:
         """Cut the motors, or be ready again."""
-        self.flight = Flight.LANDED if self.flight is Flight.EMERGENCY else Flight.EMERGENCY
+        self.flight = (
+            FlightState.LANDED if self.flight is FlightState.EMERGENCY else FlightState.EMERGENCY
+        )
 
     def flat_trim(self) -> None:
         """Count a trim on the ground."""
-        self.trims += self.flight is Flight.LANDED
+        self.trims += self.flight is FlightState.LANDED
 
     def set_limits(self, limits: OnboardLimits) -> None:
         """Take new maxima."""
         self.limits = limits
 
-    def onboard(self) -> Onboard:
+    def onboard(self) -> OnboardState:
         """Return what is, without error."""
         silence = self._now - self._heard_at
         theta, phi = self._tilt
-        duty = 0.6 if self.flight in AIRBORNE else 0.0
-        return Onboard(
+        duty = 0.6 if self.flight.airborne else 0.0
+        return OnboardState(
             at=self._now,
             flight=self.flight,
             battery=self.battery,
@@ -111,16 +118,16 @@ class KinematicWorld:
             angular_rate=(0.0, 0.0, self._turn_rate()),
             motors=(duty, duty, duty, duty),
             low_battery=self.battery < 0.2,
-            com_watchdog=silence > FLAG_AFTER,
-            com_lost=silence > LOST_AFTER,
+            com_watchdog=silence > _WATCHDOG_AFTER,
+            com_lost=silence > _COM_LOST_AFTER,
         )
 
-    def truth(self) -> Truth:
+    def truth(self) -> GroundTruth:
         """Return where the point is."""
         x, y, z = self._position
         theta, phi = self._tilt
         pose = Pose((x, y, z), quaternion_from_euler(phi, theta, self._psi))
-        return Truth(
+        return GroundTruth(
             self._now, pose, (self._speed[0], self._speed[1], self._climb), 0 if z > 0.0 else 1
         )
 
@@ -136,14 +143,14 @@ class KinematicWorld:
         self._now += dt
         stick = (
             Stick()
-            if self.asked.hover or self.flight not in (Flight.FLYING, Flight.HOVERING)
+            if self.asked.hover or self.flight not in (FlightState.FLYING, FlightState.HOVERING)
             else self.asked
         )
         self._tilt = (stick.forward * self.limits.tilt, -stick.left * self.limits.tilt)
         self._climb = self._wanted_climb(stick)
         self._psi = wrap_angle(self._psi + dt * self._turn_rate())
         for axis, push in enumerate(self._push()):
-            braking = DRAG if not stick.hover else 3.0
+            braking = _DRAG if not stick.hover else 3.0
             self._speed[axis] += dt * (push - braking * self._speed[axis])
             self._position[axis] += dt * self._speed[axis]
         self._position[2] = max(0.0, self._position[2] + dt * self._climb)
@@ -151,24 +158,28 @@ class KinematicWorld:
 
     def _change_state(self) -> None:
         height = self._position[2]
-        if self.flight is Flight.TAKING_OFF and height >= TAKE_OFF_HEIGHT:
-            self.flight = Flight.HOVERING
-        elif self.flight in (Flight.FLYING, Flight.HOVERING):
-            self.flight = Flight.HOVERING if self.asked.hover else Flight.FLYING
-        elif self.flight is Flight.LANDING and height <= 0.0:
-            self.flight = Flight.LANDED
-        if self.flight in AIRBORNE and self._now - self._heard_at > LOST_AFTER:
-            self.flight = Flight.LANDING
+        if self.flight is FlightState.TAKING_OFF and height >= _TAKE_OFF_HEIGHT:
+            self.flight = FlightState.HOVERING
+        elif self.flight in (FlightState.FLYING, FlightState.HOVERING):
+            self.flight = FlightState.HOVERING if self.asked.hover else FlightState.FLYING
+        elif self.flight is FlightState.LANDING and height <= 0.0:
+            self.flight = FlightState.LANDED
+        if self.flight.airborne and self._now - self._heard_at > _COM_LOST_AFTER:
+            self.flight = FlightState.LANDING
 
     def _wanted_climb(self, stick: Stick) -> float:
-        fixed = {Flight.TAKING_OFF: TAKE_OFF_CLIMB, Flight.LANDING: -SINK, Flight.EMERGENCY: -3.0}
+        fixed = {
+            FlightState.TAKING_OFF: _TAKE_OFF_CLIMB,
+            FlightState.LANDING: -_SINK,
+            FlightState.EMERGENCY: -3.0,
+        }
         climb = fixed.get(self.flight, stick.up * self.limits.climb)
         return min(climb, 0.0) if self._position[2] >= self.limits.altitude else climb
 
     def _turn_rate(self) -> float:
         return (
             0.0
-            if self.asked.hover or self.flight is not Flight.FLYING
+            if self.asked.hover or self.flight is not FlightState.FLYING
             else self.asked.turn * self.limits.yaw_rate
         )
 

@@ -18,16 +18,15 @@ from housefly.messages import Pose
 from housefly.room.mjcf import geom
 from housefly.room.model import Room, Solid
 from housefly.room.tracked import body_pose_of, solids_of, stand_of
+from housefly.twin.contracts import AWAY_Z
 
-MOVABLE = "movable "
+MOVABLE_PREFIX = "movable "
 """Bodies of movable things carry their name behind this."""
-MARKER = 0.02
+_MARKER_HEIGHT = 0.02
 """How far markers stand out [m]."""
-AWAY = -30.0
-"""How far below the floor what is not there is kept [m]."""
-PLATE = 0.25
+_MARKER_RADIUS = 0.25
 """The markers of furniture lie around its body within this [m]."""
-OUT = Pose((0.0, 0.0, AWAY))
+AWAY_POSE = Pose((0.0, 0.0, AWAY_Z))
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,25 +44,25 @@ class Movable:
     """
 
     name: str
-    radius: float = PLATE
+    radius: float = _MARKER_RADIUS
     height: float = 1.5
     solids: tuple[Solid, ...] = ()
-    start: Pose = OUT
+    start: Pose = AWAY_POSE
 
 
-def furniture_of(site: Site, room: Room) -> Iterator[Movable]:
+def movable_furniture(site: Site, room: Room) -> Iterator[Movable]:
     """Yield the furniture of the room model that tracking sees, each where the model has it."""
     for piece in site.furniture:
         stand = stand_of(room, piece)
         if stand is not None:
             pose = body_pose_of(piece, stand.middle, stand.yaw)
             solids = tuple(_seen_from(pose, solid) for solid in solids_of(room, piece.model))
-            yield Movable(piece.body, PLATE, stand.top, solids, pose)
+            yield Movable(piece.body, _MARKER_RADIUS, stand.top, solids, pose)
 
 
-def markers_on(movable: Movable, pose: Pose) -> NDArray[np.float64]:
+def marker_positions(movable: Movable, pose: Pose) -> NDArray[np.float64]:
     """Return the world positions [m] of the four markers on top of a movable thing, shape (4, 3)."""
-    out, up = 0.8 * movable.radius, movable.height + MARKER
+    out, up = 0.8 * movable.radius, movable.height + _MARKER_HEIGHT
     corners: tuple[Vec3, ...] = ((out, 0.0, up), (0.0, out, up), (-out, 0.0, up), (0.0, -out, up))
     positions: NDArray[np.float64] = (
         np.array([rotate(pose.orientation, corner) for corner in corners]) + pose.position
@@ -80,7 +79,7 @@ def movable_body(movable: Movable) -> str:
         f' {movable.height / 2:.9g}" rgba="0.35 0.42 0.55 1" material="cloth"/>'
     )
     parts = "".join(geom(solid) for solid in movable.solids) or cylinder
-    name = quoteattr(MOVABLE + movable.name)
+    name = quoteattr(MOVABLE_PREFIX + movable.name)
     return (
         f'<body name={name} mocap="true" pos="{x:.9g} {y:.9g} {z:.9g}" quat="{turn}">{parts}</body>'
     )

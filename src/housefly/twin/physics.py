@@ -16,24 +16,25 @@ from housefly.config.site import Site
 from housefly.geometry import Quaternion, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
-from housefly.twin.ardrone.body import BODY, MASS, STANDING_HEIGHT
-from housefly.twin.ardrone.onboard_loops import Wrench
-from housefly.twin.ardrone.onboard_sensors import PERIOD, BodyState
-from housefly.twin.engine import mujoco
-from housefly.twin.movable import AWAY, MOVABLE, OUT, Movable
-from housefly.twin.people.bodies import PREFIX
+from housefly.twin.ardrone.body import BODY, DRONE_MASS, STANDING_HEIGHT
+from housefly.twin.ardrone.inner_loops import Wrench
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
+from housefly.twin.contracts import AWAY_Z
+from housefly.twin.movable import AWAY_POSE, MOVABLE_PREFIX, Movable
+from housefly.twin.mujoco_engine import mujoco
+from housefly.twin.people.bodies import PERSON_PREFIX
 from housefly.twin.people.script import PersonScript
-from housefly.twin.scene import scene_mjcf
+from housefly.twin.scene_mjcf import scene_mjcf
 
-SUBSTEPS = 2
+_SUBSTEPS = 2
 """Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full
 speed.
 """
-CUSHION = 0.02
-CUSHION_HEIGHT = 0.15
+_GROUND_EFFECT = 0.02
+_GROUND_EFFECT_HEIGHT = 0.15
 """Extra share of thrust on the floor, and the height [m] over which it fades."""
 
-VISITOR = "visitor"
+_VISITOR_BODY = "visitor"
 
 
 class Physics:
@@ -47,11 +48,11 @@ class Physics:
         movables: tuple[Movable, ...] = (),
     ) -> None:
         self.model: Any = mujoco.MjModel.from_xml_string(scene_mjcf(site, room, people, movables))
-        self.model.opt.timestep = PERIOD / SUBSTEPS
+        self.model.opt.timestep = CONTROL_PERIOD / _SUBSTEPS
         self.data: Any = mujoco.MjData(self.model)
         self.drone_id: int = self.model.body(BODY).id
         joint = self.model.body(BODY).dofadr[0]
-        self.model.dof_damping[joint : joint + 2] = site.drone.drag * MASS
+        self.model.dof_damping[joint : joint + 2] = site.drone.drag * DRONE_MASS
         place = self.model.joint(self.model.body(BODY).jntadr[0]).qposadr[0]
         self._qpos = self.data.qpos[place : place + 7]
         self._qvel = self.data.qvel[joint : joint + 6]
@@ -60,7 +61,9 @@ class Physics:
         self._floors = frozenset(
             np.flatnonzero(self.model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
         )
-        self.visitor_id: int = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_BODY, VISITOR)
+        self.visitor_id: int = mujoco.mj_name2id(
+            self.model, mujoco.mjtObj.mjOBJ_BODY, _VISITOR_BODY
+        )
         self._visitor = (
             int(self.model.body_mocapid[self.visitor_id]) if self.visitor_id >= 0 else -1
         )
@@ -70,7 +73,7 @@ class Physics:
             for n in range(self.model.nsite)
             if self.model.site(n).name.startswith("visitor_marker_")
         ]
-        self._people = mocap_ids(self.model)
+        self._people = _people_mocap_ids(self.model)
         mujoco.mj_forward(self.model, self.data)
 
     def state(self) -> BodyState:
@@ -85,7 +88,7 @@ class Physics:
         lift = wrench.thrust * _near_floor(body.position[2])
         self._force[:3] = rotate(body.orientation, (0.0, 0.0, lift))
         self._force[3:] = wrench[1:]
-        mujoco.mj_step(self.model, self.data, SUBSTEPS)
+        mujoco.mj_step(self.model, self.data, _SUBSTEPS)
 
     def contacts(self) -> int:
         """Return at how many points the drone touches something other than the floor."""
@@ -112,7 +115,7 @@ class Physics:
         if self._visitor_at is None:
             return
         self.data.mocap_pos[self._visitor] = self._visitor_at + (
-            0.0 if present else np.array((0.0, 0.0, AWAY))
+            0.0 if present else np.array((0.0, 0.0, AWAY_Z))
         )
         mujoco.mj_kinematics(self.model, self.data)
 
@@ -130,8 +133,8 @@ class Physics:
         """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of
         the building.
         """
-        number = self.model.body_mocapid[self.model.body(f"{MOVABLE}{name}").id]
-        self.data.mocap_pos[number] = OUT.position if place is None else (*place, 0.0)
+        number = self.model.body_mocapid[self.model.body(f"{MOVABLE_PREFIX}{name}").id]
+        self.data.mocap_pos[number] = AWAY_POSE.position if place is None else (*place, 0.0)
         self.data.mocap_quat[number] = quaternion_from_euler(0.0, 0.0, yaw)
         mujoco.mj_kinematics(self.model, self.data)
 
@@ -139,11 +142,11 @@ class Physics:
         """Return the body of a movable thing and where it stands; None while it is out of the
         building.
         """
-        body = int(self.model.body(f"{MOVABLE}{name}").id)
+        body = int(self.model.body(f"{MOVABLE_PREFIX}{name}").id)
         number = self.model.body_mocapid[body]
         x, y, z = self.data.mocap_pos[number].tolist()
         qw, qx, qy, qz = self.data.mocap_quat[number].tolist()
-        return body, Pose((x, y, z), (qw, qx, qy, qz)) if z > AWAY / 2 else None
+        return body, Pose((x, y, z), (qw, qx, qy, qz)) if z > AWAY_Z / 2 else None
 
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""
@@ -159,9 +162,9 @@ class Physics:
         return positions
 
 
-def mocap_ids(model: Any) -> tuple[int, ...]:
+def _people_mocap_ids(model: Any) -> tuple[int, ...]:
     """Return the mocap ids of the people of a model, in the order in which they were given."""
-    people = (n for n in range(model.nbody) if model.body(n).name.startswith(PREFIX))
+    people = (n for n in range(model.nbody) if model.body(n).name.startswith(PERSON_PREFIX))
     return tuple(int(model.body_mocapid[n]) for n in people)
 
 
@@ -169,4 +172,4 @@ def _near_floor(height: float) -> float:
     """Return the gain of thrust at a height of the origin [m]: the part of the ground cushion that
     the loops do not cancel.
     """
-    return 1.0 + CUSHION * exp(-(height - STANDING_HEIGHT) / CUSHION_HEIGHT)
+    return 1.0 + _GROUND_EFFECT * exp(-(height - STANDING_HEIGHT) / _GROUND_EFFECT_HEIGHT)

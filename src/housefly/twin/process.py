@@ -24,14 +24,14 @@ from housefly.room.files import load_room
 from housefly.room.model import Room
 from housefly.twin.address import check_address
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.camera.camera import CameraProcess
+from housefly.twin.camera.process import CameraProcess
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.people import Scene, load_scene
-from housefly.twin.real_time import RealTime
+from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.depth_feed import DepthFeed
-from housefly.twin.sensors.device_link import DeviceLink
-from housefly.twin.sensors.devices import Devices
+from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.twin.sensors.laser_feed import LaserFeed
+from housefly.twin.sensors.mqtt_publisher import MqttPublisher
 from housefly.twin.world import SimulatedWorld
 
 
@@ -62,7 +62,7 @@ class Twin:
             check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
         self._site = site
         self._world = SimulatedWorld(site, room, scene)
-        self._time = RealTime(self._world, RealClock())
+        self._time = RealTimeRunner(self._world, RealClock())
         self._drone = ArDroneServer(
             self._world, site.drone.address, beyond_loopback=beyond_loopback
         )
@@ -131,10 +131,10 @@ class Twin:
             f" {video}{scanners}{depth}"
         )
 
-    def _device_link(self, scene: Scene) -> DeviceLink:
-        return DeviceLink(
+    def _device_link(self, scene: Scene) -> MqttPublisher:
+        return MqttPublisher(
             self._site.mqtt,
-            Devices(scene, self._site.mqtt.site),
+            SimulatedDevices(scene, self._site.mqtt.site),
             lambda: self._world.now,
             lambda line: print(f"twin: {line}", flush=True),
         )
@@ -152,7 +152,7 @@ class Twin:
         while True:
             await rate.sleep()
             truth = self._world.truth()
-            camera.show(
+            camera.request_picture(
                 truth.pose,
                 self._world.visitor_present,
                 self._drone.camera,

@@ -5,34 +5,34 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from housefly.clock import Clock, Rate
-from housefly.twin.contracts import World
+from housefly.twin.contracts import TwinWorld
 
-TICK_HZ = 200.0
+_TICK_HZ = 200.0
 """How often the world moves; the navdata rate of the real drone."""
-LONGEST_STEP = 0.1
+MAX_CATCH_UP = 0.1
 """Longest stall [s] that is caught up; time beyond it is lost and counted."""
 
 
-class RealTime:
+class RealTimeRunner:
     """Advances a world to the present whenever asked.
 
     Attributes:
         slipped: time [s] that the world has lost for good because the machine stalled.
     """
 
-    def __init__(self, world: World, clock: Clock) -> None:
+    def __init__(self, world: TwinWorld, clock: Clock) -> None:
         self.slipped = 0.0
         self._world = world
         self._clock = clock
         self._offset = world.now - clock.now()
 
     def catch_up(self) -> None:
-        """Advance the world to the present, by ``LONGEST_STEP`` at most."""
+        """Advance the world to the present, by ``MAX_CATCH_UP`` at most."""
         behind = self._clock.now() + self._offset - self._world.now
-        if behind > LONGEST_STEP:
-            self.slipped += behind - LONGEST_STEP
-            self._offset -= behind - LONGEST_STEP
-            behind = LONGEST_STEP
+        if behind > MAX_CATCH_UP:
+            self.slipped += behind - MAX_CATCH_UP
+            self._offset -= behind - MAX_CATCH_UP
+            behind = MAX_CATCH_UP
         if behind > 0.0:
             self._world.advance(behind)
 
@@ -40,7 +40,7 @@ class RealTime:
         """Keep the world in the present until cancelled, and call ``after_step`` each time it
         moved.
         """
-        rate = Rate(TICK_HZ, self._clock)
+        rate = Rate(_TICK_HZ, self._clock)
         while True:
             await rate.sleep()
             self.catch_up()

@@ -19,25 +19,33 @@ from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
 from housefly.twin.ardrone.battery import Battery
-from housefly.twin.ardrone.body import MARKERS, MASS, MOTOR_ARM, STANDING_HEIGHT
-from housefly.twin.ardrone.firmware import WATCHDOG_FLAG, Firmware
-from housefly.twin.ardrone.onboard_loops import REST, THRUST_MAX, Wrench
-from housefly.twin.ardrone.onboard_sensors import PERIOD, Sensors
-from housefly.twin.contracts import Flight, MocapFrame, Onboard, OnboardLimits, Stick, Truth
-from housefly.twin.mocap.mocap import Cameras, FrameMaker
-from housefly.twin.movable import Movable, furniture_of, markers_on
+from housefly.twin.ardrone.body import DRONE_MARKERS, DRONE_MASS, MOTOR_ARM, STANDING_HEIGHT
+from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
+from housefly.twin.ardrone.inner_loops import MOTORS_OFF, THRUST_MAX, Wrench
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, OnboardSensors
+from housefly.twin.contracts import (
+    FlightState,
+    GroundTruth,
+    MocapFrame,
+    OnboardLimits,
+    OnboardState,
+)
+from housefly.twin.mocap.cameras import MocapCameras
+from housefly.twin.mocap.frames import FrameMaker
+from housefly.twin.movable import Movable, marker_positions, movable_furniture
 from housefly.twin.people import Scene
-from housefly.twin.people.stage import Stage
+from housefly.twin.people.scene_player import ScenePlayer
 from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
+from housefly.wires.ardrone.conversions import Stick
 
-WEIGHT = MASS * GRAVITY
+_WEIGHT = DRONE_MASS * GRAVITY
 
 
 class SimulatedWorld:
-    """Implements ``twin.contracts.World``.
+    """Implements ``twin.contracts.TwinWorld``.
 
     Args:
         site: drone, tracking, scanners, depth cameras, noise, seed.
@@ -56,14 +64,14 @@ class SimulatedWorld:
         )
         self._site, self._room = site, room
         self._delay = site.twin.command_delay
-        movables = (*movables, *furniture_of(site, room))
+        movables = (*movables, *movable_furniture(site, room))
         self._physics = Physics(
             site, untracked(room, site), scene.script.people if scene else (), movables
         )
-        self._sensors = Sensors(sensing)
+        self._sensors = OnboardSensors(sensing)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
-        self._cameras = Cameras(room.cameras, self._physics.model, self._physics.data)
+        self._cameras = MocapCameras(room.cameras, self._physics.model, self._physics.data)
         self._frames = FrameMaker(site, tracking)
         marked = {piece.body for piece in site.furniture}
         self._marked = tuple(movable for movable in movables if movable.name in marked)
@@ -81,11 +89,11 @@ class SimulatedWorld:
         self._now = 0.0
         self._ticks = 0
         self._heard_at = 0.0
-        self._wrench: Wrench = REST
+        self._wrench: Wrench = MOTORS_OFF
         self._body = self._physics.state()
         self._measured = self._sensors.read(self._body)
         self.set_visitor(site.twin.visitor_present)
-        self._stage = Stage(scene, self._physics, self._visitor) if scene else None
+        self._stage = ScenePlayer(scene, self._physics, self._visitor) if scene else None
 
     @property
     def now(self) -> float:
@@ -95,12 +103,12 @@ class SimulatedWorld:
     def advance(self, seconds: float) -> None:
         """Run everything for this long; what is less than a control period waits for the next call."""
         self._now += seconds
-        while (self._ticks + 1) * PERIOD <= self._now + _ROUNDING:
+        while (self._ticks + 1) * CONTROL_PERIOD <= self._now + _ROUNDING:
             self._tick()
 
-    def stick(self, stick: Stick) -> None:
+    def set_stick(self, stick: Stick) -> None:
         """Hand over a movement command; takes effect after the command delay."""
-        self._order(lambda: self._firmware.stick(stick))
+        self._order(lambda: self._firmware.set_stick(stick))
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""
@@ -155,23 +163,23 @@ class SimulatedWorld:
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return the frames whose ``due_at`` has come since the last call, oldest first."""
-        return self._frames.take(self._now)
+        return self._frames.due_frames(self._now)
 
-    def truth(self) -> Truth:
+    def truth(self) -> GroundTruth:
         """Return what really is now."""
         body = self._body
-        return Truth(
-            self._ticks * PERIOD,
+        return GroundTruth(
+            self._ticks * CONTROL_PERIOD,
             Pose(body.position, body.orientation),
             body.velocity,
             self._physics.contacts(),
         )
 
-    def onboard(self) -> Onboard:
+    def onboard(self) -> OnboardState:
         """Return what the firmware believes now."""
         firmware, measured, silence = self._firmware, self._measured, self._now - self._heard_at
-        return Onboard(
-            at=self._ticks * PERIOD,
+        return OnboardState(
+            at=self._ticks * CONTROL_PERIOD,
             flight=firmware.flight,
             battery=self._battery.charge,
             battery_voltage=self._battery.voltage,
@@ -184,7 +192,7 @@ class SimulatedWorld:
             angular_rate=measured.rate,
             motors=motor_duties(self._wrench),
             low_battery=firmware.low_battery,
-            com_watchdog=silence > WATCHDOG_FLAG,
+            com_watchdog=silence > WATCHDOG_AFTER,
             com_lost=firmware.com_lost,
             angles_out_of_range=firmware.tilted,
             motors_problem=not firmware.powered,
@@ -201,12 +209,12 @@ class SimulatedWorld:
         self._orders.append((self._now + self._delay, order))
 
     def _trim(self) -> None:
-        if self._firmware.flight is Flight.LANDED:
+        if self._firmware.flight is FlightState.LANDED:
             self._sensors.flat_trim()
 
     def _tick(self) -> None:
         """Run one control period: orders, sensors, firmware, physics, battery, tracking."""
-        began = self._ticks * PERIOD
+        began = self._ticks * CONTROL_PERIOD
         while self._orders and self._orders[0][0] <= began + _ROUNDING:
             self._orders.popleft()[1]()
         self._measured = self._sensors.read(self._body)
@@ -216,15 +224,17 @@ class SimulatedWorld:
         if self._stage is not None:
             self._stage.play(self._ticks, began)
         self._physics.advance(self._wrench, self._body)
-        self._battery.drain(PERIOD, self._wrench.thrust / WEIGHT)
+        self._battery.drain(CONTROL_PERIOD, self._wrench.thrust / _WEIGHT)
         self._body = self._physics.state()
         self._ticks += 1
-        if self._frames.is_due(self._ticks * PERIOD):
-            self._expose(self._ticks * PERIOD)
+        if self._frames.is_due(self._ticks * CONTROL_PERIOD):
+            self._expose(self._ticks * CONTROL_PERIOD)
 
     def _expose(self, now: float) -> None:
         body, tracking = self._body, self._site.tracking
-        markers = np.array([rotate(body.orientation, marker) for marker in MARKERS]) + body.position
+        markers = (
+            np.array([rotate(body.orientation, marker) for marker in DRONE_MARKERS]) + body.position
+        )
         seen = self._cameras.see(markers, self._physics.drone_id)
         drone = Pose(body.position, body.orientation) if seen else None
         things = tuple((movable.name, self._seen(movable)) for movable in self._marked)
@@ -236,7 +246,7 @@ class SimulatedWorld:
         body, pose = self._physics.movable(movable.name)
         return (
             pose
-            if pose is not None and self._cameras.see(markers_on(movable, pose), body)
+            if pose is not None and self._cameras.see(marker_positions(movable, pose), body)
             else None
         )
 

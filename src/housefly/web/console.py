@@ -1,4 +1,4 @@
-"""The console's heart: viewers, who has control, and what each message of a browser does."""
+"""The open browsers of one drone: who has control, and what each message of a browser does."""
 
 from __future__ import annotations
 
@@ -11,64 +11,63 @@ from pydantic import ValidationError
 
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
-from housefly.hub.api.queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries import PlanRequest, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.lease import Lease
-from housefly.web.news import PilotNews, on_the_ground
-from housefly.web.orders import FOR_EVERYONE, in_words, objection, order_of
+from housefly.web.orders import ORDERS_WITHOUT_CONTROL, order_in_words, order_objection, to_order
 from housefly.web.pilot_link import PilotLink
-from housefly.web.security import Doorkeeper
-from housefly.web.viewer import Viewer
-from housefly.web.vocabulary import (
+from housefly.web.protocol import (
     CLIENT_MESSAGE,
-    Accepted,
-    EventNews,
+    AcceptedReply,
+    EventsMessage,
     Hello,
-    InviteNews,
+    InviteReply,
     InviteRequest,
     LeaseRequest,
     OrderRequest,
-    Ping,
-    PlanNews,
+    PingRequest,
     PlanQuestion,
-    Pong,
-    Refused,
-    RoomNews,
+    PlanReply,
+    PongReply,
+    RefusedReply,
+    RoomMessage,
     StopRequest,
-    ViewersNews,
+    ViewersMessage,
     ViewerView,
     Welcome,
     to_text,
 )
+from housefly.web.session_auth import SessionAuth
+from housefly.web.state_feed import StateFeed, on_the_ground
+from housefly.web.viewer import Viewer
 
-log = logging.getLogger(__name__)
+_LOG = logging.getLogger(__name__)
 
-VIEWERS_MAX = 32
-OVER_MAX = 200
-"""A socket that sends this many commands in a row above the limit is closed."""
-PILOT_SILENT = 2.0
+_MAX_VIEWERS = 32
+_MAX_REFUSALS = 200
+"""A socket that sends this many commands in a row above the rate limit is closed."""
+_PILOT_TIMEOUT = 2.0
 """Orders that move the drone are refused when the pilot was not heard for this long [s]."""
-STOP_QUIET = 0.5
-"""STOPs closer together than this are one line of the log [s]."""
-OPENED_ELSEWHERE = 4001
+_STOP_LOG_PERIOD = 0.5
+"""STOPs closer together than this make one line of the log [s]."""
+_CLOSE_OPENED_ELSEWHERE = 4001
+"""WebSocket close code; the client knows it."""
 
 
 class Console:
     """All open browsers of one drone; everything happens on one asyncio loop."""
 
-    def __init__(
-        self, news: PilotNews, link: PilotLink, doorkeeper: Doorkeeper, clock: Clock
-    ) -> None:
-        self.news, self.link, self.lease = news, link, Lease()
+    def __init__(self, feed: StateFeed, link: PilotLink, auth: SessionAuth, clock: Clock) -> None:
+        self.feed, self.link, self.lease = feed, link, Lease()
         self.room: RoomView | None = None
         self.viewers: set[Viewer] = set()
-        self._doorkeeper, self._clock = doorkeeper, clock
+        self._auth, self._clock = auth, clock
         self._stopped_at = float("-inf")
         self._numbers: dict[str, int] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._handlers: dict[type, Callable[[Viewer, Any], None]] = {
             Hello: self._hello,
-            Ping: self._ping,
+            PingRequest: self._ping,
             StopRequest: self._stop,
             OrderRequest: self._order,
             PlanQuestion: self._plan,
@@ -77,124 +76,116 @@ class Console:
         }
 
     # --- sockets
-    # ------------------------------------------------------------------------------------
 
-    def enter(self, viewer: Viewer) -> bool:
-        """Let a new socket in; False when the house is full."""
-        if len(self.viewers) >= VIEWERS_MAX:
+    def add_viewer(self, viewer: Viewer) -> bool:
+        """Add a new socket; returns False when there are too many."""
+        if len(self.viewers) >= _MAX_VIEWERS:
             return False
         self.viewers.add(viewer)
         return True
 
-    def leave(self, viewer: Viewer) -> None:
-        """Forget a closed socket; control is kept for its tab until the lease runs out."""
+    def remove_viewer(self, viewer: Viewer) -> None:
+        """Forget a closed socket; its tab keeps control until the lease expires."""
         self.viewers.discard(viewer)
-        self.show_viewers()
+        self.broadcast_viewers()
 
-    def heard(self, viewer: Viewer, text: str) -> None:
-        """Do what a browser's message asks, or tell the browser why not."""
+    def receive(self, viewer: Viewer, text: str) -> None:
+        """Do what a browser's message asks, or answer why not."""
         try:
             message = CLIENT_MESSAGE.validate_json(text)
         except ValidationError as error:
             first = error.errors()[0]
             key = ".".join(str(part) for part in first["loc"]) or "message"
-            viewer.send(Refused(0, f"{key}: {first['msg'][0].lower()}{first['msg'][1:]}"))
-            self._count(viewer)
+            viewer.send(RefusedReply(0, f"{key}: {first['msg'][0].lower()}{first['msg'][1:]}"))
+            self._within_rate(viewer)
             return
-        self.lease.heard(viewer.number, self._clock.now())
-        if _is_free(message) or self._count(viewer):
+        self.lease.renew(viewer.number, self._clock.now())
+        if _is_unlimited(message) or self._within_rate(viewer):
             self._handlers[type(message)](viewer, message)
 
-    def show(self, kind: str, text: str) -> None:
-        """Show every browser the newest message of a kind."""
+    def broadcast(self, kind: str, text: str) -> None:
+        """Send every browser the newest message of a kind; it replaces one that still waits."""
         for viewer in self.viewers:
             if viewer.present:
-                viewer.show(kind, text)
+                viewer.send_latest(kind, text)
 
-    def show_viewers(self) -> None:
-        """Tell everybody who is here and who has control."""
+    def broadcast_viewers(self) -> None:
+        """Send everybody who is here and who has control."""
         people = {viewer.number: viewer.name for viewer in self.viewers if viewer.present}
         here = tuple(ViewerView(number, name) for number, name in sorted(people.items()))
-        self.show("viewers", to_text(ViewersNews(self.lease.holder, here)))
+        self.broadcast("viewers", to_text(ViewersMessage(self.lease.holder, here)))
 
     def send_events(self) -> None:
-        """Send every browser the lines of the event log that it has not seen."""
+        """Send every browser the lines of the event log that it does not have yet."""
         for viewer in self.viewers:
-            if viewer.present and (events := self.news.events_after(viewer.event)):
+            if viewer.present and (events := self.feed.events_after(viewer.event)):
                 viewer.event = events[-1].number
-                viewer.send(EventNews(events))
+                viewer.send(EventsMessage(events))
 
     def check_lease(self) -> None:
-        """Free control when its holder has gone silent."""
+        """Free control when its holder has fallen silent."""
         holder = self.lease.holder
-        if self.lease.expired(self._clock.now()):
-            self.news.note(
-                Severity.WARNING,
-                "control",
-                f"{self._name(holder)} lost contact and with it control",
-            )
-            self.show_viewers()
+        if self.lease.expire(self._clock.now()):
+            text = f"{self._name(holder)} lost contact and with it control"
+            self.feed.log_event(Severity.WARNING, "control", text)
+            self.broadcast_viewers()
 
-    def name_at(self, tab: str) -> str:
-        """Return the name of who sits before a tab."""
+    def name_of_tab(self, tab: str) -> str:
+        """Return the name that others see for a tab."""
         return self._name(self._numbers.get(tab))
 
-    def objection_at(self, tab: str) -> str:
-        """Return why this tab may not change the room now, or "": as with orders, it needs control."""
+    def control_objection(self, tab: str) -> str:
+        """Return why this tab does not have control, in words, or ""."""
         return self._no_control(self._numbers.get(tab))
 
-    def told(self, words: str) -> None:
-        """Put a line into everybody's log."""
-        log.info("%s", words)
-        self.news.note(Severity.INFO, "room", words)
+    def announce(self, words: str) -> None:
+        """Put a line into everybody's event log."""
+        _LOG.info("%s", words)
+        self.feed.log_event(Severity.INFO, "room", words)
 
     # --- messages
-    # -----------------------------------------------------------------------------------
 
-    def _count(self, viewer: Viewer) -> bool:
+    def _within_rate(self, viewer: Viewer) -> bool:
         if viewer.bucket.spend(self._clock.now()):
             return True
-        if viewer.bucket.over > OVER_MAX:
+        if viewer.bucket.refused > _MAX_REFUSALS:
             viewer.close(1008, "too many commands")
-        elif viewer.bucket.over == 1:
-            viewer.send(Refused(0, "too many commands at once: wait a moment"))
+        elif viewer.bucket.refused == 1:
+            viewer.send(RefusedReply(0, "too many commands at once: wait a moment"))
         return False
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
+        number = self._numbers.get(message.tab)
         for other in self.viewers:
-            if (
-                other is not viewer
-                and other.present
-                and other.number == self._numbers.get(message.tab)
-            ):
+            if other is not viewer and other.present and other.number == number:
                 other.number = 0
-                other.close(OPENED_ELSEWHERE, "this console was opened in another tab")
+                other.close(_CLOSE_OPENED_ELSEWHERE, "this console was opened in another tab")
         viewer.number = self._numbers.setdefault(message.tab, len(self._numbers) + 1)
         viewer.name = message.name or f"Viewer {viewer.number}"
-        events = self.news.events_after(0)
+        events = self.feed.events_after(0)
         viewer.event = events[-1].number if events else 0
-        viewer.send(Welcome(viewer.number, self._clock.now(), events, self.news.trail()))
+        viewer.send(Welcome(viewer.number, self._clock.now(), events, self.feed.trail()))
         if self.room is not None:
-            viewer.send(RoomNews(self.room))
-        viewer.show("path", to_text(self.news.path()))
-        if (link := self.news.link()) is not None:
-            viewer.show("link", to_text(link))
+            viewer.send(RoomMessage(self.room))
+        viewer.send_latest("path", to_text(self.feed.path()))
+        if (link := self.feed.link()) is not None:
+            viewer.send_latest("link", to_text(link))
         if self.lease.holder is None and sum(other.present for other in self.viewers) == 1:
-            self.lease.take(viewer.number, self._clock.now(), flying=False, held=False)
-        self.show_viewers()
+            self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
+        self.broadcast_viewers()
 
-    def _ping(self, viewer: Viewer, message: Ping) -> None:
-        viewer.send(Pong(message.sent, self._clock.now()))
+    def _ping(self, viewer: Viewer, message: PingRequest) -> None:
+        viewer.send(PongReply(message.sent, self._clock.now()))
 
     def _stop(self, viewer: Viewer, message: StopRequest) -> None:
         self.stop(viewer.name)
-        viewer.send(Accepted(message.id))
+        viewer.send(AcceptedReply(message.id))
 
     def stop(self, sender: str) -> None:
-        """STOP, from whoever asks; a key held down makes one line of the log, not hundreds."""
+        """Send STOP; a key held down makes one line of the log, not hundreds."""
         self.link.stop(sender)
         now = self._clock.now()
-        if now - self._stopped_at > STOP_QUIET:
+        if now - self._stopped_at > _STOP_LOG_PERIOD:
             self._audit(sender, "STOP")
         self._stopped_at = now
 
@@ -202,20 +193,20 @@ class Console:
         if message.order is OrderKind.STOP:
             self._stop(viewer, StopRequest("stop", message.id))
         elif reason := self._order_objection(viewer, message):
-            viewer.send(Refused(message.id, reason))
+            viewer.send(RefusedReply(message.id, reason))
         else:
-            self._audit(viewer.name, in_words(message))
-            sent = self.link.send(order_of(message, viewer.name, self._clock.now()))
+            self._audit(viewer.name, order_in_words(message))
+            sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
             self._start(self._confirm(viewer, message.id, sent))
 
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
-        if message.order in FOR_EVERYONE:
-            return objection(message, self.room)
+        if message.order in ORDERS_WITHOUT_CONTROL:
+            return order_objection(message, self.room)
         if problem := self._no_control(viewer.number):
             return problem
-        if self.news.age > PILOT_SILENT and message.order is not OrderKind.CUT:
+        if self.feed.age > _PILOT_TIMEOUT and message.order is not OrderKind.CUT:
             return "no contact with the pilot"
-        return objection(message, self.room)
+        return order_objection(message, self.room)
 
     def _no_control(self, number: int | None) -> str:
         """Return who else has control, in words, or ""."""
@@ -226,7 +217,7 @@ class Console:
 
     async def _confirm(self, viewer: Viewer, number: int, sent: asyncio.Future[str]) -> None:
         problem = await sent
-        viewer.send(Refused(number, problem) if problem else Accepted(number))
+        viewer.send(RefusedReply(number, problem) if problem else AcceptedReply(number))
 
     def _plan(self, viewer: Viewer, message: PlanQuestion) -> None:
         viewer.question = message
@@ -235,50 +226,45 @@ class Console:
             self._start(self._answer_plans(viewer))
 
     async def _answer_plans(self, viewer: Viewer) -> None:
-        """Answer the newest question; those that came while another was being answered are out of
-        date.
-        """
+        """Answer the newest question; older ones are out of date."""
         while (question := viewer.question) is not None:
             viewer.question = None
             try:
                 answer = await self.link.plan(PlanRequest(question.place, question.goal))
             except HouseflyError as error:
-                viewer.send(Refused(question.id, f"no path could be asked for: {error}"))
+                viewer.send(RefusedReply(question.id, f"no path could be asked for: {error}"))
             else:
-                viewer.send(PlanNews(question.id, answer))
+                viewer.send(PlanReply(question.id, answer))
         viewer.asking = False
 
     def _lease(self, viewer: Viewer, message: LeaseRequest) -> None:
         now, me = self._clock.now(), viewer.number
         if message.action == "take":
-            problem = self.lease.take(me, now, flying=self.flying, held=message.held)
+            problem = self.lease.acquire(me, now, flying=self.flying, held=message.held)
             words = "took control"
         elif message.action == "release":
             problem, words = self.lease.release(me), "laid down control"
         elif message.to in {other.number for other in self.viewers if other.present}:
-            problem, words = (
-                self.lease.give(me, message.to, now),
-                f"handed control to {self._name(message.to)}",
-            )
+            problem = self.lease.hand_over(me, message.to, now)
+            words = f"handed control to {self._name(message.to)}"
         else:
             problem, words = "that viewer is not here any more", ""
         if problem:
-            viewer.send(Refused(message.id, problem))
+            viewer.send(RefusedReply(message.id, problem))
             return
-        self.news.note(Severity.INFO, "control", f"{viewer.name} {words}")
-        viewer.send(Accepted(message.id))
-        self.show_viewers()
+        self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
+        viewer.send(AcceptedReply(message.id))
+        self.broadcast_viewers()
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
-        viewer.send(InviteNews(message.id, f"/?token={self._doorkeeper.invite()}"))
+        viewer.send(InviteReply(message.id, f"/?token={self._auth.invite()}"))
 
     # --- helpers
-    # ------------------------------------------------------------------------------------
 
     @property
     def flying(self) -> bool:
         """Whether the drone is off the ground, as far as the console knows."""
-        return not on_the_ground(self.news.step)
+        return not on_the_ground(self.feed.step)
 
     def _name(self, number: int | None) -> str:
         for viewer in self.viewers:
@@ -287,14 +273,11 @@ class Console:
         return f"Viewer {number}"
 
     def _audit(self, sender: str, words: str) -> None:
-        """Keep who asked for what; the pilot writes it into the event log itself, unless it cannot
-        be heard.
-        """
-        log.info("%s: %s", sender, words)
-        if self.news.age > PILOT_SILENT:
-            self.news.note(
-                Severity.WARNING, "order", f"{sender}: {words}, but the pilot is not heard"
-            )
+        """Log who asked for what; the pilot adds it to the event log unless it is silent."""
+        _LOG.info("%s: %s", sender, words)
+        if self.feed.age > _PILOT_TIMEOUT:
+            text = f"{sender}: {words}, but the pilot is not heard"
+            self.feed.log_event(Severity.WARNING, "order", text)
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)
@@ -302,8 +285,8 @@ class Console:
         task.add_done_callback(self._tasks.discard)
 
 
-def _is_free(message: Any) -> bool:
-    """STOP and LAND pass the limit on commands."""
+def _is_unlimited(message: Any) -> bool:
+    """Return whether a message passes the rate limit: STOP and LAND do."""
     return isinstance(message, StopRequest) or (
-        isinstance(message, OrderRequest) and message.order in FOR_EVERYONE
+        isinstance(message, OrderRequest) and message.order in ORDERS_WITHOUT_CONTROL
     )

@@ -1,6 +1,4 @@
-"""How many tracking cameras see each part of the room, as a coarse grid for the map; computed once,
-beside the loop.
-"""
+"""How many tracking cameras see each part of the room: a coarse grid, computed once on a thread."""
 
 from __future__ import annotations
 
@@ -17,20 +15,20 @@ from housefly.geometry import Vec2
 from housefly.room.coverage import seen_by
 from housefly.room.model import Room
 
-CELL = 0.25
+COVERAGE_CELL = 0.25
 """Edge of a cell [m]."""
-DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
-"""One letter a cell: so many cameras, the last letter also for more."""
+_DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
+"""One digit a cell: the number of cameras; the last digit also stands for more."""
 
 
 @dataclass(frozen=True, slots=True)
 class CoverageView:
-    """How many cameras see the middles of the cells.
+    """How many cameras see the middle of each cell.
 
     Attributes:
         height: above the floor [m].
-        cameras: all there are.
-        enough: so many must see a body to track it.
+        cameras: how many there are.
+        enough: cameras that must see a body to track it.
         origin: world xy of the lower left corner [m].
         resolution: edge of a cell [m].
         rows: lowest y first, one digit of base 36 a cell.
@@ -47,17 +45,17 @@ class CoverageView:
 def coverage_view(room: Room, height: float, enough: int = 2) -> CoverageView:
     """Return the coverage of a room at a height [m]."""
     x0, y0, x1, y1 = room.bounds
-    xs = x0 + CELL * (np.arange(ceil((x1 - x0) / CELL)) + 0.5)
-    ys = y0 + CELL * (np.arange(ceil((y1 - y0) / CELL)) + 0.5)
+    xs = x0 + COVERAGE_CELL * (np.arange(ceil((x1 - x0) / COVERAGE_CELL)) + 0.5)
+    ys = y0 + COVERAGE_CELL * (np.arange(ceil((y1 - y0) / COVERAGE_CELL)) + 0.5)
     grid = np.array(np.meshgrid(xs, ys)).reshape(2, -1).T
     points = np.column_stack([grid, np.full(len(grid), height)])
-    counts = seen_by(room, points).sum(axis=1).clip(max=len(DIGITS) - 1).reshape(len(ys), len(xs))
-    rows = tuple("".join(DIGITS[count] for count in row) for row in counts.tolist())
-    return CoverageView(height, len(room.cameras), enough, (x0, y0), CELL, rows)
+    counts = seen_by(room, points).sum(axis=1).clip(max=len(_DIGITS) - 1).reshape(len(ys), len(xs))
+    rows = tuple("".join(_DIGITS[count] for count in row) for row in counts.tolist())
+    return CoverageView(height, len(room.cameras), enough, (x0, y0), COVERAGE_CELL, rows)
 
 
 class CoverageLayer:
-    """Computes the view when it is first asked for, on a thread of its own, and keeps it.
+    """Computes the view on first request, on its own thread, and keeps it.
 
     Args:
         compute: returns the view.
@@ -72,11 +70,11 @@ class CoverageLayer:
         """Return the view as JSON; raises what the computation raises."""
         if self._text is None or (self._text.done() and self._text.exception() is not None):
             self._text = asyncio.get_running_loop().run_in_executor(self._thread, self._dumped)
-        # One browser that leaves must not take the answer away from the others.
+        # A browser that leaves must not cancel the answer for the others.
         return await asyncio.shield(self._text)
 
     def close(self) -> None:
-        """Let go of the thread without waiting."""
+        """Shut the thread down without waiting."""
         self._thread.shutdown(wait=False, cancel_futures=True)
 
     def _dumped(self) -> bytes:

@@ -1,10 +1,10 @@
-"""One pilot, many watchers: who has control. Pure; the caller brings the time."""
+"""Who has control: one pilot, any number of watchers. Pure; the caller passes the time."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-PATIENCE = 3.0
+LEASE_TIMEOUT = 3.0
 """Control is lost when its holder was not heard for this long [s]."""
 
 
@@ -14,41 +14,41 @@ class Lease:
 
     Attributes:
         holder: number of the viewer who has control, or None.
-        heard_at: when the holder was last heard [s].
+        renewed_at: when the holder was last heard [s].
     """
 
     holder: int | None = None
-    heard_at: float = 0.0
+    renewed_at: float = 0.0
 
-    def take(self, viewer: int, now: float, *, flying: bool, held: bool) -> str:
+    def acquire(self, viewer: int, now: float, *, flying: bool, held: bool) -> str:
         """Give control to the viewer; returns "" or, in words, why not."""
         if self.holder not in (None, viewer) and flying and not held:
             return "someone else flies the drone: hold the button to take over"
-        self.holder, self.heard_at = viewer, now
+        self.holder, self.renewed_at = viewer, now
         return ""
 
     def release(self, viewer: int) -> str:
-        """Lay down control; returns "" or, in words, why not."""
+        """Give up control; returns "" or, in words, why not."""
         if self.holder != viewer:
             return "you do not have control"
         self.holder = None
         return ""
 
-    def give(self, viewer: int, to: int, now: float) -> str:
-        """Hand control over to another viewer; returns "" or, in words, why not."""
+    def hand_over(self, viewer: int, to: int, now: float) -> str:
+        """Pass control to another viewer; returns "" or, in words, why not."""
         if self.holder != viewer:
             return "you do not have control"
-        self.holder, self.heard_at = to, now
+        self.holder, self.renewed_at = to, now
         return ""
 
-    def heard(self, viewer: int, now: float) -> None:
-        """Note a sign of life."""
+    def renew(self, viewer: int, now: float) -> None:
+        """Note a sign of life of the holder."""
         if viewer == self.holder:
-            self.heard_at = now
+            self.renewed_at = now
 
-    def expired(self, now: float) -> bool:
+    def expire(self, now: float) -> bool:
         """Free the lease when its holder was silent too long; returns whether it did."""
-        if self.holder is None or now - self.heard_at <= PATIENCE:
+        if self.holder is None or now - self.renewed_at <= LEASE_TIMEOUT:
             return False
         self.holder = None
         return True

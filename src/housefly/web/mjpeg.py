@@ -1,5 +1,4 @@
-"""The drone's pictures as JPEG, for browsers without WebCodecs (it exists on secure addresses
-only).
+"""The drone's pictures as JPEG, for browsers without WebCodecs, which needs a secure address.
 
 Pictures are decoded only while such a browser watches.
 """
@@ -17,34 +16,34 @@ from av.video.codeccontext import VideoCodecContext
 from PIL import Image
 from starlette.responses import StreamingResponse
 
-from housefly.web.video import HEADER, VideoRoom
+from housefly.web.video import FRAME_HEADER, VideoRelay
 
-BOUNDARY = "picture"
-QUALITY = 75
+_BOUNDARY = "picture"
+_JPEG_QUALITY = 75
 
 
-def stream(video: VideoRoom) -> StreamingResponse:
+def mjpeg_response(video: VideoRelay) -> StreamingResponse:
     """Answer with pictures until the browser leaves."""
-    kind = f"multipart/x-mixed-replace; boundary={BOUNDARY}"
+    kind = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
     return StreamingResponse(
         _pictures(video), media_type=kind, headers={"cache-control": "no-store"}
     )
 
 
-async def _pictures(video: VideoRoom) -> AsyncIterator[bytes]:
+async def _pictures(video: VideoRelay) -> AsyncIterator[bytes]:
     decoder = VideoCodecContext.create("h264", "r")
     decoder.thread_count, decoder.flags = 1, decoder.flags | Flags.low_delay
-    with video.watching() as watcher:
+    with video.subscribed() as queue:
         while True:
-            await watcher.wake.wait()
-            watcher.wake.clear()
-            if watcher.waiting:
-                messages = list(watcher.waiting)
-                watcher.waiting.clear()
+            await queue.wake.wait()
+            queue.wake.clear()
+            if queue.waiting:
+                messages = list(queue.waiting)
+                queue.waiting.clear()
                 picture = await asyncio.to_thread(_newest, decoder, messages)
                 if picture:
                     head = (
-                        f"--{BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length:"
+                        f"--{_BOUNDARY}\r\nContent-Type: image/jpeg\r\nContent-Length:"
                         f" {len(picture)}\r\n\r\n"
                     )
                     yield head.encode() + picture + b"\r\n"
@@ -55,12 +54,12 @@ def _newest(decoder: VideoCodecContext, messages: list[bytes]) -> bytes:
     newest = None
     for message in messages:
         try:
-            frames = decoder.decode(av.Packet(message[HEADER.size :]))
+            frames = decoder.decode(av.Packet(message[FRAME_HEADER.size :]))
         except FFmpegError:
             continue
         newest = frames[-1] if frames else newest
     if newest is None:
         return b""
     buffer = BytesIO()
-    Image.fromarray(newest.to_ndarray(format="rgb24")).save(buffer, "JPEG", quality=QUALITY)
+    Image.fromarray(newest.to_ndarray(format="rgb24")).save(buffer, "JPEG", quality=_JPEG_QUALITY)
     return buffer.getvalue()

@@ -1,6 +1,4 @@
-"""The console's line to the pilot: STOP at once, orders in their order, questions without holding
-anybody up.
-"""
+"""The console's link to the pilot: STOP at once, orders in sequence, questions without blocking."""
 
 from __future__ import annotations
 
@@ -10,18 +8,18 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import ORDER, PLAN_QUERY, ROOM_QUERY
+from housefly.bus.topics import ORDER_TOPIC, PLAN_QUERY, ROOM_QUERY
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
-from housefly.hub.api.queries import PlanRequest, RoomView
-from housefly.hub.api.queries_json import from_json, to_json
+from housefly.hub.api.pilot_queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import Order, OrderKind, PlanAnswer
 
-log = logging.getLogger(__name__)
+_LOG = logging.getLogger(__name__)
 
 
 class PilotLink:
-    """Sends to the pilot; everything that may wait, waits on a thread.
+    """Sends to the pilot; everything that may block runs on a thread.
 
     Args:
         bus: where orders and questions go.
@@ -35,17 +33,17 @@ class PilotLink:
         self._questions = ThreadPoolExecutor(2, "questions")
 
     def stop(self, sender: str) -> None:
-        """STOP: first its own path, before anything else is done; then the bus as the second path."""
+        """Send STOP on its own path before anything else, then over the bus as well."""
         try:
             self._stop()
         except (OSError, HouseflyError):
-            log.exception("the STOP path failed; STOP goes over the bus alone")
+            _LOG.exception("the STOP path failed; STOP goes over the bus alone")
         self._orders.submit(
             self._publish, Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender)
         )
 
     def send(self, order: Order) -> asyncio.Future[str]:
-        """Publish an order after those before it; the future holds "" or what went wrong."""
+        """Publish an order after earlier ones; the future holds "" or what went wrong."""
         return asyncio.wrap_future(self._orders.submit(self._publish, order))
 
     async def room(self) -> RoomView:
@@ -57,7 +55,7 @@ class PilotLink:
         return from_json(PlanAnswer, await self._ask(PLAN_QUERY, to_json(request)))
 
     def close(self) -> None:
-        """Let go of the threads without waiting for answers."""
+        """Shut the threads down without waiting for answers."""
         self._orders.shutdown(wait=False, cancel_futures=True)
         self._questions.shutdown(wait=False, cancel_futures=True)
 
@@ -68,8 +66,8 @@ class PilotLink:
 
     def _publish(self, order: Order) -> str:
         try:
-            self._bus.publish(ORDER, order)
+            self._bus.publish(ORDER_TOPIC, order)
         except HouseflyError as error:
-            log.exception("the order to %s was lost", order.kind.value)
+            _LOG.exception("the order to %s was lost", order.kind.value)
             return str(error)
         return ""

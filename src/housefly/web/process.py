@@ -1,9 +1,8 @@
 """The console's process: ``python -m housefly.web.process --site FILE --bus ENDPOINT``.
 
-The launcher hands over secrets in the environment, where other users of the machine cannot read
-    them: the token of the first
-link, the key of the STOP path (hexadecimal; sessions are signed with it too), and the port of the
-STOP path.
+The launcher passes secrets in the environment, which other users of the machine cannot read: the
+token of the first link, the key of the STOP path (hexadecimal; it signs the sessions too), and the
+port of the STOP path.
 """
 
 from __future__ import annotations
@@ -33,24 +32,26 @@ from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
 from housefly.web.coverage_layer import coverage_view
-from housefly.web.edit_desk import EditDesk
+from housefly.web.edit_service import EditService
 from housefly.web.security import LOOPBACK_NAMES, check_bind
 from housefly.web.server import create_app
 
-log = logging.getLogger(__name__)
+_LOG = logging.getLogger(__name__)
 
-TOKEN, SECRET, STOP_PORT = "HOUSEFLY_TOKEN", "HOUSEFLY_SECRET", "HOUSEFLY_STOP_PORT"
-MESSAGE_MAX = 16 * 1024
+_TOKEN_VARIABLE = "HOUSEFLY_TOKEN"
+_SECRET_VARIABLE = "HOUSEFLY_SECRET"
+_STOP_PORT_VARIABLE = "HOUSEFLY_STOP_PORT"
+_MAX_MESSAGE_SIZE = 16 * 1024
 """Largest message that a browser may send [bytes]."""
-ANY_ADDRESS = frozenset({"0.0.0.0", "::"})
+_WILDCARD_ADDRESSES = frozenset({"0.0.0.0", "::"})
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Serve the console until told to leave; returns the exit status."""
+    """Serve the console until a signal arrives; returns the exit status."""
     options = _parser().parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
-    # uvicorn raises the signal again after it has ended; the bus must still be closed then.
-    signal.signal(signal.SIGTERM, _leave)
+    # uvicorn raises the signal again after it has ended; the bus must still close then.
+    signal.signal(signal.SIGTERM, _exit)
     try:
         site = load_site(options.site)
         folder = options.site.parent
@@ -96,12 +97,12 @@ async def run_web(
     """
     host, port = host or site.web.host, site.web.port if port is None else port
     check_bind(host, insecure=insecure)
-    if host in ANY_ADDRESS and not names:
+    if host in _WILDCARD_ADDRESSES and not names:
         raise ConfigError(
             "web.host",
             f"is {host!r}: say with --name under which names browsers will ask for the console",
         )
-    token = os.environ.get(TOKEN) or secrets.token_urlsafe(24)
+    token = os.environ.get(_TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     stop = _stop_sender()
     with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus:
         app = create_app(
@@ -109,53 +110,51 @@ async def run_web(
             token,
             lambda: stop.send().add_done_callback(_report_stop),
             hosts=LOOPBACK_NAMES | {host, *names},
-            secret=os.environ.get(SECRET, ""),
+            secret=os.environ.get(_SECRET_VARIABLE, ""),
             drone_body=site.tracking.body,
             furniture=site.furniture,
             coverage=lambda: coverage_view(
                 load_room(site.room.model, folder), site.map.flight_height
             ),
-            edits=EditDesk(
+            edits=EditService(
                 lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))
             ),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
-        gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits
+        # Later collections skip what lives for the whole run, so that nobody waits for them.
+        gc.freeze()
         print(f"console ready: {address}/?token={token}", flush=True)
         await make_server(app).serve([listener])
 
 
 def make_server(app: Starlette) -> uvicorn.Server:
-    """Return the HTTP server for the application; it leaves within a second even with browsers
-    connected.
-    """
+    """Return the HTTP server; it exits within a second even while browsers are connected."""
     return uvicorn.Server(
         uvicorn.Config(
             app,
             log_level="warning",
             access_log=False,
             server_header=False,
-            ws_max_size=MESSAGE_MAX,
+            ws_max_size=_MAX_MESSAGE_SIZE,
             ws_per_message_deflate=False,
             timeout_graceful_shutdown=1,
         )
     )
 
 
-def _leave(number: int, frame: FrameType | None) -> None:
+def _exit(number: int, frame: FrameType | None) -> None:
     raise SystemExit(0)
 
 
 def _listening(host: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    # The protocol is named, else asyncio does not switch off Nagle and every answer waits 40 ms for
-    # an acknowledgement.
+    # Without the protocol asyncio leaves Nagle on, and every answer waits 40 ms for an
+    # acknowledgement.
     listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
-        # Browsers that come before the application is up wait in the queue instead of being
-        # refused.
+        # Browsers that connect before the application is up wait instead of being refused.
         listener.listen()
     except OSError as error:
         listener.close()
@@ -168,12 +167,14 @@ def _listening(host: str, port: int) -> socket.socket:
 
 def _report_stop(outcome: Future[bool]) -> None:
     if not outcome.result():
-        log.warning("STOP was not acknowledged on its own path; it also went over the bus")
+        _LOG.warning("STOP was not acknowledged on its own path; it also went over the bus")
 
 
 def _stop_sender() -> StopSender:
     try:
-        return StopSender("127.0.0.1", int(os.environ[STOP_PORT]), os.environ[SECRET])
+        return StopSender(
+            "127.0.0.1", int(os.environ[_STOP_PORT_VARIABLE]), os.environ[_SECRET_VARIABLE]
+        )
     except (KeyError, ValueError) as error:
         raise ConfigError(
             "environment", f"{error}: the console is started by `housefly run` or `housefly demo`"

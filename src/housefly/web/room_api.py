@@ -1,7 +1,7 @@
-"""The room over HTTP: ``/api/v1``, read only; every path is one question of ``bus.room_questions``.
+"""The room over HTTP: ``/api/v1``, read only; every path is one question of ``hub.api``.
 
-Asked with the session of the console, or with the key of this run as a bearer token
-(``housefly.connect()`` finds it).
+A request needs the console's session, or the key of this run as a bearer token, which
+``housefly.connect()`` finds.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import hmac
 import json
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
@@ -21,47 +20,40 @@ from starlette.routing import BaseRoute, Mount, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, ROOM_NEWS
+from housefly.bus.topics import HUB_QUERY, ROOM_NEWS_TOPIC
 from housefly.errors import HouseflyError
+from housefly.hub.api.json import first_problem, question_to_json
 from housefly.hub.api.questions import (
-    Catalogue,
-    Contents,
-    Events,
-    Near,
-    Picture,
+    CatalogueQuestion,
+    ContentsQuestion,
+    EventsQuestion,
+    NearQuestion,
+    PictureQuestion,
     Question,
-    Sensors,
-    Trajectory,
-    Where,
+    SensorsQuestion,
+    TrajectoryQuestion,
+    WhereQuestion,
 )
-from housefly.hub.api.room_json import complaint, question_to_json
 from housefly.messages import RoomNews
-from housefly.web.room_openapi import openapi
-from housefly.web.security import Doorkeeper, same_origin
+from housefly.web.responses import error_response, json_response
+from housefly.web.room_openapi import Endpoint, openapi_document
+from housefly.web.session_auth import SessionAuth, same_origin
 
-PREFIX = "/api/v1"
-BEHIND = 100
-"""News that may wait for a slow listener; then it is let go and may come again."""
+_API_PREFIX = "/api/v1"
+_MAX_QUEUED_NEWS = 100
+"""News that may wait for a slow listener; with more its socket is closed."""
+_WHO_MAY_ASK = "ask with the session of the console, or with the key of this run"
+_ASK_FOR_TOKEN = {"www-authenticate": "Bearer"}
 
-
-@dataclass(frozen=True, slots=True)
-class Endpoint:
-    """One path: where, which question, and what it is good for."""
-
-    path: str
-    question: type[Question]
-    summary: str
-
-
-ENDPOINTS = (
-    Endpoint("/where/{thing}", Where, "Where a thing is, now or at a time"),
-    Endpoint("/things", Catalogue, "The catalogue, of one kind or whole"),
-    Endpoint("/near", Near, "What is near a point or a thing"),
-    Endpoint("/contents/{thing}", Contents, "What is in a thing, however deep"),
-    Endpoint("/trajectory/{thing}", Trajectory, "Where a thing was between two times"),
-    Endpoint("/events", Events, "What happened"),
-    Endpoint("/sensors", Sensors, "How every sensor does"),
-    Endpoint("/picture", Picture, "Everything that has a place, now or at a time"),
+_ENDPOINTS = (
+    Endpoint("/where/{thing}", WhereQuestion, "Where a thing is, now or at a time"),
+    Endpoint("/things", CatalogueQuestion, "The catalogue, of one kind or whole"),
+    Endpoint("/near", NearQuestion, "What is near a point or a thing"),
+    Endpoint("/contents/{thing}", ContentsQuestion, "What is in a thing, however deep"),
+    Endpoint("/trajectory/{thing}", TrajectoryQuestion, "Where a thing was between two times"),
+    Endpoint("/events", EventsQuestion, "What happened"),
+    Endpoint("/sensors", SensorsQuestion, "How every sensor does"),
+    Endpoint("/picture", PictureQuestion, "Everything that has a place, now or at a time"),
 )
 
 
@@ -70,43 +62,42 @@ class RoomApi:
 
     Args:
         bus: where the hub is.
-        doorkeeper: knows the console's sessions.
-        key: bearer token; "" lets nobody in by one.
+        auth: the console's sessions.
+        key: the bearer token that is accepted; "" accepts none.
     """
 
-    def __init__(self, bus: Bus, doorkeeper: Doorkeeper, key: str) -> None:
-        self._bus, self._doorkeeper, self._key = bus, doorkeeper, key
-        self._asking = ThreadPoolExecutor(4, "room")
+    def __init__(self, bus: Bus, auth: SessionAuth, key: str) -> None:
+        self._bus, self._auth, self._key = bus, auth, key
+        self._threads = ThreadPoolExecutor(4, "room")
 
     def routes(self) -> list[BaseRoute]:
-        """Return the routes below ``PREFIX``."""
-        document = openapi(ENDPOINTS, PREFIX)
+        """Return the routes below ``_API_PREFIX``."""
+        document = openapi_document(_ENDPOINTS, _API_PREFIX)
         asked = [
-            Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS
+            Route(endpoint.path, self._handler(endpoint), methods=["GET"])
+            for endpoint in _ENDPOINTS
         ]
         described = Route("/openapi.json", lambda request: JSONResponse(document), methods=["GET"])
-        return [Mount(PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])]
+        return [
+            Mount(_API_PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])
+        ]
 
     def close(self) -> None:
-        """Let go of the threads without waiting for answers."""
-        self._asking.shutdown(wait=False, cancel_futures=True)
+        """Shut the threads down without waiting for answers."""
+        self._threads.shutdown(wait=False, cancel_futures=True)
 
     def _handler(self, endpoint: Endpoint) -> Callable[[Request], Any]:
         reader: TypeAdapter[Any] = TypeAdapter(endpoint.question)
 
         async def answer(request: Request) -> Response:
             if not self._may_ask(request):
-                return _refused(
-                    401,
-                    "ask with the session of the console, or with the key of this run as a bearer"
-                    " token",
-                )
+                return error_response(401, f"{_WHO_MAY_ASK} as a bearer token", _ASK_FOR_TOKEN)
             try:
-                question = _question(reader, request)
+                question = _parsed_question(reader, request)
             except ValidationError as error:
-                return _refused(422, complaint(error))
+                return error_response(422, first_problem(error))
             except ValueError as error:
-                return _refused(422, str(error))
+                return error_response(422, str(error))
             return await self._asked(question)
 
         return answer
@@ -115,31 +106,29 @@ class RoomApi:
         loop = asyncio.get_running_loop()
         try:
             text = await loop.run_in_executor(
-                self._asking, self._bus.ask, HUB_QUERY, question_to_json(question), 10.0
+                self._threads, self._bus.ask, HUB_QUERY, question_to_json(question), 10.0
             )
         except HouseflyError as error:
-            return _refused(503, f"the room's memory does not answer: {error}")
+            return error_response(503, f"the room's memory does not answer: {error}")
         if text.startswith('{"error"'):
             tree = json.loads(text)
-            return _refused(404 if tree.get("unknown") else 422, str(tree["error"]))
-        return Response(text, media_type="application/json", headers={"cache-control": "no-store"})
+            return error_response(404 if tree.get("unknown") else 422, str(tree["error"]))
+        return json_response(text)
 
     async def _watch(self, websocket: WebSocket) -> None:
         if not self._may_ask(websocket) or (
             websocket.headers.get("origin") and not same_origin(websocket)
         ):
-            await websocket.close(
-                1008, "ask with the session of the console, or with the key of this run"
-            )
+            await websocket.close(1008, _WHO_MAY_ASK)
             return
         await websocket.accept()
         loop = asyncio.get_running_loop()
-        waiting: asyncio.Queue[str] = asyncio.Queue(BEHIND)
+        waiting: asyncio.Queue[str] = asyncio.Queue(_MAX_QUEUED_NEWS)
 
-        def heard(news: RoomNews) -> None:
+        def received(news: RoomNews) -> None:
             loop.call_soon_threadsafe(_put, waiting, news.text)
 
-        subscription = self._bus.subscribe(ROOM_NEWS, heard)
+        subscription = self._bus.subscribe(ROOM_NEWS_TOPIC, received)
         sending = asyncio.create_task(_send(websocket, waiting))
         try:
             while not sending.done():
@@ -154,11 +143,11 @@ class RoomApi:
         scheme, _, offered = connection.headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer" and self._key:
             return hmac.compare_digest(offered.encode(), self._key.encode())
-        return self._doorkeeper.knows(connection)
+        return self._auth.has_session(connection)
 
 
-def _question(reader: TypeAdapter[Any], request: Request) -> Question:
-    """Return the question of a request; raises ValueError or ValidationError naming the parameter."""
+def _parsed_question(reader: TypeAdapter[Any], request: Request) -> Question:
+    """Return a request's question; raises ValueError or ValidationError naming the parameter."""
     given = dict(request.path_params)
     for name, value in request.query_params.multi_items():
         if name in given:
@@ -182,8 +171,3 @@ async def _send(websocket: WebSocket, waiting: asyncio.Queue[str]) -> None:
         if waiting.full():
             await websocket.close(1013, "too slow: ask for the picture and come again")
             return
-
-
-def _refused(status: int, words: str) -> Response:
-    headers = {"www-authenticate": "Bearer"} if status == 401 else {}
-    return JSONResponse({"error": words}, status_code=status, headers=headers)

@@ -1,39 +1,36 @@
-"""The OpenAPI document of the room's API, made from the questions and their answers themselves."""
+"""The OpenAPI document of the room API, generated from its questions and answers."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from dataclasses import dataclass
+from typing import Any
 
 from pydantic import TypeAdapter
 
-from housefly.hub.api.answers import ANSWERS
+from housefly.hub.api.answers import ANSWER_TYPES
 from housefly.hub.api.questions import Question
 
-VERSION = "1.0"
-REFERENCE = "#/components/schemas/{model}"
+_API_VERSION = "1.0"
+_SCHEMA_REFERENCE = "#/components/schemas/{model}"
 
 
-class Described(Protocol):
-    """What is told of one path."""
+@dataclass(frozen=True, slots=True)
+class Endpoint:
+    """One path of the API.
 
-    @property
-    def path(self) -> str:
-        """Below the prefix, with its parameter in braces."""
-        ...
+    Attributes:
+        path: below the prefix, with its parameter in braces.
+        question: its fields are the parameters.
+        summary: one line.
+    """
 
-    @property
-    def question(self) -> type[Question]:
-        """Whose fields are the parameters."""
-        ...
-
-    @property
-    def summary(self) -> str:
-        """One line."""
-        ...
+    path: str
+    question: type[Question]
+    summary: str
 
 
-def openapi(endpoints: Sequence[Described], prefix: str) -> dict[str, Any]:
+def openapi_document(endpoints: Sequence[Endpoint], prefix: str) -> dict[str, Any]:
     """Return the document."""
     schemas: dict[str, Any] = {
         "Error": {
@@ -49,7 +46,7 @@ def openapi(endpoints: Sequence[Described], prefix: str) -> dict[str, Any]:
         "openapi": "3.1.0",
         "info": {
             "title": "Housefly: the room",
-            "version": VERSION,
+            "version": _API_VERSION,
             "description": "What is where, and what happened.",
         },
         "security": [{"key": []}],
@@ -61,31 +58,29 @@ def openapi(endpoints: Sequence[Described], prefix: str) -> dict[str, Any]:
     }
 
 
-def _operation(endpoint: Described, schemas: dict[str, Any]) -> dict[str, Any]:
-    answer = TypeAdapter(ANSWERS[endpoint.question]).json_schema(
-        ref_template=REFERENCE, mode="serialization"
+def _operation(endpoint: Endpoint, schemas: dict[str, Any]) -> dict[str, Any]:
+    answer = TypeAdapter(ANSWER_TYPES[endpoint.question]).json_schema(
+        ref_template=_SCHEMA_REFERENCE, mode="serialization"
     )
     schemas.update(answer.pop("$defs", {}))
-    name = ANSWERS[endpoint.question].__name__
+    name = ANSWER_TYPES[endpoint.question].__name__
     schemas[name] = answer
     described = {
         200: ("the answer", name),
         401: ("no key", "Error"),
-        422: ("a parameter is wrong", "Error"),
-    }
-    described |= {
         404: ("there is no such thing", "Error"),
+        422: ("a parameter is wrong", "Error"),
         503: ("the room's memory does not answer", "Error"),
     }
     return {
         "summary": endpoint.summary,
-        "operationId": endpoint.question.__name__.lower(),
+        "operationId": endpoint.question.__name__.removesuffix("Question").lower(),
         "parameters": _parameters(endpoint),
         "responses": {
             str(status): {
                 "description": words,
                 "content": {
-                    "application/json": {"schema": {"$ref": REFERENCE.format(model=model)}}
+                    "application/json": {"schema": {"$ref": _SCHEMA_REFERENCE.format(model=model)}}
                 },
             }
             for status, (words, model) in sorted(described.items())
@@ -93,7 +88,7 @@ def _operation(endpoint: Described, schemas: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _parameters(endpoint: Described) -> list[dict[str, Any]]:
+def _parameters(endpoint: Endpoint) -> list[dict[str, Any]]:
     schema = TypeAdapter(endpoint.question).json_schema()
     found = []
     for name, own in schema["properties"].items():
@@ -106,14 +101,14 @@ def _parameters(endpoint: Described) -> list[dict[str, Any]]:
                 "name": name,
                 "in": "path" if in_path else "query",
                 "required": required,
-                "schema": _plain(own),
+                "schema": _parameter_schema(own),
             }
         )
     return found
 
 
-def _plain(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of a parameter: one that may be left out is never given as null."""
+def _parameter_schema(schema: dict[str, Any]) -> dict[str, Any]:
+    """Return the schema of a parameter: an optional one may be absent but never null."""
     options = [option for option in schema.get("anyOf", ()) if option.get("type") != "null"]
     kept = {key: value for key, value in schema.items() if key not in ("anyOf", "default", "title")}
     return {**kept, **options[0]} if options else kept

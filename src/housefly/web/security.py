@@ -1,31 +1,22 @@
-"""Who may come in: one-time links, sessions, and the checks on every request against pages of other
-sites.
+"""Where the console may listen, and the checks against pages of other sites on every request.
 
-A link ``/?token=...`` is good for one browser; it is exchanged for a signed session cookie that
-scripts cannot read and other sites cannot send. Host names are allow-listed (DNS rebinding),
-WebSockets must name their own page as Origin.
+Host names are allow-listed against DNS rebinding, and every answer carries protective headers.
 """
 
 from __future__ import annotations
 
-import hmac
 import ipaddress
-import secrets
-from hashlib import sha256
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.requests import HTTPConnection
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
 
 from housefly.errors import ConfigError
 
-COOKIE = "housefly"
 LOOPBACK_NAMES = frozenset({"127.0.0.1", "localhost", "::1"})
-INVITES_MAX = 20
 
-HEADERS = {
+_PROTECTIVE_HEADERS = {
     "content-security-policy": (
         "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'none'; "
         "frame-ancestors 'none'"
@@ -39,7 +30,7 @@ HEADERS = {
 
 
 def check_bind(host: str, *, insecure: bool) -> None:
-    """Refuse to listen where other machines can reach us without encryption, unless asked to.
+    """Refuse a listening address that other machines reach, unless ``insecure`` allows it.
 
     Raises:
         ConfigError: naming the key and the way out.
@@ -57,83 +48,22 @@ def check_bind(host: str, *, insecure: bool) -> None:
         )
 
 
-class Doorkeeper:
-    """Knows the links that are still good and the sessions that were made from them.
-
-    Sessions are signed, not stored: a console that is started again with the same secret knows its
-        browsers.
-
-    Args:
-        token: the first one-time link's token.
-        secret: key of the sessions.
-    """
-
-    def __init__(self, token: str, secret: str) -> None:
-        self._open: list[str] = [token]
-        self._key = hmac.digest(secret.encode(), b"housefly console session", sha256)
-
-    def invite(self) -> str:
-        """Return a new one-time token; the oldest unused one dies when there are too many."""
-        token = secrets.token_urlsafe(24)
-        self._open = [*self._open[1 - INVITES_MAX :], token]
-        return token
-
-    def redeem(self, token: str) -> str | None:
-        """Use up a token and return the value of a new session's cookie, or None when the token is
-        not good (any more).
-        """
-        for known in self._open:
-            if hmac.compare_digest(known.encode(), token.encode()):
-                self._open.remove(known)
-                name = secrets.token_urlsafe(24)
-                return f"{name}.{self._sign(name)}"
-        return None
-
-    def knows(self, connection: HTTPConnection) -> bool:
-        """Tell whether a request carries the cookie of one of our sessions."""
-        name, _, signature = connection.cookies.get(cookie_name(connection), "").partition(".")
-        return bool(name) and hmac.compare_digest(signature.encode(), self._sign(name).encode())
-
-    def _sign(self, name: str) -> str:
-        return hmac.new(self._key, name.encode(), sha256).hexdigest()
-
-
-def api_key(secret: str) -> str:
-    """Return the key that programs ask the room's API with, in a run with this secret."""
-    return hmac.new(secret.encode(), b"housefly room api", sha256).hexdigest()
-
-
-def cookie_name(connection: HTTPConnection) -> str:
-    """Return the name of our cookie; browsers do not keep the cookies of two ports of one machine
-    apart, so it holds the port.
-    """
-    return f"{COOKIE}_{connection.url.port or 'default'}"
-
-
-def same_origin(connection: HTTPConnection) -> bool:
-    """Tell whether a request comes from a page of this very server; requests without an Origin do
-    not.
-    """
-    scheme = "https" if connection.url.scheme in ("https", "wss") else "http"
-    return connection.headers.get("origin") == f"{scheme}://{connection.headers.get('host')}"
-
-
-class Guard:
-    """Middleware: turns away foreign Host names and puts the protective headers on every answer."""
+class HostGuard:
+    """Middleware: rejects foreign Host names and adds the protective headers to every answer."""
 
     def __init__(self, app: ASGIApp, hosts: frozenset[str]) -> None:
         self._app, self._hosts = app, hosts
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, or turn it away."""
+        """Pass a request on, or reject it."""
         if scope["type"] == "lifespan":
             await self._app(scope, receive, send)
         elif _host_name(Headers(scope=scope).get("host", "")) not in self._hosts:
-            await self._turn_away(scope, receive, send)
+            await self._reject(scope, receive, send)
         else:
             await self._app(scope, receive, _with_headers(send))
 
-    async def _turn_away(self, scope: Scope, receive: Receive, send: Send) -> None:
+    async def _reject(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] == "websocket":
             await WebSocketClose(code=1008, reason="unknown host name")(scope, receive, send)
             return
@@ -150,7 +80,7 @@ def _host_name(host: str) -> str:
 def _with_headers(send: Send) -> Send:
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
-            MutableHeaders(scope=message).update(HEADERS)
+            MutableHeaders(scope=message).update(_PROTECTIVE_HEADERS)
         await send(message)
 
     return sending

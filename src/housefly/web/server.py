@@ -1,13 +1,13 @@
 """The console's server as one ASGI application.
 
 /                the console (with ``?token=`` : exchanges a one-time link for a session)
-/socket          WebSocket: state to the browser, orders from it
-/video           WebSocket: the drone's H.264
-/stop            POST: STOP, for a browser whose socket is down
 /static/...      the built client
-/api/v1/...      the room: where things are, what happened (``web.room_api``)
+/socket          WebSocket: state to the browser, orders from it
+/stop            POST: STOP, for a browser whose socket is down
+/video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
-/edits           places and no-fly zones: seen, saved, undone (``web.edits_api``)
+/api/v1/...      the room: where things are, what happened
+/edits           places and no-fly zones: shown, saved, undone
 """
 
 from __future__ import annotations
@@ -17,44 +17,31 @@ import logging
 import secrets
 import signal
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager, suppress
-from pathlib import Path
+from contextlib import AbstractAsyncContextManager, asynccontextmanager, suppress
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
-from starlette.requests import Request
-from starlette.responses import FileResponse, JSONResponse, RedirectResponse, Response
-from starlette.routing import Mount, Route, WebSocketRoute
-from starlette.staticfiles import StaticFiles
-from starlette.websockets import WebSocket
 
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
 from housefly.config.furniture import FurnitureConfig
-from housefly.errors import HouseflyError
-from housefly.web import mjpeg, socket
 from housefly.web.broadcast import Broadcast
 from housefly.web.console import Console
+from housefly.web.console_routes import console_routes
 from housefly.web.coverage_layer import CoverageLayer, CoverageView
-from housefly.web.edit_desk import EditDesk
+from housefly.web.coverage_routes import coverage_routes
+from housefly.web.edit_service import EditService
 from housefly.web.edits_api import EditsApi
-from housefly.web.news import PilotNews
-from housefly.web.pages import link_used, no_session
+from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
 from housefly.web.room_api import RoomApi
-from housefly.web.security import (
-    LOOPBACK_NAMES,
-    Doorkeeper,
-    Guard,
-    api_key,
-    cookie_name,
-    same_origin,
-)
-from housefly.web.video import VideoRoom
+from housefly.web.security import LOOPBACK_NAMES, HostGuard
+from housefly.web.session_auth import SessionAuth, api_key
+from housefly.web.state_feed import StateFeed
+from housefly.web.video import VideoRelay
+from housefly.web.video_routes import video_routes
 
-log = logging.getLogger(__name__)
-
-STATIC = Path(__file__).parent / "static"
+_LOG = logging.getLogger(__name__)
 
 
 def create_app(
@@ -68,7 +55,7 @@ def create_app(
     furniture: tuple[FurnitureConfig, ...] = (),
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
-    edits: EditDesk | None = None,
+    edits: EditService | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -80,109 +67,60 @@ def create_app(
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty
             makes a fresh one.
         drone_body: name of the drone among the tracked bodies.
-        furniture: things that the tracking system sees.
-        clock: tests may bring their own.
+        furniture: furniture that the tracking system sees.
+        clock: the server's clock; real time by default.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
         edits: where places and zones are edited; None where they are not.
     """
     clock = clock or RealClock()
-    doorkeeper = Doorkeeper(token, secret or secrets.token_urlsafe(32))
+    auth = SessionAuth(token, secret or secrets.token_urlsafe(32))
     link = PilotLink(bus, stop, clock)
-    console = Console(PilotNews(clock, drone_body, furniture), link, doorkeeper, clock)
-    video = VideoRoom(bus)
-    room = RoomApi(bus, doorkeeper, api_key(secret) if secret else "")
+    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock)
+    video = VideoRelay(bus)
     layer = CoverageLayer(coverage) if coverage else None
-    editing = EditsApi(edits, doorkeeper, console)
+    room_api = RoomApi(bus, auth, api_key(secret) if secret else "")
+    edits_api = EditsApi(edits, auth, console)
+    closing = [link.close, room_api.close, edits_api.close, *([layer.close] if layer else [])]
+    return Starlette(
+        routes=[
+            *page_routes(auth),
+            *console_routes(console, auth),
+            *video_routes(video, auth),
+            *coverage_routes(layer, auth),
+            *room_api.routes(),
+            *edits_api.routes(),
+        ],
+        middleware=[Middleware(HostGuard, hosts=hosts)],
+        lifespan=_lifespan(bus, console, video, closing),
+    )
+
+
+def _lifespan(
+    bus: Bus, console: Console, video: VideoRelay, closing: list[Callable[[], None]]
+) -> Callable[[Starlette], AbstractAsyncContextManager[None]]:
+    """Return what listens and broadcasts while the application runs, then calls ``closing``."""
 
     @asynccontextmanager
-    async def lifespan(app: Starlette) -> AsyncIterator[None]:
-        console.news.listen(bus)
+    async def running(app: Starlette) -> AsyncIterator[None]:
+        console.feed.listen(bus)
         video.listen(asyncio.get_running_loop())
         task = asyncio.create_task(Broadcast(console).run())
-        task.add_done_callback(_leave_on_failure)
+        task.add_done_callback(_exit_on_failure)
         yield
         task.cancel()
         with suppress(asyncio.CancelledError):
             await task
-        link.close()
-        room.close()
-        editing.close()
-        if layer is not None:
-            layer.close()
+        for close in closing:
+            close()
 
-    async def index(request: Request) -> Response:
-        if (offered := request.query_params.get("token")) is not None:
-            return _enter(request, doorkeeper, offered)
-        if not doorkeeper.knows(request):
-            return no_session()
-        return FileResponse(STATIC / "index.html", headers={"cache-control": "no-store"})
-
-    async def stop_now(request: Request) -> Response:
-        if not (same_origin(request) and doorkeeper.knows(request)):
-            return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
-        console.stop("a browser without a socket")
-        return JSONResponse({"stopped": True})
-
-    async def pictures(request: Request) -> Response:
-        return mjpeg.stream(video) if doorkeeper.knows(request) else no_session()
-
-    async def seen(request: Request) -> Response:
-        if not doorkeeper.knows(request):
-            return JSONResponse({"error": "this browser has no session"}, status_code=401)
-        if layer is None:
-            return JSONResponse(
-                {"error": "nobody knows what the cameras of this site see"}, status_code=404
-            )
-        try:
-            text = await layer.text()
-        except HouseflyError as error:
-            return JSONResponse({"error": str(error)}, status_code=503)
-        return Response(text, media_type="application/json", headers={"cache-control": "no-store"})
-
-    async def console_socket(websocket: WebSocket) -> None:
-        if await socket.allowed(websocket, doorkeeper):
-            await socket.serve(websocket, console)
-
-    async def video_socket(websocket: WebSocket) -> None:
-        if await socket.allowed(websocket, doorkeeper):
-            await video.serve(websocket)
-
-    return Starlette(
-        routes=[
-            Route("/", index),
-            Route("/video.mjpeg", pictures),
-            Route("/coverage", seen),
-            Route("/stop", stop_now, methods=["POST"]),
-            WebSocketRoute("/socket", console_socket),
-            WebSocketRoute("/video", video_socket),
-            *room.routes(),
-            *editing.routes(),
-            Mount("/static", StaticFiles(directory=STATIC)),
-        ],
-        middleware=[Middleware(Guard, hosts=hosts)],
-        lifespan=lifespan,
-    )
+    return running
 
 
-def _leave_on_failure(task: asyncio.Task[None]) -> None:
-    """A console that no longer tells the truth must not stay up: end, and let the launcher start a
-    fresh one.
+def _exit_on_failure(task: asyncio.Task[None]) -> None:
+    """End the process when broadcasting failed: a console with stale data must not stay up.
+
+    The launcher starts a fresh one.
     """
     if not task.cancelled() and (error := task.exception()) is not None:
-        log.critical("the console cannot go on", exc_info=error)
+        _LOG.critical("the console cannot go on", exc_info=error)
         signal.raise_signal(signal.SIGTERM)
-
-
-def _enter(request: Request, doorkeeper: Doorkeeper, token: str) -> Response:
-    if doorkeeper.knows(request):
-        # A reload of the printed address in a browser that is already in must not use up anything.
-        return RedirectResponse("/", 303)
-    session = doorkeeper.redeem(token)
-    if session is None:
-        return link_used()
-    answer = RedirectResponse("/", 303, headers={"cache-control": "no-store"})
-    secure = request.url.scheme == "https"
-    answer.set_cookie(
-        cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/"
-    )
-    return answer

@@ -1,6 +1,4 @@
-"""Writes the console's TypeScript types from the values that it hears: ``python -m
-housefly.web.typescript``.
-"""
+"""Writes the console's TypeScript types of all messages: ``python -m housefly.web.typescript``."""
 
 from __future__ import annotations
 
@@ -11,13 +9,16 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from housefly.hub.api import answers as room_answers
-from housefly.web import coverage_layer, edit_desk, vocabulary
+from housefly.web.coverage_layer import CoverageView
+from housefly.web.edit_service import EditsView
+from housefly.web.protocol import ClientMessage, ServerMessage
 
-WIRE = Path(__file__).parent / "client" / "src" / "wire"
-TARGET = WIRE / "messages.ts"
-ROOM_TARGET = WIRE / "room-messages.ts"
-HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
-PLAIN: dict[Any, str] = {
+_WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
+_MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
+_ROOM_MESSAGES_FILE = _WIRE_FOLDER / "room-messages.ts"
+_HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
+_LINE_LENGTH = 100
+_PLAIN: dict[Any, str] = {
     float: "number",
     int: "number",
     str: "string",
@@ -26,30 +27,39 @@ PLAIN: dict[Any, str] = {
 }
 
 
-def files() -> dict[Path, str]:
+def generated_files() -> dict[Path, str]:
     """Return the text of every generated file."""
-    return {TARGET: typescript(), ROOM_TARGET: room_typescript()}
+    return {_MESSAGES_FILE: _socket_types(), _ROOM_MESSAGES_FILE: _room_types()}
 
 
-def typescript() -> str:
+def _socket_types() -> str:
     """Return the TypeScript text of all messages of the socket and of every value inside them."""
-    unions = {"ClientMessage": vocabulary.ClientMessage, "ServerMessage": vocabulary.ServerMessage}
-    return _text("housefly/web/vocabulary.py", unions)
+    unions = {"ClientMessage": ClientMessage, "ServerMessage": ServerMessage}
+    return _text("housefly/web/protocol.py", unions)
 
 
-def room_typescript() -> str:
+def _room_types() -> str:
     """Return the TypeScript text of the answers of the room's API and of its news."""
     unions = {
-        "RoomAnswer": room_answers.Answer | coverage_layer.CoverageView | edit_desk.EditsView,
+        "RoomAnswer": room_answers.Answer | CoverageView | EditsView,
         "RoomNews": room_answers.News,
     }
-    return _text("housefly/bus/room_answers.py", unions)
+    return _text("housefly/hub/api/answers.py", unions)
 
 
 def _text(source: str, unions: dict[str, Any]) -> str:
     writer = _Writer()
-    lines = [f"export type {name} = {writer.name(union)};\n" for name, union in unions.items()]
-    return "\n".join([HEADER.format(source=source), *writer.declarations.values(), *lines])
+    lines = [_type_alias(name, writer.name(union)) for name, union in unions.items()]
+    return "\n".join([_HEADER.format(source=source), *writer.declarations.values(), *lines])
+
+
+def _type_alias(name: str, union: str) -> str:
+    """Return a declaration; a long union gets one line a member."""
+    line = f"export type {name} = {union};\n"
+    if len(line) <= _LINE_LENGTH:
+        return line
+    members = union.replace(" | ", "\n  | ")
+    return f"export type {name} =\n  | {members};\n"
 
 
 class _Writer:
@@ -59,8 +69,8 @@ class _Writer:
         self.declarations: dict[str, str] = {}
 
     def name(self, kind: Any) -> str:
-        if kind in PLAIN:
-            return PLAIN[kind]
+        if kind in _PLAIN:
+            return _PLAIN[kind]
         origin, arguments = get_origin(kind), get_args(kind)
         if origin is Annotated:
             return self.name(arguments[0])
@@ -90,8 +100,7 @@ class _Writer:
         return kind.__name__
 
     def _enum(self, kind: type[Enum]) -> str:
-        values = " | ".join(f'"{member.value}"' for member in kind)
-        return f"export type {kind.__name__} = {values};\n"
+        return _type_alias(kind.__name__, " | ".join(f'"{member.value}"' for member in kind))
 
     def _interface(self, kind: Any) -> str:
         hints = get_type_hints(kind, include_extras=True)
@@ -104,6 +113,6 @@ class _Writer:
 
 
 if __name__ == "__main__":
-    WIRE.mkdir(parents=True, exist_ok=True)
-    for path, text in files().items():
+    _WIRE_FOLDER.mkdir(parents=True, exist_ok=True)
+    for path, text in generated_files().items():
         path.write_text(text, encoding="utf-8")

@@ -1,9 +1,8 @@
-"""Live video: the drone's own H.264, passed through to any number of browsers (WebSocket, decoded
-there by WebCodecs).
+"""The drone's own H.264, passed through to any number of browsers.
 
-One message is one access unit behind a header of ``HEADER``: version, flags (bit 0: key frame),
-width, height, sequence number, time received [s, server clock]. The browser answers every picture
-with one byte; one that does not keep up skips to a key frame.
+One message is one access unit behind a ``FRAME_HEADER``: version, flags (bit 0: key frame), width,
+height, sequence number, time received [s, server clock]. A browser acknowledges every frame; one
+that does not keep up skips to the next key frame.
 """
 
 from __future__ import annotations
@@ -15,26 +14,24 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
-from starlette.websockets import WebSocket, WebSocketDisconnect
-
 from housefly.bus.bus import Bus
-from housefly.bus.topics import VIDEO
+from housefly.bus.topics import VIDEO_TOPIC
 from housefly.messages import VideoFrame
 
-HEADER = struct.Struct("<BBHHxxQd")
-VERSION = 1
-GROUP_MAX = 120
-"""Pictures since the last key frame that are kept for those who come late."""
-WAITING_MAX = 45
-"""Pictures that may wait for one browser before it has to skip to the next key frame."""
-UNANSWERED_MAX = 4
-"""Pictures that may be on their way to one browser."""
+FRAME_HEADER = struct.Struct("<BBHHxxQd")
+_FORMAT_VERSION = 1
+_MAX_GROUP = 120
+"""Frames since the last key frame that are kept for late subscribers."""
+MAX_QUEUED_FRAMES = 45
+"""Frames that may wait for one browser before it must skip to the next key frame."""
+_MAX_UNACKNOWLEDGED = 4
+"""Frames that may be on their way to one browser."""
 
 
-def pack(frame: VideoFrame) -> bytes:
-    """Return a picture as one WebSocket message."""
-    head = HEADER.pack(
-        VERSION,
+def pack_frame(frame: VideoFrame) -> bytes:
+    """Return a frame as one WebSocket message."""
+    head = FRAME_HEADER.pack(
+        _FORMAT_VERSION,
         int(frame.keyframe),
         frame.width,
         frame.height,
@@ -45,85 +42,74 @@ def pack(frame: VideoFrame) -> bytes:
 
 
 @dataclass(eq=False, slots=True)
-class Watcher:
-    """One browser's queue of pictures."""
+class FrameQueue:
+    """The frames that wait for one browser; ``wake`` is set when there may be one to send."""
 
     waiting: deque[bytes] = field(default_factory=deque)
-    unanswered: int = 0
+    unacknowledged: int = 0
     skipping: bool = False
     wake: asyncio.Event = field(default_factory=asyncio.Event)
 
-    def offer(self, message: bytes, *, keyframe: bool) -> None:
-        """Queue a picture, or drop what cannot be decoded in time."""
-        if len(self.waiting) >= WAITING_MAX:
+    def add(self, message: bytes, *, keyframe: bool) -> None:
+        """Queue a frame, or drop what cannot be decoded in time."""
+        if len(self.waiting) >= MAX_QUEUED_FRAMES:
             self.waiting.clear()
             self.skipping = True
         if keyframe:
             # Whatever waited before a key frame is out of date.
-            if self.skipping or len(self.waiting) > UNANSWERED_MAX:
+            if self.skipping or len(self.waiting) > _MAX_UNACKNOWLEDGED:
                 self.waiting.clear()
             self.skipping = False
         if not self.skipping:
             self.waiting.append(message)
             self.wake.set()
 
+    def next(self) -> bytes | None:
+        """Return the next frame to send, or None while none waits or too many are on their way."""
+        if not self.waiting or self.unacknowledged >= _MAX_UNACKNOWLEDGED:
+            return None
+        self.unacknowledged += 1
+        return self.waiting.popleft()
 
-class VideoRoom:
-    """Everybody who watches, and the pictures since the last key frame for those who come late."""
+    def acknowledge(self) -> None:
+        """Count one frame as arrived."""
+        self.unacknowledged = max(0, self.unacknowledged - 1)
+        self.wake.set()
+
+
+class VideoRelay:
+    """Copies the drone's frames to every subscriber; a late one begins at the last key frame."""
 
     def __init__(self, bus: Bus) -> None:
         self._bus = bus
         self._group: list[bytes] = []
-        self._watchers: set[Watcher] = set()
+        self._queues: set[FrameQueue] = set()
 
     def listen(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Subscribe to the drone's pictures; the bus closes the subscription."""
+        """Subscribe to the drone's frames; the bus closes the subscription."""
 
-        def heard(frame: VideoFrame) -> None:
+        def received(frame: VideoFrame) -> None:
             with suppress(RuntimeError):  # the loop may be closed while the bus still delivers
-                loop.call_soon_threadsafe(self._spread, frame)
+                loop.call_soon_threadsafe(self._relay, frame)
 
-        self._bus.subscribe(VIDEO, heard)
+        self._bus.subscribe(VIDEO_TOPIC, received)
 
-    def _spread(self, frame: VideoFrame) -> None:
-        message = pack(frame)
-        if frame.keyframe or len(self._group) >= GROUP_MAX:
+    @contextmanager
+    def subscribed(self) -> Iterator[FrameQueue]:
+        """Yield a queue that begins with the frames since the last key frame."""
+        queue = FrameQueue(deque(self._group), skipping=not self._group)
+        queue.wake.set()
+        self._queues.add(queue)
+        try:
+            yield queue
+        finally:
+            self._queues.discard(queue)
+
+    def _relay(self, frame: VideoFrame) -> None:
+        message = pack_frame(frame)
+        if frame.keyframe or len(self._group) >= _MAX_GROUP:
             self._group.clear()
         if frame.keyframe or self._group:
             self._group.append(message)
-        for watcher in self._watchers:
-            watcher.offer(message, keyframe=frame.keyframe)
-
-    async def serve(self, socket: WebSocket) -> None:
-        """Send pictures to one browser until it leaves."""
-        await socket.accept()
-        with self.watching() as watcher:
-            writer = asyncio.create_task(_write(socket, watcher))
-            try:
-                while (await socket.receive())["type"] != "websocket.disconnect":
-                    watcher.unanswered = max(0, watcher.unanswered - 1)
-                    watcher.wake.set()
-            finally:
-                writer.cancel()
-                with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
-                    await writer
-
-    @contextmanager
-    def watching(self) -> Iterator[Watcher]:
-        """Yield a queue of pictures that begins with those since the last key frame."""
-        watcher = Watcher(deque(self._group), skipping=not self._group)
-        watcher.wake.set()
-        self._watchers.add(watcher)
-        try:
-            yield watcher
-        finally:
-            self._watchers.discard(watcher)
-
-
-async def _write(socket: WebSocket, watcher: Watcher) -> None:
-    while True:
-        await watcher.wake.wait()
-        watcher.wake.clear()
-        while watcher.waiting and watcher.unanswered < UNANSWERED_MAX:
-            watcher.unanswered += 1
-            await socket.send_bytes(watcher.waiting.popleft())
+        for queue in self._queues:
+            queue.add(message, keyframe=frame.keyframe)

@@ -1,4 +1,4 @@
-"""One open console: what waits to be sent to it, bounded, so that a slow browser slows nobody else."""
+"""One open console and its bounded send queue; a slow browser slows nobody else."""
 
 from __future__ import annotations
 
@@ -8,19 +8,16 @@ from dataclasses import dataclass, field
 
 from starlette.websockets import WebSocket
 
-from housefly.web.limits import Bucket
-from housefly.web.vocabulary import PlanQuestion, ServerMessage, to_text
+from housefly.web.protocol import PlanQuestion, ServerMessage, to_text
+from housefly.web.rate_limit import TokenBucket
 
-WAITING_MAX = 1000
-"""Answers and events that may wait for one browser; when more do, its socket is closed and it
-starts afresh.
-"""
+_MAX_QUEUED_MESSAGES = 1000
+"""Answers and events that may wait for one browser; with more its socket is closed."""
 
 
 @dataclass(eq=False, slots=True)
 class Viewer:
-    """A socket with its queue of messages that must arrive and its slots of which only the newest
-    counts.
+    """A socket with a queue of messages that must arrive and a slot for the newest of each kind.
 
     Attributes:
         number: who this is; kept over reconnects of the same tab.
@@ -35,7 +32,7 @@ class Viewer:
     number: int = 0
     name: str = ""
     event: int = 0
-    bucket: Bucket = field(default_factory=Bucket)
+    bucket: TokenBucket = field(default_factory=TokenBucket)
     question: PlanQuestion | None = None
     asking: bool = False
     _queue: deque[str] = field(default_factory=deque)
@@ -51,17 +48,17 @@ class Viewer:
     def send(self, message: ServerMessage) -> None:
         """Queue a message that must arrive."""
         self._queue.append(to_text(message))
-        if len(self._queue) > WAITING_MAX:
+        if len(self._queue) > _MAX_QUEUED_MESSAGES:
             self.close(1013, "this browser is too slow")
         self._wake.set()
 
-    def show(self, kind: str, text: str) -> None:
-        """Put the newest message of a kind in its slot; an older one that still waits is dropped."""
+    def send_latest(self, kind: str, text: str) -> None:
+        """Put a message in its kind's slot; an older one that still waits is dropped."""
         self._slots[kind] = text
         self._wake.set()
 
     def close(self, code: int, reason: str) -> None:
-        """Close the socket as soon as the writer comes to it."""
+        """Close the socket at the writer's next turn."""
         self._closing = (code, reason)
         self._wake.set()
 

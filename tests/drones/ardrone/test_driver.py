@@ -72,12 +72,12 @@ async def test_a_change_of_action_leaves_in_the_same_call_and_setpoints_keep_the
     heard = len(flight.radio.commands)
     before = time.monotonic()
     await flight.hold(Action.FLY, FORWARD, seconds=1.0)
-    expected = (time.monotonic() - before) / driver_module.CADENCE
+    expected = (time.monotonic() - before) / 0.03
     assert 0.4 * expected < len(flight.radio.commands) - heard < 1.2 * expected
     flight.drone.send(Command(Action.FLY, FORWARD))
     flight.drone.send(Command(Action.HOVER))
     await asyncio.sleep(0.005)
-    newest = at.parse(flight.radio.commands[-1]).commands[0].command
+    newest = at.parse_datagram(flight.radio.commands[-1]).commands[0].command
     assert newest == at.Pcmd()
 
 
@@ -87,7 +87,7 @@ async def test_numbers_only_rise_in_a_steady_flight(flight) -> None:
     numbers = [
         numbered.sequence
         for datagram in flight.radio.commands
-        for numbered in at.parse(datagram).commands
+        for numbered in at.parse_datagram(datagram).commands
     ]
     assert numbers == list(range(1, len(numbers) + 1))
     assert flight.server.counters.stale_commands == 0
@@ -97,10 +97,10 @@ async def test_cutting_motors_and_coming_back_toggles_once_each(flight) -> None:
     await flying(flight)
     await flight.until(lambda: status(flight) is DroneStatus.EMERGENCY, Action.CUT, seconds=2.0)
     await flight.hold(Action.CUT, seconds=1.0)
-    assert flight.world.flight is twin.Flight.EMERGENCY
+    assert flight.world.flight is twin.FlightState.EMERGENCY
     await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.RESET, seconds=2.0)
     await flight.hold(Action.RESET, seconds=1.0)
-    assert flight.world.flight is twin.Flight.LANDED
+    assert flight.world.flight is twin.FlightState.LANDED
 
 
 async def test_a_pilot_that_falls_silent_lets_it_hover_and_then_land(flight) -> None:
@@ -143,7 +143,9 @@ async def test_a_link_that_was_gone_is_found_again(flight) -> None:
 async def test_a_drone_that_obeyed_another_client_before_obeys_us_soon(flight) -> None:
     await flight.drone.connect()
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
-        other.sendto(at.encode(50_000, at.ComWatchdog()), (flight.radio.drone, at.COMMAND_PORT))
+        other.sendto(
+            at.encode_command(50_000, at.ComWatchdog()), (flight.radio.drone, at.COMMAND_PORT)
+        )
     await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
 
 
@@ -235,7 +237,7 @@ class _Picture:
 async def test_camera_lights_and_trim(flight) -> None:
     await flight.drone.connect()
     await flight.drone.select_camera(VideoChannel.BOTTOM)
-    assert flight.server.camera is twin.Camera.BOTTOM
+    assert flight.server.camera is twin.DroneCamera.BOTTOM
     await flight.drone.leds(3, 2.0, 5)
     assert flight.server.settings.value("leds:leds_anim") == "3,1073741824,5"
     flight.drone.flat_trim()
@@ -249,7 +251,7 @@ async def test_camera_lights_and_trim(flight) -> None:
 async def test_where_no_drone_is_the_error_says_where_and_what_to_look_for(
     loopback: str, monkeypatch
 ) -> None:
-    monkeypatch.setattr(driver_module, "ANSWER", 0.3)
+    monkeypatch.setattr(driver_module, "FIRST_REPORT_TIMEOUT", 0.3)
     drone = ArDrone(DroneConfig(address=loopback), LimitsConfig())
     drone.send(Command(Action.IDLE))
     for _ in range(2):

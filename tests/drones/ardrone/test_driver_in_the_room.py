@@ -1,4 +1,4 @@
-"""The driver against the simulated room: physics, firmware, delays and noise behind the same ports."""
+"""The driver against the simulated room: physics, firmware, delays, noise on the same ports."""
 
 from __future__ import annotations
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 import pytest
 
 from housefly.config.site import LimitsConfig
-from housefly.drones.ardrone.settings import differences, maxima_in, maxima_of, wanted_settings
+from housefly.drones.ardrone.settings import (
+    maxima_in,
+    maxima_of,
+    setting_mismatches,
+    wanted_settings,
+)
 from housefly.wires.ardrone.config import encode_dump, format_value, key_named, parse_dump
-from housefly.wires.ardrone.signs import Maxima
+from housefly.wires.ardrone.conversions import Maxima
 
 LIMITS = LimitsConfig(tilt_max=0.15, vertical_speed_max=0.5, yaw_rate_max=1.0, height_max=2.5)
 
@@ -32,7 +37,7 @@ def test_outdoor_comes_before_the_limits_that_it_replaces() -> None:
 
 def test_a_drone_that_took_everything_differs_in_nothing() -> None:
     dump = parse_dump(encode_dump(dict(wanted_settings(LIMITS))))
-    assert differences(dump, LIMITS) == ()
+    assert setting_mismatches(dump, LIMITS) == ()
     assert maxima_in(dump, Maxima(9, 9, 9)) == maxima_of(LIMITS)
 
 
@@ -40,6 +45,6 @@ def test_what_the_drone_kept_is_told_and_counts() -> None:
     dump = parse_dump(
         encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35})
     )
-    (note,) = differences(dump, LIMITS)
+    (note,) = setting_mismatches(dump, LIMITS)
     assert "control:euler_angle_max" in note and "3.5" in note
     assert maxima_in(dump, maxima_of(LIMITS)).tilt == pytest.approx(0.35)

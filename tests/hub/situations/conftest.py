@@ -8,16 +8,16 @@ import pytest
 
 from housefly.hub.situations import Layout, Situation, Situations
 from housefly.hub.situations.furniture import beds_of, entrance_of, seats_of
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 from housefly.room.bsen import bsen
 from housefly.twin.people import Scene
-from housefly.twin.sensors.devices import Devices
-from housefly.wires.devices import Delivered, Placement, decode
+from housefly.twin.sensors.devices import SimulatedDevices
+from housefly.wires.devices import Delivered, Placement, decode_reading
 
 UNIX = 1_800_000_000.0
-Item = Observation | Happening
+Item = Observation | RoomEvent
 Heard = list[tuple[float, Item]]
-Told = list[Happening]
+Told = list[RoomEvent]
 
 
 @pytest.fixture(scope="session")
@@ -42,14 +42,14 @@ def play() -> Callable[[Scene, float], Heard]:
     """
 
     def played(scene: Scene, seconds: float) -> Heard:
-        devices = Devices(scene, "bsen")
+        devices = SimulatedDevices(scene, "bsen")
         things = Placement(things={thing.tag: thing.name for thing in scene.script.things})
         heard: Heard = []
         for now in (step * 0.05 for step in range(round(seconds / 0.05) + 1)):
             for message in devices.messages(now, UNIX + now):
                 delivered = Delivered(message.address, message.channel, message.payload, UNIX + now)
-                reading = decode(delivered, things)
-                heard += [(now, happening) for happening in reading.happenings]
+                reading = decode_reading(delivered, things)
+                heard += [(now, event) for event in reading.events]
                 heard += [(now, seen) for seen in reading.observations]
         return heard
 
@@ -60,7 +60,7 @@ class Watcher:
     """Hears a stream and keeps what is said at each tenth of a second.
 
     Attributes:
-        told: all happenings so far.
+        told: all events so far.
         holds: what held, by tenths of a second.
     """
 
@@ -79,16 +79,16 @@ class Watcher:
             due = index
             while due < len(rows) and rows[due][0] <= tenth / 10 + 1e-9:
                 due += 1
-            self.told += self.situations.after(
+            self.told += self.situations.update(
                 [item for _, item in rows[index:due]], UNIX + tenth / 10
             )
-            self.holds[tenth] = self.situations.holds()
+            self.holds[tenth] = self.situations.active()
             index = due
         return self.told[before:]
 
     def named(self, kind: str) -> Told:
-        """Return the happenings of a kind."""
-        return [happening for happening in self.told if happening.kind == kind]
+        """Return the events of a kind."""
+        return [event for event in self.told if event.kind == kind]
 
     def held(self, kind: str) -> list[float]:
         """Return the times [s] at which a situation of a kind held."""

@@ -6,38 +6,38 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.hub.situations.bed import HEARTBEAT, LOAD_OFF, LOAD_ON, Beds
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.bed import BED_HEARTBEAT, LOAD_OFF, LOAD_ON, Beds
+from housefly.messages import Observation, RoomEvent
 
 
-def watch(*loads: tuple[float, float], until: float) -> tuple[Beds, list[Happening]]:
+def watch(*loads: tuple[float, float], until: float) -> tuple[Beds, list[RoomEvent]]:
     """Return what is said of a bed that says (time, load), looked at four times a second."""
     beds, rows = Beds({"bed"}), list(loads)
-    told: list[Happening] = []
+    told: list[RoomEvent] = []
     for now in (step * 0.25 for step in range(round(until * 4) + 1)):
         while rows and rows[0][0] <= now:
             at, load = rows.pop(0)
-            beds.take(Observation("bed", "bed", at, at, facts=(("load", load),)))
-        told += beds.after(now)
+            beds.add(Observation("bed", "bed", at, at, facts=(("load", load),)))
+        told += beds.update(now)
     return beds, told
 
 
-def kinds(told: list[Happening]) -> list[str]:
-    return [happening.kind for happening in told]
+def kinds(told: list[RoomEvent]) -> list[str]:
+    return [event.kind for event in told]
 
 
 def test_somebody_lies_down_and_gets_up() -> None:
     beds, told = watch((0, 0.1), (10, 58.0), (20, 58.2), (40, 0.0), until=50)
-    assert [(happening.kind, happening.at) for happening in told] == [
+    assert [(event.kind, event.at) for event in told] == [
         ("bed occupied", 10.0),
         ("bed occupied ended", 40.0),
     ]
-    assert beds.holds() == ()
+    assert beds.active() == ()
 
 
 def test_the_claim_names_load_source_and_since_when() -> None:
     beds, _ = watch((0, 0.1), (10, 58.0), until=15)
-    (claim,) = beds.holds()
+    (claim,) = beds.active()
     assert (claim.kind, claim.thing, claim.since, claim.evidence) == (
         "bed occupied",
         "bed",
@@ -64,18 +64,18 @@ def test_a_short_load_and_a_short_relief_do_not_count() -> None:
 
 
 def test_a_bed_that_falls_silent_is_believed_less_and_then_not_at_all() -> None:
-    beds, told = watch((0, 60.0), until=3 * HEARTBEAT)
-    (claim,) = beds.holds()
+    beds, told = watch((0, 60.0), until=3 * BED_HEARTBEAT)
+    (claim,) = beds.active()
     assert claim.confidence == pytest.approx(0.95 / 2)
-    beds, told = watch((0, 60.0), until=5 * HEARTBEAT)
-    assert kinds(told) == ["bed occupied", "bed occupied ended"] and beds.holds() == ()
+    beds, told = watch((0, 60.0), until=5 * BED_HEARTBEAT)
+    assert kinds(told) == ["bed occupied", "bed occupied ended"] and beds.active() == ()
     assert dict(told[1].facts)["because"] == "not known any more"
 
 
 def test_a_bed_without_load_cells_is_taken_at_its_word() -> None:
     beds = Beds({"bed"})
-    beds.take(Observation("bed", "bed", 0.0, 0.0, facts=(("occupied", True),)))
-    assert beds.after(0.0) == () and kinds(list(beds.after(2.0))) == ["bed occupied"]
+    beds.add(Observation("bed", "bed", 0.0, 0.0, facts=(("occupied", True),)))
+    assert beds.update(0.0) == () and kinds(list(beds.update(2.0))) == ["bed occupied"]
 
 
 @pytest.mark.parametrize(
@@ -85,10 +85,10 @@ def test_a_bed_without_load_cells_is_taken_at_its_word() -> None:
         Observation("bed", "bed", 0.0, 0.0, valid=False, facts=(("load", 60.0),)),
         Observation("sofa", "sofa", 0.0, 0.0, facts=(("load", 60.0),)),
         Observation("bed", "bed", 0.0, 0.0, facts=(("load", float("nan")),)),
-        Happening("bell pressed", "bed", 0.0, "bed"),
+        RoomEvent("bell pressed", "bed", 0.0, "bed"),
     ],
 )
-def test_what_is_no_word_of_a_bed_claims_nothing(said: Observation | Happening) -> None:
+def test_what_is_no_word_of_a_bed_claims_nothing(said: Observation | RoomEvent) -> None:
     beds = Beds({"bed"})
-    beds.take(said)
-    assert beds.after(5.0) == () and beds.occupied("bed", 5.0) is None
+    beds.add(said)
+    assert beds.update(5.0) == () and beds.occupied("bed", 5.0) is None

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from housefly.hub.situations.door import HEARTBEAT, OPEN_TOO_LONG, Doors
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.door import DOOR_HEARTBEAT, OPEN_TOO_LONG, Doors
+from housefly.messages import Observation, RoomEvent
 
-Item = Observation | Happening
+Item = Observation | RoomEvent
 
 
 def state(at: float, is_open: bool, source: str = "door") -> Observation:
@@ -19,8 +19,8 @@ def watch(*items: Item, until: float) -> tuple[Doors, list[tuple[str, str, float
             rows
             and (rows[0].captured_at if isinstance(rows[0], Observation) else rows[0].at) <= now
         ):
-            doors.take(rows.pop(0))
-        told += [(happening.kind, happening.thing, happening.at) for happening in doors.after(now)]
+            doors.add(rows.pop(0))
+        told += [(event.kind, event.thing, event.at) for event in doors.update(now)]
     return doors, told
 
 
@@ -47,8 +47,8 @@ def test_a_door_that_is_closed_in_time_is_nothing() -> None:
 
 def test_events_count_as_states_do() -> None:
     _, told = watch(
-        Happening("door opened", "door", 5.0, "door"),
-        Happening("door closed", "door", 80.0, "door"),
+        RoomEvent("door opened", "door", 5.0, "door"),
+        RoomEvent("door closed", "door", 80.0, "door"),
         until=90,
     )
     assert [kind for kind, _, _ in told] == ["door open too long", "door open too long ended"]
@@ -59,14 +59,14 @@ def test_a_refrigerator_has_a_limit_of_its_own() -> None:
 
 
 def test_a_silent_contact_is_not_believed_for_ever() -> None:
-    doors, told = watch(state(0, True), until=3 * HEARTBEAT)
-    (claim,) = doors.holds()
+    doors, told = watch(state(0, True), until=3 * DOOR_HEARTBEAT)
+    (claim,) = doors.active()
     assert 0.25 < claim.confidence < 0.5 and dict(claim.facts)["open_since"] == 0.0
-    doors, told = watch(state(0, True), until=5 * HEARTBEAT)
+    doors, told = watch(state(0, True), until=5 * DOOR_HEARTBEAT)
     assert [kind for kind, _, _ in told] == [
         "door open too long",
         "door open too long ended",
-    ] and doors.holds() == ()
+    ] and doors.active() == ()
 
 
 def test_a_bouncing_contact_ends_nothing() -> None:

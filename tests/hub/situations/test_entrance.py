@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.hub.situations.entrance import BELL, BELL_PATIENCE, MOTION, Entrance
+from housefly.hub.situations.confidence import CLAIM_THRESHOLD
+from housefly.hub.situations.entrance import (
+    BELL_CONFIDENCE,
+    BELL_HEARTBEAT,
+    MOTION_CONFIDENCE,
+    Entrance,
+)
 from housefly.hub.situations.layout import Area, Layout
-from housefly.hub.situations.tracks import Tracks
-from housefly.hub.situations.trust import CLAIM
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.person_tracks import PersonTracks
+from housefly.messages import Observation, RoomEvent
 
 LAYOUT = Layout(
     entrance=Area("entrance", (1.0, 4.0), (1.5, 1.5)), bells=frozenset({"bell"}), motion=frozenset({"corridor"}),
@@ -19,9 +24,9 @@ class Door:
     """An entrance watched four times a second."""
 
     def __init__(self, layout: Layout = LAYOUT) -> None:
-        self.tracks = Tracks()
+        self.tracks = PersonTracks()
         self.entrance = Entrance(self.tracks, layout)
-        self.told: list[Happening] = []
+        self.told: list[RoomEvent] = []
         self.now = 0.0
 
     def wait(
@@ -40,22 +45,22 @@ class Door:
                 seen = Observation(
                     person, "laser", self.now, self.now, (x, y, 0.0), facts=(("kind", "person"),)
                 )
-                self.tracks.take(seen)
+                self.tracks.add(seen)
             if speaks:
-                self.tracks.take(Observation("laser", "laser", self.now, self.now))
+                self.tracks.add(Observation("laser", "laser", self.now, self.now))
             if motion:
-                self.entrance.take(
+                self.entrance.add(
                     Observation(
                         "corridor", "corridor", self.now, self.now, facts=(("motion", True),)
                     )
                 )
-            self.told += self.entrance.after(self.now)
+            self.told += self.entrance.update(self.now)
 
     def ring(self, source: str = "bell") -> None:
-        self.entrance.take(Happening("bell pressed", source, self.now, source))
+        self.entrance.add(RoomEvent("bell pressed", source, self.now, source))
 
     def kinds(self) -> list[str]:
-        return [happening.kind for happening in self.told]
+        return [event.kind for event in self.told]
 
 
 SOMEONE, NO_ONE = "someone at the entrance", "someone at the entrance ended"
@@ -66,11 +71,16 @@ def test_whoever_rings_is_believed_to_wait_for_a_while() -> None:
     door.ring()
     door.wait(1.0)
     (begun,) = door.told
-    assert (begun.kind, begun.thing, begun.at, begun.confidence) == (SOMEONE, "entrance", 0.0, BELL)
+    assert (begun.kind, begun.thing, begun.at, begun.confidence) == (
+        SOMEONE,
+        "entrance",
+        0.0,
+        BELL_CONFIDENCE,
+    )
     assert dict(begun.facts)["evidence"] == "bell: rang"
-    door.wait(2 * BELL_PATIENCE)
-    assert door.entrance.holds()[0].confidence < BELL
-    door.wait(2 * BELL_PATIENCE)
+    door.wait(2 * BELL_HEARTBEAT)
+    assert door.entrance.active()[0].confidence < BELL_CONFIDENCE
+    door.wait(2 * BELL_HEARTBEAT)
     assert door.kinds() == [SOMEONE, NO_ONE]
     assert dict(door.told[1].facts)["because"] == "not known any more"
 
@@ -85,7 +95,7 @@ def test_the_bell_of_another_door_says_nothing_of_this_one() -> None:
 def test_motion_alone_is_never_claimed() -> None:
     door = Door()
     door.wait(100.0, motion=True)
-    assert door.told == [] and MOTION < CLAIM
+    assert door.told == [] and MOTION_CONFIDENCE < CLAIM_THRESHOLD
 
 
 def test_motion_makes_the_bell_surer() -> None:
@@ -93,7 +103,9 @@ def test_motion_makes_the_bell_surer() -> None:
     door.wait(3.0, motion=True)
     door.ring()
     door.wait(1.0, motion=True)
-    assert door.told[0].confidence == pytest.approx(1 - (1 - BELL) * (1 - MOTION))
+    assert door.told[0].confidence == pytest.approx(
+        1 - (1 - BELL_CONFIDENCE) * (1 - MOTION_CONFIDENCE)
+    )
 
 
 def test_who_stays_before_the_door_is_named_and_who_leaves_ends_it() -> None:
@@ -118,7 +130,7 @@ def test_a_laser_that_falls_silent_does_not_say_that_they_left() -> None:
     door.wait(4.0, ("guest", 1.2, 4.1))
     door.wait(8.0)
     assert (
-        dict(door.told[1].facts)["because"] == "not known any more" and door.entrance.holds() == ()
+        dict(door.told[1].facts)["because"] == "not known any more" and door.entrance.active() == ()
     )
 
 

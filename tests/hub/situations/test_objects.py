@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.hub.situations.contents import ABSENT, HEARTBEAT
+from housefly.hub.situations.actor import ARM_REACH
+from housefly.hub.situations.contents import ABSENT_AFTER, CONTAINER_HEARTBEAT
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.objects import MISSING_AFTER, Objects
-from housefly.hub.situations.rests import LEFT_ALONE
-from housefly.hub.situations.tracks import Tracks
-from housefly.hub.situations.who import REACH
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.person_tracks import PersonTracks
+from housefly.hub.situations.resting import LEFT_ALONE
+from housefly.messages import Observation, RoomEvent
 
 LAYOUT = Layout(containers={"cabinet": (5.0, 1.0, 0.6)})
 PERSON = (("kind", "person"),)
@@ -22,9 +22,9 @@ class Room:
     """
 
     def __init__(self, layout: Layout = LAYOUT) -> None:
-        self.tracks = Tracks()
+        self.tracks = PersonTracks()
         self.objects = Objects(self.tracks, layout)
-        self.told: list[Happening] = []
+        self.told: list[RoomEvent] = []
         self.now = 0.0
         self.inside = {"cabinet": {"cup", "book"}}
         self.silent: set[str] = set()
@@ -38,15 +38,15 @@ class Room:
 
     def report(self, kind: str, thing: str = "cup", container: str = "cabinet") -> None:
         """Let a container report a move."""
-        self.hear(Happening(kind, thing, self.now, container, facts=(("weight", 0.2),)))
+        self.hear(RoomEvent(kind, thing, self.now, container, facts=(("weight", 0.2),)))
 
     def see(self, thing: str, x: float, y: float, z: float = 0.5) -> None:
         """Let the tracking system see a thing."""
         self.hear(Observation(thing, "vicon", self.now, self.now, (x, y, z)))
 
-    def hear(self, item: Observation | Happening) -> None:
-        self.tracks.take(item)
-        self.objects.take(item)
+    def hear(self, item: Observation | RoomEvent) -> None:
+        self.tracks.add(item)
+        self.objects.add(item)
 
     def wait(
         self,
@@ -66,10 +66,10 @@ class Room:
             for container in set(self.inside) - self.silent:
                 if self.now % 10.0 == 0.0:
                     self.say(container)
-            self.told += self.objects.after(self.now)
+            self.told += self.objects.update(self.now)
 
     def kinds(self) -> list[str]:
-        return [happening.kind for happening in self.told]
+        return [event.kind for event in self.told]
 
 
 def room_with_contents(layout: Layout = LAYOUT) -> Room:
@@ -127,7 +127,7 @@ def test_a_tag_that_blinks_was_not_taken() -> None:
     for _ in range(20):
         room.inside["cabinet"].discard("cup")
         room.say()
-        room.wait(ABSENT - 0.5)
+        room.wait(ABSENT_AFTER - 0.5)
         room.inside["cabinet"].add("cup")
         room.say()
         room.wait(3.0)
@@ -147,9 +147,9 @@ def test_contents_that_lag_behind_a_report_are_not_believed() -> None:
 
 def test_nobody_in_reach_is_nobody_named_and_two_as_near_are_candidates() -> None:
     room = room_with_contents()
-    room.wait(5.0, ("ann", 5.0 + REACH + 0.1, 1.0))
+    room.wait(5.0, ("ann", 5.0 + ARM_REACH + 0.1, 1.0))
     room.report("object taken")
-    room.wait(1.0, ("ann", 5.0 + REACH + 0.1, 1.0))
+    room.wait(1.0, ("ann", 5.0 + ARM_REACH + 0.1, 1.0))
     room.wait(5.0, ("ann", 5.4, 1.0), ("bob", 4.5, 1.0))
     room.report("object put")
     room.wait(5.0)
@@ -166,7 +166,7 @@ def test_who_carries_a_thing_puts_it_down_although_another_is_nearer() -> None:
     room.wait(5.0, ("ann", 5.8, 1.0), ("bob", 4.5, 1.0))
     room.report("object put")
     room.wait(5.0)
-    assert [happening.cause for happening in room.told] == ["ann", "ann"]
+    assert [event.cause for event in room.told] == ["ann", "ann"]
 
 
 def test_without_the_place_of_the_cabinet_nobody_is_named() -> None:
@@ -175,13 +175,13 @@ def test_without_the_place_of_the_cabinet_nobody_is_named() -> None:
     room.inside["cabinet"].discard("cup")
     room.report("object taken")
     room.wait(5.0)
-    assert [happening.cause for happening in room.told] == [""]
+    assert [event.cause for event in room.told] == [""]
 
 
 def test_a_cabinet_that_was_silent_meanwhile_tells_no_time_and_no_name() -> None:
     room = room_with_contents()
     room.silent = {"cabinet"}
-    room.wait(5 * HEARTBEAT, ("ann", 5.4, 1.0))
+    room.wait(5 * CONTAINER_HEARTBEAT, ("ann", 5.4, 1.0))
     room.inside["cabinet"].discard("cup")
     room.silent = set()
     room.wait(20.0, ("ann", 5.4, 1.0))
@@ -197,9 +197,9 @@ def test_a_thing_in_no_container_for_five_minutes_is_missing_until_it_is_put() -
     room.inside["cabinet"].discard("cup")
     room.report("object taken")
     room.wait(MISSING_AFTER - 1.0)
-    assert room.objects.holds() == ()
+    assert room.objects.active() == ()
     room.wait(5.0)
-    (claim,) = room.objects.holds()
+    (claim,) = room.objects.active()
     assert (claim.kind, claim.thing, claim.since) == ("object missing", "cup", 25.0 + MISSING_AFTER)
     assert dict(claim.facts)["taken_by"] == "ann"
     room.inside["cabinet"].add("cup")
@@ -213,7 +213,7 @@ def test_what_a_source_sees_is_not_missing() -> None:
     room.inside["cabinet"].discard("cup")
     room.report("object taken")
     room.wait(2 * MISSING_AFTER, things=(("cup", 8.0, 1.0),))
-    assert room.objects.holds() == ()
+    assert room.objects.active() == ()
 
 
 def test_nothing_is_missing_while_a_container_that_may_hold_it_is_silent() -> None:

@@ -9,24 +9,24 @@ from hypothesis import strategies as st
 from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.layout import Area, Layout
 from housefly.hub.situations.person import People
+from housefly.hub.situations.person_tracks import PersonTracks
 from housefly.hub.situations.posture import (
     LYING,
     RULES,
     SITTING,
     STANDING,
     WALKING,
-    Looks,
+    PersonFeatures,
     rule_for,
 )
-from housefly.hub.situations.tracks import Tracks
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 
 SOFA, BED = Area("sofa seat", (5.0, 1.0), (0.6, 0.6)), Area("mattress", (8.0, 1.0), (2.0, 0.9))
 LAYOUT = Layout(seats=(SOFA,), beds={"bed": BED})
 PERSON = ("kind", "person")
 AREAS = st.none() | st.just(SOFA)
 LOOKS = st.builds(
-    Looks, st.floats(0.0, 3.0), st.booleans(), st.none() | st.floats(0.0, 2.2), AREAS, st.none() | st.just(BED),
+    PersonFeatures, st.floats(0.0, 3.0), st.booleans(), st.none() | st.floats(0.0, 2.2), AREAS, st.none() | st.just(BED),
     st.none() | st.booleans(),
 )  # fmt: skip
 
@@ -35,13 +35,13 @@ class Room:
     """Somebody watched four times a second."""
 
     def __init__(self, layout: Layout = LAYOUT) -> None:
-        self.tracks, self.beds = Tracks(), Beds(layout.beds)
+        self.tracks, self.beds = PersonTracks(), Beds(layout.beds)
         self.people = People(self.tracks, self.beds, layout)
-        self.told: list[Happening] = []
+        self.told: list[RoomEvent] = []
         self.now = 0.0
 
     def look(self) -> None:
-        self.told += [*self.beds.after(self.now), *self.people.after(self.now)]
+        self.told += [*self.beds.update(self.now), *self.people.update(self.now)]
 
     def see(
         self,
@@ -56,8 +56,8 @@ class Room:
         facts = (PERSON,) if head is None else (PERSON, ("head", head))
         for n in range(round(seconds * 10)):
             place = (x + vx * n / 10, y, 0.0)
-            self.tracks.take(Observation(person, "floor", self.now, self.now, place, facts=facts))
-            self.tracks.take(Observation("floor", "floor", self.now, self.now))
+            self.tracks.add(Observation(person, "floor", self.now, self.now, place, facts=facts))
+            self.tracks.add(Observation("floor", "floor", self.now, self.now))
             self.look()
             self.now += 0.1
 
@@ -65,23 +65,23 @@ class Room:
         """Let nobody be seen."""
         for n in range(round(seconds * 10)):
             if speaks:
-                self.tracks.take(Observation("floor", "floor", self.now, self.now))
+                self.tracks.add(Observation("floor", "floor", self.now, self.now))
             if load is not None and n % 20 == 0:
-                self.beds.take(
+                self.beds.add(
                     Observation("bed", "bed", self.now, self.now, facts=(("load", load),))
                 )
             self.look()
             self.now += 0.1
 
     def kinds(self) -> list[str]:
-        return [happening.kind for happening in self.told]
+        return [event.kind for event in self.told]
 
-    def holds(self) -> set[str]:
-        return {claim.kind for claim in self.people.holds()}
+    def active(self) -> set[str]:
+        return {claim.kind for claim in self.people.active()}
 
 
 @given(LOOKS)
-def test_every_look_has_a_rule_and_walking_beats_sitting(looks: Looks) -> None:
+def test_every_look_has_a_rule_and_walking_beats_sitting(looks: PersonFeatures) -> None:
     rule = rule_for(looks)
     assert 0.5 <= rule.confidence <= 1.0
     if looks.moves and looks.head is None:
@@ -92,50 +92,50 @@ def test_every_look_has_a_rule_and_walking_beats_sitting(looks: Looks) -> None:
 
 def test_every_rule_is_of_use() -> None:
     assert {rule.kind for rule in RULES} == {WALKING, STANDING, SITTING, LYING}
-    assert RULES[-1].fits(Looks(0.0, False, None, None, None, None))
+    assert RULES[-1].fits(PersonFeatures(0.0, False, None, None, None, None))
 
 
 @pytest.mark.parametrize(
     ("looks", "kind"),
     [
-        (Looks(0.3, False, None, None, None, None), STANDING),
-        (Looks(0.3, True, None, None, None, None), WALKING),
-        (Looks(0.0, False, 1.2, SOFA, None, None), SITTING),
-        (Looks(0.0, False, 1.6, SOFA, None, None), STANDING),
-        (Looks(0.0, False, 0.2, None, None, None), LYING),
-        (Looks(0.0, False, 0.6, None, BED, True), LYING),
-        (Looks(0.0, False, 1.2, None, BED, True), SITTING),
-        (Looks(0.0, False, None, None, BED, None), LYING),
-        (Looks(0.0, False, None, None, BED, False), STANDING),
+        (PersonFeatures(0.3, False, None, None, None, None), STANDING),
+        (PersonFeatures(0.3, True, None, None, None, None), WALKING),
+        (PersonFeatures(0.0, False, 1.2, SOFA, None, None), SITTING),
+        (PersonFeatures(0.0, False, 1.6, SOFA, None, None), STANDING),
+        (PersonFeatures(0.0, False, 0.2, None, None, None), LYING),
+        (PersonFeatures(0.0, False, 0.6, None, BED, True), LYING),
+        (PersonFeatures(0.0, False, 1.2, None, BED, True), SITTING),
+        (PersonFeatures(0.0, False, None, None, BED, None), LYING),
+        (PersonFeatures(0.0, False, None, None, BED, False), STANDING),
     ],
 )
-def test_looks_are_judged_in_order_of_how_sure_they_are(looks: Looks, kind: str) -> None:
+def test_looks_are_judged_in_order_of_how_sure_they_are(looks: PersonFeatures, kind: str) -> None:
     assert rule_for(looks).kind == kind
 
 
 def test_somebody_walks_stands_and_sits_down() -> None:
     room = Room()
     room.see(4.0, 0.0, 1.0, vx=0.9)
-    assert room.holds() == {"person present", WALKING}
+    assert room.active() == {"person present", WALKING}
     room.see(4.0, 3.6, 1.0)
-    assert room.holds() == {"person present", STANDING}
+    assert room.active() == {"person present", STANDING}
     room.see(5.0, 5.0, 1.0)
-    assert room.holds() == {"person present", SITTING}
-    claim = next(claim for claim in room.people.holds() if claim.kind == SITTING)
+    assert room.active() == {"person present", SITTING}
+    claim = next(claim for claim in room.people.active() if claim.kind == SITTING)
     facts = dict(claim.facts)
     assert (facts["on"], facts["x"], claim.thing) == (
         "sofa seat",
         5.0,
         "ann",
     ) and 8.0 < claim.since < 10.0
-    ended = next(happening for happening in room.told if happening.kind == "person walking ended")
+    ended = next(event for event in room.told if event.kind == "person walking ended")
     assert dict(ended.facts)["lasted"] == pytest.approx(4.0, abs=1.2)
 
 
 def test_without_the_seat_the_same_person_stands() -> None:
     room = Room(Layout())
     room.see(6.0, 5.0, 1.0)
-    assert room.holds() == {"person present", STANDING}
+    assert room.active() == {"person present", STANDING}
 
 
 def test_one_reflection_is_nobody() -> None:
@@ -149,8 +149,8 @@ def test_who_leaves_the_sight_of_a_floor_that_speaks_is_gone() -> None:
     room = Room()
     room.see(4.0, 1.0, 1.0)
     room.alone(3.0)
-    assert room.holds() == set()
-    ended = next(happening for happening in room.told if happening.kind == "person present ended")
+    assert room.active() == set()
+    ended = next(event for event in room.told if event.kind == "person present ended")
     assert (
         ended.at == pytest.approx(3.9)
         and dict(ended.facts)["because"] == "floor: sees them no longer"
@@ -161,11 +161,11 @@ def test_a_floor_that_falls_silent_says_nothing_of_people() -> None:
     room = Room()
     room.see(4.0, 1.0, 1.0)
     room.alone(2.8, speaks=False)
-    present = next(claim for claim in room.people.holds() if claim.kind == "person present")
-    assert 0.25 < present.confidence < 0.95
+    presence = next(claim for claim in room.people.active() if claim.kind == "person present")
+    assert 0.25 < presence.confidence < 0.95
     room.alone(3.0, speaks=False)
-    ended = next(happening for happening in room.told if happening.kind == "person present ended")
-    assert room.holds() == set() and dict(ended.facts)["because"] == "not known any more"
+    ended = next(event for event in room.told if event.kind == "person present ended")
+    assert room.active() == set() and dict(ended.facts)["because"] == "not known any more"
 
 
 def lie_down(room: Room) -> None:
@@ -177,13 +177,13 @@ def lie_down(room: Room) -> None:
 def test_who_vanishes_beside_a_bed_that_feels_somebody_lies_in_it_and_is_there() -> None:
     room = Room()
     lie_down(room)
-    assert room.holds() == {"person present", LYING}
+    assert room.active() == {"person present", LYING}
     assert "person present ended" not in room.kinds()
     room.alone(1.0, load=0.0)
     room.see(4.0, 8.0, 1.9)
-    assert room.holds() == {"person present", STANDING}
+    assert room.active() == {"person present", STANDING}
     assert "person present ended" not in room.kinds()
-    ended = next(happening for happening in room.told if happening.kind == "person lying ended")
+    ended = next(event for event in room.told if event.kind == "person lying ended")
     assert dict(ended.facts)["because"] == "floor: stays where they are"
 
 
@@ -192,7 +192,7 @@ def test_without_the_load_of_the_bed_they_are_just_gone() -> None:
     room.alone(5.0, load=0.0)
     room.see(4.0, 8.0, 1.9)
     room.alone(20.0, load=0.0)
-    assert room.holds() == set() and LYING not in room.kinds()
+    assert room.active() == set() and LYING not in room.kinds()
 
 
 def test_who_vanished_elsewhere_or_earlier_is_not_in_bed() -> None:
@@ -218,4 +218,4 @@ def test_a_head_near_the_floor_is_somebody_who_lies_there() -> None:
     room = Room()
     room.see(4.0, 2.0, 2.0, head=1.6)
     room.see(4.0, 2.0, 2.0, head=0.2)
-    assert room.holds() == {"person present", LYING}
+    assert room.active() == {"person present", LYING}

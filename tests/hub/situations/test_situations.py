@@ -14,17 +14,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.hub.situations import Layout, Situations
-from housefly.hub.situations.latch import ENDED
-from housefly.hub.situations.situation import OURS
-from housefly.hub.situations.stream import PATIENCE
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.hysteresis import ENDED_SUFFIX
+from housefly.hub.situations.reorder_buffer import REORDER_DELAY
+from housefly.hub.situations.situation import SOURCE_PREFIX
+from housefly.messages import Observation, RoomEvent
 from housefly.twin.people import Act, Posture, Scene, load_scene, scene_from_tree
 
 if TYPE_CHECKING:
     from conftest import Watcher
 
 UNIX = 1_800_000_000.0
-Item = Observation | Happening
+Item = Observation | RoomEvent
 Heard = Sequence[tuple[float, Item]]
 Play = Callable[[Scene, float], list[tuple[float, Item]]]
 BSEN = load_scene("bsen")
@@ -47,8 +47,8 @@ def acts(act: Act, what: str = "", seconds: float = ROUNDS * BSEN.length) -> lis
     ]
 
 
-def times(told: Iterable[Happening]) -> list[float]:
-    return [happening.at - UNIX for happening in told]
+def times(told: Iterable[RoomEvent]) -> list[float]:
+    return [event.at - UNIX for event in told]
 
 
 def test_the_cup_is_taken_from_the_cabinet_and_put_back_by_person_1(afternoon: Watcher) -> None:
@@ -71,10 +71,10 @@ def test_tea_is_taken_from_the_refrigerator_which_is_not_open_too_long(afternoon
 
 def test_someone_is_at_the_entrance_from_the_bell_on_within_a_second(afternoon: Watcher) -> None:
     told = afternoon.named("someone at the entrance")
-    assert len(told) == 2 and all(happening.confidence >= 0.9 for happening in told)
-    for rung, happening in zip(acts(Act.PRESS), told, strict=True):
-        assert happening.at - UNIX == pytest.approx(rung, abs=0.3)
-        assert float(dict(happening.facts)["noticed_at"]) - UNIX + PATIENCE <= rung + 1.0
+    assert len(told) == 2 and all(event.confidence >= 0.9 for event in told)
+    for rung, event in zip(acts(Act.PRESS), told, strict=True):
+        assert event.at - UNIX == pytest.approx(rung, abs=0.3)
+        assert float(dict(event.facts)["noticed_at"]) - UNIX + REORDER_DELAY <= rung + 1.0
     before = [
         second
         for second in afternoon.held("someone at the entrance")
@@ -129,16 +129,16 @@ def test_nobody_else_is_claimed_and_nothing_was_refused(afternoon: Watcher) -> N
     assert afternoon.situations.counts == {}
 
 
-def check(told: Sequence[Happening]) -> None:
+def check(told: Sequence[RoomEvent]) -> None:
     """Assert what is always true: ends follow beginnings, confidences are such, sources are ours."""
     open_: set[tuple[str, str]] = set()
-    for happening in told:
-        assert 0.0 <= happening.confidence <= 1.0 and happening.source.startswith(OURS)
-        key = happening.kind.removesuffix(ENDED), happening.thing
-        if happening.kind.endswith(ENDED):
+    for event in told:
+        assert 0.0 <= event.confidence <= 1.0 and event.source.startswith(SOURCE_PREFIX)
+        key = event.kind.removesuffix(ENDED_SUFFIX), event.thing
+        if event.kind.endswith(ENDED_SUFFIX):
             assert key in open_
             open_.discard(key)
-        elif not happening.kind.startswith(("object taken", "object put")):
+        elif not event.kind.startswith(("object taken", "object put")):
             assert key not in open_
             open_.add(key)
 
@@ -221,7 +221,7 @@ def test_a_refrigerator_that_stays_open_is_told(play: Play, watcher: Watcher) ->
     steps = [wait, {"do": "open", **handle}, {**wait, "seconds": 60}, {"do": "close", **handle}]
     forgetful = {"name": "ann", "start": [7.2, 4.9], "steps": steps}
     watcher.hear(play(scene_from_tree({**QUIET, "people": [forgetful]}), 80.0), 80.0)
-    begun, ended = (watcher.named("door open too long" + end) for end in ("", ENDED))
+    begun, ended = (watcher.named("door open too long" + end) for end in ("", ENDED_SUFFIX))
     assert times(begun) == pytest.approx([35.4], abs=0.1) and times(ended) == pytest.approx(
         [65.8], abs=0.1
     )
@@ -247,7 +247,7 @@ CHOICES = st.one_of(
 
 def item_of(choice: tuple[Any, ...], at: float) -> Item:
     if len(choice) == 3:
-        return Happening(choice[0], choice[1], at, choice[2])
+        return RoomEvent(choice[0], choice[1], at, choice[2])
     source, thing, place, facts = choice
     return Observation(thing, source, at, at, place, facts=facts)
 
@@ -261,20 +261,20 @@ STREAMS = st.lists(
 )
 
 
-def heard(layout: Layout, rows: Heard, period: float, until: float = 62.0) -> list[Happening]:
+def heard(layout: Layout, rows: Heard, period: float, until: float = 62.0) -> list[RoomEvent]:
     """Return what is told of a stream whose items come at (time, item), by calls of this period
     [s].
     """
     situations, index = Situations(layout), 0
-    told: list[Happening] = []
+    told: list[RoomEvent] = []
     rows = sorted(rows, key=lambda row: row[0])
     for now in (n * period for n in range(round(until / period) + 1)):
         due = index
         while due < len(rows) and rows[due][0] <= now:
             due += 1
-        told += situations.after([item for _, item in rows[index:due]], UNIX + now)
+        told += situations.update([item for _, item in rows[index:due]], UNIX + now)
         index = due
-        assert all(0.0 <= claim.confidence <= 1.0 for claim in situations.holds())
+        assert all(0.0 <= claim.confidence <= 1.0 for claim in situations.active())
     return told
 
 
@@ -295,7 +295,7 @@ def test_neither_delay_within_patience_nor_order_nor_doubles_nor_the_rate_of_cal
 ) -> None:
     told = heard(layout, rows, 0.1)
     messy = [
-        (at + chance.uniform(0.0, PATIENCE - 0.1), item)
+        (at + chance.uniform(0.0, REORDER_DELAY - 0.1), item)
         for at, item in rows
         for _ in range(chance.choice((1, 2)))
     ]
@@ -309,7 +309,7 @@ def test_the_afternoon_heard_late_doubled_and_out_of_order_is_the_same_afternoon
 ) -> None:
     chance, rows = random.Random(5), play(BSEN, 130.0)
     messy = [
-        (at + chance.uniform(0.0, PATIENCE - 0.1), item)
+        (at + chance.uniform(0.0, REORDER_DELAY - 0.1), item)
         for at, item in rows
         for _ in range(chance.choice((1, 2)))
     ]
@@ -326,7 +326,7 @@ def test_nothing_happens_out_of_nothing(waits: list[float]) -> None:
     )
     for wait in waits:
         now += wait
-        assert situations.after((), now) == () and situations.holds() == ()
+        assert situations.update((), now) == () and situations.active() == ()
 
 
 @given(
@@ -343,18 +343,18 @@ def test_what_no_detector_knows_is_nothing(rows: list[tuple[str, float, bool]]) 
     assert heard(Layout(), stream, 0.5) == []
 
 
-def test_our_own_happenings_are_not_heard_again(layout: Layout) -> None:
-    taken = Happening("object taken", "cup", UNIX + 1.0, "cabinet")
+def test_our_own_events_are_not_heard_again(layout: Layout) -> None:
+    taken = RoomEvent("object taken", "cup", UNIX + 1.0, "cabinet")
     assert len(heard(layout, [(1.0, taken)], 0.5)) == 1
-    assert heard(layout, [(1.0, replace(taken, source=OURS + "objects"))], 0.5) == []
+    assert heard(layout, [(1.0, replace(taken, source=SOURCE_PREFIX + "objects"))], 0.5) == []
 
 
 def test_a_clock_that_runs_backwards_or_leaps_a_week_does_no_harm(layout: Layout) -> None:
     situations = Situations(layout)
-    situations.after((), UNIX)
-    assert situations.after((), UNIX - 50.0) == ()
-    rung = Happening("bell pressed", "doorbell", UNIX + 2.0, "doorbell")
-    (begun,) = situations.after([rung], UNIX + 3.0)
+    situations.update((), UNIX)
+    assert situations.update((), UNIX - 50.0) == ()
+    rung = RoomEvent("bell pressed", "doorbell", UNIX + 2.0, "doorbell")
+    (begun,) = situations.update([rung], UNIX + 3.0)
     assert begun.kind == "someone at the entrance"
-    (ended,) = situations.after((), UNIX + 7 * 86_400.0)
-    assert ended.kind == "someone at the entrance ended" and situations.holds() == ()
+    (ended,) = situations.update((), UNIX + 7 * 86_400.0)
+    assert ended.kind == "someone at the entrance ended" and situations.active() == ()

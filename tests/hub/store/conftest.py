@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.sql_store import SqlStore
 
 SUPERUSER = "postgres"

@@ -12,28 +12,27 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.errors import StoreError
-from housefly.hub.store.contract import UnfitRowError
-from housefly.hub.store.history import where_was, world_at
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.rows import (
-    happening_of,
-    row_of_happening,
+    event_from_row,
+    row_of_event,
     row_of_sample,
     row_of_thing,
     row_of_viewpoint,
-    sample_of,
-    thing_of,
+    sample_from_row,
+    thing_from_row,
 )
-from housefly.hub.store.schema import STEPS, version_of
+from housefly.hub.store.schema import MIGRATIONS, version_of
 from housefly.hub.store.sql_store import SqlStore
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
-from housefly.messages import Happening, Observation
+from housefly.hub.store.store import RejectedRowError
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.messages import Observation, RoomEvent
 
 HOUR = 3600.0
 CABINET = Thing(
     "cabinet",
     "the cabinet",
-    Kind.FURNITURE,
+    ThingKind.FURNITURE,
     ("cupboard", "Schrank"),
     (2.0, 1.0, 0.9),
     (1.0, 0.0, 0.0, 0.0),
@@ -42,7 +41,7 @@ CABINET = Thing(
 KITCHEN = Thing(
     "kitchen",
     "Kitchen",
-    Kind.SPACE,
+    ThingKind.SPACE,
     position=(5.0, 5.0, 0.0),
     facts=(("floor", 1.0), ("tiled", True)),
 )
@@ -77,22 +76,22 @@ observations = st.builds(
     Observation, names, names, numbers, numbers, st.none() | points, st.none() | quaternions,
     st.none() | st.tuples(*(numbers,) * 6), names, st.booleans(), facts,
 )  # fmt: skip
-happenings = st.builds(Happening, names, names, numbers, names, names, numbers, facts)
+events = st.builds(RoomEvent, names, names, numbers, names, names, numbers, facts)
 views = st.lists(st.builds(Viewpoint, names, points, numbers, numbers, names), max_size=2).map(
     tuple
 )
 things = st.builds(
-    Thing, names, names, st.sampled_from(Kind), st.lists(names, max_size=2).map(tuple), st.none() | points,
+    Thing, names, names, st.sampled_from(ThingKind), st.lists(names, max_size=2).map(tuple), st.none() | points,
     st.none() | quaternions, names, views, facts,
 )  # fmt: skip
 
 
-@given(observations, happenings, things)
+@given(observations, events, things)
 def test_every_value_comes_back_from_its_row(
-    sample: Observation, happening: Happening, thing: Thing
+    sample: Observation, event: RoomEvent, thing: Thing
 ) -> None:
     assert (
-        sample_of(
+        sample_from_row(
             (
                 sample.thing,
                 sample.source,
@@ -103,9 +102,9 @@ def test_every_value_comes_back_from_its_row(
         )
         == sample
     )
-    assert happening_of(row_of_happening(happening)) == happening
+    assert event_from_row(row_of_event(event)) == event
     assert (
-        thing_of(
+        thing_from_row(
             row_of_thing(thing),
             thing.aliases,
             [row_of_viewpoint(view) for view in thing.viewpoints],
@@ -122,7 +121,7 @@ def test_every_value_comes_back_from_its_row(
 def test_every_value_comes_back_from_the_database(
     store: SqlStore, samples: list[Observation], known: list[Thing]
 ) -> None:
-    store.know(known)
+    store.put_things(known)
     store.write(samples)
     kept = {thing.id: thing for thing in store.things()}
     assert all(kept[thing.id] == thing for thing in known)
@@ -134,22 +133,22 @@ def test_every_value_comes_back_from_the_database(
 
 
 def test_the_catalogue_is_kept_and_replaced(store: SqlStore) -> None:
-    store.know([CABINET, KITCHEN, CUP])
+    store.put_things([CABINET, KITCHEN, CUP])
     assert store.things() == (CABINET, CUP, KITCHEN)
     assert store.things("cup") == (CUP,)
     assert store.things("nobody") == ()
     blue = replace(CUP, name="the blue cup", aliases=("mug",), viewpoints=())
-    store.know([blue])
+    store.put_things([blue])
     assert store.things("cup") == (blue,)
 
 
 def test_a_thing_is_found_where_it_was_nearest_at_or_before(store: SqlStore) -> None:
     store.write([*walk(1000.0, 100), seen(1000.4, 7.0, source="laser")])
-    vicon = {sample.source: sample for sample in store.seen(1000.507)}["vicon"]
+    vicon = {sample.source: sample for sample in store.latest_at(1000.507)}["vicon"]
     assert (vicon.captured_at, vicon.position) == (1000.5, (0.5, 0.0, 0.5))
-    assert [sample.source for sample in store.seen(1000.5)] == ["laser", "vicon"]
-    assert store.seen(999.0) == ()
-    assert store.seen(1000.5, "nobody") == ()
+    assert [sample.source for sample in store.latest_at(1000.5)] == ["laser", "vicon"]
+    assert store.latest_at(999.0) == ()
+    assert store.latest_at(1000.5, "nobody") == ()
 
 
 def test_asking_for_the_past_reads_only_what_it_needs(tmp_path: Path) -> None:
@@ -157,31 +156,10 @@ def test_asking_for_the_past_reads_only_what_it_needs(tmp_path: Path) -> None:
     store.write(walk(1000.0, 20_000))
     steps = itertools.count()
     store._database._connection.set_progress_handler(lambda: next(steps) * 0, 100)  # type: ignore[attr-defined]
-    store.seen(1100.0)
-    store.seen(1100.0, "cup")
-    where_was(store, "cup", 1100.0)
+    store.latest_at(1100.0)
+    store.latest_at(1100.0, "cup")
     assert next(steps) < 100, "at most 10 000 steps of SQLite's machine, half a step a row"
     store.close()
-
-
-def test_the_past_is_fused_as_the_present_was(store: SqlStore) -> None:
-    store.know([CABINET, KITCHEN, CUP])
-    store.write(
-        [
-            seen(1000.0, 8.0),
-            Observation("cup", "tags", 1100.0, 1100.0, inside="cabinet"),
-            seen(1200.0, 9.0),
-        ]
-    )
-    store.write([seen(1150.0, 2.5, "cabinet")])
-    assert where_was(store, "cup", 1050.0).position == (8.0, 0.0, 0.5)
-    assert where_was(store, "cup", 1120.0).position == CABINET.position
-    assert where_was(store, "cup", 1160.0).position == (2.5, 0.0, 0.5)
-    assert where_was(store, "cup", 1160.0).by_container == "cabinet"
-    assert where_was(store, "cup", 1250.0).position == (9.0, 0.0, 0.5)
-    assert world_at(store, 1050.0).contents("kitchen") == ("cabinet",)
-    assert world_at(store, 1120.0).contents("kitchen") == ("cabinet", "cup")
-    assert world_at(store, 1120.0).where("cup") == where_was(store, "cup", 1120.0)
 
 
 def test_an_invalid_sample_does_not_hide_the_last_valid_one(store: SqlStore) -> None:
@@ -190,7 +168,7 @@ def test_an_invalid_sample_does_not_hide_the_last_valid_one(store: SqlStore) -> 
         (True, 1.0),
         (False, 3.0),
     ]
-    assert [sample.position for sample in store.seen(9.0)] == [(5.0, 0.0, 0.5)]
+    assert [sample.position for sample in store.latest_at(9.0)] == [(5.0, 0.0, 0.5)]
 
 
 def test_a_thing_that_stands_still_is_written_once(store: SqlStore) -> None:
@@ -201,8 +179,8 @@ def test_a_thing_that_stands_still_is_written_once(store: SqlStore) -> None:
     assert len(path) == 52, "fifty while it went, the begin and the end of standing still"
     assert path[-1] == pytest.approx((19.9, 0.5, 0.0, 0.5))
     assert store.latest("cup")[0].captured_at == pytest.approx(19.9)
-    assert store.seen(15.0)[0].captured_at == 15.0, "it was seen there all the time"
-    assert store.seen(50.0)[0].captured_at == pytest.approx(19.9)
+    assert store.latest_at(15.0)[0].captured_at == 15.0, "it was seen there all the time"
+    assert store.latest_at(50.0)[0].captured_at == pytest.approx(19.9)
     assert store.trajectory("cup", 12.0, 15.0)[:, 0].tolist() == [12.0]
 
 
@@ -219,7 +197,7 @@ def test_any_change_of_a_standing_thing_is_written(
     store: SqlStore, change: dict[str, object]
 ) -> None:
     store.write([seen(1.0, 5.0), seen(2.0, 5.0, **change), seen(3.0, 5.0)])
-    assert [store.seen(at)[0].captured_at for at in (1.5, 3.0)] == [1.0, 3.0]
+    assert [store.latest_at(at)[0].captured_at for at in (1.5, 3.0)] == [1.0, 3.0]
     if change != {"valid": False}:
         assert len(store.trajectory("cup", 0.0, 9.0)) == 3
 
@@ -229,7 +207,7 @@ def test_after_a_long_silence_a_standing_thing_is_not_said_to_have_been_seen_mea
 ) -> None:
     store.write([seen(1.0, 5.0), seen(2.0, 5.0)])
     store.write([seen(1000.0, 5.0)])
-    assert [store.seen(at)[0].captured_at for at in (1.5, 500.0, 1001.0)] == [1.5, 2.0, 1000.0]
+    assert [store.latest_at(at)[0].captured_at for at in (1.5, 500.0, 1001.0)] == [1.5, 2.0, 1000.0]
 
 
 def test_a_slow_drift_is_not_taken_for_standing_still(store: SqlStore) -> None:
@@ -252,9 +230,9 @@ def test_a_trajectory_is_by_time_by_source_and_decimated(store: SqlStore) -> Non
 
 
 def test_events_are_found_by_thing_kind_cause_and_time(store: SqlStore) -> None:
-    bell = Happening("bell pressed", "door", 100.0, "bell", "person-1", 0.9, (("rings", 2.0),))
-    opened = Happening("door opened", "door", 110.0, "switch", "person-2")
-    taken = Happening("object taken", "cup", 120.0, "tags")
+    bell = RoomEvent("bell pressed", "door", 100.0, "bell", "person-1", 0.9, (("rings", 2.0),))
+    opened = RoomEvent("door opened", "door", 110.0, "switch", "person-2")
+    taken = RoomEvent("object taken", "cup", 120.0, "tags")
     store.write([], [taken, opened, bell])
     store.write([], [bell])
     assert store.events(0.0, 1000.0) == (bell, opened, taken)
@@ -284,7 +262,7 @@ def test_a_late_sample_lands_in_its_place_and_is_not_the_latest(store: SqlStore)
 def test_a_row_that_cannot_be_kept_is_refused_and_nothing_of_its_batch_stays(
     store: SqlStore,
 ) -> None:
-    with pytest.raises(UnfitRowError, match="the database cannot hold it"):
+    with pytest.raises(RejectedRowError, match="the database cannot hold it"):
         store.write([seen(1.0, 5.0), seen(float("nan"), 5.0, thing="\ud800")])
     assert store.latest() == ()
     store.write([seen(1.0, 5.0)])
@@ -294,18 +272,18 @@ def test_a_row_that_cannot_be_kept_is_refused_and_nothing_of_its_batch_stays(
 def test_old_samples_are_thinned_then_removed_and_events_stay(address: str) -> None:
     day = 24 * HOUR
     store = open_store(address, keep_days=1.0)
-    store.write(walk(1000.0, 3000), [Happening("bell pressed", "door", 1000.0, "bell")])
+    store.write(walk(1000.0, 3000), [RoomEvent("bell pressed", "door", 1000.0, "bell")])
     store.write([seen(1000.0, 3.0, "box"), seen(1500.0, 3.0, "box")])
-    assert not store.tidy(1500.0), "nothing is an hour old"
+    assert not store.prune(1500.0), "nothing is an hour old"
     steps = 0
-    while store.tidy(1000.0 + 2 * HOUR):
+    while store.prune(1000.0 + 2 * HOUR):
         steps += 1
     path = store.trajectory("cup", 0.0, 2000.0)
     assert steps >= 2 and 300 <= len(path) <= 301
     assert np.diff(path[:, 0]).min() > 0.05
     assert path[-1, 0] == 1000.0 + 29.99, "the last word of a source stays"
     assert len(store.trajectory("box", 0.0, 2000.0)) == 2
-    while store.tidy(1000.0 + 2 * day):
+    while store.prune(1000.0 + 2 * day):
         pass
     assert store.trajectory("cup", 0.0, 2000.0).shape == (0, 4)
     assert len(store.latest("cup")) == 1
@@ -317,7 +295,7 @@ def test_one_step_of_tidying_is_short(address: str) -> None:
     store = open_store(address, keep_days=1.0)
     store.write(walk(0.0, 20_000))
     steps = 0
-    while store.tidy(2 * HOUR):
+    while store.prune(2 * HOUR):
         steps += 1
     assert steps >= 4, "at most 5000 rows in one transaction"
     assert len(store.trajectory("cup", 0.0, 1000.0)) == pytest.approx(2000, abs=2)
@@ -325,15 +303,15 @@ def test_one_step_of_tidying_is_short(address: str) -> None:
 
 
 def test_an_older_database_is_brought_up_to_date(address: str) -> None:
-    old = SqlStore(open_store(address)._database, steps=STEPS)
+    old = SqlStore(open_store(address)._database, steps=MIGRATIONS)
     old._database.query("DROP TABLE viewpoint")
     old._database.query("DROP TABLE tidied")
     old._database.query("DELETE FROM schema WHERE version > 1")
     old.write([seen(1.0, 5.0)])
     old.close()
     new = open_store(address)
-    assert version_of(new._database) == len(STEPS)
-    new.know([CUP])
+    assert version_of(new._database) == len(MIGRATIONS)
+    new.put_things([CUP])
     assert new.things() == (CUP,)
     assert new.latest("cup")[0].position == (5.0, 0.0, 0.5)
     new.close()
@@ -341,11 +319,11 @@ def test_an_older_database_is_brought_up_to_date(address: str) -> None:
 
 def test_a_migration_that_fails_changes_nothing(address: str) -> None:
     open_store(address).close()
-    broken = (*STEPS, ("CREATE TABLE half (a INTEGER)", "CREATE TABLE thing (again INTEGER)"))
+    broken = (*MIGRATIONS, ("CREATE TABLE half (a INTEGER)", "CREATE TABLE thing (again INTEGER)"))
     with pytest.raises(StoreError):
         SqlStore(open_store(address)._database, steps=broken)
     store = open_store(address)
-    assert version_of(store._database) == len(STEPS)
+    assert version_of(store._database) == len(MIGRATIONS)
     with pytest.raises(StoreError):
         store._database.query("SELECT * FROM half")
     store.close()
@@ -358,7 +336,7 @@ def test_a_newer_database_is_refused_in_words(address: str) -> None:
     with pytest.raises(
         StoreError,
         match=(
-            f"is of version 99, this program knows versions up to {len(STEPS)}; install the newer"
+            f"is of version 99, this program knows versions up to {len(MIGRATIONS)}; install the newer"
         ),
     ):
         open_store(address)

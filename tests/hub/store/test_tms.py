@@ -14,12 +14,12 @@ from hypothesis import strategies as st
 
 from housefly.errors import StoreError
 from housefly.geometry import quaternion_from_euler, yaw_of
-from housefly.hub.store.export_tms import export_tms
-from housefly.hub.store.import_tms import TmsDump, import_tms, read_tms, slug, viewpoints_of
+from housefly.hub.store.export_tms import tms_lines
+from housefly.hub.store.import_tms import TmsDump, parse_tms, read_tms, slug, viewpoints_of
 from housefly.hub.store.sql_store import SqlStore
-from housefly.hub.store.tms_rows import BANDS
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
-from housefly.hub.things.world import World
+from housefly.hub.store.tms_rows import KIND_BY_THOUSANDS
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Observation
 
 BSEN = Path(__file__).parent / "data" / "bsen_now.json"
@@ -41,14 +41,14 @@ def test_the_room_of_the_laboratory_is_read_whole(bsen: TmsDump) -> None:
     assert bsen.remarks == (
         "row 70: skipped: id is 0: no thing (things have ids from 1000 to 7999)",
     )
-    kinds = {kind: sum(thing.kind is kind for thing in bsen.things) for kind in Kind}
-    assert kinds[Kind.FURNITURE] == 23
-    assert kinds[Kind.OBJECT] == 25
-    assert kinds[Kind.PERSON] == 4
+    kinds = {kind: sum(thing.kind is kind for thing in bsen.things) for kind in ThingKind}
+    assert kinds[ThingKind.FURNITURE] == 23
+    assert kinds[ThingKind.OBJECT] == 25
+    assert kinds[ThingKind.PERSON] == 4
 
 
 def test_approach_poses_become_viewpoints_of_a_robot(bsen: TmsDump) -> None:
-    bed = World(bsen.things).find("bed")
+    bed = WorldModel(bsen.things).find("bed")
     assert bed.viewpoints == (
         Viewpoint("for smartpal5_2", (12.0, 0.9, 0.0), 1.57079633, robot="smartpal5_2"),
     )
@@ -56,14 +56,14 @@ def test_approach_poses_become_viewpoints_of_a_robot(bsen: TmsDump) -> None:
 
 
 def test_what_a_sensor_wrote_is_a_sample_and_its_place_a_container(bsen: TmsDump) -> None:
-    world = World(bsen.things)
+    world = WorldModel(bsen.things)
     for sample in bsen.samples:
-        world.told(sample)
+        world.observe(sample)
     assert world.where("greentea_bottle").position == (7.2, 5.65, 0.73)
     assert world.chain("greentea_bottle") == ("refrigerator", "space-5001")
     assert "greentea_bottle" in world.contents("refrigerator")
     assert world.find("drink").id == "soukentea_bottle"
-    assert {sample.source for sample in world.said("person_1_oculus")} == {"vicon"}
+    assert {sample.source for sample in world.latest_observations("person_1_oculus")} == {"vicon"}
     newest = next(sample for sample in bsen.samples if sample.thing == "double")
     assert newest.captured_at == pytest.approx(1517946457.033465), "2018-02-07 04:47:37 in Japan"
     absent = next(sample for sample in bsen.samples if sample.thing == "teapot")
@@ -71,7 +71,7 @@ def test_what_a_sensor_wrote_is_a_sample_and_its_place_a_container(bsen: TmsDump
 
 
 def test_the_room_of_the_laboratory_survives_the_way_there_and_back(bsen: TmsDump) -> None:
-    again = import_tms(export_tms(bsen.things, bsen.samples))
+    again = parse_tms(tms_lines(bsen.things, bsen.samples))
     assert again.remarks == ()
     for one, other in zip(
         (*bsen.things, *bsen.samples), (*again.things, *again.samples), strict=True
@@ -83,7 +83,7 @@ def test_the_exported_rows_say_what_the_read_rows_said(bsen: TmsDump) -> None:
     rows = [json.loads(text) for text in BSEN.read_text().splitlines()][:-1]
     exported = {
         (row["id"], row["sensor"], row["time"]): row
-        for row in map(json.loads, export_tms(bsen.things, bsen.samples))
+        for row in map(json.loads, tms_lines(bsen.things, bsen.samples))
     }
     compared = 0
     for row in rows:
@@ -109,7 +109,7 @@ def test_the_exported_rows_say_what_the_read_rows_said(bsen: TmsDump) -> None:
 
 
 def test_a_dump_is_kept_in_a_store_and_found_again(store: SqlStore, bsen: TmsDump) -> None:
-    store.know(bsen.things)
+    store.put_things(bsen.things)
     store.write(bsen.samples)
     assert {thing.id: thing for thing in store.things()} == {
         thing.id: thing for thing in bsen.things
@@ -133,7 +133,7 @@ def test_a_dump_is_kept_in_a_store_and_found_again(store: SqlStore, bsen: TmsDum
     ],
 )
 def test_a_bad_row_is_named_and_skipped_and_nothing_else_is_lost(bad: str, words: str) -> None:
-    dump = import_tms([line(), bad, "", line(id=6001, name="wardrobe")])
+    dump = parse_tms([line(), bad, "", line(id=6001, name="wardrobe")])
     assert dump.skipped == 1
     assert len(dump.remarks) == 1 and dump.remarks[0].startswith(words)
     assert {"bed", "wardrobe"} <= {thing.id for thing in dump.things}
@@ -157,14 +157,14 @@ def test_a_bad_row_is_named_and_skipped_and_nothing_else_is_lost(bad: str, words
 def test_a_bad_part_of_a_row_is_named_and_the_rest_is_kept(
     changes: dict[str, Any], words: str
 ) -> None:
-    dump = import_tms([line(**changes)])
+    dump = parse_tms([line(**changes)])
     assert dump.skipped == 0
     assert len(dump.remarks) == 1 and dump.remarks[0].startswith(words)
-    assert World(dump.things).find("bed").position == (8.0, 2.3, 0.0)
+    assert WorldModel(dump.things).find("bed").position == (8.0, 2.3, 0.0)
 
 
 def test_two_things_of_one_name_stay_two() -> None:
-    dump = import_tms([line(), line(id=6018)])
+    dump = parse_tms([line(), line(id=6018)])
     assert [thing.id for thing in dump.things][:2] == ["bed", "bed-6018"]
 
 
@@ -180,21 +180,21 @@ def test_several_approach_poses_are_read() -> None:
 
 
 def test_numbers_of_extended_json_are_read() -> None:
-    dump = import_tms([line(id={"$numberLong": "6017"}, x={"$numberDouble": "8.5"})])
-    assert World(dump.things).find("bed").position == (8.5, 2.3, 0.0)
+    dump = parse_tms([line(id={"$numberLong": "6017"}, x={"$numberDouble": "8.5"})])
+    assert WorldModel(dump.things).find("bed").position == (8.5, 2.3, 0.0)
 
 
 def test_a_thing_of_ours_gets_a_free_number_of_its_kind() -> None:
     things = [
         Thing("cup", "Cup", facts=(("tms_id", 7001.0),)),
         Thing("mug", "Mug"),
-        Thing("door", "Door", Kind.PLACE),
+        Thing("door", "Door", ThingKind.PLACE),
     ]
     samples = [
         Observation("mug", "laser-1", 1e9, 1e9, (1.0, 2.0, 3.0)),
         Observation("ghost", "vicon", 1e9, 1e9),
     ]
-    rows = [json.loads(text) for text in export_tms(things, samples)]
+    rows = [json.loads(text) for text in tms_lines(things, samples)]
     assert [(row["id"], row["sensor"]) for row in rows] == [
         (7001, 0),
         (7002, 0),
@@ -218,7 +218,7 @@ def dumps(draw: st.DrawFn) -> tuple[list[Thing], list[Observation]]:
     names = draw(st.lists(words, min_size=1, max_size=6, unique=True))
     things: list[Thing] = []
     for number, name in enumerate(names):
-        band, kind = draw(st.sampled_from(sorted(BANDS.items())))
+        band, kind = draw(st.sampled_from(sorted(KIND_BY_THOUSANDS.items())))
         placed = draw(st.booleans())
         facts = draw(st.sets(st.sampled_from(("rfid", "note"))))
         things.append(
@@ -266,7 +266,7 @@ def dumps(draw: st.DrawFn) -> tuple[list[Thing], list[Observation]]:
 @given(dumps())
 def test_what_is_written_is_read_again(told: tuple[list[Thing], list[Observation]]) -> None:
     things, samples = told
-    again = import_tms(export_tms(things, samples))
+    again = parse_tms(tms_lines(things, samples))
     assert again.remarks == ()
     for one, other in zip((*things, *samples), (*again.things, *again.samples), strict=True):
         assert_alike(one, other)

@@ -16,11 +16,11 @@ import pytest
 from housefly.errors import StoreError
 from housefly.hub.store.backlog import Backlog, Dropped
 from housefly.hub.store.losses import Losses
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.sql_store import SqlStore
-from housefly.hub.store.writer import Writer
+from housefly.hub.store.writer import StoreWriter
 from housefly.hub.things.thing import Thing
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 
 BEGIN = time.time() - 60.0
 """Older samples would be thinned and removed."""
@@ -33,8 +33,8 @@ def seen(number: int) -> Observation:
     )
 
 
-def rang(number: int) -> Happening:
-    return Happening("bell pressed", "door", float(number), "bell")
+def rang(number: int) -> RoomEvent:
+    return RoomEvent("bell pressed", "door", float(number), "bell")
 
 
 def kept(address: str) -> tuple[int, int]:
@@ -52,8 +52,8 @@ def until(true: Callable[[], bool], timeout: float = 10.0) -> bool:
 
 
 @contextmanager
-def writing(opener: Callable[[], SqlStore], **options: int) -> Iterator[Writer]:
-    writer = Writer(opener, **options)
+def writing(opener: Callable[[], SqlStore], **options: int) -> Iterator[StoreWriter]:
+    writer = StoreWriter(opener, **options)
     try:
         yield writer
     finally:
@@ -73,7 +73,7 @@ def test_all_that_is_told_is_kept(address: str) -> None:
 
 
 def test_closing_writes_what_waits(address: str) -> None:
-    writer = Writer(lambda: open_store(address))
+    writer = StoreWriter(lambda: open_store(address))
     writer.write_all(map(seen, range(12_000)))
     writer.close()
     assert kept(address) == (12_000, 0)
@@ -85,12 +85,12 @@ def test_a_full_backlog_drops_the_oldest_samples_and_events_last() -> None:
     backlog = Backlog(10)
     assert backlog.put([rang(0), *map(seen, range(12)), rang(1)]) == Dropped(4, 0)
     assert backlog.put(map(rang, range(2, 12))) == Dropped(8, 2)
-    batch = backlog.take()
-    assert (len(batch.samples), [event.at for event in batch.happenings]) == (
+    batch = backlog.pop_batch()
+    assert (len(batch.samples), [event.at for event in batch.events]) == (
         0,
         [float(number) for number in range(2, 12)],
     )
-    assert not backlog.take()
+    assert not backlog.pop_batch()
 
 
 def test_losses_are_said_in_words_and_forgotten_after_a_minute() -> None:
@@ -140,7 +140,7 @@ def test_a_full_disk_drops_poses_keeps_events_and_recovers(tmp_path: Path) -> No
 LIMITED = """
 import resource, sys, time
 from housefly.messages import Observation
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.writer import Writer
 writer = Writer(lambda: open_store(sys.argv[1]))
 hard = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
@@ -212,7 +212,7 @@ def test_a_database_that_another_process_holds_for_three_seconds_loses_nothing(
 CHILD = """
 import sys, time
 from housefly.messages import Observation
-from housefly.hub.store.opening import open_store
+from housefly.hub.store.open import open_store
 from housefly.hub.store.writer import Writer
 writer = Writer(lambda: open_store(sys.argv[1]))
 for number in range(10**9):
@@ -289,7 +289,7 @@ def test_a_row_that_no_database_takes_is_dropped_alone_and_named(address: str) -
 
 def test_a_store_that_cannot_be_opened_is_refused_at_the_begin(tmp_path: Path) -> None:
     with pytest.raises(StoreError, match="cannot be opened"):
-        Writer(lambda: open_store(tmp_path / "no" / "folder" / "house.db"))
+        StoreWriter(lambda: open_store(tmp_path / "no" / "folder" / "house.db"))
 
 
 @pytest.mark.wire

@@ -10,7 +10,7 @@ import pytest
 from housefly.errors import ConfigError
 from housefly.geometry import yaw_of
 from housefly.hub.things.catalogue import catalogue_from_toml, load_catalogue
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
 
 GOOD = """
 [[thing]]
@@ -33,10 +33,10 @@ def test_a_catalogue_becomes_things(tmp_path: Path) -> None:
     path = tmp_path / "things.toml"
     path.write_text(GOOD)
     cup, cabinet = load_catalogue(path)
-    assert cup == Thing("cup", "the red cup", Kind.OBJECT, ("mug",), inside="cabinet")
+    assert cup == Thing("cup", "the red cup", ThingKind.OBJECT, ("mug",), inside="cabinet")
     assert (cabinet.name, cabinet.kind, cabinet.position) == (
         "cabinet",
-        Kind.FURNITURE,
+        ThingKind.FURNITURE,
         (2.0, 1.5, 0.9),
     )
     assert cabinet.orientation is not None and yaw_of(cabinet.orientation) == pytest.approx(1.5)

@@ -30,9 +30,7 @@ Planner = Callable[..., Plan]
 
 @pytest.fixture
 def small() -> Planner:
-    """Return a function that plans a campaign of 120 short flights in chunks of 25, with some keys
-    replaced.
-    """
+    """Return a function that plans a campaign of 120 short flights in chunks of 25."""
 
     def plan(chunk: int = 25, site: Site | None = None, **keys: Any) -> Plan:
         return plan_campaign(spec_from_tree(SMALL | keys), site or Site(), chunk)

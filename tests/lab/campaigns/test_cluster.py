@@ -141,7 +141,7 @@ def test_workers_with_other_versions_are_refused_by_name(
 def test_a_worker_that_joins_later_with_other_versions_is_refused(plan: Plan) -> None:
     cases, _ = plan.cases_of(plan.chunks[0])
     with pytest.raises(LinkError, match="one that joined later has code"):
-        fly_chunk(cases, plan.legs[0].mission, versions() | {"code": "another"})
+        fly_chunk(cases, plan.groups[0].mission, versions() | {"code": "another"})
 
 
 def test_the_processor_has_a_name() -> None:

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError, RecordingError
-from housefly.lab.campaigns.folder import DESCRIPTION, CampaignFolder
+from housefly.lab.campaigns.folder import DESCRIPTION_FILE, CampaignFolder
 from housefly.lab.campaigns.plan import Chunk, Plan
 from housefly.lab.campaigns.provenance import versions
 from housefly.lab.campaigns.runner import Landed, LocalFleet, run_campaign
@@ -60,7 +60,7 @@ def test_every_column_and_measure_of_every_drone_is_kept_with_its_unit(
     fly(plan, tmp_path)
     table = pq.read_table(tmp_path / "results.parquet")
     flown = [
-        fly_many(plan.cases_of(chunk)[0], plan.legs[chunk.leg].mission, threads=2)
+        fly_many(plan.cases_of(chunk)[0], plan.groups[chunk.group].mission, threads=2)
         for chunk in plan.chunks
     ]
     cases = np.concatenate([plan.cases_of(chunk)[0] for chunk in plan.chunks])
@@ -176,7 +176,7 @@ def test_what_is_only_said_or_drawn_flies_nothing_anew(small: Any, tmp_path: Pat
 
 
 def test_a_description_that_cannot_be_read_is_refused(small: Any, tmp_path: Path) -> None:
-    (tmp_path / DESCRIPTION).write_text("{")
+    (tmp_path / DESCRIPTION_FILE).write_text("{")
     with pytest.raises(ConfigError, match="cannot be read"):
         CampaignFolder(tmp_path, small())
 

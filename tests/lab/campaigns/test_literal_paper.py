@@ -1,6 +1,4 @@
-"""Each literal reading of the paper has one switch, a campaign file that flips it, and fails as
-docs/paper.md says.
-"""
+"""Each literal reading of the paper has one campaign file, and fails as docs/paper.md says."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ def flown(name: str) -> tuple[Rows, Rows]:
     """Fly a campaign file and return its drones and what was measured of them."""
     plan = plan_campaign(load_spec(FOLDER / f"{name}.toml"), Site())
     drones = [plan.cases_of(chunk)[0] for chunk in plan.chunks]
-    missions = [plan.legs[chunk.leg].mission for chunk in plan.chunks]
+    missions = [plan.groups[chunk.group].mission for chunk in plan.chunks]
     measured = [fly_many(cases, mission) for cases, mission in zip(drones, missions, strict=True)]
     return np.concatenate(drones), np.concatenate(measured)
 

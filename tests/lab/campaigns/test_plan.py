@@ -14,7 +14,7 @@ from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.lab.campaigns.draws import Draw, shares_of
 from housefly.lab.campaigns.notes import notes
-from housefly.lab.campaigns.plan import CHUNK_LEAST, CHUNK_MOST, Plan, chunk_size, plan_campaign
+from housefly.lab.campaigns.plan import MAX_CHUNK, MIN_CHUNK, Plan, chunk_size, plan_campaign
 from housefly.lab.campaigns.spec import spec_from_tree
 from housefly.lab.experiments.cases import BY_NAME, DEFAULT, PAPER, PARAMETERS, cases
 
@@ -82,9 +82,9 @@ def test_how_it_is_cut_changes_no_drone(seeds: int, chunks: tuple[int, int]) -> 
 
 
 def test_chunks_grow_with_the_campaign_and_not_with_the_machine() -> None:
-    assert chunk_size(1) == chunk_size(50_000) == CHUNK_LEAST
+    assert chunk_size(1) == chunk_size(50_000) == MIN_CHUNK
     assert chunk_size(200_000) == 1000
-    assert chunk_size(50_000_000) == CHUNK_MOST
+    assert chunk_size(50_000_000) == MAX_CHUNK
 
 
 def test_a_seed_draws_the_same_in_every_point_and_with_any_number_of_seeds() -> None:
@@ -132,11 +132,11 @@ def test_each_mode_flies_its_own_way_with_its_own_tolerances() -> None:
         }
     )
     plan = plan_campaign(spec, Site())
-    default, paper = plan.legs
+    default, paper = plan.groups
     assert len(paper.mission.waypoints) > 2 * len(default.mission.waypoints)
     assert default.cells == (1,) and paper.cells == (0,)
     table, cells = plan.cases_of(plan.chunks[1])
-    assert (table == cases(plan.legs[1].site, 2, mode=PAPER, seed=[0, 1])).all()
+    assert (table == cases(plan.groups[1].site, 2, mode=PAPER, seed=[0, 1])).all()
     assert (cells == 0).all()
 
 

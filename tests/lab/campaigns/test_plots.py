@@ -13,20 +13,20 @@ from PIL import Image
 
 from housefly.errors import RecordingError
 from housefly.lab.campaigns.plots import draw_campaign
-from housefly.lab.campaigns.spec import Spec, spec_from_tree
-from housefly.lab.campaigns.summary import Cell
+from housefly.lab.campaigns.spec import CampaignSpec, spec_from_tree
+from housefly.lab.campaigns.summary import GridPoint
 from housefly.lab.experiments.intervals import NOTHING, Estimate
 
 RATES = [10, 20, 30, 50, 100]
 
 
-def spec_of(grid: dict[str, Any]) -> Spec:
+def spec_of(grid: dict[str, Any]) -> CampaignSpec:
     return spec_from_tree(
         {"name": "grid", "mission": {"waypoints": [[0, 0], [1, 0]]}, "grid": grid}
     )
 
 
-def cells_of(spec: Spec, empty: int = 0) -> tuple[Cell, ...]:
+def cells_of(spec: CampaignSpec, empty: int = 0) -> tuple[GridPoint, ...]:
     points = list(product(*spec.grid.values()))
     cells = []
     for number, point in enumerate(points):
@@ -37,7 +37,7 @@ def cells_of(spec: Spec, empty: int = 0) -> tuple[Cell, ...]:
             else Estimate(value, value - 0.05, value + 0.05)
         )
         cells.append(
-            Cell(
+            GridPoint(
                 tuple(float(x) for x in point),
                 10,
                 {"stable": Estimate(1.0, 0.9, 1.0), "rms_error": found},
@@ -147,6 +147,6 @@ def test_words_along_an_axis_are_points_and_no_line(tmp_path: Path) -> None:
 def test_nan_bounds_do_not_break_a_line(tmp_path: Path) -> None:
     spec = spec_of({"mocap_rate_hz": [10, 20]})
     cells = tuple(
-        Cell(cell.values, 1, {"rms_error": Estimate(0.1, nan, nan)}) for cell in cells_of(spec)
+        GridPoint(cell.values, 1, {"rms_error": Estimate(0.1, nan, nan)}) for cell in cells_of(spec)
     )
     assert draw_campaign(spec, cells, "rms_error", tmp_path / "rms_error")

@@ -15,7 +15,12 @@ from housefly.errors import RecordingError
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import Chunk, Plan
 from housefly.lab.campaigns.runner import run_campaign
-from housefly.lab.campaigns.summary import shown, summarize, told, write_summary
+from housefly.lab.campaigns.summary import (
+    estimate_text,
+    summarize_campaign,
+    value_text,
+    write_summary,
+)
 from housefly.lab.experiments.intervals import NOTHING, Estimate, mean, share
 from housefly.lab.experiments.outcomes import OUTCOME
 
@@ -47,7 +52,7 @@ def test_each_point_is_told_in_the_order_of_the_grid_whatever_order_flew(
     flown: tuple[Plan, Path],
 ) -> None:
     plan, results = flown
-    cells = summarize(plan.spec, results)
+    cells = summarize_campaign(plan.spec, results)
     assert [cell.values for cell in cells] == [(10.0, 1.0), (10.0, 0.0), (100.0, 1.0), (100.0, 0.0)]
     stable = np.array([seed for seed in range(30) if seed % 3])
     for cell in cells:
@@ -69,7 +74,7 @@ def test_the_file_of_the_summary_has_words_and_bounds(
     flown: tuple[Plan, Path], tmp_path: Path
 ) -> None:
     plan, results = flown
-    write_summary(tmp_path / "summary.csv", plan.spec, summarize(plan.spec, results))
+    write_summary(tmp_path / "summary.csv", plan.spec, summarize_campaign(plan.spec, results))
     with (tmp_path / "summary.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [row["mode"] for row in rows] == ["paper", "default", "paper", "default"]
@@ -94,10 +99,10 @@ def test_the_file_of_the_summary_has_words_and_bounds(
 def test_estimates_are_told_with_the_digits_that_mean_something(
     measure: str, estimate: Estimate, words: str
 ) -> None:
-    assert told(measure, estimate) == words
+    assert estimate_text(measure, estimate) == words
 
 
 def test_columns_with_words_are_told_in_words() -> None:
-    assert shown("mode", 1.0) == "paper"
-    assert shown("estimator", 2.0) == "held_sample"
-    assert shown("mocap_rate_hz", 10.0) == "10"
+    assert value_text("mode", 1.0) == "paper"
+    assert value_text("estimator", 2.0) == "held_sample"
+    assert value_text("mocap_rate_hz", 10.0) == "10"

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from housefly.app.premises import Premises, open_premises, read_site
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, quaternion_from_euler
 from housefly.lab.experiments.cases import Cases, cases
 from housefly.lab.experiments.engine import fly_recorded
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.messages import (
     Action,
     DroneStatus,
@@ -30,9 +30,9 @@ from housefly.messages import (
     Sighting,
     Telemetry,
 )
+from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.acceptor import STATES
 from housefly.pilot.navigator import RoomNavigator
-from housefly.pilot.pilot import Pilot
 
 SAFETY = {SafetyMode.NOMINAL: 0, SafetyMode.LEVEL: 1, SafetyMode.LAND: 2}
 SETTLE = 0.3
@@ -59,7 +59,7 @@ class Twins:
 FlyBoth = Callable[..., Twins]
 
 
-def path_to(premises: Premises, site: Site, start: Vec2, goal: Vec2) -> tuple[Vec2, ...]:
+def path_to(premises: LoadedSite, site: Site, start: Vec2, goal: Vec2) -> tuple[Vec2, ...]:
     """Return the waypoints that the live pilot would plan."""
     answer = RoomNavigator(site, premises.room, premises.grid).route(start, goal)
     assert answer.path is not None, answer.reason
@@ -67,13 +67,13 @@ def path_to(premises: Premises, site: Site, start: Vec2, goal: Vec2) -> tuple[Ve
 
 
 def fly_both(
-    premises: Premises, drone: Cases, waypoints: tuple[Vec2, ...], goal: Vec2, duration: float
+    premises: LoadedSite, drone: Cases, waypoints: tuple[Vec2, ...], goal: Vec2, duration: float
 ) -> Twins:
     """Fly one case along a path, and let a live pilot that is ordered to the goal answer to what
     was seen.
     """
-    batch, seen = fly_recorded(drone, Mission(Task.PATH, waypoints, duration, settle=SETTLE))
-    pilot = Pilot(premises.site, premises.room, premises.grid)
+    batch, seen = fly_recorded(drone, FlightPlan(Task.PATH, waypoints, duration, settle=SETTLE))
+    pilot = make_pilot(premises.site, premises.room, premises.grid)
     live = np.zeros_like(batch)
     was_seen, ordered = False, False
     for tick, now in enumerate(batch["t"].tolist()):
@@ -91,9 +91,9 @@ def fly_both(
 
 
 @cache
-def premises_of(mode: str) -> Premises:
+def premises_of(mode: str) -> LoadedSite:
     """The real room B-sen with the map of a mode."""
-    return open_premises(changed(read_site("bsen"), mode=mode))
+    return open_site(changed(read_site("bsen"), mode=mode))
 
 
 @pytest.fixture

@@ -10,17 +10,17 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.app.lockstep import fly_lockstep
-from housefly.app.premises import Premises, open_premises, read_site
 from housefly.config.site import changed
 from housefly.geometry import Vec2, distance
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 
 
-def flown_on_the_twin(premises: Premises) -> tuple[tuple[Vec2, ...], float, float]:
+def flown_on_the_twin(premises: LoadedSite) -> tuple[tuple[Vec2, ...], float, float]:
     """Fly the service to the entrance; return the path out, its duration [s] and the distance from
     it by tracking, as RMS [m].
     """
@@ -55,11 +55,11 @@ def off_path(here: Vec2, waypoints: tuple[Vec2, ...]) -> float:
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
 def test_the_batch_flies_the_same_path_in_about_the_time_and_as_well_as_the_twin(mode: str) -> None:
-    premises = open_premises(changed(read_site("bsen"), mode=mode))
+    premises = open_site(changed(read_site("bsen"), mode=mode))
     waypoints, duration, rms = flown_on_the_twin(premises)
     drones = cases(premises.site, 20, seed=np.arange(20), yaw_lag=25.0, climb_lag=1.4)
     flights = fly_many(
-        drones, Mission(Task.PATH, waypoints, 2.0 + 2.0 * duration, yaw=premises.room.home_yaw)
+        drones, FlightPlan(Task.PATH, waypoints, 2.0 + 2.0 * duration, yaw=premises.room.home_yaw)
     )
     assert flights["stable"].all()
     assert np.median(flights["arrival_time"]) == pytest.approx(duration, rel=0.35)

@@ -10,19 +10,19 @@ from housefly.lab.experiments.airframe import ORDER, ORDERS, airframe_of, carrie
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.random import sown
 from housefly.lab.experiments.tracking_noise import FRAME, FRAMES, Camera, stream_begun
-from housefly.pilot.control.model import Body, body_step, hover_tilt
+from housefly.pilot.control.model import DroneState, drone_step, hover_tilt
 
 BLIND = Camera(1e-6, 0.999, 0.0, 0.0, 0.0, 0.0)
 
 
-def flown(case: np.ndarray, theta: list[float]) -> list[Body]:
+def flown(case: np.ndarray, theta: list[float]) -> list[DroneState]:
     """Fly one pitch a tick and return the drone at each tick."""
     orders, frames, random = (
         np.zeros(ORDERS, ORDER),
         np.zeros(FRAMES, FRAME),
         np.zeros(1, np.uint64),
     )
-    air, stream, body = airframe_of(case), stream_begun(BLIND), Body(z=1.0)
+    air, stream, body = airframe_of(case), stream_begun(BLIND), DroneState(z=1.0)
     bodies = [body]
     for tick, angle in enumerate(theta):
         orders[tick & (ORDERS - 1)] = (1, angle, 0.0, 0.0, 0.0)
@@ -49,21 +49,21 @@ def test_an_order_acts_one_delay_after_it_was_sent_at_any_rate(
 def test_a_flight_agrees_with_many_tiny_steps_of_the_live_model() -> None:
     case = cases(Site(), 1, rate_hz=30.0, delay=0.047)[0]
     asked = [0.1 * np.sin(0.3 * n) for n in range(60)]
-    body, dt = Body(z=1.0), 1e-4
+    body, dt = DroneState(z=1.0), 1e-4
     for n in range(round(60 / 30.0 / dt)):
         sent = int(np.floor(((n + 0.5) * dt - 0.047) * 30.0))
         theta, phi = (asked[sent], 0.0) if sent >= 0 else hover_tilt(body, (0.0, 0.0), 0.21)
         constants = airframe_of(case).constants
-        body = body_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), constants, dt)
+        body = drone_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), constants, dt)
     assert tuple(flown(case, asked)[-1]) == pytest.approx(tuple(body), abs=1e-4)
 
 
 def test_its_own_hover_brakes_and_leans_against_the_wind() -> None:
-    body, wind = Body(z=1.0, vx=0.6, vy=-0.3, psi=0.7), (0.3, -0.1)
+    body, wind = DroneState(z=1.0, vx=0.6, vy=-0.3, psi=0.7), (0.3, -0.1)
     constants = airframe_of(cases(Site(), 1)[0]).constants
     for _ in range(800):
         theta, phi = hover_tilt(body, wind, 0.21)
-        body = body_step(body, theta, phi, 0.0, 0.0, wind, constants, 0.01)
+        body = drone_step(body, theta, phi, 0.0, 0.0, wind, constants, 0.01)
     assert np.hypot(body.vx, body.vy) < 0.01
 
 

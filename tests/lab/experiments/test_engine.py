@@ -14,12 +14,12 @@ from housefly.errors import ConfigError
 from housefly.lab.experiments import engine
 from housefly.lab.experiments.cases import PARAMETERS, cases
 from housefly.lab.experiments.engine import fly_many, fly_recorded, fly_traced
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.trace import TRACE
 
-PATH = Mission(Task.PATH, ((0.0, 0.0), (1.5, 0.0), (1.5, 1.0)), 12.0)
-STEP = Mission(Task.STEP, ((0.0, 0.0), (0.5, 0.3)), 15.0)
-HOLD = Mission(Task.HOLD, ((0.0, 0.0),), 8.0)
+PATH = FlightPlan(Task.PATH, ((0.0, 0.0), (1.5, 0.0), (1.5, 1.0)), 12.0)
+STEP = FlightPlan(Task.STEP, ((0.0, 0.0), (0.5, 0.3)), 15.0)
+HOLD = FlightPlan(Task.HOLD, ((0.0, 0.0),), 8.0)
 
 
 def fleet(count: int) -> np.ndarray:
@@ -41,7 +41,7 @@ def fleet(count: int) -> np.ndarray:
 
 @pytest.mark.parametrize("mission", [PATH, STEP, HOLD], ids=["path", "step", "hold"])
 def test_a_result_depends_on_its_own_row_alone(
-    mission: Mission, monkeypatch: pytest.MonkeyPatch
+    mission: FlightPlan, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     drones = fleet(150)
     alone = fly_many(drones, mission, threads=1).tobytes()
@@ -112,7 +112,7 @@ def test_without_noise_and_with_the_right_model_the_estimate_is_right_and_the_dr
         "model_lag": lag,
     }
     drone = cases(Site(), 1, mocap_rate_hz=rate, mocap_latency=latency, **perfect)
-    outcome = fly_many(drone, Mission(Task.STEP, ((0.0, 0.0), (x, y)), 20.0))[0]
+    outcome = fly_many(drone, FlightPlan(Task.STEP, ((0.0, 0.0), (x, y)), 20.0))[0]
     assert outcome["estimate_rms"] < 2e-3
     assert outcome["arrival_error"] < 2e-3 and outcome["residual"] < 2e-3
     assert outcome["stable"] == 1.0 and outcome["switches_per_s"] < 0.5
@@ -122,8 +122,8 @@ def test_without_noise_and_with_the_right_model_the_estimate_is_right_and_the_dr
 @given(st.sampled_from(["default", "paper"]), st.floats(0.3, 2.0), st.floats(-1.5, 1.5))
 def test_a_mirrored_path_is_flown_mirrored(mode: str, x: float, y: float) -> None:
     drone = cases(changed(Site(), mode=mode), 1, mocap_noise=0.0)
-    there = fly_traced(drone, Mission(Task.PATH, ((0.0, 0.0), (x, 0.0), (x, y)), 10.0))
-    back = fly_traced(drone, Mission(Task.PATH, ((0.0, 0.0), (x, 0.0), (x, -y)), 10.0))
+    there = fly_traced(drone, FlightPlan(Task.PATH, ((0.0, 0.0), (x, 0.0), (x, y)), 10.0))
+    back = fly_traced(drone, FlightPlan(Task.PATH, ((0.0, 0.0), (x, 0.0), (x, -y)), 10.0))
     for name in ("x", "z", "vx", "theta", "est_x", "ref_x", "cmd_theta", "behavior", "pose_age"):
         assert there[name] == pytest.approx(back[name], abs=1e-9)
     for name in ("y", "vy", "phi", "est_y", "ref_y", "cmd_phi", "cmd_yaw_rate"):
@@ -136,7 +136,7 @@ def test_where_the_room_lies_does_not_matter(x: float, y: float, mode: str) -> N
     drone = cases(changed(Site(), mode=mode), 1)
     here = fly_many(drone, PATH)[0]
     moved = tuple((x + a, y + b) for a, b in PATH.waypoints)
-    there = fly_many(drone, Mission(Task.PATH, moved, 12.0))[0]
+    there = fly_many(drone, FlightPlan(Task.PATH, moved, 12.0))[0]
     for name in ("rms_error", "estimate_rms", "arrival_time"):
         assert there[name] == pytest.approx(
             here[name], rel=1e-3, abs=0.021 if name == "arrival_time" else 1e-6
@@ -144,7 +144,7 @@ def test_where_the_room_lies_does_not_matter(x: float, y: float, mode: str) -> N
 
 
 def test_the_paths_wish_for_a_heading_at_the_end_is_met() -> None:
-    trace = fly_traced(cases(Site(), 1), Mission(Task.PATH, PATH.waypoints, 20.0, arrival_yaw=-2.0))
+    trace = fly_traced(cases(Site(), 1), FlightPlan(Task.PATH, PATH.waypoints, 20.0, arrival_yaw=-2.0))
     assert trace["psi"][-1] == pytest.approx(-2.0, abs=0.02)
 
 
@@ -152,18 +152,18 @@ def test_the_gates_limits_hold_in_every_tick() -> None:
     drone = cases(
         Site(), 1, alpha=20.0, beta=100.0, yaw_gain=10.0, height_gain=10.0, mocap_noise=0.02
     )
-    trace = fly_traced(drone, Mission(Task.STEP, ((0.0, 0.0), (2.0, 2.0)), 10.0, yaw=3.0))
+    trace = fly_traced(drone, FlightPlan(Task.STEP, ((0.0, 0.0), (2.0, 2.0)), 10.0, yaw=3.0))
     assert np.hypot(trace["cmd_theta"], trace["cmd_phi"]).max() <= 0.21 + 1e-12
     assert np.abs(trace["cmd_vz"]).max() <= 0.7 and np.abs(trace["cmd_yaw_rate"]).max() <= 1.75
 
 
 def test_the_literal_readings_of_the_paper_fail_and_the_mended_ones_do_not() -> None:
     paper = changed(Site(), mode="paper")
-    step = Mission(Task.STEP, ((0.0, 0.0), (0.5, 0.0)), 20.0)
+    step = FlightPlan(Task.STEP, ((0.0, 0.0), (0.5, 0.0)), 20.0)
     literal = {"epsilon_yaw": 3.0, "alpha": -3.6, "beta": -3.24}
     assert fly_many(cases(paper, 1, **literal), step)[0]["stable"] == 0.0
     assert fly_many(cases(paper, 1, epsilon_yaw=3.0), step)[0]["stable"] == 1.0
-    turn = Mission(Task.HOLD, ((0.0, 0.0),), 20.0, yaw=3.1415)
+    turn = FlightPlan(Task.HOLD, ((0.0, 0.0),), 20.0, yaw=3.1415)
     spins = [
         np.abs(np.diff(np.unwrap(fly_traced(cases(paper, 1, wrap_yaw=w), turn)["psi"]))).sum()
         for w in (1.0, 0.0)

@@ -8,14 +8,14 @@ import pytest
 from housefly.config.site import Site, changed
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many, fly_traced
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.outcomes import OUTCOME
 from housefly.lab.experiments.route import off_line, route_of
 
 CORNER = ((1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (3.0, 2.5))
 
 
-def by_hand(trace: np.ndarray, mission: Mission, eps3: float, tilt_max: float) -> dict[str, float]:
+def by_hand(trace: np.ndarray, mission: FlightPlan, eps3: float, tilt_max: float) -> dict[str, float]:
     """The same measures from the whole record, with NumPy."""
     task = trace[trace["t"] >= mission.settle - 1e-9]
     looks = task[::2]
@@ -70,7 +70,7 @@ def from_leg(rows: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 )
 def test_measures_are_those_of_the_whole_record(mode: str, columns: dict[str, float]) -> None:
     drone = cases(changed(Site(), mode=mode), 1, seed=5, **columns)
-    mission = Mission(Task.PATH, CORNER, 20.0)
+    mission = FlightPlan(Task.PATH, CORNER, 20.0)
     outcome = fly_many(drone, mission)[0]
     expected = by_hand(
         fly_traced(drone, mission),
@@ -83,7 +83,7 @@ def test_measures_are_those_of_the_whole_record(mode: str, columns: dict[str, fl
 
 
 def test_distance_from_a_line_is_the_smallest_over_its_legs() -> None:
-    route = route_of(Mission(Task.PATH, CORNER, 1.0))
+    route = route_of(FlightPlan(Task.PATH, CORNER, 1.0))
     assert route.line.tolist() == [[1.0, 1.0], [3.0, 1.0], [3.0, 2.5]]
     points = np.random.default_rng(1).uniform(-1.0, 5.0, (200, 2))
     rows = np.array([tuple(point) for point in points], dtype=[("x", "f8"), ("y", "f8")])
@@ -112,7 +112,7 @@ def test_distance_from_a_line_is_the_smallest_over_its_legs() -> None:
 def test_a_drone_that_is_lost_ends_unstable_with_finite_numbers(columns: dict[str, float]) -> None:
     outcome = fly_many(
         cases(Site(), 4, seed=np.arange(4), **columns),
-        Mission(Task.STEP, ((0.0, 0.0), (1.0, 0.0)), 60.0),
+        FlightPlan(Task.STEP, ((0.0, 0.0), (1.0, 0.0)), 60.0),
     )
     assert (outcome["stable"] == 0.0).all()
     for name in set(OUTCOME.names or ()) - {"arrival_time"}:
@@ -121,7 +121,7 @@ def test_a_drone_that_is_lost_ends_unstable_with_finite_numbers(columns: dict[st
 
 def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() -> None:
     drone = cases(Site(), 1, mocap_dropout=1.0)
-    trace = fly_traced(drone, Mission(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
+    trace = fly_traced(drone, FlightPlan(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
     assert trace["safety"][trace["t"] < 0.25].tolist() == [0] * 25 or trace["safety"][20] == 0
     assert trace["safety"][100] == 1 and trace["safety"][-1] == 2
     assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)

@@ -6,10 +6,10 @@ import pytest
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_recorded
-from housefly.lab.experiments.mission import Mission, Task
-from housefly.pilot.control.model import Body, between
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
+from housefly.pilot.control.model import DroneState, between
 
-HOLD = Mission(Task.HOLD, ((1.0, 2.0),), 30.0)
+HOLD = FlightPlan(Task.HOLD, ((1.0, 2.0),), 30.0)
 
 
 def sightings(**columns: float) -> np.ndarray:
@@ -54,9 +54,9 @@ def test_jitter_is_exponential_and_a_late_frame_holds_up_those_behind_it() -> No
 
 
 def test_a_frame_between_two_steps_sees_the_drone_where_it_is() -> None:
-    before = Body(1.0, 2.0, 1.1, 3.1, 0.5, -0.2, 0.1, 0.4)
+    before = DroneState(1.0, 2.0, 1.1, 3.1, 0.5, -0.2, 0.1, 0.4)
     dt = 0.01
-    after = Body(1.00501, 1.998, 1.101, -3.1792, 0.502, -0.2, 0.1, 0.4)
+    after = DroneState(1.00501, 1.998, 1.101, -3.1792, 0.502, -0.2, 0.1, 0.4)
     for part in (0.0, 0.004, dt):
         x, y, _, psi = between(before, after, dt, part)
         slope = (after.vx - before.vx) / dt

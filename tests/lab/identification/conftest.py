@@ -1,6 +1,4 @@
-"""Blocks flown by the reduced-order drone with constants of its own, seen by noisy tracking at 30
-Hz.
-"""
+"""Blocks flown by the reduced-order drone with its own constants, tracked with noise at 30 Hz."""
 
 from __future__ import annotations
 
@@ -11,8 +9,8 @@ import pytest
 from numba import njit
 
 from housefly.lab.identification.pattern import Axis, Block, blocks
-from housefly.lab.identification.samples import BEFORE, Samples
-from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.lab.identification.samples import COMMANDS_BEFORE, Samples
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 
 TICK = 0.01
 STEPS = 20
@@ -21,7 +19,7 @@ STEPS = 20
 
 @njit
 def integrated(
-    body: Body,
+    body: DroneState,
     edges: np.ndarray,
     values: np.ndarray,
     axis: int,
@@ -30,8 +28,9 @@ def integrated(
     dt: float,
     steps: int,
 ) -> np.ndarray:
-    """Return the states of the drone, shape (steps + 1, 10); the command ``values[i]`` acts from
-    ``edges[i]`` on.
+    """Return the states of the drone, shape (steps + 1, 10).
+
+    The command ``values[i]`` acts from ``edges[i]`` on.
     """
     states = np.zeros((steps + 1, 10))
     at = 0
@@ -43,7 +42,7 @@ def integrated(
         value = values[at]
         theta, phi = value if axis == 0 else 0.0, value if axis == 1 else 0.0
         climb, turn = value if axis == 2 else 0.0, value if axis == 3 else 0.0
-        body = body_step(body, theta, phi, climb, turn, wind, constants, dt)
+        body = drone_step(body, theta, phi, climb, turn, wind, constants, dt)
     return states
 
 
@@ -58,16 +57,14 @@ def fly_block(
     dropout: float = 0.05,
     late: float = 0.0,
 ) -> Samples:
-    """Fly one block from near rest; ``late`` is how much later than on average switches leave, one
-    sigma [s].
-    """
-    ticks = np.arange(-round(BEFORE / TICK), round(block.duration / TICK) + 1) * TICK
+    """Fly one block from near rest; ``late`` is one sigma of how much later switches leave [s]."""
+    ticks = np.arange(-round(COMMANDS_BEFORE / TICK), round(block.duration / TICK) + 1) * TICK
     sent = np.array([block.asked(t + 1e-9) if t > -1e-9 else 0.0 for t in ticks])
     edges = ticks.copy()
     jumps = np.flatnonzero(np.diff(sent, prepend=0.0))
     edges[jumps] += random.uniform(-1.73, 1.73, jumps.size) * late
     start = random.normal(0.0, 0.02, 4)
-    body = Body(
+    body = DroneState(
         0.1, -0.2, 1.1, 0.4, start[0], start[1], start[2], 0.0, start[3] * 0.2, start[3] * 0.2
     )
     wind = tuple(random.normal(0.0, 0.05, 2).tolist())

@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from housefly.config.site import Site
 from housefly.errors import RoomError
 from housefly.lab.identification.box import Box, find_box, free_reach
-from housefly.lab.identification.maneuver import CALM, Maneuver
+from housefly.lab.identification.maneuver import REST_TIME, IdentificationManeuver
 from housefly.lab.identification.pattern import (
-    TILTS,
+    TILT_AXES,
     Axis,
     Block,
     blocks,
@@ -20,7 +20,7 @@ from housefly.lab.identification.pattern import (
     largest_excursion,
 )
 from housefly.messages import Action, Command, Estimate
-from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
@@ -39,15 +39,15 @@ HOLD = Command(Action.HOVER)
 def test_no_drone_within_a_factor_of_two_leaves_the_predicted_excursion(
     lag: float, gain: float, drag: float, delay: float, block: Block
 ) -> None:
-    if block.axis not in TILTS:
+    if block.axis not in TILT_AXES:
         return
     allowed = largest_excursion(PLAN, 7.0, 1.0, 0.58, 0.06)
-    body, reach = Body(), 0.0
+    body, reach = DroneState(), 0.0
     for step in range(round((block.duration + delay) / 0.01)):
         value = block.asked(step * 0.01 - delay)
         theta, phi = (value, 0.0) if block.axis is Axis.PITCH else (0.0, value)
-        body = Body(
-            *body_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), Constants(lag, gain, drag), 0.01)
+        body = DroneState(
+            *drone_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), Constants(lag, gain, drag), 0.01)
         )
         reach = max(reach, abs(body.x), abs(body.y))
     assert reach <= allowed + 0.005
@@ -102,9 +102,9 @@ def at(x: float, now: float, *, age: float = 0.01, speed: float = 0.0) -> Estima
     return Estimate(now, (x, 0.0, 1.1), (speed, 0.0, 0.0), 0.0, age, 0.001)
 
 
-def begun() -> tuple[Maneuver, float]:
+def begun() -> tuple[IdentificationManeuver, float]:
     """Return a maneuver in the middle of its first block, and the time."""
-    maneuver, now = Maneuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
+    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
     while not maneuver.flown:
         maneuver.propose(now, at(0.0, now), HOLD)
         now += 0.01
@@ -116,7 +116,7 @@ def begun() -> tuple[Maneuver, float]:
 
 
 def test_a_block_begins_only_after_rest_in_the_middle() -> None:
-    maneuver, now = Maneuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
+    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
     for _ in range(300):
         assert maneuver.propose(now, at(0.0, now, speed=0.2), HOLD) is HOLD
         now += 0.01
@@ -124,7 +124,7 @@ def test_a_block_begins_only_after_rest_in_the_middle() -> None:
     while not maneuver.flown:
         maneuver.propose(now, at(0.0, now), HOLD)
         now += 0.01
-    assert maneuver.flown[0].began - calm_since == pytest.approx(CALM, abs=0.02)
+    assert maneuver.flown[0].began - calm_since == pytest.approx(REST_TIME, abs=0.02)
 
 
 @pytest.mark.parametrize(
@@ -149,7 +149,7 @@ def test_a_block_is_given_up_and_never_taken_up_again(
 
 
 def test_a_drone_that_never_rests_is_given_up() -> None:
-    maneuver, now = Maneuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
+    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
     while not maneuver.finished and now < 60.0:
         maneuver.propose(now, at(0.0, now, speed=0.5), HOLD)
         now += 0.05

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 
 from housefly.config.site import Site
-from housefly.lab.experiments.cases import DELAY_COMPENSATED, FINITE_DIFFERENCE, ON_ARRIVAL
 from housefly.lab.reproduction.claims import CLAIMS, findings
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
-from housefly.lab.reproduction.ruling import found
+from housefly.lab.reproduction.ruling import finding_of
 from housefly.lab.reproduction.streams import LATENCIES, RATES
 from housefly.lab.reproduction.trials import TRIALS, Trial, fly_trials
+from housefly.pilot.estimation.estimator import EstimatorKind
 
 Change = Callable[[Evidence], Evidence]
 BY_KEY = {claim.key: claim for claim in CLAIMS}
@@ -58,13 +58,15 @@ def pitch(**facts: float) -> Change:
 
 
 def edges(**shares: float) -> Change:
-    """Give estimators an edge at the slowest rate, or at the latest frames, that is this share of
-    the best.
-    """
+    """Give estimators this share of the best edge at the slowest rate or the latest frames."""
 
     def change(evidence: Evidence) -> Evidence:
         values = evidence.edges.values.copy()
-        names = {"difference": FINITE_DIFFERENCE, "arrival": ON_ARRIVAL, "ours": DELAY_COMPENSATED}
+        names = {
+            "difference": EstimatorKind.FINITE_DIFFERENCE,
+            "arrival": EstimatorKind.ON_ARRIVAL,
+            "ours": EstimatorKind.DELAY_COMPENSATED,
+        }
         order = [3, 2, 1, 0]  # edges.ESTIMATORS, from the plainest to ours
         for name, share in shares.items():
             estimator, what = name.split("_")
@@ -139,7 +141,10 @@ FLIPS: dict[str, tuple[Change, Verdict]] = {
     "identification": (pitch(lag_without_delay=7.1), Verdict.HOLDS),
     "independent loops": (flown_otherwise("beta above lambda alpha", beta=1.4), Verdict.HOLDS),
     "use of (c, lambda)": (flown_otherwise("lag unknown", model_lag=0.5), Verdict.HOLDS),
-    "estimation is required": (flown_otherwise("unfiltered", estimator=ON_ARRIVAL), Verdict.FAILS),
+    "estimation is required": (
+        flown_otherwise("unfiltered", estimator=EstimatorKind.ON_ARRIVAL),
+        Verdict.FAILS,
+    ),
     "Kalman filter": (edges(ours_late=0.1), Verdict.HOLDS),
     "service": (nobody_arrives, Verdict.FAILS),
     "static map": (maps(hit_static=0), Verdict.FAILS),
@@ -150,7 +155,7 @@ FLIPS: dict[str, tuple[Change, Verdict]] = {
 @pytest.mark.parametrize("key", FLIPS)
 def test_one_thing_changed_and_the_verdict_is_another(key: str, evidence: Evidence) -> None:
     change, expected = FLIPS[key]
-    before, after = (found(BY_KEY[key], seen) for seen in (evidence, change(evidence)))
+    before, after = (finding_of(BY_KEY[key], seen) for seen in (evidence, change(evidence)))
     assert before.verdict not in (expected, Verdict.NOT_TESTABLE), before.evidence
     assert after.verdict is expected, after.evidence
 
@@ -171,10 +176,11 @@ def test_the_battery_is_judged_by_the_services(evidence: Evidence) -> None:
 
     claim = BY_KEY["battery"]
     verdicts = [
-        found(claim, replace(evidence, services=(Flown(used),))).verdict for used in (0.08, 0.001)
+        finding_of(claim, replace(evidence, services=(Flown(used),))).verdict
+        for used in (0.08, 0.001)
     ]  # type: ignore[arg-type]
     assert verdicts == [Verdict.HOLDS, Verdict.FAILS]
-    assert found(claim, evidence).verdict is Verdict.NOT_TESTABLE
+    assert finding_of(claim, evidence).verdict is Verdict.NOT_TESTABLE
 
 
 def test_low_frame_rate_harms_who_differentiates_and_not_a_correct_filter(
@@ -188,9 +194,9 @@ def test_low_frame_rate_harms_who_differentiates_and_not_a_correct_filter(
         )
         return slow / fast
 
-    assert kept(FINITE_DIFFERENCE, 0.0) < 0.75
-    assert kept(DELAY_COMPENSATED, 0.05) > 0.8
-    assert kept(ON_ARRIVAL, 0.05) > kept(FINITE_DIFFERENCE, 0.05)
+    assert kept(EstimatorKind.FINITE_DIFFERENCE, 0.0) < 0.75
+    assert kept(EstimatorKind.DELAY_COMPENSATED, 0.05) > 0.8
+    assert kept(EstimatorKind.ON_ARRIVAL, 0.05) > kept(EstimatorKind.FINITE_DIFFERENCE, 0.05)
 
 
 def test_every_finding_has_its_numbers_and_its_place(evidence: Evidence) -> None:

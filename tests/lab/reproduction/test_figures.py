@@ -12,8 +12,8 @@ from PIL import Image
 
 from housefly.config.site import Site, changed
 from housefly.lab.reproduction import fig07_grid, fig10_acceptor, page
-from housefly.lab.reproduction.exhibit import Exhibit, Finding, Table, Verdict
-from housefly.lab.reproduction.fig10_acceptor import edges
+from housefly.lab.reproduction.exhibit import ClaimFinding, Exhibit, Table, Verdict
+from housefly.lab.reproduction.fig10_acceptor import transitions
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import STATES, TABLE
 from housefly.room.files import load_room
@@ -32,18 +32,18 @@ def pixels(path: Path) -> np.ndarray:
 def test_the_grid_is_drawn_with_the_drone_and_its_cells_counted(
     grid: OccupancyGrid, tmp_path: Path
 ) -> None:
-    with_drone = fig07_grid.draw(tmp_path, grid, (10.55, 1.25))
+    with_drone = fig07_grid.draw_fig07(tmp_path, grid, (10.55, 1.25))
     first = (tmp_path / "fig07.png").read_bytes()
     assert "25 x 9 = 225" in with_drone.caption
-    fig07_grid.draw(tmp_path, grid, (5.0, 3.0))
+    fig07_grid.draw_fig07(tmp_path, grid, (5.0, 3.0))
     assert (tmp_path / "fig07.png").read_bytes() != first
-    fig07_grid.draw(tmp_path, grid, (10.55, 1.25))
+    fig07_grid.draw_fig07(tmp_path, grid, (10.55, 1.25))
     assert (tmp_path / "fig07.png").read_bytes() == first
     assert pixels(tmp_path / "fig07.png").std() > 20
 
 
 def test_the_acceptor_has_an_edge_exactly_where_the_table_has_one() -> None:
-    drawn = {(state, target) for state, target, _ in edges()}
+    drawn = {(state, target) for state, target, _ in transitions()}
     table = {
         (STATES[i], STATES[TABLE[i, bits]])
         for i in range(len(STATES))
@@ -53,16 +53,16 @@ def test_the_acceptor_has_an_edge_exactly_where_the_table_has_one() -> None:
 
 
 def test_a_table_without_a_transition_is_drawn_without_its_arrow(tmp_path: Path) -> None:
-    fig10_acceptor.draw(tmp_path)
+    fig10_acceptor.draw_fig10(tmp_path)
     whole = (tmp_path / "fig10.svg").read_text()
     broken = TABLE.copy()
     yaw, hover = STATES.index(Behavior.YAW_CONTROL), STATES.index(Behavior.HOVER)
     broken[yaw][broken[yaw] == hover] = yaw
-    exhibit = fig10_acceptor.draw(tmp_path, broken)
+    exhibit = fig10_acceptor.draw_fig10(tmp_path, broken)
     assert "11 transitions" in exhibit.caption
     assert len((tmp_path / "fig10.svg").read_text()) < len(whole)
     assert (Behavior.YAW_CONTROL, Behavior.HOVER) not in {
-        (state, target) for state, target, _ in edges(broken)
+        (state, target) for state, target, _ in transitions(broken)
     }
 
 
@@ -84,14 +84,14 @@ class Links(HTMLParser):
 
 
 def test_the_page_holds_everything_and_needs_nobody(tmp_path: Path) -> None:
-    exhibit = fig10_acceptor.draw(tmp_path)
+    exhibit = fig10_acceptor.draw_fig10(tmp_path)
     findings = tuple(
-        Finding(f"key {n}", "V-B", f"claim <{n}>", verdict, f"because of {n} & more", ("10",))
+        ClaimFinding(f"key {n}", "V-B", f"claim <{n}>", verdict, f"because of {n} & more", ("10",))
         for n, verdict in enumerate(Verdict)
     )
     table = Table("How far?", ("mode", "error [cm]"), (("paper", "4.2 ± 0.1"),), "of 100 drones")
     path = page.write_page(
-        tmp_path, (exhibit,), (table,), findings, page.Made((("made by", "a test"),))
+        tmp_path, (exhibit,), (table,), findings, page.RunNotes((("made by", "a test"),))
     )
     text = path.read_text()
     reader = Links()

@@ -9,8 +9,8 @@ import numpy as np
 
 from housefly.lab.experiments.intervals import mean, share
 from housefly.lab.reproduction.evidence import Evidence
-from housefly.lab.reproduction.streams import FREQUENCIES, LATENCIES, LOSSES, RATES
-from housefly.lab.reproduction.table_plots import draw
+from housefly.lab.reproduction.streams import LATENCIES, LOOP_FREQUENCIES, LOSSES, RATES
+from housefly.lab.reproduction.table_plots import draw_table_plots
 from housefly.lab.reproduction.tables import tables
 
 
@@ -21,7 +21,9 @@ def test_every_rate_latency_loss_and_gain_has_its_cell(evidence: Evidence) -> No
     assert len(streams) == 7
     assert all(len(table.rows) == 2 * len(RATES) for table in streams)
     gains = next(table for table in found if "cautious" in table.title)
-    assert [row[1] for row in gains.rows] == 2 * [f"{frequency:.1f}" for frequency in FREQUENCIES]
+    assert [row[1] for row in gains.rows] == 2 * [
+        f"{frequency:.1f}" for frequency in LOOP_FREQUENCIES
+    ]
 
 
 def test_a_cell_is_the_mean_of_its_flights_with_its_interval(evidence: Evidence) -> None:
@@ -54,6 +56,6 @@ def test_default_keeps_the_path_better_than_paper_on_every_stream(evidence: Evid
 
 
 def test_both_pictures_are_written(evidence: Evidence, tmp_path: Path) -> None:
-    for exhibit in draw(evidence, tmp_path):
+    for exhibit in draw_table_plots(evidence, tmp_path):
         assert (tmp_path / f"{exhibit.stem}.png").stat().st_size > 20_000
         assert re.search(r"<svg", (tmp_path / f"{exhibit.stem}.svg").read_text())

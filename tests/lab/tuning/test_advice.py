@@ -11,19 +11,19 @@ from hypothesis import strategies as st
 
 from housefly.geometry import GRAVITY
 from housefly.lab.tuning.advice import (
-    DELAY,
-    GAIN,
-    PHASE,
+    MIN_DELAY_MARGIN,
+    MIN_GAIN_MARGIN,
+    MIN_PHASE_MARGIN,
     WRONG_GAIN,
     WRONG_PHASE,
-    Question,
+    GainQuestion,
     advise,
     judge,
     routh_objection,
 )
 from housefly.lab.tuning.loop import Loop
 from housefly.lab.tuning.noise import position_error
-from housefly.lab.tuning.rate_loop import margins, rate_loop
+from housefly.lab.tuning.rate_loop import rate_loop, rate_margins
 
 DRONE = Loop(1.0, 0.25, lag=7.0, delay=0.06)
 
@@ -39,7 +39,7 @@ DRONE = Loop(1.0, 0.25, lag=7.0, delay=0.06)
 def test_the_recommended_pair_keeps_every_promise(
     lag: float, delay: float, rate: float, latency: float, paper: bool
 ) -> None:
-    question = Question(
+    question = GainQuestion(
         replace(DRONE, lag=lag, delay=delay, tracking_hz=rate, latency=latency, paper=paper)
     )
     advice = advise(question)
@@ -47,8 +47,8 @@ def test_the_recommended_pair_keeps_every_promise(
     assert advice is not None
     found = advice.judgement
     assert found.objections == ()
-    assert found.margins.gain >= GAIN and found.margins.phase >= PHASE
-    assert found.margins.delay >= max(DELAY, 1.0 / rate)
+    assert found.margins.gain >= MIN_GAIN_MARGIN and found.margins.phase >= MIN_PHASE_MARGIN
+    assert found.margins.delay >= max(MIN_DELAY_MARGIN, 1.0 / rate)
     assert all(
         wrong.gain >= WRONG_GAIN and wrong.phase >= WRONG_PHASE for _, wrong in found.wrong_lag
     )
@@ -63,7 +63,7 @@ def test_a_pair_is_refused_exactly_where_routh_says(alpha: float, beta: float, l
 
 def test_slower_tracking_gets_no_faster_gains() -> None:
     pairs = [
-        advise(Question(replace(DRONE, tracking_hz=hz, latency=late, paper=True)))
+        advise(GainQuestion(replace(DRONE, tracking_hz=hz, latency=late, paper=True)))
         for hz, late in ((100.0, 0.02), (10.0, 0.1))
     ]
     assert pairs[0] is not None and pairs[1] is not None
@@ -71,12 +71,12 @@ def test_slower_tracking_gets_no_faster_gains() -> None:
 
 
 def test_a_step_that_saturates_even_the_slowest_pair_gets_no_advice() -> None:
-    assert advise(Question(DRONE, step=30.0)) is None
+    assert advise(GainQuestion(DRONE, step=30.0)) is None
 
 
 def test_the_sites_own_pair_keeps_the_promises_and_a_stiff_one_is_objected_to() -> None:
-    assert judge(Question(replace(DRONE, tracking_hz=100.0)), 3.6, 3.24).objections == ()
-    stiff = judge(Question(replace(DRONE, tracking_hz=10.0, latency=0.1)), 12.0, 36.0)
+    assert judge(GainQuestion(replace(DRONE, tracking_hz=100.0)), 3.6, 3.24).objections == ()
+    stiff = judge(GainQuestion(replace(DRONE, tracking_hz=10.0, latency=0.1)), 12.0, 36.0)
     assert any("gain margin" in objection for objection in stiff.objections)
     assert any("saturates" in objection for objection in stiff.objections)
 
@@ -98,7 +98,7 @@ def test_the_p_laws_keep_their_promises_or_are_the_slowest(pole: float, delay: f
 
 
 def test_the_margins_of_a_p_law_without_lag_are_the_textbooks() -> None:
-    law = margins(2.0, 1e6, 0.1)  # L = 2 e^(-0.1 s) / s
+    law = rate_margins(2.0, 1e6, 0.1)  # L = 2 e^(-0.1 s) / s
     assert law.phase == pytest.approx(radians(90.0) - 0.2, abs=1e-4)
     assert law.factor == pytest.approx(radians(90.0) / 0.2, rel=1e-4)
     assert law.delay == pytest.approx(law.phase / 2.0, rel=1e-4)

@@ -1,6 +1,4 @@
-"""Margins of the sampled loop: against the simulated edge, and against what is known of simpler
-loops.
-"""
+"""Margins of the sampled loop, against the simulated edge and against simpler loops."""
 
 from __future__ import annotations
 
@@ -13,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.site import Site
-from housefly.lab.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL, Cases, cases
+from housefly.lab.experiments.cases import Cases, cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import SETTLE, Mission, Task
+from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
 from housefly.lab.tuning.loop import Loop, period_of, timing_of
 from housefly.lab.tuning.margins import (
     delay_margin,
@@ -24,6 +22,7 @@ from housefly.lab.tuning.margins import (
     margins_of,
     phase_margin,
 )
+from housefly.pilot.estimation.estimator import EstimatorKind
 
 STEP = 0.02
 """So small that nothing saturates [m]."""
@@ -47,7 +46,7 @@ def settles(loop: Loop, **truth: float) -> bool:
         Site(),
         drones,
         seed=np.arange(drones),
-        estimator=ON_ARRIVAL if loop.paper else DELAY_COMPENSATED,
+        estimator=EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED,
         alpha=loop.alpha,
         beta=loop.beta,
         model_lag=loop.lag,
@@ -65,7 +64,7 @@ def settles(loop: Loop, **truth: float) -> bool:
         pose_age_land=20.0,
         **{"lag": loop.lag, "delay": loop.delay, **truth},
     )
-    flown = fly_many(case, Mission(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
+    flown = fly_many(case, FlightPlan(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
     return bool((flown["residual"] < 0.2 * STEP).all())
 
 

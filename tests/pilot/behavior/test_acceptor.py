@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from housefly.config.site import ControlConfig
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import (
-    PAPER_EPSILONS,
+    PAPER_TOLERANCES,
     STATES,
     TABLE,
     Acceptor,
@@ -21,7 +21,7 @@ from housefly.pilot.behavior.acceptor import (
     steady_conditions,
 )
 
-EPS1, EPS2, EPS3 = PAPER_EPSILONS
+EPS1, EPS2, EPS3 = PAPER_TOLERANCES[:3]
 heights = st.floats(-3.0, 3.0) | st.sampled_from([EPS1, -EPS1, 0.0])
 yaws = st.floats(-pi, pi) | st.sampled_from([EPS2, -EPS2, 0.0])
 distances = st.floats(0.0, 10.0) | st.sampled_from([EPS3, 0.0])

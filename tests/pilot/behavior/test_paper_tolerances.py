@@ -8,7 +8,7 @@ import pytest
 from housefly.config.site import Site
 from housefly.geometry import distance
 from housefly.messages import Path
-from housefly.pilot.behavior.cells import EPS3, CellFollower
+from housefly.pilot.behavior.waypoints import EPS3, CellFollower
 from housefly.room.grid import OccupancyGrid, inflation
 
 GRID = OccupancyGrid((0.0, 0.0), 0.5, np.zeros((25, 9), np.uint8), np.ones((25, 9)))

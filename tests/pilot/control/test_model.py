@@ -9,18 +9,18 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from housefly.pilot.control.laws import acceleration
-from housefly.pilot.control.model import Body, Constants, body_step, lagged
+from housefly.pilot.control.model import Constants, DroneState, drone_step, lagged
 
 tilts = st.floats(-0.21, 0.21)
 
 
 def twin(
-    body: Body,
+    body: DroneState,
     wanted: tuple[float, float, float, float],
     wind: tuple[float, float],
     c: Constants,
     t: float,
-) -> Body:
+) -> DroneState:
     """Integrate the same differential equations with an independent solver."""
 
     def rate(_: float, s: np.ndarray) -> list[float]:
@@ -39,7 +39,7 @@ def twin(
             c.lag * (c.gain * wanted[1] - phi),
         ]
 
-    return Body(*solve_ivp(rate, (0.0, t), list(body), rtol=1e-9, atol=1e-11).y[:, -1])
+    return DroneState(*solve_ivp(rate, (0.0, t), list(body), rtol=1e-9, atol=1e-11).y[:, -1])
 
 
 @pytest.mark.parametrize(
@@ -48,10 +48,10 @@ def twin(
 def test_half_a_second_of_steps_agrees_with_an_independent_solver(
     wanted: tuple[float, float, float, float],
 ) -> None:
-    start = Body(1.0, 2.0, 1.1, 0.4, 0.3, -0.2, 0.1, 0.2, 0.05, -0.03)
+    start = DroneState(1.0, 2.0, 1.1, 0.4, 0.3, -0.2, 0.1, 0.2, 0.05, -0.03)
     body, constants = start, Constants(lag=7.0, gain=0.9, drag=0.58)
     for _ in range(100):
-        body = body_step(body, *wanted, (0.1, -0.2), constants, 0.005)
+        body = drone_step(body, *wanted, (0.1, -0.2), constants, 0.005)
     assert tuple(body) == pytest.approx(
         tuple(twin(start, wanted, (0.1, -0.2), constants, 0.5)), abs=2e-4
     )
@@ -66,15 +66,15 @@ def test_first_order_response_is_exact(value: float, target: float, pole: float,
 
 @given(tilts, tilts, st.floats(-pi, pi))
 def test_compiled_step_equals_the_plain_one(theta: float, phi: float, psi: float) -> None:
-    body = Body(psi=psi, vx=0.3, vy=-0.1, theta=0.02)
+    body = DroneState(psi=psi, vx=0.3, vy=-0.1, theta=0.02)
     arguments = (body, theta, phi, 0.2, 0.1, (0.0, 0.0), Constants(), 0.01)
-    assert tuple(body_step(*arguments)) == pytest.approx(
-        tuple(body_step.py_func(*arguments)), abs=1e-14
+    assert tuple(drone_step(*arguments)) == pytest.approx(
+        tuple(drone_step.py_func(*arguments)), abs=1e-14
     )  # type: ignore[attr-defined]
 
 
 def test_drag_gives_the_top_speed_that_the_tilt_limit_allows() -> None:
-    body = Body()
+    body = DroneState()
     for _ in range(3000):
-        body = body_step(body, 0.21, 0.0, 0.0, 0.0, (0.0, 0.0), Constants(), 0.01)
+        body = drone_step(body, 0.21, 0.0, 0.0, 0.0, (0.0, 0.0), Constants(), 0.01)
     assert body.vx == pytest.approx(acceleration(0.21, 0.0, 0.0)[0] / 0.58, rel=1e-3)

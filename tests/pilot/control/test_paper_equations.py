@@ -15,7 +15,7 @@ from housefly.config.site import Site, site_from_tree
 from housefly.errors import ConfigError
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, rotate
 from housefly.pilot.control.laws import acceleration, demand, tilt
-from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 
 angles = st.floats(-1.2, 1.2)
 headings = st.floats(-pi, pi)
@@ -106,9 +106,9 @@ def test_with_the_lag_of_equation_22_the_loop_is_stable_exactly_where_a_site_is_
 def test_equations_22_to_25_have_the_gain_c_over_lambda_and_the_law_divides_by_it() -> None:
     constants = Constants(lag=6.0, gain=0.8)
     asked = 0.4 * THETA_MAX
-    body = Body()
+    body = DroneState()
     for tick in range(1, 301):
-        body = body_step(body, asked, -asked, 0.0, 0.0, (0.0, 0.0), constants, 0.01)
+        body = drone_step(body, asked, -asked, 0.0, 0.0, (0.0, 0.0), constants, 0.01)
         assert body.theta == pytest.approx(0.8 * asked * (1.0 - exp(-6.0 * 0.01 * tick)), abs=1e-9)
         assert body.phi == -body.theta
     assert 0.8 * tilt(1.0, 0.0, 0.0, 0.8)[0] == pytest.approx(atan(1.0 / GRAVITY))

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from housefly.geometry import GRAVITY
 from housefly.pilot.control.laws import acceleration, demand, paper_tilt, tilt
-from housefly.pilot.control.model import Body, Constants, body_step, lagged
+from housefly.pilot.control.model import Constants, DroneState, drone_step, lagged
 
 theta, phi = sp.symbols("theta phi", real=True)
 psi = sp.Symbol("psi", real=True)
@@ -247,8 +247,8 @@ def test_the_codes_drone_obeys_the_derived_equations_in_small_steps() -> None:
         constants = Constants(
             lag=random.uniform(3.0, 12.0), gain=random.uniform(0.7, 1.3), drag=0.0
         )
-        body = Body(theta=pitch, phi=roll, psi=heading)
-        after = body_step(body, asked, -asked, 0.0, 0.0, (0.0, 0.0), constants, dt)
+        body = DroneState(theta=pitch, phi=roll, psi=heading)
+        after = drone_step(body, asked, -asked, 0.0, 0.0, (0.0, 0.0), constants, dt)
         expected = derived_acceleration(pitch, roll, heading)
         assert (after.vx / dt, after.vy / dt) == pytest.approx(expected, abs=1e-3)
         cc = constants.gain * constants.lag

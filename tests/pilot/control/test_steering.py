@@ -4,22 +4,29 @@ from math import atan2, pi
 
 import numpy as np
 import pytest
+from housefly.pilot.control.autopilot import gains_of
 from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.site import Site
 from housefly.geometry import GRAVITY
-from housefly.pilot.control.autopilot import gains_of
-from housefly.pilot.control.steering import Aim, Asked, Gains, Where, steered, steered_by_paper
+from housefly.pilot.control.steering import (
+    ControlOutput,
+    ControlReference,
+    ControlState,
+    Gains,
+    control_output,
+    paper_control_output,
+)
 from housefly.pilot.safety.limits import limited, too_old
 
 GAINS = gains_of(Site())
 pairs = st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4))
-aims = st.builds(Aim, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
-wheres = st.builds(Where, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
+aims = st.builds(ControlReference, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
+wheres = st.builds(ControlState, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
 
 
-def twin(aim: Aim, where: Where, g: Gains) -> Asked:
+def twin(aim: ControlReference, where: ControlState, g: Gains) -> ControlOutput:
     """The law of mode default with vectors and a rotation matrix."""
     error = np.array(aim.position) + g.delay * np.array(aim.velocity) - where.position
     rate = np.array(aim.velocity) - where.velocity
@@ -39,21 +46,21 @@ def twin(aim: Aim, where: Where, g: Gains) -> Asked:
     turn = np.angle(np.exp(1j * (aim.yaw - where.yaw)))
     climb = np.clip(g.height * (aim.height - where.height), -g.climb_max, g.climb_max)
     spin = float(np.clip(g.yaw * turn, -g.turn_max, g.turn_max))
-    return Asked(float(angles[0]), float(angles[1]), float(climb), spin, wish)
+    return ControlOutput(float(angles[0]), float(angles[1]), float(climb), spin, wish)
 
 
 @given(aims, wheres, st.floats(0.5, 1.5))
-def test_mode_default_matches_its_vector_twin(aim: Aim, where: Where, gain: float) -> None:
+def test_mode_default_matches_its_vector_twin(aim: ControlReference, where: ControlState, gain: float) -> None:
     gains = GAINS._replace(gain=gain)
     expected = twin(aim, where, gains)
     if abs(abs(np.angle(np.exp(1j * (aim.yaw - where.yaw)))) - pi) < 1e-6:
         return
-    assert tuple(steered(aim, where, gains)) == pytest.approx(tuple(expected), abs=1e-12)
+    assert tuple(control_output(aim, where, gains)) == pytest.approx(tuple(expected), abs=1e-12)
 
 
 @given(aims, wheres, st.sampled_from([0.0, pi]))
 def test_mode_paper_commands_the_axis_of_its_state_alone(
-    aim: Aim, where: Where, heading: float
+    aim: ControlReference, where: ControlState, heading: float
 ) -> None:
     aim = aim._replace(yaw=heading)
     whole = twin(
@@ -61,11 +68,11 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
         where._replace(disturbance=(0.0, 0.0)),
         GAINS,
     )
-    assert steered_by_paper(0, aim, where, GAINS) == Asked(0.0, 0.0, 0.0, 0.0, 0.0)
-    assert tuple(steered_by_paper(1, aim, where, GAINS)) == pytest.approx(
+    assert paper_control_output(0, aim, where, GAINS) == ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+    assert tuple(paper_control_output(1, aim, where, GAINS)) == pytest.approx(
         (0.0, 0.0, whole.vz, 0.0, 0.0), abs=1e-12
     )
-    yaw_only = steered_by_paper(2, aim, where, GAINS)
+    yaw_only = paper_control_output(2, aim, where, GAINS)
     assert yaw_only[:3] == (0.0, 0.0, 0.0) and abs(yaw_only.yaw_rate) == pytest.approx(
         abs(whole.yaw_rate), abs=1e-9
     )
@@ -74,7 +81,7 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
     sign = 1.0 if heading == 0.0 else -1.0
     theta = atan2(sign * a[0], GRAVITY)
     phi = -atan2(np.cos(theta) * sign * a[1], GRAVITY)
-    path = steered_by_paper(3, aim, where, GAINS)
+    path = paper_control_output(3, aim, where, GAINS)
     assert path[:2] == pytest.approx(
         (np.clip(theta, -0.21, 0.21), np.clip(phi, -0.21, 0.21)), abs=1e-12
     )
@@ -82,10 +89,10 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
 
 
 def test_without_the_wrap_the_heading_error_at_the_cut_is_a_full_turn() -> None:
-    aim = Aim((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, pi)
-    where = Where((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, -pi + 0.01)
-    assert steered_by_paper(2, aim, where, GAINS).yaw_rate == pytest.approx(-0.01 * GAINS.yaw)
-    assert steered_by_paper(2, aim, where, GAINS._replace(wraps=False)).yaw_rate == GAINS.turn_max
+    aim = ControlReference((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, pi)
+    where = ControlState((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, -pi + 0.01)
+    assert paper_control_output(2, aim, where, GAINS).yaw_rate == pytest.approx(-0.01 * GAINS.yaw)
+    assert paper_control_output(2, aim, where, GAINS._replace(wraps=False)).yaw_rate == GAINS.turn_max
 
 
 @given(st.tuples(*[st.floats(-5.0, 5.0)] * 4))

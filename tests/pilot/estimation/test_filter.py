@@ -5,16 +5,16 @@ from math import cos, inf, isfinite, nan, pi, sin
 
 import numpy as np
 import pytest
+from housefly.pilot.estimation.contracts import Estimator
+from housefly.pilot.estimation.filter import PoseFilter
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler, wrap_angle
 from housefly.messages import Pose, Sighting
-from housefly.pilot.estimation.contracts import Estimator
-from housefly.pilot.estimation.filter import PoseFilter
-from housefly.pilot.estimation.intake import Refusal
 from housefly.pilot.estimation.paper_filter import PaperFilter
+from housefly.pilot.estimation.validation import RejectionReason
 
 SITE = Site()
 
@@ -138,7 +138,7 @@ def test_a_spike_of_one_metre_is_refused_and_not_felt(make: Callable[[], Estimat
         estimator.sent(0.01 * n, (0.0, 0.0), True)
     estimate = estimator.estimate(0.99)
     assert estimate is not None and abs(estimate.position[0] - 1.0) < 1e-3
-    assert estimator.refused.of(Refusal.JUMP) == 3
+    assert estimator.refused.of(RejectionReason.JUMP) == 3
 
 
 @both
@@ -196,15 +196,15 @@ def test_a_yaw_flip_is_refused_like_a_jump(make: Callable[[], Estimator]) -> Non
 @pytest.mark.parametrize(
     ("captured", "refusal"),
     [
-        (0.5, Refusal.OUT_OF_ORDER),
-        (0.4, Refusal.OUT_OF_ORDER),
-        (0.9, Refusal.FUTURE),
-        (nan, Refusal.NOT_FINITE),
-        (inf, Refusal.NOT_FINITE),
+        (0.5, RejectionReason.OUT_OF_ORDER),
+        (0.4, RejectionReason.OUT_OF_ORDER),
+        (0.9, RejectionReason.FUTURE),
+        (nan, RejectionReason.NOT_FINITE),
+        (inf, RejectionReason.NOT_FINITE),
     ],
 )
 def test_bad_stamps_are_dropped_and_counted(
-    make: Callable[[], Estimator], captured: float, refusal: Refusal
+    make: Callable[[], Estimator], captured: float, refusal: RejectionReason
 ) -> None:
     estimator = make()
     estimator.see((seen(1.0, 2.0, 0.5),), 0.5, False)
@@ -222,8 +222,8 @@ def test_a_pose_that_is_too_old_or_no_rotation_is_dropped(make: Callable[[], Est
     estimator.see(
         (Sighting("ardrone", Pose((1.0, 2.0, 1.0), (0.5, 0.0, 0.0, 0.0)), 5.0, 5.0),), 5.0, False
     )
-    assert estimator.refused.of(Refusal.STALE) == 1
-    assert estimator.refused.of(Refusal.NOT_A_ROTATION) == 1
+    assert estimator.refused.of(RejectionReason.STALE) == 1
+    assert estimator.refused.of(RejectionReason.NOT_A_ROTATION) == 1
 
 
 @both

@@ -7,33 +7,33 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from housefly.pilot.estimation.lagged_axis import (
-    HOVER_DOUBT,
-    Axis,
+    HOVER_VARIANCE_FACTOR,
+    AxisCovariance,
     AxisModel,
-    Spread,
-    corrected,
-    narrowed,
-    predicted,
-    spread_out,
+    AxisState,
+    predicted_axis,
+    predicted_covariance,
     transition,
+    updated_axis,
+    updated_covariance,
 )
 
 MODEL = AxisModel(lag=7.0, gain=0.9, drag=0.58, hover_drag=2.0, noise=0.5, wander=0.2)
 numbers = st.floats(-3.0, 3.0)
-axes = st.builds(Axis, numbers, numbers, numbers, st.floats(-0.5, 0.5))
+axes = st.builds(AxisState, numbers, numbers, numbers, st.floats(-0.5, 0.5))
 
 
-def matrix(spread: Spread) -> np.ndarray:
+def matrix(spread: AxisCovariance) -> np.ndarray:
     upper = np.zeros((4, 4))
     upper[np.triu_indices(4)] = spread
     return upper + np.triu(upper, 1).T
 
 
 @st.composite
-def spreads(draw: st.DrawFn) -> Spread:
+def spreads(draw: st.DrawFn) -> AxisCovariance:
     root = np.array(draw(st.lists(st.floats(-1.0, 1.0), min_size=16, max_size=16))).reshape(4, 4)
     full = root @ root.T + 1e-3 * np.eye(4)
-    return Spread(*full[np.triu_indices(4)])
+    return AxisCovariance(*full[np.triu_indices(4)])
 
 
 def matrix_of(flown: bool, dt: float) -> np.ndarray:
@@ -49,7 +49,7 @@ def matrix_of(flown: bool, dt: float) -> np.ndarray:
 
 @given(axes, st.floats(-2.0, 2.0), st.booleans(), st.floats(0.0005, 0.02))
 def test_prediction_agrees_with_the_exact_solution(
-    axis: Axis, u: float, flown: bool, dt: float
+    axis: AxisState, u: float, flown: bool, dt: float
 ) -> None:
     drag = MODEL.drag if flown else MODEL.hover_drag
     pull = 1.0 if flown else 0.0
@@ -63,43 +63,43 @@ def test_prediction_agrees_with_the_exact_solution(
         ]
     )
     exact = expm(system * dt) @ np.array([*axis, 1.0])
-    assert tuple(predicted(axis, u, transition(MODEL, flown, dt))) == pytest.approx(
+    assert tuple(predicted_axis(axis, u, transition(MODEL, flown, dt))) == pytest.approx(
         tuple(exact[:4]), abs=3e-4
     )
 
 
 @given(axes, st.booleans(), st.floats(0.0, 0.02))
-def test_prediction_matches_its_matrix_twin(axis: Axis, flown: bool, dt: float) -> None:
+def test_prediction_matches_its_matrix_twin(axis: AxisState, flown: bool, dt: float) -> None:
     twin = matrix_of(flown, dt) @ np.array(axis)
-    assert tuple(predicted(axis, 0.0, transition(MODEL, flown, dt))) == pytest.approx(
+    assert tuple(predicted_axis(axis, 0.0, transition(MODEL, flown, dt))) == pytest.approx(
         tuple(twin), abs=1e-12
     )
 
 
 @given(spreads(), st.booleans(), st.floats(0.0, 0.02))
-def test_covariance_matches_f_p_f_transposed_plus_q(p: Spread, flown: bool, dt: float) -> None:
+def test_covariance_matches_f_p_f_transposed_plus_q(p: AxisCovariance, flown: bool, dt: float) -> None:
     f = matrix_of(flown, dt)
     q = np.zeros((4, 4))
     q[2, 2] = (
-        MODEL.noise**2 * (1.0 if flown else HOVER_DOUBT) * (1.0 - np.exp(-2.0 * MODEL.lag * dt))
+        MODEL.noise**2 * (1.0 if flown else HOVER_VARIANCE_FACTOR) * (1.0 - np.exp(-2.0 * MODEL.lag * dt))
     )
     q[3, 3] = MODEL.wander**2 * dt if flown else 0.0
-    assert matrix(spread_out(p, transition(MODEL, flown, dt))) == pytest.approx(
+    assert matrix(predicted_covariance(p, transition(MODEL, flown, dt))) == pytest.approx(
         f @ matrix(p) @ f.T + q, abs=1e-10
     )
 
 
 @given(axes, spreads(), numbers, st.floats(1e-6, 1e-2))
-def test_correction_matches_the_joseph_form(axis: Axis, p: Spread, seen: float, r: float) -> None:
+def test_correction_matches_the_joseph_form(axis: AxisState, p: AxisCovariance, seen: float, r: float) -> None:
     full, h = matrix(p), np.array([[1.0, 0.0, 0.0, 0.0]])
     gain = full @ h.T / (h @ full @ h.T + r)
     keep = np.eye(4) - gain @ h
-    assert matrix(narrowed(p, r)) == pytest.approx(
+    assert matrix(updated_covariance(p, r)) == pytest.approx(
         keep @ full @ keep.T + r * gain @ gain.T, abs=1e-9
     )
     twin = np.array(axis) + gain[:, 0] * (seen - axis.x)
     twin[3] = np.clip(twin[3], -1.0, 1.0)
-    assert tuple(corrected(axis, p, seen, r)) == pytest.approx(tuple(twin), rel=1e-9, abs=1e-9)
+    assert tuple(updated_axis(axis, p, seen, r)) == pytest.approx(tuple(twin), rel=1e-9, abs=1e-9)
 
 
 @given(
@@ -107,9 +107,9 @@ def test_correction_matches_the_joseph_form(axis: Axis, p: Spread, seen: float, 
     st.lists(st.tuples(st.booleans(), st.booleans(), st.floats(0.001, 0.02)), max_size=60),
 )
 def test_covariance_stays_positive_through_any_series_of_steps(
-    p: Spread, series: list[tuple[bool, bool, float]]
+    p: AxisCovariance, series: list[tuple[bool, bool, float]]
 ) -> None:
     for measured, flown, dt in series:
-        p = spread_out(p, transition(MODEL, flown, dt))
-        p = narrowed(p, 1e-5) if measured else p
+        p = predicted_covariance(p, transition(MODEL, flown, dt))
+        p = updated_covariance(p, 1e-5) if measured else p
         assert np.linalg.eigvalsh(matrix(p)).min() > -1e-9

@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from housefly.config.site import LimitsConfig
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
-from housefly.pilot.safety.facts import AIRBORNE, Facts, Fence
 from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, Gate
-from housefly.pilot.safety.rules import RULES, SEVERITY
+from housefly.pilot.safety.gate_inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
 LIMITS = LimitsConfig()
-FENCE = Fence((0.0, 0.0, 10.0, 5.0), 2.5)
-FINE = Facts(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
+FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
+FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 BOLDNESS = {
     Action.FLY: 3,
@@ -33,7 +33,7 @@ commands = st.builds(
     Command, st.sampled_from(Action), st.builds(Setpoint, number, number, number, number)
 )
 facts = st.builds(
-    Facts,
+    GateInputs,
     now=st.floats(0.0, 1e4),
     status=st.sampled_from(DroneStatus),
     battery=number,
@@ -45,7 +45,7 @@ facts = st.builds(
 ) | st.just(FINE)
 
 
-def judge(command: Command, *series: Facts) -> tuple[SafetyMode, Command]:
+def judge(command: Command, *series: GateInputs) -> tuple[SafetyMode, Command]:
     gate = Gate(LIMITS, FENCE)
     for each in series:
         verdict = gate.judge(command, each)
@@ -54,7 +54,7 @@ def judge(command: Command, *series: Facts) -> tuple[SafetyMode, Command]:
 
 @given(commands, st.lists(facts, min_size=1, max_size=6))
 def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
-    command: Command, series: list[Facts]
+    command: Command, series: list[GateInputs]
 ) -> None:
     gate = Gate(LIMITS, FENCE)
     for each in series:
@@ -69,7 +69,7 @@ def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
             assert command.action is Action.FLY
         else:
             assert out == LEVEL
-        if verdict.command.action is not Action.LAND or each.status not in AIRBORNE:
+        if verdict.command.action is not Action.LAND or each.status not in AIRBORNE_STATUSES:
             assert (
                 BOLDNESS[verdict.command.action] <= BOLDNESS[command.action]
                 or verdict.mode is SafetyMode.CUT
@@ -77,15 +77,15 @@ def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
 
 
 @given(commands, facts)
-def test_motors_are_cut_in_the_air_only_by_order(command: Command, each: Facts) -> None:
+def test_motors_are_cut_in_the_air_only_by_order(command: Command, each: GateInputs) -> None:
     mode, out = judge(command, each)
-    if out.action is Action.CUT and each.status in AIRBORNE:
+    if out.action is Action.CUT and each.status in AIRBORNE_STATUSES:
         assert each.cutting or command.action is Action.CUT
     assert mode is not SafetyMode.CUT or each.cutting or each.status is DroneStatus.EMERGENCY
 
 
 @given(commands, facts)
-def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: Facts) -> None:
+def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: GateInputs) -> None:
     _, out = judge(command, each)
     if each.status is DroneStatus.EMERGENCY:
         assert out.action in (Action.IDLE, Action.RESET)
@@ -94,11 +94,11 @@ def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: 
 
 
 @given(facts)
-def test_the_worst_broken_rule_decides(each: Facts) -> None:
+def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
     gate = Gate(LIMITS, FENCE)
     mode = gate.judge(Command(Action.HOVER), each).mode
-    at_once = [rule for rule in RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)]
-    assert SEVERITY[mode] == max((SEVERITY[rule.mode] for rule in at_once), default=0)
+    at_once = [rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)]
+    assert MODE_SEVERITY[mode] == max((MODE_SEVERITY[rule.mode] for rule in at_once), default=0)
 
 
 def test_what_is_too_much_is_cut_to_the_limits() -> None:
@@ -177,6 +177,6 @@ def test_every_mode_says_what_becomes_of_actions() -> None:
 
 
 def test_every_rule_has_words_and_a_name_of_its_own() -> None:
-    assert len({rule.code for rule in RULES}) == len(RULES)
-    for rule in RULES:
+    assert len({rule.code for rule in SAFETY_RULES}) == len(SAFETY_RULES)
+    for rule in SAFETY_RULES:
         assert rule.words(FINE, LIMITS)

@@ -10,11 +10,11 @@ from housefly.config.site import Site, changed
 from housefly.geometry import distance
 from housefly.room.model import Room
 from housefly.twin.ardrone.body import (
-    FRONT_VIEW,
+    DRONE_MARKERS,
+    DRONE_MASS,
+    FRONT_FIELD_OF_VIEW,
     HULL_GROUP,
     INERTIA,
-    MARKERS,
-    MASS,
     STANDING_HEIGHT,
     VISUAL_GROUP,
 )
@@ -27,7 +27,7 @@ def physics(make_room: Callable[..., Room]) -> Physics:
 
 
 def test_mass_and_inertia_are_the_measured_ones(physics: Physics) -> None:
-    assert physics.model.body_mass[physics.drone_id] == pytest.approx(MASS)
+    assert physics.model.body_mass[physics.drone_id] == pytest.approx(DRONE_MASS)
     assert sorted(physics.model.body_inertia[physics.drone_id]) == pytest.approx(sorted(INERTIA))
 
 
@@ -60,7 +60,7 @@ def _half_extents(physics: Physics, geom: int) -> np.ndarray:
 
 
 def test_no_two_distances_between_markers_are_alike() -> None:
-    between = sorted(distance(a, b) for a, b in combinations(MARKERS, 2))
+    between = sorted(distance(a, b) for a, b in combinations(DRONE_MARKERS, 2))
     assert min(later - earlier for earlier, later in pairwise(between)) > 0.002
 
 
@@ -78,7 +78,13 @@ def test_nothing_of_the_drone_stands_in_the_front_cameras_view(physics: Physics)
     geom = np.zeros(1, np.int32)
     for across in np.linspace(-1, 1, 15):
         for up in np.linspace(-1, 1, 9):
-            ray = np.array([1.0, across * tan(FRONT_VIEW / 2), up * tan(FRONT_VIEW / 2) * 9 / 16])
+            ray = np.array(
+                [
+                    1.0,
+                    across * tan(FRONT_FIELD_OF_VIEW / 2),
+                    up * tan(FRONT_FIELD_OF_VIEW / 2) * 9 / 16,
+                ]
+            )
             assert mujoco.mj_ray(physics.model, physics.data, eye, ray, looks, 1, -1, geom) < 0, (
                 across,
                 up,
@@ -87,5 +93,5 @@ def test_nothing_of_the_drone_stands_in_the_front_cameras_view(physics: Physics)
 
 def test_the_front_camera_is_69_degrees_wide(physics: Physics) -> None:
     height = radians(float(physics.model.camera("front").fovy[0]))
-    assert tan(height / 2) * 16 / 9 == pytest.approx(tan(FRONT_VIEW / 2), rel=1e-4)
+    assert tan(height / 2) * 16 / 9 == pytest.approx(tan(FRONT_FIELD_OF_VIEW / 2), rel=1e-4)
     assert 0 < height < pi / 2

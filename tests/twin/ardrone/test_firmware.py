@@ -5,12 +5,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.site import DroneConfig
-from housefly.twin.ardrone.firmware import COM_LOST, TILT_MAX, Firmware
-from housefly.twin.ardrone.onboard_sensors import PERIOD, Measured
-from housefly.twin.contracts import Flight, Stick
+from housefly.twin.ardrone.firmware import COM_LOST_AFTER, TILT_CUTOFF, Firmware
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
+from housefly.twin.contracts import FlightState
+from housefly.wires.ardrone.conversions import Stick
 
-LEVEL = Measured(0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 1.0, 0.0, 0.0, 0.0, (0.0, 0.0, 9.8))
-TILTED = LEVEL._replace(phi=TILT_MAX + 0.1)
+LEVEL = SensorReading(0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 1.0, 0.0, 0.0, 0.0, (0.0, 0.0, 9.8))
+TILTED = LEVEL._replace(phi=TILT_CUTOFF + 0.1)
 UPSIDE_DOWN = LEVEL._replace(phi=3.1)
 FULL, EMPTY = 12.0, 8.9
 
@@ -18,11 +19,11 @@ FULL, EMPTY = 12.0, 8.9
 def run(
     firmware: Firmware,
     seconds: float,
-    measured: Measured = LEVEL,
+    measured: SensorReading = LEVEL,
     voltage: float = FULL,
     silence: float = 0.0,
-) -> Flight:
-    for _ in range(round(seconds / PERIOD)):
+) -> FlightState:
+    for _ in range(round(seconds / CONTROL_PERIOD)):
         firmware.step(measured, voltage, silence)
     return firmware.flight
 
@@ -35,7 +36,7 @@ def grounded() -> Firmware:
 @pytest.fixture
 def airborne(grounded: Firmware) -> Firmware:
     grounded.request_take_off()
-    assert run(grounded, 5.0) is Flight.HOVERING
+    assert run(grounded, 5.0) is FlightState.HOVERING
     return grounded
 
 
@@ -45,82 +46,84 @@ def test_motors_rest_until_take_off_and_after_landing(grounded: Firmware) -> Non
     run(grounded, 5.0)
     assert grounded.step(LEVEL, FULL, 0.0).thrust > 0.0
     grounded.request_land()
-    assert run(grounded, 3.0) is Flight.LANDED
+    assert run(grounded, 3.0) is FlightState.LANDED
     assert grounded.step(LEVEL, FULL, 0.0).thrust == 0.0
 
 
 def test_hover_bit_tells_flying_from_hovering(airborne: Firmware) -> None:
-    airborne.stick(Stick(forward=0.5, hover=False))
-    assert run(airborne, 0.1) is Flight.FLYING
-    airborne.stick(Stick(hover=True))
-    assert run(airborne, 0.1) is Flight.HOVERING
+    airborne.set_stick(Stick(forward=0.5, hover=False))
+    assert run(airborne, 0.1) is FlightState.FLYING
+    airborne.set_stick(Stick(hover=True))
+    assert run(airborne, 0.1) is FlightState.HOVERING
 
 
 def test_the_emergency_command_is_a_toggle(airborne: Firmware) -> None:
     airborne.toggle_emergency()
-    assert run(airborne, 0.1) is Flight.EMERGENCY
+    assert run(airborne, 0.1) is FlightState.EMERGENCY
     assert airborne.step(LEVEL, FULL, 0.0).thrust == 0.0
     airborne.toggle_emergency()
-    assert run(airborne, 0.1) is Flight.LANDED
+    assert run(airborne, 0.1) is FlightState.LANDED
 
 
 def test_the_emergency_command_also_counts_on_the_ground(grounded: Firmware) -> None:
     grounded.toggle_emergency()
-    assert grounded.flight is Flight.EMERGENCY
+    assert grounded.flight is FlightState.EMERGENCY
     grounded.request_take_off()
-    assert grounded.flight is Flight.EMERGENCY
+    assert grounded.flight is FlightState.EMERGENCY
 
 
 @pytest.mark.parametrize("attitude", [TILTED, UPSIDE_DOWN])
-def test_leaning_too_far_in_the_air_cuts_the_motors(airborne: Firmware, attitude: Measured) -> None:
-    assert run(airborne, 0.1, attitude) is Flight.EMERGENCY
+def test_leaning_too_far_in_the_air_cuts_the_motors(
+    airborne: Firmware, attitude: SensorReading
+) -> None:
+    assert run(airborne, 0.1, attitude) is FlightState.EMERGENCY
     assert airborne.tilted
 
 
 def test_a_drone_on_its_back_neither_leaves_the_emergency_nor_takes_off(grounded: Firmware) -> None:
     run(grounded, 0.1, UPSIDE_DOWN)
     grounded.request_take_off()
-    assert grounded.flight is Flight.LANDED
+    assert grounded.flight is FlightState.LANDED
     grounded.toggle_emergency()
     grounded.toggle_emergency()
-    assert grounded.flight is Flight.EMERGENCY
+    assert grounded.flight is FlightState.EMERGENCY
 
 
 def test_two_seconds_without_a_client_land_the_drone(airborne: Firmware) -> None:
-    assert run(airborne, 1.0, silence=COM_LOST - 0.1) is Flight.HOVERING
-    assert run(airborne, 0.1, silence=COM_LOST + 0.1) is Flight.LANDING
+    assert run(airborne, 1.0, silence=COM_LOST_AFTER - 0.1) is FlightState.HOVERING
+    assert run(airborne, 0.1, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDING
     assert airborne.com_lost
 
 
 def test_after_a_landing_nobody_asked_for_a_repeated_take_off_bit_does_not_count(
     airborne: Firmware,
 ) -> None:
-    assert run(airborne, 3.0, silence=COM_LOST + 0.1) is Flight.LANDED
+    assert run(airborne, 3.0, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDED
     airborne.request_take_off()
-    assert airborne.flight is Flight.LANDED
+    assert airborne.flight is FlightState.LANDED
     airborne.request_land()
     airborne.request_take_off()
-    assert airborne.flight is Flight.TAKING_OFF
+    assert airborne.flight is FlightState.TAKING_OFF
 
 
 def test_a_nearly_empty_battery_lands_and_an_empty_one_cuts(airborne: Firmware) -> None:
-    assert run(airborne, 0.1, voltage=9.2) is Flight.LANDING
-    assert run(airborne, 0.1, voltage=EMPTY) is Flight.EMERGENCY
+    assert run(airborne, 0.1, voltage=9.2) is FlightState.LANDING
+    assert run(airborne, 0.1, voltage=EMPTY) is FlightState.EMERGENCY
     airborne.toggle_emergency()
-    assert airborne.flight is Flight.EMERGENCY
+    assert airborne.flight is FlightState.EMERGENCY
 
 
 def test_a_low_battery_refuses_to_take_off(grounded: Firmware) -> None:
     run(grounded, 0.1, voltage=9.5)
     grounded.request_take_off()
-    assert grounded.flight is Flight.LANDED
+    assert grounded.flight is FlightState.LANDED
 
 
 CALLS: tuple[Callable[[Firmware], object], ...] = (
     Firmware.request_take_off,
     Firmware.request_land,
     Firmware.toggle_emergency,
-    lambda firmware: firmware.stick(Stick(1.0, -1.0, 1.0, -1.0, hover=False)),
+    lambda firmware: firmware.set_stick(Stick(1.0, -1.0, 1.0, -1.0, hover=False)),
     lambda firmware: run(firmware, 0.5),
     lambda firmware: run(firmware, 5.0),
     lambda firmware: run(firmware, 0.1, TILTED),
@@ -136,7 +139,7 @@ def test_no_thrust_ever_in_landed_or_emergency(calls: list[Callable[[Firmware], 
         call(firmware)
         before = firmware.flight
         wrench = firmware.step(LEVEL, FULL, 0.0)
-        assert wrench.thrust == 0.0 or before not in {Flight.LANDED, Flight.EMERGENCY}
+        assert wrench.thrust == 0.0 or before not in {FlightState.LANDED, FlightState.EMERGENCY}
 
 
 @given(st.lists(st.sampled_from(CALLS), max_size=12))
@@ -147,5 +150,8 @@ def test_only_a_take_off_request_leaves_the_ground(
     for call in calls:
         before = firmware.flight
         call(firmware)
-        if before is Flight.LANDED and firmware.flight not in {Flight.LANDED, Flight.EMERGENCY}:
+        if before is FlightState.LANDED and firmware.flight not in {
+            FlightState.LANDED,
+            FlightState.EMERGENCY,
+        }:
             assert call is Firmware.request_take_off

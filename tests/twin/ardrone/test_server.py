@@ -7,7 +7,6 @@ import random
 import socket
 from collections.abc import AsyncIterator, Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from itertools import pairwise
 
 import pytest
@@ -16,12 +15,12 @@ from housefly.clock import RealClock
 from housefly.errors import ConfigError, LinkError
 from housefly.twin.ardrone.link import Counters
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import Camera, Flight
+from housefly.twin.contracts import DroneCamera, EncodedPicture, FlightState
 from housefly.twin.kinematic import KinematicWorld
-from housefly.twin.real_time import RealTime
+from housefly.twin.real_time import RealTimeRunner
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import CONTROL_PORT, parse_dump
-from housefly.wires.ardrone.navdata import NAVDATA_PORT, DroneState, NavdataPacket, decode_navdata
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, StateBits, NavdataPacket, decode_navdata
 from housefly.wires.ardrone.navdata_options import Demo
 from housefly.wires.ardrone.pave import VIDEO_PORT, FrameType, PaveFrame, VideoReassembler
 
@@ -34,17 +33,9 @@ KEY_PICTURE = b"".join(
 OTHER_PICTURE = b"\x00\x00\x00\x01\x41" + 1000 * b"p"
 
 
-@dataclass(frozen=True)
-class Picture:
-    number: int
-    keyframe: bool = True
-    width: int = 640
-    height: int = 360
-    at: float = 1.0
-
-    @property
-    def data(self) -> bytes:
-        return KEY_PICTURE if self.keyframe else OTHER_PICTURE
+def picture(number: int, keyframe: bool = True) -> EncodedPicture:
+    data = KEY_PICTURE if keyframe else OTHER_PICTURE
+    return EncodedPicture(number, data, keyframe, 640, 360, at=1.0)
 
 
 class Client:
@@ -65,7 +56,7 @@ class Client:
     def ask(self, request: bytes = b"\x01") -> None:
         self.navdata.sendto(request, (self.address, NAVDATA_PORT))
 
-    def send(self, *commands: at.Command) -> None:
+    def send(self, *commands: at.AtCommand) -> None:
         self.commands.sendto(
             at.encode_datagram(self.sequence + 1, commands), (self.address, at.COMMAND_PORT)
         )
@@ -88,7 +79,7 @@ class Client:
 @pytest.fixture
 async def world() -> AsyncIterator[KinematicWorld]:
     world = KinematicWorld()
-    running = asyncio.create_task(RealTime(world, RealClock()).run())
+    running = asyncio.create_task(RealTimeRunner(world, RealClock()).run())
     yield world
     running.cancel()
     await asyncio.gather(running, return_exceptions=True)
@@ -112,16 +103,16 @@ async def client(server: ArDroneServer, loopback: str) -> AsyncIterator[Client]:
 async def test_bring_up_goes_bootstrap_setting_acknowledge_clear_stream(client):
     client.ask()
     first = await client.receive()
-    assert first.has(DroneState.NAVDATA_BOOTSTRAP)
+    assert first.has(StateBits.NAVDATA_BOOTSTRAP)
     assert first.options == ()
 
     client.send(at.Config("general:navdata_demo", "TRUE"))
-    accepted = await client.until(lambda packet: packet.has(DroneState.COMMAND_ACK))
-    assert not accepted.has(DroneState.NAVDATA_BOOTSTRAP)
-    assert accepted.has(DroneState.NAVDATA_DEMO)
+    accepted = await client.until(lambda packet: packet.has(StateBits.COMMAND_ACK))
+    assert not accepted.has(StateBits.NAVDATA_BOOTSTRAP)
+    assert accepted.has(StateBits.NAVDATA_DEMO)
 
     client.send(at.Control(at.ControlMode.CLEAR_ACK))
-    cleared = await client.until(lambda packet: not packet.has(DroneState.COMMAND_ACK))
+    cleared = await client.until(lambda packet: not packet.has(StateBits.COMMAND_ACK))
     assert cleared.option(Demo) is not None
 
 
@@ -129,7 +120,7 @@ async def test_full_navdata_comes_far_more_often_than_demo(client, server):
     async def packets_in_half_a_second(demo: bool) -> int:
         client.send(at.Config("general:navdata_demo", "TRUE" if demo else "FALSE"))
         await client.until(
-            lambda packet: packet.has(DroneState.NAVDATA_DEMO) == demo and packet.options != ()
+            lambda packet: packet.has(StateBits.NAVDATA_DEMO) == demo and packet.options != ()
         )
         before = server.counters.navdata_sent
         await asyncio.sleep(0.5)
@@ -172,14 +163,14 @@ async def test_silence_ends_the_stream_and_a_new_client_finds_bootstrap(
         await asyncio.sleep(0.15)
 
     client.ask()
-    last_known = await client.until(lambda packet: packet.has(DroneState.COM_LOST))
+    last_known = await client.until(lambda packet: packet.has(StateBits.COM_LOST))
     assert last_known.option(Demo) is not None, "the old client finds what it had chosen"
 
     world.advance(2.5)
     await asyncio.sleep(0.15)
     other = Client(loopback)
     other.ask()
-    assert (await other.receive()).has(DroneState.NAVDATA_BOOTSTRAP)
+    assert (await other.receive()).has(StateBits.NAVDATA_BOOTSTRAP)
     other.close()
 
 
@@ -187,9 +178,9 @@ async def test_the_drone_flies_by_datagrams(client, world):
     client.ask()
     client.send(at.Config("general:navdata_demo", "TRUE"))
     client.send(at.Ref(at.RefBits.TAKE_OFF))
-    packet = await client.until(lambda packet: packet.has(DroneState.FLYING))
+    packet = await client.until(lambda packet: packet.has(StateBits.FLYING))
     assert packet.option(Demo).major == 6
-    assert world.flight is Flight.TAKING_OFF
+    assert world.flight is FlightState.TAKING_OFF
 
 
 async def test_the_configuration_comes_over_its_own_port(client, loopback):
@@ -215,9 +206,9 @@ async def test_a_request_that_overtakes_its_connection_waits_for_it(client, serv
 async def test_settings_reach_the_world_and_the_camera(client, server, world):
     client.ask()
     client.send(at.Config("control:euler_angle_max", "0.1"), at.Config("video:video_channel", "1"))
-    await client.until(lambda packet: packet.has(DroneState.COMMAND_ACK))
+    await client.until(lambda packet: packet.has(StateBits.COMMAND_ACK))
     assert world.limits.tilt == 0.1
-    assert server.camera is Camera.BOTTOM
+    assert server.camera is DroneCamera.BOTTOM
 
 
 async def read_frames(reader: asyncio.StreamReader, count: int) -> list[PaveFrame]:
@@ -241,8 +232,8 @@ async def open_video(
 
 async def test_pictures_come_in_pave_frames(server, loopback):
     reader, writer = await open_video(server, loopback)
-    server.publish(Picture(7))
-    server.publish(Picture(8, keyframe=False))
+    server.publish(picture(7))
+    server.publish(picture(8, keyframe=False))
     key, other = await read_frames(reader, 2)
     writer.close()
     assert (key.payload, other.payload) == (KEY_PICTURE, OTHER_PICTURE)
@@ -256,7 +247,7 @@ async def test_the_longer_header_of_some_firmware_can_be_had(world, loopback):
     server = ArDroneServer(world, loopback, pave_header_size=68)
     await server.start()
     reader, writer = await open_video(server, loopback)
-    server.publish(Picture(1))
+    server.publish(picture(1))
     (frame,) = await read_frames(reader, 1)
     assert frame.header.header_size == 68
     assert frame.payload == KEY_PICTURE
@@ -285,7 +276,7 @@ async def test_a_slow_client_loses_pictures_up_to_a_key_and_delays_nobody(server
     for number in range(920):
         if number == 899:
             numbers += await drain(slow, late)
-        server.publish(Picture(number, keyframe=number % 15 == 0))
+        server.publish(picture(number, keyframe=number % 15 == 0))
         received += [
             frame.header.frame_number
             for frame in quick.feed(await asyncio.wait_for(reader.read(65536), 3.0))
@@ -305,7 +296,7 @@ async def test_no_pictures_leave_while_the_client_switched_video_off(server, cli
     _, writer = await open_video(server, loopback)
     while server.counters.commands == 0:
         await asyncio.sleep(0.01)
-    server.publish(Picture(1))
+    server.publish(picture(1))
     assert server.counters.frames_sent == 0
     writer.close()
 
@@ -334,14 +325,14 @@ async def test_garbage_on_every_port_is_counted_and_the_drone_serves_on(server, 
     client.ask()
     client.send(at.Config("general:navdata_demo", "TRUE"))
     assert (await client.until(lambda packet: packet.option(Demo) is not None)).has(
-        DroneState.NAVDATA_DEMO
+        StateBits.NAVDATA_DEMO
     )
 
 
 async def test_clients_beyond_the_limit_are_turned_away(server, loopback):
     connections = [await asyncio.open_connection(loopback, VIDEO_PORT) for _ in range(12)]
     for _ in range(100):
-        server.publish(Picture(1))
+        server.publish(picture(1))
         await asyncio.sleep(0.005)
         if sum(reader.at_eof() for reader, _ in connections) == 4:
             break

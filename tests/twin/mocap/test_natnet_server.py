@@ -15,23 +15,23 @@ from tracking_stage import DRONE, YAW, fed, frame, stranger, until
 
 from housefly.errors import LinkError
 from housefly.twin.mocap import natnet_server
-from housefly.twin.mocap.natnet_server import NatNetServer, frame_item
+from housefly.twin.mocap.natnet_server import NatNetServer, natnet_frame
 from housefly.wires.natnet import (
+    CommandRequest,
+    CommandResponse,
     Connect,
     Disconnect,
-    Frame,
-    Item,
     KeepAlive,
     ModelDef,
-    Request,
+    NatNetFrame,
+    NatNetMessage,
+    NatNetVersion,
     RequestModelDef,
-    Response,
     RigidBodyDescription,
     ServerInfo,
     Unrecognized,
-    Version,
-    decode_message,
-    encode_message,
+    decode_natnet,
+    encode_natnet,
 )
 
 pytestmark = pytest.mark.wire
@@ -105,12 +105,12 @@ async def served(address: str, **options: Any) -> AsyncIterator[NatNetServer]:
 class Client(asyncio.DatagramProtocol):
     """A bare client that keeps what it hears."""
 
-    def __init__(self, version: Version = (3, 1)) -> None:
+    def __init__(self, version: NatNetVersion = (3, 1)) -> None:
         self.version = version
-        self.heard: list[Item] = []
+        self.heard: list[NatNetMessage] = []
 
     @classmethod
-    async def to(cls, address: str, version: Version = (3, 1)) -> Client:
+    async def to(cls, address: str, version: NatNetVersion = (3, 1)) -> Client:
         loop = asyncio.get_running_loop()
         client = cls(version)
         client.transport, _ = await loop.create_datagram_endpoint(
@@ -119,19 +119,19 @@ class Client(asyncio.DatagramProtocol):
         return client
 
     def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
-        self.heard.append(decode_message(data, self.version))
+        self.heard.append(decode_natnet(data, self.version))
 
-    def say(self, item: Item) -> None:
-        self.transport.sendto(encode_message(item, self.version))
+    def say(self, item: NatNetMessage) -> None:
+        self.transport.sendto(encode_natnet(item, self.version))
 
-    async def hears(self, item: Item) -> None:
+    async def hears(self, item: NatNetMessage) -> None:
         await until(lambda: item in self.heard)
 
 
 @pytest.mark.parametrize("y_up", [False, True])
 @pytest.mark.parametrize("version", [(3, 1), (4, 1)])
 async def test_motioncapture_reads_our_poses_frame_by_frame(
-    loopback: str, version: Version, y_up: bool
+    loopback: str, version: NatNetVersion, y_up: bool
 ) -> None:
     pytest.importorskip("motioncapture")
     group, port = group_of(loopback), data_port_of(loopback)
@@ -164,7 +164,7 @@ async def test_motioncapture_reads_our_poses_frame_by_frame(
     ],
 )
 async def test_natnet_of_pypi_reads_our_poses_and_stamps(
-    loopback: str, version: Version, wish: str, multicast: bool
+    loopback: str, version: NatNetVersion, wish: str, multicast: bool
 ) -> None:
     pytest.importorskip("natnet")
     group, port = (group_of(loopback) if multicast else ""), data_port_of(loopback)
@@ -198,7 +198,7 @@ async def test_a_client_learns_who_serves_and_what_is_tracked(loopback: str) -> 
         await client.hears(
             ModelDef((RigidBodyDescription(1, "ardrone"), RigidBodyDescription(2, "visitor")))
         )
-        await until(lambda: isinstance(client.heard[-1], Frame))
+        await until(lambda: isinstance(client.heard[-1], NatNetFrame))
         client.say(Disconnect())
         await until(lambda: server.clients == 0)
         client.transport.close()
@@ -235,11 +235,11 @@ async def test_only_a_server_of_4_lets_its_clients_choose(loopback: str) -> None
         info = client.heard[0]
         assert isinstance(info, ServerInfo)
         assert info.version[:2] == (version if answer else wish)
-        client.say(Request("Bitstream,3.0"))
-        await client.hears(Response(answer))
-        client.say(Request("Bitstream,9.9"))
-        await client.hears(Response(1))
-        client.say(Request("FrameRate"))
+        client.say(CommandRequest("Bitstream,3.0"))
+        await client.hears(CommandResponse(answer))
+        client.say(CommandRequest("Bitstream,9.9"))
+        await client.hears(CommandResponse(1))
+        client.say(CommandRequest("FrameRate"))
         await client.hears(Unrecognized())
         client.transport.close()
         await server.stop()
@@ -265,7 +265,7 @@ async def test_a_client_that_does_not_read_loses_frames_and_delays_nobody(loopba
     slow = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
     slow.connect((loopback, 1510))
-    slow.send(encode_message(Connect(), (3, 1)))
+    slow.send(encode_natnet(Connect(), (3, 1)))
     client = await Client.to(loopback)
     client.say(Connect())
     await until(lambda: server.clients == 2)
@@ -294,6 +294,6 @@ async def test_a_taken_port_is_named(loopback: str) -> None:
 
 
 def test_a_body_out_of_sight_keeps_its_place_with_the_tracking_bit_cleared() -> None:
-    drone, visitor = frame_item(frame(1), {"ardrone": 1, "visitor": 2}, y_up=True).bodies
+    drone, visitor = natnet_frame(frame(1), {"ardrone": 1, "visitor": 2}, y_up=True).bodies
     assert (drone.tracked, visitor.tracked) == (True, False)
     assert drone.position == (1.5, 0.75, 2.25)

@@ -13,17 +13,17 @@ import pytest
 from tracking_stage import DRONE, YAW, fed, frame, stranger, until
 
 from housefly.errors import LinkError
-from housefly.twin.mocap.vicon_server import OFFERED, ViconServer
+from housefly.twin.mocap.vicon_server import _OFFERED_KINDS, ViconServer
 from housefly.wires.vicon import (
-    HEADER_SIZE,
-    Contents,
+    VICON_HEADER_SIZE,
+    FrameContents,
     FrameInfo,
     GlobalSegments,
-    Item,
     ObjectEnums,
-    Ping,
     RequestFrame,
     RequestNextFrame,
+    ViconObject,
+    ViconPing,
     decode_packet,
     encode_packet,
     packet_length,
@@ -55,9 +55,9 @@ async def served(address: str, first: int = 1) -> AsyncIterator[ViconServer]:
         yield server
 
 
-async def read_packet(reader: asyncio.StreamReader) -> tuple[Item, ...]:
+async def read_packet(reader: asyncio.StreamReader) -> tuple[ViconObject, ...]:
     async with asyncio.timeout(10.0):
-        length = packet_length(await reader.readexactly(HEADER_SIZE))
+        length = packet_length(await reader.readexactly(VICON_HEADER_SIZE))
         return decode_packet(await reader.readexactly(length))
 
 
@@ -78,14 +78,17 @@ async def test_the_genuine_client_reads_our_poses_frame_by_frame(loopback: str) 
 async def test_the_server_speaks_first_and_streams_only_what_was_asked(loopback: str) -> None:
     async with served(loopback):
         reader, writer = await asyncio.open_connection(loopback, 8010)
-        assert await read_packet(reader) == (ObjectEnums(OFFERED),)
+        assert await read_packet(reader) == (ObjectEnums(_OFFERED_KINDS),)
         writer.write(
             encode_packet(
-                [ObjectEnums(frozenset({FrameInfo.KIND, Contents.KIND, 77})), RequestFrame(True)]
+                [
+                    ObjectEnums(frozenset({FrameInfo.KIND, FrameContents.KIND, 77})),
+                    RequestFrame(True),
+                ]
             )
         )
         contents, number = await read_packet(reader)
-        assert contents == Contents(((FrameInfo.KIND, 1),))
+        assert contents == FrameContents(((FrameInfo.KIND, 1),))
         assert isinstance(number, FrameInfo)
         writer.close()
 
@@ -98,14 +101,14 @@ async def test_a_client_may_ask_for_single_frames(loopback: str) -> None:
     server.publish(frame(1))
     writer.write(encode_packet([RequestFrame(False)]))
     assert FrameInfo(1) in await read_packet(reader)
-    writer.write(encode_packet([RequestNextFrame(2), Ping(5)]))
-    assert await read_packet(reader) == (Ping(5),)
+    writer.write(encode_packet([RequestNextFrame(2), ViconPing(5)]))
+    assert await read_packet(reader) == (ViconPing(5),)
     for number in range(2, 6):
         server.publish(frame(number))
     assert FrameInfo(2) in await read_packet(reader)
     assert FrameInfo(3) in await read_packet(reader)
-    writer.write(encode_packet([Ping(6)]))
-    assert await read_packet(reader) == (Ping(6),), "frames that nobody asked for were sent"
+    writer.write(encode_packet([ViconPing(6)]))
+    assert await read_packet(reader) == (ViconPing(6),), "frames that nobody asked for were sent"
     writer.close()
     await server.stop()
 
@@ -129,8 +132,8 @@ async def test_a_client_that_does_not_read_loses_frames_and_delays_nobody(loopba
     slow_socket.sendall(encode_packet([RequestFrame(True)]))
     reader, writer = await asyncio.open_connection(loopback, 8010)
     await read_packet(reader)
-    writer.write(encode_packet([RequestFrame(True), Ping(1)]))
-    assert await read_packet(reader) == (Ping(1),)
+    writer.write(encode_packet([RequestFrame(True), ViconPing(1)]))
+    assert await read_packet(reader) == (ViconPing(1),)
     for number in range(1, 3000):
         server.publish(frame(number))
         assert FrameInfo(number) in await read_packet(reader)
@@ -156,8 +159,8 @@ async def test_garbage_closes_only_its_own_connection(loopback: str, garbage: by
         _, stranger = await asyncio.open_connection(loopback, 8010)
         stranger.write(garbage)
         await until(lambda: server.malformed == 1)
-        writer.write(encode_packet([Ping(9)]))
-        assert await read_packet(reader) == (Ping(9),)
+        writer.write(encode_packet([ViconPing(9)]))
+        assert await read_packet(reader) == (ViconPing(9),)
         assert server.clients == 1
         stranger.close()
         writer.close()

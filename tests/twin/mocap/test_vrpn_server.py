@@ -17,16 +17,16 @@ from housefly.errors import LinkError
 from housefly.twin.mocap.vrpn_server import VrpnServer
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
-    PING,
-    PONG,
-    POSE,
+    PING_TYPE,
+    PONG_TYPE,
+    POSE_TYPE,
     SENDER_DESCRIPTION,
     TYPE_DESCRIPTION,
-    Message,
-    MessageStream,
-    Names,
+    VrpnMessage,
+    VrpnNames,
+    VrpnStream,
     decode_pose,
-    describe,
+    description_message,
     encode_cookie,
     encode_lob,
     encode_message,
@@ -64,14 +64,14 @@ class Client:
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self.reader, self.writer = reader, writer
-        self.stream, self.names = MessageStream(), Names()
-        self.heard: list[Message] = []
+        self.stream, self.names = VrpnStream(), VrpnNames()
+        self.heard: list[VrpnMessage] = []
 
     async def greet(self) -> None:
         self.writer.write(encode_cookie())
         assert await self.reader.readexactly(COOKIE_SIZE) == encode_cookie()
 
-    async def hear(self, kind: str) -> Message:
+    async def hear(self, kind: str) -> VrpnMessage:
         """Return the next message of a type."""
         async with asyncio.timeout(10.0):
             while True:
@@ -107,7 +107,7 @@ async def test_the_genuine_library_reads_our_poses(loopback: str) -> None:
 async def test_a_client_learns_names_then_poses(loopback: str) -> None:
     async with served(loopback):
         client = await connected(loopback)
-        message = await client.hear(POSE)
+        message = await client.hear(POSE_TYPE)
         assert client.names.sender(message) == "ardrone"
         pose = decode_pose(message.body)
         assert pose.position[1:] == DRONE.position[1:]
@@ -119,7 +119,7 @@ async def test_a_client_learns_names_then_poses(loopback: str) -> None:
 async def test_a_server_with_y_up_turns_positions(loopback: str) -> None:
     async with served(loopback, y_up=True):
         client = await connected(loopback)
-        _, y, z = decode_pose((await client.hear(POSE)).body).position
+        _, y, z = decode_pose((await client.hear(POSE_TYPE)).body).position
         assert (y, -z) == (DRONE.position[2], DRONE.position[1])
         client.writer.close()
 
@@ -139,7 +139,7 @@ async def test_a_client_that_asks_by_datagram_is_called_back(loopback: str) -> N
                 asking.send(encode_lob("192.0.2.77", port))
             await until(lambda: len(links) == 1)
         await links[0].greet()
-        assert links[0].names.sender(await links[0].hear(POSE)) == "ardrone"
+        assert links[0].names.sender(await links[0].hear(POSE_TYPE)) == "ardrone"
         assert server.clients == 1
         links[0].writer.close()
         listener.close()
@@ -149,11 +149,13 @@ async def test_pings_are_answered(loopback: str) -> None:
     async with served(loopback):
         client = await connected(loopback)
         for number, name in ((4, "ardrone"), (5, "nobody")):
-            client.writer.write(encode_message(describe(SENDER_DESCRIPTION, number, name)))
-        client.writer.write(encode_message(describe(TYPE_DESCRIPTION, 9, PING)))
+            client.writer.write(
+                encode_message(description_message(SENDER_DESCRIPTION, number, name))
+            )
+        client.writer.write(encode_message(description_message(TYPE_DESCRIPTION, 9, PING_TYPE)))
         for sender in (5, 6, 4):
-            client.writer.write(encode_message(Message(9, sender, 0, b"")))
-        assert client.names.sender(await client.hear(PONG)) == "ardrone"
+            client.writer.write(encode_message(VrpnMessage(9, sender, 0, b"")))
+        assert client.names.sender(await client.hear(PONG_TYPE)) == "ardrone"
         client.writer.close()
 
 
@@ -164,7 +166,7 @@ async def test_a_body_out_of_sight_is_not_spoken_of(loopback: str) -> None:
     await until(lambda: server.clients == 1)
     server.publish(frame(1, None))
     server.publish(frame(2))
-    assert (await client.hear(POSE)).stamp == 20_000
+    assert (await client.hear(POSE_TYPE)).stamp == 20_000
     client.writer.close()
     await server.stop()
 
@@ -180,7 +182,7 @@ async def test_a_client_that_does_not_read_loses_frames_and_delays_nobody(loopba
     await until(lambda: server.clients == 2)
     for number in range(1, 6000):
         server.publish(frame(number))
-        assert (await client.hear(POSE)).stamp == 10_000 * number
+        assert (await client.hear(POSE_TYPE)).stamp == 10_000 * number
     assert server.lost > 1000
     assert server.clients == 2
     slow.close()
@@ -194,7 +196,7 @@ async def test_a_client_that_does_not_read_loses_frames_and_delays_nobody(loopba
         b"GET / HTTP/1.1\r\nHost: here\r\n\r\n",
         b"vrpn: ver. 08.01  0\0\0\0\0\0",
         encode_cookie() + b"\xff" * 24,
-        encode_cookie() + encode_message(Message(SENDER_DESCRIPTION, -7, 0, b"")),
+        encode_cookie() + encode_message(VrpnMessage(SENDER_DESCRIPTION, -7, 0, b"")),
     ],
 )
 async def test_garbage_closes_only_its_own_connection(loopback: str, garbage: bytes) -> None:
@@ -203,7 +205,7 @@ async def test_garbage_closes_only_its_own_connection(loopback: str, garbage: by
         _, stranger = await asyncio.open_connection(loopback, 3883)
         stranger.write(garbage)
         await until(lambda: server.malformed == 1)
-        await client.hear(POSE)
+        await client.hear(POSE_TYPE)
         assert server.clients == 1
         stranger.close()
         client.writer.close()
@@ -216,7 +218,7 @@ async def test_a_datagram_that_asks_for_nothing_is_counted(loopback: str) -> Non
             asking.sendto(encode_lob("127.0.0.1", 9), (loopback, 3883))
         await until(lambda: server.malformed == 1)
         client = await connected(loopback)
-        await client.hear(POSE)
+        await client.hear(POSE_TYPE)
         client.writer.close()
 
 

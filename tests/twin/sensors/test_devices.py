@@ -7,18 +7,18 @@ from math import hypot
 import numpy as np
 import pytest
 
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 from housefly.twin.people import Posture, load_scene, scene_from_tree
-from housefly.twin.sensors.devices import Devices, Message
-from housefly.wires.devices import Channel, Delivered, Placement, Reading, decode
+from housefly.twin.sensors.devices import DeviceMessage, SimulatedDevices
+from housefly.wires.devices import Channel, Delivered, Placement, Reading, decode_reading
 
 UNIX = 1_800_000_000.0
 BSEN = load_scene("bsen")
 THINGS = Placement(things={thing.tag: thing.name for thing in BSEN.script.things})
 
 
-def play(seconds: float, period: float = 0.05) -> list[tuple[float, Message]]:
-    devices = Devices(BSEN, "bsen")
+def play(seconds: float, period: float = 0.05) -> list[tuple[float, DeviceMessage]]:
+    devices = SimulatedDevices(BSEN, "bsen")
     steps = range(round(seconds / period) + 1)
     return [
         (n * period, message)
@@ -27,8 +27,10 @@ def play(seconds: float, period: float = 0.05) -> list[tuple[float, Message]]:
     ]
 
 
-def read(now: float, message: Message) -> Reading:
-    return decode(Delivered(message.address, message.channel, message.payload, UNIX + now), THINGS)
+def read(now: float, message: DeviceMessage) -> Reading:
+    return decode_reading(
+        Delivered(message.address, message.channel, message.payload, UNIX + now), THINGS
+    )
 
 
 SENT = play(BSEN.length)
@@ -38,7 +40,7 @@ def told(kind: str) -> list[tuple[float, Reading]]:
     return [(now, read(now, message)) for now, message in SENT if message.address.kind == kind]
 
 
-def facts(value: Observation | Happening) -> dict[str, object]:
+def facts(value: Observation | RoomEvent) -> dict[str, object]:
     return dict(value.facts)
 
 
@@ -80,7 +82,7 @@ def test_the_cabinet_knows_the_cup_while_it_is_in_there() -> None:
         if reading.observations
     }
     assert set(contents.values()) == {"book,cup", "book"}
-    assert [h.kind for _, reading in told("cabinet") for h in reading.happenings] == [
+    assert [h.kind for _, reading in told("cabinet") for h in reading.events] == [
         "object taken",
         "object put",
     ]
@@ -94,7 +96,7 @@ def test_the_refrigerator_is_open_while_somebody_takes_from_it() -> None:
     taken = next(
         now
         for now, reading in told("refrigerator")
-        for h in reading.happenings
+        for h in reading.events
         if h.kind == "object taken"
     )
     states = [
@@ -114,14 +116,14 @@ def test_the_bed_feels_who_lies_in_it() -> None:
 
 
 def test_the_bell_rings_once_and_then_the_door_opens_and_closes() -> None:
-    happenings = [
+    events = [
         (now, h.kind)
         for kind in ("doorbell", "door")
         for now, reading in told(kind)
-        for h in reading.happenings
+        for h in reading.events
     ]
-    assert [kind for _, kind in happenings] == ["bell pressed", "door opened", "door closed"]
-    assert [now for now, _ in happenings] == sorted(now for now, _ in happenings)
+    assert [kind for _, kind in events] == ["bell pressed", "door opened", "door closed"]
+    assert [now for now, _ in events] == sorted(now for now, _ in events)
 
 
 def test_somebody_moves_in_the_corridor_at_some_time() -> None:
@@ -139,11 +141,11 @@ def test_states_are_kept_by_the_broker_and_events_are_not() -> None:
 def test_a_floor_sensor_that_is_turned_reports_in_its_own_frame() -> None:
     person = {"name": "ann", "start": [3.0, 4.0], "steps": []}
     floor = {"kind": "floor", "id": "f", "position": [1.0, 2.0, 0.0], "yaw": 1.2}
-    devices = Devices(
+    devices = SimulatedDevices(
         scene_from_tree({"name": "t", "people": [person], "devices": [floor]}), "bsen"
     )
     (message,) = devices.messages(0.0)
-    row = decode(
+    row = decode_reading(
         Delivered(message.address, message.channel, message.payload, UNIX),
         Placement((1.0, 2.0, 0.0), 1.2),
     ).observations[1]

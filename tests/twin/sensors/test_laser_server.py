@@ -10,8 +10,14 @@ import pytest
 
 from housefly.errors import LinkError
 from housefly.twin.sensors.laser_server import LaserServer
-from housefly.wires.scip import URG_04LX, Parameters, Reply, decode_reply, measurement_of
-from housefly.wires.scip.parameters import told_by
+from housefly.wires.scip import (
+    URG_04LX,
+    ScannerParameters,
+    ScipReply,
+    decode_measurement,
+    decode_reply,
+)
+from housefly.wires.scip.parameters import named_values
 
 pytestmark = pytest.mark.wire
 PORT = 10940
@@ -22,11 +28,11 @@ class Line:
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self.reader, self.writer = reader, writer
 
-    async def reply(self) -> Reply:
+    async def reply(self) -> ScipReply:
         async with asyncio.timeout(5.0):
             return decode_reply(await self.reader.readuntil(b"\n\n"))
 
-    async def ask(self, text: str) -> Reply:
+    async def ask(self, text: str) -> ScipReply:
         self.writer.write(text.encode() + b"\n")
         return await self.reply()
 
@@ -45,23 +51,23 @@ async def serving(address: str) -> AsyncIterator[tuple[LaserServer, Line]]:
 
 async def test_it_says_who_and_how_it_is(loopback: str) -> None:
     async with serving(loopback) as (_, line):
-        assert Parameters.of(await line.ask("PP")) == URG_04LX
-        assert told_by(await line.ask("VV"))["PROT"] == "SCIP 2.2"
-        assert told_by(await line.ask("II;hello"))["LASR"] == "OFF"
+        assert ScannerParameters.of(await line.ask("PP")) == URG_04LX
+        assert named_values(await line.ask("VV"))["PROT"] == "SCIP 2.2"
+        assert named_values(await line.ask("II;hello"))["LASR"] == "OFF"
         assert (await line.ask("BM")).status == "00"
         assert (await line.ask("BM")).status == "02"
-        assert told_by(await line.ask("II"))["LASR"] == "ON"
+        assert named_values(await line.ask("II"))["LASR"] == "ON"
         assert (await line.ask("QT")).status == "00"
-        assert told_by(await line.ask("II"))["LASR"] == "OFF"
+        assert named_values(await line.ask("II"))["LASR"] == "OFF"
 
 
 async def test_md_sends_as_many_scans_as_asked_and_counts_down(loopback: str) -> None:
     async with serving(loopback) as (server, line):
-        assert (await line.ask("MD0044072501003")) == Reply("MD0044072501003", "00")
+        assert (await line.ask("MD0044072501003")) == ScipReply("MD0044072501003", "00")
         for stamp in range(5):
             server.publish(RANGES, stamp)
         for left in (2, 1, 0):
-            found = measurement_of(await line.reply())
+            found = decode_measurement(await line.reply())
             assert found is not None and found.request.count == left
             assert found.ranges == RANGES
         assert (await line.ask("PP")).echo == "PP"
@@ -72,7 +78,7 @@ async def test_scans_are_skipped_clustered_and_cut_out_as_asked(loopback: str) -
         await line.ask("MD0050006104100")
         for stamp in range(4):
             server.publish(RANGES, stamp)
-        found = [measurement_of(await line.reply()) for _ in range(2)]
+        found = [decode_measurement(await line.reply()) for _ in range(2)]
         assert [scan.stamp for scan in found if scan] == [0, 2]
         assert found[0] is not None and found[0].ranges == (1006, 1010, 1014)
 
@@ -82,7 +88,7 @@ async def test_gd_needs_the_laser_and_gives_the_newest(loopback: str) -> None:
         assert (await line.ask("GD0044072501")).status == "10"
         await line.ask("BM")
         server.publish(RANGES, 77)
-        found = measurement_of(await line.ask("GD0044072501"))
+        found = decode_measurement(await line.ask("GD0044072501"))
         assert found is not None and (found.stamp, found.ranges) == (77, RANGES)
 
 

@@ -68,30 +68,30 @@ def test_a_float_travels_as_the_integer_with_its_bits(value: float, bits: int) -
     ],
 )
 def test_ref_carries_the_constant_bits(command: at.Ref, number: int) -> None:
-    assert at.encode(7, command) == f"AT*REF=7,{number}\r".encode()
+    assert at.encode_command(7, command) == f"AT*REF=7,{number}\r".encode()
 
 
 def test_the_form_of_each_command_on_the_wire() -> None:
     assert (
-        at.encode(1, at.Pcmd(at.PcmdFlag.PROGRESSIVE, -0.8, 0, 0, 0))
+        at.encode_command(1, at.Pcmd(at.PcmdFlag.PROGRESSIVE, -0.8, 0, 0, 0))
         == b"AT*PCMD=1,1,-1085485875,0,0,0\r"
     )
     assert (
-        at.encode(2, at.Config("general:navdata_demo", "TRUE"))
+        at.encode_command(2, at.Config("general:navdata_demo", "TRUE"))
         == b'AT*CONFIG=2,"general:navdata_demo","TRUE"\r'
     )
     assert (
-        at.encode(3, at.ConfigIds("aabbccdd", "00000001", "00000002"))
+        at.encode_command(3, at.ConfigIds("aabbccdd", "00000001", "00000002"))
         == b'AT*CONFIG_IDS=3,"aabbccdd","00000001","00000002"\r'
     )
-    assert at.encode(4, at.Control(at.ControlMode.CLEAR_ACK)) == b"AT*CTRL=4,5,0\r"
-    assert at.encode(5, at.ComWatchdog()) == b"AT*COMWDG=5\r"
-    assert at.encode(6, at.Misc()) == b"AT*MISC=6,2,20,2000,3000\r"
+    assert at.encode_command(4, at.Control(at.ControlMode.CLEAR_ACK)) == b"AT*CTRL=4,5,0\r"
+    assert at.encode_command(5, at.ComWatchdog()) == b"AT*COMWDG=5\r"
+    assert at.encode_command(6, at.Misc()) == b"AT*MISC=6,2,20,2000,3000\r"
 
 
 @given(st.lists(commands, max_size=6), st.integers(0, 2**30))
-def test_what_we_write_we_read_back(sent: list[at.Command], first: int) -> None:
-    parsed = at.parse(at.encode_datagram(first, sent))
+def test_what_we_write_we_read_back(sent: list[at.AtCommand], first: int) -> None:
+    parsed = at.parse_datagram(at.encode_datagram(first, sent))
     assert parsed.rejects == ()
     assert [numbered.command for numbered in parsed.commands] == sent
     assert [numbered.sequence for numbered in parsed.commands] == list(
@@ -101,10 +101,10 @@ def test_what_we_write_we_read_back(sent: list[at.Command], first: int) -> None:
 
 def test_every_command_value_can_be_written() -> None:
     tried = {type(strategy_example) for strategy_example in _one_of_each()}
-    assert tried == set(get_args(at.Command))
+    assert tried == set(get_args(at.AtCommand))
 
 
-def _one_of_each() -> list[at.Command]:
+def _one_of_each() -> list[at.AtCommand]:
     blanks = (
         at.Ref(),
         at.Pcmd(),
@@ -123,7 +123,10 @@ def _one_of_each() -> list[at.Command]:
         at.Misc(),
         at.Other("ZAP"),
     )
-    written = [at.parse(at.encode(1, command)).commands[0].command for command in (*blanks, *more)]
+    written = [
+        at.parse_datagram(at.encode_command(1, command)).commands[0].command
+        for command in (*blanks, *more)
+    ]
     assert written == [*blanks, *more]
     return written
 
@@ -150,9 +153,9 @@ def _one_of_each() -> list[at.Command]:
     ],
 )
 def test_the_parser_tolerates_what_clients_send(
-    datagram: bytes, expected: list[at.Command]
+    datagram: bytes, expected: list[at.AtCommand]
 ) -> None:
-    parsed = at.parse(datagram)
+    parsed = at.parse_datagram(datagram)
     assert [numbered.command for numbered in parsed.commands] == expected
     assert parsed.rejects == ()
 
@@ -175,7 +178,7 @@ def test_the_parser_tolerates_what_clients_send(
     ],
 )
 def test_a_bad_line_is_refused_with_its_reason_and_spoils_no_other(line: bytes, why: str) -> None:
-    parsed = at.parse(line + b"\rAT*COMWDG=9\r")
+    parsed = at.parse_datagram(line + b"\rAT*COMWDG=9\r")
     assert [numbered.command for numbered in parsed.commands] == [at.ComWatchdog()]
     assert len(parsed.rejects) == 1
     assert why in parsed.rejects[0]
@@ -183,7 +186,7 @@ def test_a_bad_line_is_refused_with_its_reason_and_spoils_no_other(line: bytes, 
 
 @given(st.binary(max_size=3000))
 def test_no_bytes_make_the_parser_raise(datagram: bytes) -> None:
-    at.parse(datagram)
+    at.parse_datagram(datagram)
 
 
 pieces = st.sampled_from(
@@ -208,7 +211,7 @@ pieces = st.sampled_from(
 
 @given(st.lists(pieces, max_size=60).map(b"".join))
 def test_no_mixture_of_command_pieces_makes_the_parser_raise(datagram: bytes) -> None:
-    at.parse(datagram)
+    at.parse_datagram(datagram)
 
 
 @pytest.mark.parametrize(
@@ -221,6 +224,6 @@ def test_no_mixture_of_command_pieces_makes_the_parser_raise(datagram: bytes) ->
         at.Led(1, 1e39, 1),
     ],
 )
-def test_what_cannot_stand_on_the_wire_is_not_written(command: at.Command) -> None:
+def test_what_cannot_stand_on_the_wire_is_not_written(command: at.AtCommand) -> None:
     with pytest.raises(WireError):
-        at.encode(1, command)
+        at.encode_command(1, command)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from housefly.errors import WireError
 from housefly.wires.ardrone import config
-from housefly.wires.ardrone.config_keys import KEYS, Access, Category, ConfigKey, KeyType
+from housefly.wires.ardrone.config_keys import CONFIG_KEYS, Access, Category, ConfigKey, KeyType
 
 CATEGORIES = {
     "common": Category.COMMON,
@@ -35,23 +35,23 @@ values = {
 def test_the_table_agrees_with_the_recorded_list_of_keys(shared_data: Path) -> None:
     with (shared_data / "ardrone" / "config_keys.tsv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file, delimiter="\t"))
-    assert [row["key"] for row in rows] == [key.name for key in KEYS]
-    for row, key in zip(rows, KEYS, strict=True):
+    assert [row["key"] for row in rows] == [key.name for key in CONFIG_KEYS]
+    for row, key in zip(rows, CONFIG_KEYS, strict=True):
         assert CATEGORIES[row["category"]] is key.category
         assert ("write" in row["rw"]) == (key.access in (Access.DEFAULT, Access.BOTH))
         assert ("write" in row["rw_in_custom_config"]) == (key.access in (Access.IDS, Access.BOTH))
 
 
 def test_there_are_103_keys_and_eight_that_need_ids() -> None:
-    assert len(config.BY_NAME) == len(KEYS) == 103
-    assert {key.name.removeprefix("video:") for key in KEYS if key.needs_ids} == {
+    assert len(config.KEYS_BY_NAME) == len(CONFIG_KEYS) == 103
+    assert {key.name.removeprefix("video:") for key in CONFIG_KEYS if key.needs_ids} == {
         *("codec_fps", "video_codec", "video_slices", "video_live_socket"),
         *("bitrate", "max_bitrate", "bitrate_ctrl_mode", "bitrate_storage"),
     }
 
 
 def test_values_are_written_as_the_drone_writes_them() -> None:
-    def written(name: str, value: config.Value) -> str:
+    def written(name: str, value: config.ConfigValue) -> str:
         return config.format_value(config.key_named(name), value)
 
     assert written("control:euler_angle_max", 0.20943952) == "2.0943952e-01"
@@ -63,7 +63,7 @@ def test_values_are_written_as_the_drone_writes_them() -> None:
     )
 
 
-@given(st.data(), st.sampled_from(KEYS))
+@given(st.data(), st.sampled_from(CONFIG_KEYS))
 def test_every_value_is_read_back(data: st.DataObject, key: ConfigKey) -> None:
     value = data.draw(values[key.type])
     again = config.parse_value(key, config.format_value(key, value))
@@ -74,11 +74,11 @@ FLOATS = {KeyType.FLOAT, KeyType.DOUBLE, KeyType.PAIR, KeyType.VECTOR, KeyType.M
 
 
 @given(
-    st.sampled_from(KEYS),
+    st.sampled_from(CONFIG_KEYS),
     st.one_of(st.text(max_size=30), st.booleans(), st.integers(), finite, st.just((1.0,))),
 )
 def test_a_value_of_another_type_is_refused_with_the_key(
-    key: ConfigKey, value: config.Value
+    key: ConfigKey, value: config.ConfigValue
 ) -> None:
     try:
         config.format_value(key, value)
@@ -86,7 +86,7 @@ def test_a_value_of_another_type_is_refused_with_the_key(
         assert key.name in str(error)
 
 
-@given(st.sampled_from(KEYS), st.text(max_size=40))
+@given(st.sampled_from(CONFIG_KEYS), st.text(max_size=40))
 def test_no_text_makes_the_value_parser_raise_anything_else(key: ConfigKey, text: str) -> None:
     try:
         config.parse_value(key, text)
@@ -144,8 +144,10 @@ def test_unknown_keys_are_named() -> None:
 
 def test_ids_are_eight_hex_digits() -> None:
     assert config.config_id("123456789") == "cbf43926"  # the check value of CRC-32
-    assert config.is_id(config.config_id("housefly")) and config.is_id(config.DEFAULT_ID)
-    assert not config.is_id("-all") and not config.is_id("CBF43926x")
+    assert config.is_config_id(config.config_id("housefly")) and config.is_config_id(
+        config.DEFAULT_ID
+    )
+    assert not config.is_config_id("-all") and not config.is_config_id("CBF43926x")
 
 
 def test_the_list_of_custom_configurations_has_three_sections() -> None:

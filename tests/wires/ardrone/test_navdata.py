@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from housefly.errors import WireError
 from housefly.messages import DroneStatus, Setpoint
-from housefly.wires.ardrone import at, signs
+from housefly.wires.ardrone import at, conversions
 from housefly.wires.ardrone import navdata_options as options
 from housefly.wires.ardrone.layout import Structure
 from housefly.wires.ardrone.navdata import (
-    DroneState,
+    StateBits,
     NavdataPacket,
     RawOption,
     decode_navdata,
@@ -74,7 +74,7 @@ def _structures(kind: type[Structure]) -> st.SearchStrategy[Structure]:
     return st.builds(kind, *(_field_values(item.metadata["wire"]) for item in fields(kind)))  # type: ignore[arg-type]
 
 
-any_option = st.one_of(*map(_structures, options.OPTIONS))
+any_option = st.one_of(*map(_structures, options.OPTION_TYPES))
 raw_option = st.builds(RawOption, st.integers(27, 0xFFFE), st.binary(max_size=60))
 
 
@@ -87,8 +87,8 @@ def _flying(shared_data: Path) -> bytes:
 
 
 def test_every_option_has_the_size_of_parrots_header() -> None:
-    assert tuple(option.size() + 4 for option in options.OPTIONS) == SIZES
-    assert all(len(option().encode()) == option.size() for option in options.OPTIONS)
+    assert tuple(option.size() + 4 for option in options.OPTION_TYPES) == SIZES
+    assert all(len(option().encode()) == option.size() for option in options.OPTION_TYPES)
 
 
 @given(
@@ -114,9 +114,9 @@ def test_the_packet_recorded_in_flight_says_what_its_owner_saw(shared_data: Path
     demo = packet.option(options.Demo)
     assert packet.state == 0x0F8004F5
     assert (
-        packet.has(DroneState.FLYING)
-        and packet.has(DroneState.NAVDATA_DEMO)
-        and not packet.has(DroneState.EMERGENCY)
+        packet.has(StateBits.FLYING)
+        and packet.has(StateBits.NAVDATA_DEMO)
+        and not packet.has(StateBits.EMERGENCY)
     )
     assert demo is not None
     assert (demo.major, demo.minor, demo.battery_percent) == (options.MajorState.FLYING, 0, 76)
@@ -146,7 +146,7 @@ def test_recorded_packets_are_written_again_byte_for_byte(shared_data: Path) -> 
     for data in (_flying(shared_data), _full(shared_data)):
         packet = decode_navdata(data)
         again = [
-            options.OPTIONS[raw.tag].decode(raw.payload) if raw.tag < 27 else raw
+            options.OPTION_TYPES[raw.tag].decode(raw.payload) if raw.tag < 27 else raw
             for raw in packet.options
         ]
         assert (
@@ -183,7 +183,7 @@ def test_a_known_option_of_another_size_is_not_misread() -> None:
 
 
 def test_the_bootstrap_packet_has_24_bytes() -> None:
-    data = encode_navdata(DroneState.NAVDATA_BOOTSTRAP, 1)
+    data = encode_navdata(StateBits.NAVDATA_BOOTSTRAP, 1)
     assert len(data) == 24
     assert decode_navdata(data).options == ()
 
@@ -211,7 +211,7 @@ def _only_wire_errors(data: bytes) -> None:
     try:
         packet = decode_navdata(data)
         packet.decoded()
-        signs.telemetry_from_navdata(packet, 0.0)
+        conversions.telemetry_from_navdata(packet, 0.0)
     except WireError:
         pass
 
@@ -237,7 +237,7 @@ def test_drone_time_counts_seconds_and_microseconds() -> None:
 
 
 def test_the_recorded_flight_in_our_signs(shared_data: Path) -> None:
-    told = signs.telemetry_from_navdata(decode_navdata(_flying(shared_data)), 5.0)
+    told = conversions.telemetry_from_navdata(decode_navdata(_flying(shared_data)), 5.0)
     assert told.status is DroneStatus.FLYING
     assert (told.battery, told.height, told.received_at) == (0.76, 0.534, 5.0)
     assert (told.theta, told.phi, told.psi) == pytest.approx(
@@ -251,7 +251,7 @@ def test_at_rest_the_accelerometer_reads_up(shared_data: Path) -> None:
     phys = decode_navdata(_full(shared_data)).option(options.PhysMeasures)
     assert phys is not None
     x, y, z = phys.accelerations
-    assert signs.flu_from_frd((x, y, z))[2] > 900
+    assert conversions.flu_from_frd((x, y, z))[2] > 900
 
 
 angles = st.floats(-pi + 1e-3, pi - 1e-3)
@@ -267,7 +267,7 @@ def test_the_twins_signs_are_the_inverse_of_the_drivers(
     height: float,
     velocity: tuple[float, float, float],
 ) -> None:
-    demo = signs.native_demo(
+    demo = conversions.native_demo(
         options.MajorState.HOVERING,
         battery,
         phi=phi,
@@ -276,8 +276,8 @@ def test_the_twins_signs_are_the_inverse_of_the_drivers(
         height=height,
         velocity=velocity,
     )
-    told = signs.telemetry_from_navdata(
-        decode_navdata(encode_navdata(DroneState.FLYING, 1, [demo])), 0.0
+    told = conversions.telemetry_from_navdata(
+        decode_navdata(encode_navdata(StateBits.FLYING, 1, [demo])), 0.0
     )
     assert (told.phi, told.theta, told.psi) == pytest.approx((phi, theta, psi), abs=1e-5)
     assert told.velocity == pytest.approx(velocity, abs=1e-4)
@@ -286,10 +286,10 @@ def test_the_twins_signs_are_the_inverse_of_the_drivers(
 
 
 def test_pcmd_has_parrots_signs() -> None:
-    maxima = signs.Maxima(tilt=0.2, climb=0.7, yaw_rate=1.75)
-    forward = signs.pcmd_from_setpoint(Setpoint(theta=0.1), maxima)
-    right = signs.pcmd_from_setpoint(Setpoint(phi=0.1), maxima)
-    up_and_left_turn = signs.pcmd_from_setpoint(Setpoint(vz=0.35, yaw_rate=1.75), maxima)
+    maxima = conversions.Maxima(tilt=0.2, climb=0.7, yaw_rate=1.75)
+    forward = conversions.pcmd_from_setpoint(Setpoint(theta=0.1), maxima)
+    right = conversions.pcmd_from_setpoint(Setpoint(phi=0.1), maxima)
+    up_and_left_turn = conversions.pcmd_from_setpoint(Setpoint(vz=0.35, yaw_rate=1.75), maxima)
     assert (forward.pitch, right.roll) == pytest.approx((-0.5, 0.5))
     assert (up_and_left_turn.gaz, up_and_left_turn.yaw) == pytest.approx((0.5, -1.0))
     assert forward.flags is at.PcmdFlag.PROGRESSIVE
@@ -297,8 +297,8 @@ def test_pcmd_has_parrots_signs() -> None:
 
 @given(st.builds(Setpoint, *[st.floats(-10, 10)] * 4))
 def test_no_setpoint_asks_for_more_than_a_full_stick(setpoint: Setpoint) -> None:
-    pcmd = signs.pcmd_from_setpoint(setpoint, signs.Maxima(0.21, 0.7, 1.75))
-    stick = signs.stick_from_pcmd(pcmd)
+    pcmd = conversions.pcmd_from_setpoint(setpoint, conversions.Maxima(0.21, 0.7, 1.75))
+    stick = conversions.stick_from_pcmd(pcmd)
     assert max(map(abs, (pcmd.roll, pcmd.pitch, pcmd.gaz, pcmd.yaw))) <= 1.0
     assert stick.forward * setpoint.theta >= 0 and stick.left * setpoint.phi <= 0
     assert stick.up * setpoint.vz >= 0 and stick.turn * setpoint.yaw_rate >= 0
@@ -306,19 +306,22 @@ def test_no_setpoint_asks_for_more_than_a_full_stick(setpoint: Setpoint) -> None
 
 def test_a_setpoint_that_is_not_finite_is_a_centred_stick() -> None:
     for bad in (float("nan"), float("inf")):
-        pcmd = signs.pcmd_from_setpoint(Setpoint(bad, bad, bad, bad), signs.Maxima(0.21, 0.7, 1.75))
+        pcmd = conversions.pcmd_from_setpoint(
+            Setpoint(bad, bad, bad, bad), conversions.Maxima(0.21, 0.7, 1.75)
+        )
         assert (pcmd.roll, pcmd.pitch, pcmd.gaz, pcmd.yaw) == (0, 0, 0, 0)
 
 
 def test_every_major_state_has_our_word_and_emergency_wins() -> None:
     for major in options.MajorState:
         demo = options.Demo(ctrl_state=major << 16)
-        assert isinstance(signs.status_of(NavdataPacket(0, 1), demo), DroneStatus)
+        assert isinstance(conversions.status_of(NavdataPacket(0, 1), demo), DroneStatus)
         assert (
-            signs.status_of(NavdataPacket(DroneState.EMERGENCY, 1), demo) is DroneStatus.EMERGENCY
+            conversions.status_of(NavdataPacket(StateBits.EMERGENCY, 1), demo)
+            is DroneStatus.EMERGENCY
         )
     assert (
-        signs.status_of(NavdataPacket(0, 1), options.Demo(ctrl_state=99 << 16))
+        conversions.status_of(NavdataPacket(0, 1), options.Demo(ctrl_state=99 << 16))
         is DroneStatus.UNKNOWN
     )
 
@@ -326,4 +329,4 @@ def test_every_major_state_has_our_word_and_emergency_wins() -> None:
 def test_numbers_that_are_not_finite_are_refused() -> None:
     packet = decode_navdata(encode_navdata(0, 1, [options.Demo(theta=float("nan"))]))
     with pytest.raises(WireError, match="finite"):
-        signs.telemetry_from_navdata(packet, 0.0)
+        conversions.telemetry_from_navdata(packet, 0.0)

@@ -10,7 +10,7 @@ import pytest
 
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone import navdata_options as options
-from housefly.wires.ardrone.navdata import DroneState, RawOption, encode_navdata
+from housefly.wires.ardrone.navdata import StateBits, RawOption, encode_navdata
 
 pyardrone_navdata = pytest.importorskip("pyardrone.navdata")
 
@@ -20,9 +20,9 @@ def test_pyardrone_reads_our_demo_packet() -> None:
         ctrl_state=3 << 16, battery_percent=76, theta=-92.0, psi=14668.0, altitude=534, vx=268.5
     )
     theirs = pyardrone_navdata.NavData(
-        encode_navdata(DroneState.FLYING, 42, [demo, options.VisionDetect()])
+        encode_navdata(StateBits.FLYING, 42, [demo, options.VisionDetect()])
     )
-    assert (theirs.metadata.sequence_number, theirs.metadata.state) == (42, DroneState.FLYING)
+    assert (theirs.metadata.sequence_number, theirs.metadata.state) == (42, StateBits.FLYING)
     assert (
         theirs.demo.ctrl_state >> 16,
         theirs.demo.vbat_flying_percentage,
@@ -32,7 +32,7 @@ def test_pyardrone_reads_our_demo_packet() -> None:
 
 
 def test_pyardrone_reads_all_our_options() -> None:
-    theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, [kind() for kind in options.OPTIONS]))
+    theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, [kind() for kind in options.OPTION_TYPES]))
     assert theirs.magneto.magneto_radius == 0.0
 
 
@@ -83,4 +83,4 @@ def test_pyardrone_writes_commands_as_we_do() -> None:
         (at.Ref(at.RefBits.TAKE_OFF), theirs.REF(290718208)),
     ]
     for ours, other in pairs:
-        assert at.encode(9, ours) == other._pack(9)
+        assert at.encode_command(9, ours) == other._pack(9)

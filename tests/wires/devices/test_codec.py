@@ -13,17 +13,17 @@ from housefly.errors import WireError
 from housefly.messages import Observation
 from housefly.wires.devices import (
     KINDS,
-    LARGEST,
-    Address,
+    MAX_DEVICE_PAYLOAD,
     Channel,
     ClockBounds,
     Delivered,
+    DeviceAddress,
     Placement,
     Reading,
-    decode,
-    encode,
+    decode_reading,
+    encode_payload,
 )
-from housefly.wires.devices.fields import Flag, Name, Number, Rows
+from housefly.wires.devices.fields import FlagField, IdField, NumberField, RowsField
 
 NOW = 1_800_000_000.0
 GOOD: dict[str, dict[str, object]] = {
@@ -62,7 +62,7 @@ def message(
     retained: bool = False,
 ) -> Delivered:
     data = payload if isinstance(payload, bytes) else json.dumps(payload).encode()
-    return Delivered(Address("bsen", kind, f"{kind}-1"), channel, data, NOW, retained)
+    return Delivered(DeviceAddress("bsen", kind, f"{kind}-1"), channel, data, NOW, retained)
 
 
 def assert_sane(reading: Reading) -> None:
@@ -76,7 +76,7 @@ def test_any_bytes_become_observations_or_a_wire_error(
     kind: str, channel: Channel, payload: bytes, retained: bool
 ) -> None:
     try:
-        assert_sane(decode(message(kind, payload, channel, retained)))
+        assert_sane(decode_reading(message(kind, payload, channel, retained)))
     except WireError as error:
         assert f"housefly/bsen/{kind}/{kind}-1/{channel.value}" in str(error)
 
@@ -86,7 +86,7 @@ def test_any_json_becomes_observations_or_a_wire_error(
     kind: str, channel: Channel, tree: object, retained: bool
 ) -> None:
     try:
-        assert_sane(decode(message(kind, json.dumps(tree).encode(), channel, retained)))
+        assert_sane(decode_reading(message(kind, json.dumps(tree).encode(), channel, retained)))
     except WireError as error:
         assert len(str(error)) < 400
 
@@ -99,7 +99,7 @@ def test_any_value_under_a_known_key_is_understood_or_refused_by_the_name_of_its
     key = data.draw(st.sampled_from(sorted(spec)))
     tree = {**GOOD[kind], key: data.draw(json_values)}
     try:
-        assert_sane(decode(message(kind, json.dumps(tree).encode())))
+        assert_sane(decode_reading(message(kind, json.dumps(tree).encode())))
     except WireError as error:
         assert f"/state.{key}" in str(error)
 
@@ -109,8 +109,8 @@ def test_any_value_under_a_known_key_is_understood_or_refused_by_the_name_of_its
 )
 def test_unknown_keys_are_counted_and_change_nothing(kind: str, extra: dict[str, object]) -> None:
     plain, more = (
-        decode(message(kind, GOOD[kind])),
-        decode(message(kind, json.dumps({**GOOD[kind], **extra}).encode())),
+        decode_reading(message(kind, GOOD[kind])),
+        decode_reading(message(kind, json.dumps({**GOOD[kind], **extra}).encode())),
     )
     assert more.observations == plain.observations
     assert sorted(more.unknown) == sorted(extra)
@@ -121,7 +121,7 @@ def test_a_time_outside_the_bounds_is_refused_and_one_inside_is_kept(
     offset: float, retained: bool
 ) -> None:
     bounds = ClockBounds(ahead=2.0, behind=60.0)
-    reading = decode(
+    reading = decode_reading(
         message("door", {"open": True, "time": NOW + offset}, retained=retained), bounds=bounds
     )
     (door,) = reading.observations
@@ -135,7 +135,7 @@ def test_a_time_outside_the_bounds_is_refused_and_one_inside_is_kept(
 
 @pytest.mark.parametrize("told", [0.0, 12.5, 946_684_800.0])
 def test_a_clock_that_was_never_set_is_not_believed_even_of_a_kept_state(told: float) -> None:
-    reading = decode(message("door", {"open": True, "time": told}, retained=True))
+    reading = decode_reading(message("door", {"open": True, "time": told}, retained=True))
     assert reading.observations[0].captured_at == NOW
     assert reading.clock_error == told - NOW
 
@@ -145,7 +145,11 @@ def test_a_floor_sensor_that_stands_askew_reports_in_the_world(
     x: float, y: float, yaw: float
 ) -> None:
     tree = {"people": [{"x": x, "y": y}]}
-    back = decode(message("floor", tree), Placement((1.0, 2.0, 0.0), yaw)).observations[1].position
+    back = (
+        decode_reading(message("floor", tree), Placement((1.0, 2.0, 0.0), yaw))
+        .observations[1]
+        .position
+    )
     assert back is not None
     assert (back[0] - 1.0) ** 2 + (back[1] - 2.0) ** 2 == pytest.approx(x * x + y * y, abs=1e-6)
 
@@ -154,35 +158,37 @@ def test_a_floor_sensor_that_stands_askew_reports_in_the_world(
 def test_every_kind_has_a_state_that_reads_and_says_something_of_the_device_itself(
     kind: str,
 ) -> None:
-    reading = decode(Delivered(Address("bsen", kind, "it"), Channel.STATE, encode(GOOD[kind]), NOW))
+    reading = decode_reading(
+        Delivered(DeviceAddress("bsen", kind, "it"), Channel.STATE, encode_payload(GOOD[kind]), NOW)
+    )
     assert reading.observations[0].thing == reading.observations[0].source == "it"
 
 
 @pytest.mark.parametrize(
     ("kind", "word"), [(kind.name, word) for kind in KINDS.values() for word in kind.events]
 )
-def test_every_event_becomes_a_happening_and_a_kept_one_nothing(kind: str, word: str) -> None:
+def test_every_event_becomes_a_room_event_and_a_kept_one_nothing(kind: str, word: str) -> None:
     tag = {"tag": "E2-01", "weight": 0.2} if word in ("taken", "put") else {}
     event = {"event": word, **tag}
-    (happening,) = decode(
+    (told,) = decode_reading(
         message(kind, event, Channel.EVENT), Placement(things={"E2-01": "cup"})
-    ).happenings
-    assert happening.kind == KINDS[kind].events[word]
-    assert happening.thing == ("cup" if tag else f"{kind}-1")
-    assert happening.source == f"{kind}-1"
-    assert decode(message(kind, event, Channel.EVENT, retained=True)).happenings == ()
+    ).events
+    assert told.kind == KINDS[kind].events[word]
+    assert told.thing == ("cup" if tag else f"{kind}-1")
+    assert told.source == f"{kind}-1"
+    assert decode_reading(message(kind, event, Channel.EVENT, retained=True)).events == ()
 
 
 def test_a_thing_in_the_cabinet_is_known_by_its_tag_with_weight_and_place() -> None:
     placement = Placement((10.0, 5.0, 0.0), 0.0, {"E2-01": "cup"})
-    cabinet, cup = decode(message("cabinet", GOOD["cabinet"]), placement).observations
+    cabinet, cup = decode_reading(message("cabinet", GOOD["cabinet"]), placement).observations
     assert dict(cabinet.facts) == {"load": 0.21, "contents": "cup"}
     assert (cup.thing, cup.inside, cup.position) == ("cup", "cabinet-1", (10.1, 5.0, 0.6))
     assert dict(cup.facts) == {"weight": 0.21, "shelf": 2.0}
 
 
 def test_people_on_the_floor_have_a_covariance_and_the_nameless_a_number() -> None:
-    floor, person, thing = decode(message("floor", GOOD["floor"])).observations
+    floor, person, thing = decode_reading(message("floor", GOOD["floor"])).observations
     assert dict(floor.facts) == {"people": 1.0, "objects": 1.0}
     assert person == Observation(
         "person-1",
@@ -209,7 +215,7 @@ def test_people_on_the_floor_have_a_covariance_and_the_nameless_a_number() -> No
 def test_a_bed_knows_whether_somebody_lies_in_it(
     load: float, said: bool | None, occupied: bool
 ) -> None:
-    (bed,) = decode(message("bed", {"load": load, "occupied": said})).observations
+    (bed,) = decode_reading(message("bed", {"load": load, "occupied": said})).observations
     assert dict(bed.facts)["occupied"] is occupied
 
 
@@ -237,7 +243,7 @@ def test_a_bed_knows_whether_somebody_lies_in_it(
 )
 def test_a_bad_field_is_named_with_what_is_allowed(kind: str, tree: object, words: str) -> None:
     with pytest.raises(WireError) as raised:
-        decode(message(kind, json.dumps(tree).encode()))
+        decode_reading(message(kind, json.dumps(tree).encode()))
     assert words in str(raised.value)
     assert f"housefly/bsen/{kind}/{kind}-1/state" in str(raised.value)
 
@@ -251,29 +257,31 @@ def test_a_bad_field_is_named_with_what_is_allowed(kind: str, tree: object, word
         b"[" * 10_000,
         b'{"load": 1e999}',
         b'{"load": ' + b"9" * 5000 + b"}",
-        b" " * (LARGEST + 1),
+        b" " * (MAX_DEVICE_PAYLOAD + 1),
     ],
 )
 def test_what_is_not_json_is_refused(payload: bytes) -> None:
     with pytest.raises(WireError, match="housefly/bsen/bed/bed-1/state"):
-        decode(message("bed", payload))
+        decode_reading(message("bed", payload))
 
 
 def test_an_unknown_kind_is_told_the_known_ones() -> None:
     with pytest.raises(WireError, match="unknown kind of device; known: floor, cabinet"):
-        decode(message("toaster", b"{}"))
+        decode_reading(message("toaster", b"{}"))
 
 
 @pytest.mark.parametrize(("payload", "online"), [(b"online", True), (b"offline", False)])
 def test_presence_is_one_word(payload: bytes, online: bool) -> None:
-    assert decode(message("door", payload, Channel.AVAILABILITY)).online is online
+    assert decode_reading(message("door", payload, Channel.AVAILABILITY)).online is online
     with pytest.raises(WireError, match="allowed: online or offline"):
-        decode(message("door", b'"' + payload + b'"', Channel.AVAILABILITY))
+        decode_reading(message("door", b'"' + payload + b'"', Channel.AVAILABILITY))
 
 
 def test_every_number_of_every_table_has_a_unit_or_is_a_share_and_every_kind_a_heartbeat() -> None:
     for kind in KINDS.values():
         for key, row in [*kind.state_spec().items(), *kind.event_spec().items()]:
-            assert isinstance(row, Flag | Name | Rows) or row.check is not None
-            assert not isinstance(row, Number) or row.unit or (row.low, row.high) == (0.0, 1.0), key
+            assert isinstance(row, FlagField | IdField | RowsField) or row.check is not None
+            assert (
+                not isinstance(row, NumberField) or row.unit or (row.low, row.high) == (0.0, 1.0)
+            ), key
         assert 0.5 <= kind.heartbeat <= 300.0

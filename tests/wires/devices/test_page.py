@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from housefly.wires.devices import KINDS, Delivered, decode, parse_topic
-from housefly.wires.devices.fields import Rows
+from housefly.wires.devices import KINDS, Delivered, decode_reading, parse_topic
+from housefly.wires.devices.fields import RowsField
 
 PAGE = (Path(__file__).resolve().parents[3] / "docs" / "devices.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"^(housefly/\S+)\n(\{.*\})$", PAGE, flags=re.MULTILINE)
@@ -17,9 +17,9 @@ EXAMPLES = re.findall(r"^(housefly/\S+)\n(\{.*\})$", PAGE, flags=re.MULTILINE)
 @pytest.mark.parametrize(("topic", "payload"), EXAMPLES)
 def test_every_example_reads_and_has_no_unknown_key(topic: str, payload: str) -> None:
     address, channel = parse_topic(topic)
-    reading = decode(Delivered(address, channel, payload.encode(), 1_800_000_000.0))
+    reading = decode_reading(Delivered(address, channel, payload.encode(), 1_800_000_000.0))
     assert reading.unknown == ()
-    assert reading.observations or reading.happenings
+    assert reading.observations or reading.events
 
 
 def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat() -> None:
@@ -30,6 +30,9 @@ def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat
         for word in (*kind.state, *kind.events):
             assert f"`{word}`" in row, f"{kind.name}: {word}"
         inner = {
-            key for field in kind.state.values() if isinstance(field, Rows) for key in field.spec
+            key
+            for field in kind.state.values()
+            if isinstance(field, RowsField)
+            for key in field.spec
         }
         assert all(f"`{key}`" in PAGE for key in inner)

@@ -7,7 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.errors import WireError
-from housefly.wires.devices import Address, Channel, listener_topic, parse_topic, subscription
+from housefly.wires.devices import (
+    Channel,
+    DeviceAddress,
+    listener_topic,
+    parse_topic,
+    site_subscription,
+)
 
 ids = st.from_regex(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}", fullmatch=True)
 sites = st.from_regex(r"[a-z0-9][a-z0-9_-]{0,39}", fullmatch=True)
@@ -15,9 +21,9 @@ sites = st.from_regex(r"[a-z0-9][a-z0-9_-]{0,39}", fullmatch=True)
 
 @given(sites, ids, ids, st.sampled_from(Channel))
 def test_a_topic_reads_back(site: str, kind: str, device: str, channel: Channel) -> None:
-    address = Address(site, kind, device)
+    address = DeviceAddress(site, kind, device)
     assert parse_topic(address.topic(channel)) == (address, channel)
-    assert address.topic(channel).startswith(subscription(site)[:-1])
+    assert address.topic(channel).startswith(site_subscription(site)[:-1])
 
 
 @given(st.text(max_size=200))

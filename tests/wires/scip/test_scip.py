@@ -13,34 +13,34 @@ from housefly.errors import WireError
 from housefly.wires.scip import (
     URG_04LX,
     UST_10LX,
-    Ask,
-    Measure,
-    Parameters,
-    Reply,
-    Request,
+    MeasureRequest,
+    PlainRequest,
+    ScannerParameters,
+    ScipReply,
+    ScipRequest,
+    decode_measurement,
     decode_reply,
     decode_request,
     encode_reply,
     encode_request,
-    measurement_of,
     measurement_reply,
 )
 from housefly.wires.scip.characters import (
-    checked,
     checksum,
-    data_lines,
-    decoded,
-    encoded,
-    values_of,
+    decode_lines,
+    decode_number,
+    encode_lines,
+    encode_number,
+    strip_checksum,
 )
-from housefly.wires.scip.parameters import told_by
-from housefly.wires.scip.requests import ASKS
+from housefly.wires.scip.parameters import named_values
+from housefly.wires.scip.requests import PLAIN_REQUESTS
 
 notes = st.text("abcXYZ019 ._+@", max_size=16)
-asks = st.builds(Ask, st.sampled_from(sorted(ASKS)), notes)
+asks = st.builds(PlainRequest, st.sampled_from(sorted(PLAIN_REQUESTS)), notes)
 steps = st.integers(0, 9999)
 measures = st.builds(
-    Measure,
+    MeasureRequest,
     st.just("MD"),
     steps,
     steps,
@@ -49,15 +49,15 @@ measures = st.builds(
     st.integers(0, 99),
     notes,
 )
-newest = st.builds(Measure, st.just("GD"), steps, steps, st.integers(0, 99), note=notes)
+newest = st.builds(MeasureRequest, st.just("GD"), steps, steps, st.integers(0, 99), note=notes)
 
 
 @pytest.mark.parametrize(
     ("value", "width", "text"), [(1234, 2, "CB"), (5432, 3, "1Dh"), (16000000, 4, "m2@0")]
 )
 def test_the_manuals_numbers_are_encoded_as_printed(value: int, width: int, text: str) -> None:
-    assert encoded(value, width) == text
-    assert decoded(text) == value
+    assert encode_number(value, width) == text
+    assert decode_number(text) == value
 
 
 @pytest.mark.parametrize(
@@ -90,7 +90,7 @@ def test_the_manuals_numbers_are_encoded_as_printed(value: int, width: int, text
 def test_printed_lines_of_real_sensors_have_our_checksum(line: str) -> None:
     text, _, check = line.rpartition(";")
     assert checksum(text) == check
-    assert told_by(Reply("PP", "00", (line,)))
+    assert named_values(ScipReply("PP", "00", (line,)))
 
 
 @given(
@@ -100,20 +100,20 @@ def test_printed_lines_of_real_sensors_have_our_checksum(line: str) -> None:
 )
 def test_every_number_comes_back_and_one_too_large_is_refused(pair: tuple[int, int]) -> None:
     width, value = pair
-    assert decoded(encoded(value, width)) == value
+    assert decode_number(encode_number(value, width)) == value
     with pytest.raises(WireError):
-        encoded(1 << 6 * width, width)
+        encode_number(1 << 6 * width, width)
 
 
 @given(st.lists(st.integers(0, (1 << 18) - 1), max_size=200))
 def test_data_comes_back_from_lines_of_at_most_64_characters(values: list[int]) -> None:
-    lines = data_lines(values, 3)
+    lines = encode_lines(values, 3)
     assert all(len(line) <= 65 for line in lines)
-    assert values_of(lines, 3) == tuple(values)
+    assert decode_lines(lines, 3) == tuple(values)
 
 
 @given(asks | measures | newest)
-def test_every_request_comes_back(request: Request) -> None:
+def test_every_request_comes_back(request: ScipRequest) -> None:
     assert decode_request(encode_request(request)[:-1]) == request
 
 
@@ -123,8 +123,8 @@ def test_every_request_comes_back(request: Request) -> None:
     st.integers(0, 99),
 )
 def test_every_scan_comes_back(stamp: int, ranges: list[int], count: int) -> None:
-    request = Measure("MD", 100, 99 + len(ranges), 1, 0, count)
-    found = measurement_of(
+    request = MeasureRequest("MD", 100, 99 + len(ranges), 1, 0, count)
+    found = decode_measurement(
         decode_reply(encode_reply(measurement_reply(request, stamp, tuple(ranges))))
     )
     assert found is not None
@@ -134,11 +134,11 @@ def test_every_scan_comes_back(stamp: int, ranges: list[int], count: int) -> Non
 @given(st.integers(0, 400), st.integers(1, 255))
 def test_one_changed_character_of_a_scan_is_noticed(at: int, change: int) -> None:
     ranges = tuple(range(1000, 1100))
-    data = bytearray(encode_reply(measurement_reply(Measure("MD", 0, 99), 4711, ranges)))
+    data = bytearray(encode_reply(measurement_reply(MeasureRequest("MD", 0, 99), 4711, ranges)))
     at %= len(data)
     data[at] = (data[at] + change) % 256
     with contextlib.suppress(WireError):
-        found = measurement_of(decode_reply(bytes(data)))
+        found = decode_measurement(decode_reply(bytes(data)))
         assert found is None or found.ranges == ranges
 
 
@@ -151,21 +151,21 @@ garbage = st.binary(max_size=300) | st.binary(max_size=200).map(
 def test_any_bytes_are_decoded_or_refused_with_a_wire_error(data: bytes) -> None:
     for decode in (
         decode_request,
-        lambda d: measurement_of(decode_reply(d)),
-        lambda d: Parameters.of(decode_reply(d)),
+        lambda d: decode_measurement(decode_reply(d)),
+        lambda d: ScannerParameters.of(decode_reply(d)),
     ):
         with contextlib.suppress(WireError):
             decode(data)
 
 
 @pytest.mark.parametrize("model", [URG_04LX, UST_10LX])
-def test_parameters_come_back_and_senseless_ones_are_refused(model: Parameters) -> None:
-    assert Parameters.of(decode_reply(encode_reply(model.reply()))) == model
+def test_parameters_come_back_and_senseless_ones_are_refused(model: ScannerParameters) -> None:
+    assert ScannerParameters.of(decode_reply(encode_reply(model.reply()))) == model
     for change in ({"rpm": 0}, {"resolution": 0}, {"last": 0, "first": 5}, {"longest": 1}):
         with pytest.raises(WireError):
-            Parameters.of(replace(model, **change).reply())
+            ScannerParameters.of(replace(model, **change).reply())
     with pytest.raises(WireError):
-        Parameters.of(Reply("PP", "00", model.reply().lines[:-1]))
+        ScannerParameters.of(ScipReply("PP", "00", model.reply().lines[:-1]))
 
 
 def test_the_angles_of_the_models_are_those_of_their_data_sheets() -> None:
@@ -179,4 +179,4 @@ def test_the_angles_of_the_models_are_those_of_their_data_sheets() -> None:
 
 def test_a_wrong_checksum_is_named() -> None:
     with pytest.raises(WireError, match="checksum"):
-        checked("00Q")
+        strip_checksum("00Q")

@@ -1,7 +1,7 @@
-"""The AR.Drone 2.0 as a Drone: four ports, one watchdog, one place where everything meets.
+"""The AR.Drone 2.0 as a ``Drone``: its four ports and the watchdog over the pilot.
 
 A command whose action differs from the one before leaves in the same call. FLY setpoints leave at
-the drone's cadence, timed so that a regular pilot's setpoint leaves the moment it comes; when the
+the drone's rate, timed so that a regular pilot's setpoint leaves as soon as it comes; when the
 pilot pauses, the newest command is repeated.
 """
 
@@ -15,27 +15,28 @@ from housefly.clock import Clock, RealClock
 from housefly.config.site import DroneConfig, LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.link import CommandLink, led_value
-from housefly.drones.ardrone.orders import Orders
-from housefly.drones.ardrone.settings import differences, maxima_in, maxima_of, wanted_settings
-from housefly.drones.ardrone.telemetry import NavdataPort
+from housefly.drones.ardrone.settings import (
+    maxima_in,
+    maxima_of,
+    setting_mismatches,
+    wanted_settings,
+)
+from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
 from housefly.messages import Command, DroneStatus, Telemetry, VideoFrame
 from housefly.wires.ardrone import at
+from housefly.wires.ardrone.command_sequencer import (
+    REPEAT_AFTER,
+    SEND_INTERVAL_MIN,
+    CommandSequencer,
+)
 from housefly.wires.ardrone.config import VideoChannel
-from housefly.wires.ardrone.navdata import NAVDATA_PORT, DroneState
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, StateBits
 
-CADENCE = 0.030
-"""Time between datagrams that the drone's makers recommend [s]."""
-EARLY = 0.003
-"""A setpoint that comes this much before its time still leaves at once [s]."""
-REPEAT = 0.035
-"""Without a word from the pilot the command in force is repeated after this long [s]; the drone
-complains after 50 ms.
-"""
-ANSWER = 5.0
+FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
-RETRY = 1.0
+_CONFIGURE_PAUSE = 1.0
 """Pause before a rebooted drone is configured again after a failure [s]."""
 
 
@@ -50,9 +51,8 @@ class ArDrone:
             ones for a weak radio link.
 
     Attributes:
-        notes: settings that the drone did not take, in words.
-        configuration: the drone's configuration as it told it, texts by key; empty before
-            ``connect``.
+        notes: settings that the drone did not accept, in words.
+        configuration: as the drone reported it, texts by key; empty before ``connect``.
     """
 
     def __init__(
@@ -70,10 +70,10 @@ class ArDrone:
         self._clock = clock or RealClock()
         self._full_navdata = full_navdata
         self._commands = CommandLink(config.address, self._clock)
-        self._navdata = NavdataPort(config.address, self._clock)
+        self._navdata = NavdataLink(config.address, self._clock)
         self._video = VideoLink(config.address, self._clock)
         self._configurator = Configurator(config.address, self._commands, self._navdata)
-        self._orders = Orders(maxima_of(limits), self._clock.now())
+        self._sequencer = CommandSequencer(maxima_of(limits), self._clock.now())
         self._sent_at = float("-inf")
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
@@ -87,10 +87,11 @@ class ArDrone:
         await self._commands.open()
         await self._navdata.open()
         self._start("repeat commands", self._repeat)
-        if await self._navdata.wait_for(lambda packet: True, ANSWER) is None:
+        if await self._navdata.wait_for(lambda packet: True, FIRST_REPORT_TIMEOUT) is None:
             raise LinkError(
-                f"no drone answers at {self._config.address}:{NAVDATA_PORT} within {ANSWER:g} s: "
-                "is it switched on, and is your computer in the drone's Wi-Fi?"
+                f"no drone answers at {self._config.address}:{NAVDATA_PORT} within"
+                f" {FIRST_REPORT_TIMEOUT:g} s: is it switched on, and is your computer in the"
+                " drone's Wi-Fi?"
             )
         await self._configure()
         self._start("configure after reboot", self._configure_after_reboot)
@@ -110,8 +111,8 @@ class ArDrone:
     def send(self, command: Command) -> None:
         """Hand over the command in force from now on; returns at once."""
         now = self._clock.now()
-        is_other_action = self._orders.take(command, now)
-        if is_other_action or now - self._sent_at >= CADENCE - EARLY:
+        action_changed = self._sequencer.update(command, now)
+        if action_changed or now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit(now)
 
     @property
@@ -149,12 +150,10 @@ class ArDrone:
         )
 
     def flat_trim(self) -> None:
-        """Take the present attitude as level; raises LinkError unless the drone stands on the
-        ground.
-        """
-        told = self.telemetry
-        if told is None or told.status is not DroneStatus.LANDED:
-            state = "unknown" if told is None else told.status.value
+        """Take the present attitude as level; raises LinkError unless the drone is landed."""
+        report = self.telemetry
+        if report is None or report.status is not DroneStatus.LANDED:
+            state = "unknown" if report is None else report.status.value
             raise LinkError(f"flat trim needs a drone on the ground; this one's state is: {state}")
         self._commands.send(at.FlatTrim())
 
@@ -167,35 +166,35 @@ class ArDrone:
             await self._configurator.write(name, value)
         dump = await self._configurator.read()
         self.configuration = dump.texts
-        self.notes = differences(dump, self._limits)
-        self._orders.maxima = maxima_in(dump, maxima_of(self._limits))
+        self.notes = setting_mismatches(dump, self._limits)
+        self._sequencer.maxima = maxima_in(dump, maxima_of(self._limits))
         if not self._full_navdata:
             await self._configurator.write("general:navdata_demo", True)
 
     async def _configure_after_reboot(self) -> None:
         while True:
             await self._navdata.wait_for(
-                lambda packet: packet.has(DroneState.NAVDATA_BOOTSTRAP), None
+                lambda packet: packet.has(StateBits.NAVDATA_BOOTSTRAP), None
             )
             with contextlib.suppress(LinkError):
                 await self._configure()
                 continue
-            await asyncio.sleep(RETRY)
+            await asyncio.sleep(_CONFIGURE_PAUSE)
 
     async def _repeat(self) -> None:
         while True:
             now = self._clock.now()
-            if now - self._sent_at >= REPEAT:
+            if now - self._sent_at >= REPEAT_AFTER:
                 self._transmit(now)
-            await asyncio.sleep(max(0.001, self._sent_at + REPEAT - self._clock.now()))
+            await asyncio.sleep(max(0.001, self._sent_at + REPEAT_AFTER - self._clock.now()))
 
     def _transmit(self, now: float) -> None:
         if not self._commands.is_open:
             return
         self._sent_at = now
         hears = self._navdata.hears_us
-        self._commands.numbering.drone_hears(hears, now)
-        commands = self._orders.next(now, self.telemetry)
+        self._commands.numbers.report_reception(hears, now)
+        commands = self._sequencer.next_commands(now, self.telemetry)
         if not hears and at.ComWatchdog() not in commands:
             commands = (*commands, at.ComWatchdog())
         self._commands.send(*commands)

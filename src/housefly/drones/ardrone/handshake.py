@@ -1,8 +1,7 @@
 """Writing and reading the drone's configuration.
 
-Each CONFIG is acknowledged by state bit 6, which is cleared again with CTRL 5; one at a time. Keys
-of sessions, users and applications count only with our three ids, named right before (Parrot
-ARDroneLib SDK 2.0.1).
+One CONFIG at a time: state bit 6 acknowledges it, CTRL 5 clears the bit. Keys of sessions, users
+and applications count only when our three ids come right before (Parrot ARDroneLib SDK 2.0.1).
 """
 
 from __future__ import annotations
@@ -11,42 +10,42 @@ import asyncio
 import contextlib
 
 from housefly.drones.ardrone.link import CommandLink
-from housefly.drones.ardrone.telemetry import Condition, NavdataPort
+from housefly.drones.ardrone.telemetry import NavdataLink, PacketCondition
 from housefly.errors import LinkError, WireError
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import (
     CONTROL_PORT,
     DUMP_END,
     MAX_DUMP,
+    ConfigValue,
     Dump,
-    Ids,
-    Value,
+    MulticonfigIds,
     config_id,
     format_value,
     key_named,
+    parse_dump,
 )
-from housefly.wires.ardrone.config import parse_dump as parse
 from housefly.wires.ardrone.config_keys import Category
-from housefly.wires.ardrone.navdata import DroneState, NavdataPacket
+from housefly.wires.ardrone.navdata import StateBits, NavdataPacket
 
-REPEAT = 0.1
-"""A step of the dance is sent again when the drone has not answered for this long [s]."""
-PATIENCE = 3.0
-"""When a step is given up [s]."""
-READ_REPEAT = 0.5
-"""The request for the configuration is sent again after this long [s]."""
+_RESEND_INTERVAL = 0.1
+"""A step is sent again when the drone has not answered for this long [s]."""
+_STEP_TIMEOUT = 3.0
+"""Longest time for one step of the handshake [s]."""
+_REQUEST_INTERVAL = 0.5
+"""Time between requests for the configuration [s]."""
 
-OURS = Ids(
+_CLIENT_IDS = MulticonfigIds(
     session=config_id("housefly session"),
     user=config_id("housefly user"),
     application=config_id("housefly"),
 )
 """The same on every run, so that a drone does not fill up with sessions."""
 
-LOGIN = (
-    ("custom:session_id", OURS.session),
-    ("custom:profile_id", OURS.user),
-    ("custom:application_id", OURS.application),
+_LOGIN = (
+    ("custom:session_id", _CLIENT_IDS.session),
+    ("custom:profile_id", _CLIENT_IDS.user),
+    ("custom:application_id", _CLIENT_IDS.application),
     ("custom:session_desc", "Housefly session"),
     ("custom:profile_desc", "Housefly user"),
     ("custom:application_desc", "Housefly"),
@@ -54,22 +53,20 @@ LOGIN = (
 
 
 class Configurator:
-    """Talks about configuration over an open command link and an open navdata port."""
+    """Reads and writes the configuration over open command and navdata links."""
 
-    def __init__(self, address: str, commands: CommandLink, navdata: NavdataPort) -> None:
+    def __init__(self, address: str, commands: CommandLink, navdata: NavdataLink) -> None:
         self._address = address
         self._commands = commands
         self._navdata = navdata
         self._one_at_a_time = asyncio.Lock()
 
     async def log_in(self) -> None:
-        """Make our session, user and application those in force; raises LinkError when the drone
-        does not answer.
-        """
-        for key, value in LOGIN:
+        """Activate our session, user and application; raises LinkError without an answer."""
+        for key, value in _LOGIN:
             await self.write(key, value)
 
-    async def write(self, name: str, value: Value) -> None:
+    async def write(self, name: str, value: ConfigValue) -> None:
         """Set a key.
 
         Raises:
@@ -77,9 +74,9 @@ class Configurator:
             WireError: no such key, or a value of another type.
         """
         key = key_named(name)
-        setting: tuple[at.Command, ...] = (at.Config(name, format_value(key, value)),)
+        setting: tuple[at.AtCommand, ...] = (at.Config(name, format_value(key, value)),)
         if key.category is not Category.COMMON:
-            setting = (at.ConfigIds(*OURS), *setting)
+            setting = (at.ConfigIds(*_CLIENT_IDS), *setting)
         async with self._one_at_a_time:
             await self._clear_acknowledge(name)
             await self._repeat_until(setting, _is_acknowledged, f"did not acknowledge {name}")
@@ -91,8 +88,8 @@ class Configurator:
         async with self._one_at_a_time:
             await self._clear_acknowledge("the request for its configuration")
             try:
-                async with asyncio.timeout(PATIENCE):
-                    return parse(await self._download())
+                async with asyncio.timeout(_STEP_TIMEOUT):
+                    return parse_dump(await self._download())
             except (OSError, TimeoutError) as error:
                 raise LinkError(
                     f"the drone does not tell its configuration at {where}: {error or 'no answer'}"
@@ -123,7 +120,7 @@ class Configurator:
     async def _ask_for_dump(self) -> None:
         while True:
             self._commands.send(at.Control(at.ControlMode.SEND_CONFIG))
-            await asyncio.sleep(READ_REPEAT)
+            await asyncio.sleep(_REQUEST_INTERVAL)
 
     async def _clear_acknowledge(self, what: str) -> None:
         packet = self._navdata.reports.packet
@@ -134,14 +131,14 @@ class Configurator:
             )
 
     async def _repeat_until(
-        self, commands: tuple[at.Command, ...], condition: Condition, complaint: str
+        self, commands: tuple[at.AtCommand, ...], condition: PacketCondition, complaint: str
     ) -> None:
-        for _ in range(round(PATIENCE / REPEAT)):
+        for _ in range(round(_STEP_TIMEOUT / _RESEND_INTERVAL)):
             self._commands.send(*commands)
-            if await self._navdata.wait_for(condition, REPEAT) is not None:
+            if await self._navdata.wait_for(condition, _RESEND_INTERVAL) is not None:
                 return
-        raise LinkError(f"the drone at {self._address} {complaint} within {PATIENCE:g} s")
+        raise LinkError(f"the drone at {self._address} {complaint} within {_STEP_TIMEOUT:g} s")
 
 
 def _is_acknowledged(packet: NavdataPacket) -> bool:
-    return packet.has(DroneState.COMMAND_ACK)
+    return packet.has(StateBits.COMMAND_ACK)

@@ -5,21 +5,21 @@ from __future__ import annotations
 import asyncio
 
 from housefly.clock import Clock
-from housefly.drones.ardrone.numbering import Numbering
+from housefly.drones.ardrone.sequence_numbers import SequenceNumbers
 from housefly.errors import LinkError
 from housefly.wires.ardrone import at
 
 
 class CommandLink(asyncio.DatagramProtocol):
-    """Sends datagrams of commands; nothing is ever received here.
+    """Sends datagrams of commands; never receives any.
 
     Attributes:
-        numbering: of all commands on this link.
-        datagrams: how many were sent.
+        numbers: sequence numbers of all commands on this link.
+        datagrams: number sent.
     """
 
     def __init__(self, address: str, clock: Clock) -> None:
-        self.numbering = Numbering()
+        self.numbers = SequenceNumbers()
         self.datagrams = 0
         self._address = address
         self._clock = clock
@@ -45,11 +45,11 @@ class CommandLink(asyncio.DatagramProtocol):
         """Whether ``send`` goes anywhere."""
         return self._transport is not None
 
-    def send(self, *commands: at.Command) -> None:
+    def send(self, *commands: at.AtCommand) -> None:
         """Send commands as one datagram at once; without a socket they are dropped."""
         if self._transport is None:
             return
-        first = self.numbering.take(len(commands), self._clock.now())
+        first = self.numbers.reserve(len(commands), self._clock.now())
         self._transport.sendto(at.encode_datagram(first, commands))
         self.datagrams += 1
 
@@ -60,11 +60,9 @@ class CommandLink(asyncio.DatagramProtocol):
             self._transport = None
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that nobody listens there yet: commands are repeated anyway."""
+        """Ignore that nobody listens yet: commands are repeated anyway."""
 
 
 def led_value(animation: int, frequency_hz: float, seconds: int) -> str:
-    """Return the value of ``leds:leds_anim``: animation number, bits of the frequency, duration
-    [s].
-    """
+    """Return the value of ``leds:leds_anim``: animation, frequency as float bits, duration [s]."""
     return f"{animation},{at.float_to_bits(frequency_hz)},{seconds}"

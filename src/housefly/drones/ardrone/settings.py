@@ -5,20 +5,18 @@ from __future__ import annotations
 from math import isclose
 
 from housefly.config.site import LimitsConfig
-from housefly.wires.ardrone.config import Dump, Value, VideoChannel, VideoCodec
-from housefly.wires.ardrone.signs import Maxima
+from housefly.wires.ardrone.config import ConfigValue, Dump, VideoChannel, VideoCodec
+from housefly.wires.ardrone.conversions import Maxima
 
-FREE_FLIGHT = 0
-NO_DETECTION = 3
-BITRATE = 4000
-"""Of the video [kbit/s]; a real 360p stream needs about 1200."""
-FRAME_RATE = 30
+_FREE_FLIGHT = 0
+_NO_DETECTION = 3
+_VIDEO_BITRATE = 4000
+"""[kbit/s]; a real 360p stream needs about 1200."""
+_VIDEO_RATE_HZ = 30
 
 
-def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, Value], ...]:
-    """Return keys and values in the order of writing: ``outdoor`` first, because it replaces the
-    limits.
-    """
+def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, ConfigValue], ...]:
+    """Return keys and values in writing order; ``outdoor`` comes first: it resets the limits."""
     return (
         ("control:outdoor", False),
         ("control:flight_without_shell", False),
@@ -26,23 +24,23 @@ def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, Value], ...]:
         ("control:control_vz_max", 1000.0 * limits.vertical_speed_max),
         ("control:control_yaw", limits.yaw_rate_max),
         ("control:altitude_max", round(1000.0 * limits.height_max)),
-        ("control:flying_mode", FREE_FLIGHT),
-        ("detect:detect_type", NO_DETECTION),
+        ("control:flying_mode", _FREE_FLIGHT),
+        ("detect:detect_type", _NO_DETECTION),
         ("video:video_codec", int(VideoCodec.H264_360P)),
-        ("video:codec_fps", FRAME_RATE),
-        ("video:bitrate", BITRATE),
-        ("video:max_bitrate", BITRATE),
+        ("video:codec_fps", _VIDEO_RATE_HZ),
+        ("video:bitrate", _VIDEO_BITRATE),
+        ("video:max_bitrate", _VIDEO_BITRATE),
         ("video:video_channel", int(VideoChannel.FRONT)),
     )
 
 
 def maxima_of(limits: LimitsConfig) -> Maxima:
-    """Return what a full stick means once all limits are set."""
+    """Return what a full stick means once the limits are set."""
     return Maxima(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
 
 
 def maxima_in(dump: Dump, wanted: Maxima) -> Maxima:
-    """Return what a full stick means by the drone's own words; what it does not say is as wanted."""
+    """Return what a full stick means by the drone's own report, or as wanted where it is silent."""
     return Maxima(
         tilt=_number(dump, "control:euler_angle_max", wanted.tilt),
         climb=_number(dump, "control:control_vz_max", 1000.0 * wanted.climb) / 1000.0,
@@ -50,8 +48,8 @@ def maxima_in(dump: Dump, wanted: Maxima) -> Maxima:
     )
 
 
-def differences(dump: Dump, limits: LimitsConfig) -> tuple[str, ...]:
-    """Return, in words, the settings that the drone did not take."""
+def setting_mismatches(dump: Dump, limits: LimitsConfig) -> tuple[str, ...]:
+    """Return, in words, the settings that the drone did not accept."""
     return tuple(
         f"the drone keeps {name} = {dump.texts.get(name, 'nothing')} instead of {value}"
         for name, value in wanted_settings(limits)
@@ -59,7 +57,7 @@ def differences(dump: Dump, limits: LimitsConfig) -> tuple[str, ...]:
     )
 
 
-def _same(found: Value | None, wanted: Value) -> bool:
+def _same(found: ConfigValue | None, wanted: ConfigValue) -> bool:
     if isinstance(found, int | float) and isinstance(wanted, int | float):
         return isclose(found, wanted, rel_tol=1e-5)
     return found == wanted

@@ -1,7 +1,7 @@
-"""The drone's reports: UDP port 5554 into the newest Telemetry.
+"""The drone's reports: UDP port 5554 to the newest ``Telemetry``.
 
-Only the pinned peer is heard (the socket is connected to it). Full navdata comes 200 times a
-second; each packet is checked, but turned into Telemetry only when someone reads it.
+The socket is connected, so only the drone is heard. Full navdata comes 200 times a second; each
+packet is checked, but converted to ``Telemetry`` only when someone reads it.
 """
 
 from __future__ import annotations
@@ -13,31 +13,31 @@ from collections.abc import Callable
 from housefly.clock import Clock
 from housefly.errors import LinkError, WireError
 from housefly.messages import Telemetry
+from housefly.wires.ardrone.conversions import telemetry_from_navdata
 from housefly.wires.ardrone.navdata import (
     NAVDATA_PORT,
     REQUEST_UNICAST,
-    DroneState,
+    StateBits,
     NavdataPacket,
     decode_navdata,
 )
-from housefly.wires.ardrone.signs import telemetry_from_navdata
 
-SILENCE = 0.25
-"""Without a report for this long we ask again, and the next report may have any number [s]."""
-CONNECTED = 0.5
-"""Reports count as arriving when the last one is younger than this [s]."""
+NAVDATA_TIMEOUT = 0.25
+"""After this long without a report we ask again, and accept any sequence number next [s]."""
+_REPORT_AGE_MAX = 0.5
+"""The link is connected while the newest report is younger than this [s]."""
 
-Condition = Callable[[NavdataPacket], bool]
+PacketCondition = Callable[[NavdataPacket], bool]
 
 
-class Reports:
-    """Takes datagrams, refuses what is broken or old, keeps the newest. Pure.
+class NavdataReports:
+    """Keeps the newest report; refuses broken and old datagrams. Pure.
 
     Attributes:
         packet: the newest good packet.
         received_at: when it came [s].
-        broken: datagrams that made no sense.
-        old: packets that came late or twice.
+        broken: number of malformed datagrams.
+        old: number of packets that came late or twice.
     """
 
     def __init__(self) -> None:
@@ -49,14 +49,14 @@ class Reports:
         self._telemetry: Telemetry | None = None
         self._is_read = True
 
-    def take(self, datagram: bytes, now: float) -> bool:
-        """Take a datagram that came now [s] and return whether it is news."""
+    def accept(self, datagram: bytes, now: float) -> bool:
+        """Decode a datagram that came now [s]; return whether it holds a newer report."""
         try:
             packet = decode_navdata(datagram)
         except WireError:
             self.broken += 1
             return False
-        if not self._is_news(packet, now):
+        if not self._is_newer(packet, now):
             self.old += 1
             return False
         self._read()
@@ -65,19 +65,17 @@ class Reports:
         self._forget_before(now - 1.0)
         return True
 
-    def _is_news(self, packet: NavdataPacket, now: float) -> bool:
-        """Tell whether it is newer than the last; after a silence any number is, for the drone may
-        have started again.
-        """
+    def _is_newer(self, packet: NavdataPacket, now: float) -> bool:
+        """After a silence any number is newer: the drone may have rebooted."""
         return (
             self.packet is None
             or packet.sequence > self.packet.sequence
-            or now - self.received_at > SILENCE
+            or now - self.received_at > NAVDATA_TIMEOUT
         )
 
     @property
     def telemetry(self) -> Telemetry | None:
-        """The newest report that has the demo option, in our units."""
+        """The newest report with the demo option, in our units."""
         self._read()
         return self._telemetry
 
@@ -102,18 +100,16 @@ class Reports:
             self._times.popleft()
 
 
-class NavdataPort(asyncio.DatagramProtocol):
-    """The socket to port 5554: asks for reports, asks again in silence, wakes those who wait for a
-    report.
-    """
+class NavdataLink(asyncio.DatagramProtocol):
+    """The socket to port 5554: requests reports, again after silence, and wakes those who wait."""
 
     def __init__(self, address: str, clock: Clock) -> None:
-        self.reports = Reports()
+        self.reports = NavdataReports()
         self._address = address
         self._clock = clock
         self._transport: asyncio.DatagramTransport | None = None
-        self._asking: asyncio.Task[None] | None = None
-        self._waiting: dict[asyncio.Future[NavdataPacket], Condition] = {}
+        self._requesting: asyncio.Task[None] | None = None
+        self._waiters: dict[asyncio.Future[NavdataPacket], PacketCondition] = {}
 
     async def open(self) -> None:
         """Open the socket and start asking; raises LinkError when the address cannot be used."""
@@ -128,61 +124,61 @@ class NavdataPort(asyncio.DatagramProtocol):
             raise LinkError(
                 f"cannot open a socket to {self._address}:{NAVDATA_PORT}: {error.strerror or error}"
             ) from error
-        self._asking = asyncio.create_task(self._ask_in_silence(), name="navdata requests")
+        self._requesting = asyncio.create_task(self._request_when_silent(), name="navdata requests")
 
     async def close(self) -> None:
         """Close the socket."""
-        if self._asking is not None:
-            self._asking.cancel()
-            await asyncio.gather(self._asking, return_exceptions=True)
+        if self._requesting is not None:
+            self._requesting.cancel()
+            await asyncio.gather(self._requesting, return_exceptions=True)
         if self._transport is not None:
             self._transport.abort()
-        self._asking = self._transport = None
+        self._requesting = self._transport = None
 
     @property
     def connected(self) -> bool:
         """Whether reports arrive."""
-        return self._clock.now() - self.reports.received_at < CONNECTED
+        return self._clock.now() - self.reports.received_at < _REPORT_AGE_MAX
 
     @property
     def hears_us(self) -> bool:
-        """Whether the drone receives commands, as far as a fresh report tells."""
+        """Whether the drone receives our commands; assumed unless a recent report denies it."""
         packet = self.reports.packet
         return not (
             self.connected
             and packet is not None
-            and packet.state & (DroneState.COM_WATCHDOG | DroneState.COM_LOST)
+            and packet.state & (StateBits.COM_WATCHDOG | StateBits.COM_LOST)
         )
 
-    async def wait_for(self, condition: Condition, timeout: float | None) -> NavdataPacket | None:
-        """Return the first report from now on that meets the condition, or None after the timeout
-        [s].
-        """
+    async def wait_for(
+        self, condition: PacketCondition, timeout: float | None
+    ) -> NavdataPacket | None:
+        """Return the next report that meets the condition, or None after the timeout [s]."""
         future: asyncio.Future[NavdataPacket] = asyncio.get_running_loop().create_future()
-        self._waiting[future] = condition
+        self._waiters[future] = condition
         try:
             return await asyncio.wait_for(future, timeout)
         except TimeoutError:
             return None
         finally:
-            self._waiting.pop(future, None)
+            self._waiters.pop(future, None)
 
     def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
-        """Take a datagram of the drone."""
-        if not self.reports.take(data, self._clock.now()):
+        """Accept a datagram of the drone."""
+        if not self.reports.accept(data, self._clock.now()):
             return
         packet = self.reports.packet
         assert packet is not None
-        for future, condition in tuple(self._waiting.items()):
+        for future, condition in tuple(self._waiters.items()):
             if not future.done() and condition(packet):
                 future.set_result(packet)
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that nobody listens there yet: we ask again."""
+        """Ignore that nobody listens yet: we ask again."""
 
-    async def _ask_in_silence(self) -> None:
+    async def _request_when_silent(self) -> None:
         assert self._transport is not None
         while True:
-            if self._clock.now() - self.reports.received_at > SILENCE:
+            if self._clock.now() - self.reports.received_at > NAVDATA_TIMEOUT:
                 self._transport.sendto(REQUEST_UNICAST)
-            await asyncio.sleep(SILENCE)
+            await asyncio.sleep(NAVDATA_TIMEOUT)

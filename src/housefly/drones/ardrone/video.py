@@ -1,4 +1,4 @@
-"""The drone's live pictures: TCP port 5555 into VideoFrame, for as long as it takes."""
+"""The drone's live video: TCP port 5555 to ``VideoFrame``; reconnects for ever."""
 
 from __future__ import annotations
 
@@ -16,18 +16,15 @@ from housefly.wires.ardrone.pave import (
     VideoReassembler,
 )
 
-STALL = 2.0
-"""Without a byte for this long we connect again [s]; also when pictures no longer count as
-arriving.
-"""
-RETRY = 0.5
-"""Pause before connecting again [s]."""
-CHUNK = 65_536
+_STALL_TIMEOUT = 2.0
+"""After this long without data the link reconnects and no longer counts as connected [s]."""
+_RECONNECT_PAUSE = 0.5
+"""Pause before reconnecting [s]."""
+_CHUNK = 65_536
 
 
 class VideoLink:
-    """Reads pictures and hands on those that can be decoded: from the first key frame on, and after
-    a gap from the next.
+    """Hands on the pictures that can be decoded: from the first key frame after each gap.
 
     Attributes:
         handlers: called with each picture.
@@ -43,10 +40,10 @@ class VideoLink:
     @property
     def connected(self) -> bool:
         """Whether pictures arrive."""
-        return self._clock.now() - self._last_at < STALL
+        return self._clock.now() - self._last_at < _STALL_TIMEOUT
 
     def start(self) -> None:
-        """Connect, and connect again whenever the stream ends or stalls."""
+        """Connect, and reconnect whenever the stream ends or stalls."""
         if self._reading is None:
             self._reading = asyncio.create_task(self._read_for_ever(), name="video")
 
@@ -61,16 +58,16 @@ class VideoLink:
         while True:
             with contextlib.suppress(OSError, TimeoutError):
                 await self._read_once()
-            await asyncio.sleep(RETRY)
+            await asyncio.sleep(_RECONNECT_PAUSE)
 
     async def _read_once(self) -> None:
-        async with asyncio.timeout(STALL):
+        async with asyncio.timeout(_STALL_TIMEOUT):
             reader, writer = await asyncio.open_connection(self._address, VIDEO_PORT)
         cutter, gate = VideoReassembler(), KeyframeGate()
         try:
             while True:
-                async with asyncio.timeout(STALL):
-                    chunk = await reader.read(CHUNK)
+                async with asyncio.timeout(_STALL_TIMEOUT):
+                    chunk = await reader.read(_CHUNK)
                 if not chunk:
                     return
                 for frame in cutter.feed(chunk):

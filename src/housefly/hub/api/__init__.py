@@ -1,1 +1,1 @@
-"""What may be asked of the room, and what it answers."""
+"""Questions to the room, its answers, and their JSON."""

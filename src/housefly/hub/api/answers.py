@@ -9,22 +9,22 @@ from dataclasses import dataclass, field
 
 from housefly.geometry import Vec3
 from housefly.hub.api.questions import (
-    Catalogue,
-    Contents,
-    Events,
-    Near,
-    Picture,
+    CatalogueQuestion,
+    ContentsQuestion,
+    EventsQuestion,
+    NearQuestion,
+    PictureQuestion,
     Question,
-    Sensors,
-    Trajectory,
-    Where,
+    SensorsQuestion,
+    TrajectoryQuestion,
+    WhereQuestion,
 )
 
-Scalar = str | float | bool
+_Scalar = str | float | bool
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class SourceAnswer:
     """What one source last said: its position [m] and how long ago it said so [s]."""
 
     source: str
@@ -32,7 +32,7 @@ class Said:
     position: Vec3 | None
     inside: str
     valid: bool
-    facts: dict[str, Scalar] = field(default_factory=dict)
+    facts: dict[str, _Scalar] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,11 +65,11 @@ class WhereAnswer:
     seen_at: float | None
     age: float | None
     sources: tuple[str, ...]
-    said: tuple[Said, ...]
+    said: tuple[SourceAnswer, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class ViewpointAnswer:
     """A named pose from which a robot reaches or sees a thing: position [m], yaw [rad]."""
 
     name: str
@@ -88,7 +88,7 @@ class ThingAnswer:
     aliases: tuple[str, ...]
     position: Vec3 | None
     inside: str
-    viewpoints: tuple[View, ...]
+    viewpoints: tuple[ViewpointAnswer, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +99,7 @@ class ThingsAnswer:
 
 
 @dataclass(frozen=True, slots=True)
-class Placed:
+class PlacedThing:
     """A thing with its place: position [m], yaw [rad], how far from the point asked for [m], how
     long ago it was seen [s].
     """
@@ -118,7 +118,7 @@ class Placed:
 class PlacedAnswer:
     """Things with their places."""
 
-    things: tuple[Placed, ...]
+    things: tuple[PlacedThing, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,7 +130,7 @@ class TrajectoryAnswer:
 
 
 @dataclass(frozen=True, slots=True)
-class Occurrence:
+class EventAnswer:
     """Something that happened, as kept: Unix time [s], confidence 0 to 1."""
 
     kind: str
@@ -139,14 +139,14 @@ class Occurrence:
     source: str
     cause: str
     confidence: float
-    facts: dict[str, Scalar]
+    facts: dict[str, _Scalar]
 
 
 @dataclass(frozen=True, slots=True)
 class EventsAnswer:
     """What happened, by time."""
 
-    events: tuple[Occurrence, ...]
+    events: tuple[EventAnswer, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,7 +172,7 @@ class SensorsAnswer:
 
 
 @dataclass(frozen=True, slots=True)
-class Holding:
+class SituationAnswer:
     """A situation that holds: since when [Unix time, s], confidence 0 to 1, the evidence in words."""
 
     kind: str
@@ -183,7 +183,7 @@ class Holding:
 
 
 @dataclass(frozen=True, slots=True)
-class Hindrance:
+class ObstacleAnswer:
     """A live obstacle: world xy [m], velocity [m/s], confidence 0 to 1, time since it was seen [s].
 
     Its ground is all within ``radius`` [m] of it or, when ``length`` and ``width`` [m] are not 0,
@@ -209,9 +209,9 @@ class PictureAnswer:
     """The room at one time [Unix time, s]."""
 
     at: float
-    things: tuple[Placed, ...]
-    situations: tuple[Holding, ...] = ()
-    obstacles: tuple[Hindrance, ...] = ()
+    things: tuple[PlacedThing, ...]
+    situations: tuple[SituationAnswer, ...] = ()
+    obstacles: tuple[ObstacleAnswer, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -221,10 +221,10 @@ class News:
     """
 
     at: float
-    things: tuple[Placed, ...]
-    events: tuple[Occurrence, ...]
-    situations: tuple[Holding, ...]
-    obstacles: tuple[Hindrance, ...]
+    things: tuple[PlacedThing, ...]
+    events: tuple[EventAnswer, ...]
+    situations: tuple[SituationAnswer, ...]
+    obstacles: tuple[ObstacleAnswer, ...]
 
 
 Answer = (
@@ -236,14 +236,14 @@ Answer = (
     | SensorsAnswer
     | PictureAnswer
 )
-ANSWERS: dict[type[Question], type[Answer]] = {
-    Where: WhereAnswer,
-    Catalogue: ThingsAnswer,
-    Near: PlacedAnswer,
-    Contents: PlacedAnswer,
-    Trajectory: TrajectoryAnswer,
-    Events: EventsAnswer,
-    Sensors: SensorsAnswer,
-    Picture: PictureAnswer,
+ANSWER_TYPES: dict[type[Question], type[Answer]] = {
+    WhereQuestion: WhereAnswer,
+    CatalogueQuestion: ThingsAnswer,
+    NearQuestion: PlacedAnswer,
+    ContentsQuestion: PlacedAnswer,
+    TrajectoryQuestion: TrajectoryAnswer,
+    EventsQuestion: EventsAnswer,
+    SensorsQuestion: SensorsAnswer,
+    PictureQuestion: PictureAnswer,
 }
 """What each question is answered with."""

@@ -1,6 +1,4 @@
-"""From what sensors tell to what a service needs: who is where and how, what was taken, who is at
-the door. Pure.
-"""
+"""Situation detectors: who is where and how, what was taken, who is at the door. Pure."""
 
 from housefly.hub.situations.layout import Area, Layout
 from housefly.hub.situations.situation import Situation

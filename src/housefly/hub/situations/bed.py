@@ -1,32 +1,37 @@
-"""A bed is occupied: load cells, with hysteresis in load and time."""
+"""Detects an occupied bed from its load cells, with hysteresis in load and time."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
 
-from housefly.hub.situations.latch import Latch
-from housefly.hub.situations.situation import OURS, Finding, Item, Situation, flag, number
-from housefly.hub.situations.trust import trust
-from housefly.messages import Happening, Observation
+from housefly.hub.situations.confidence import freshness
+from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.situation import (
+    SOURCE_PREFIX,
+    Assessment,
+    DetectorInput,
+    Situation,
+    flag,
+    number,
+)
+from housefly.messages import Observation, RoomEvent
 
-OCCUPIED = "bed occupied"
-SOURCE = OURS + "beds"
+_OCCUPIED = "bed occupied"
+_SOURCE = SOURCE_PREFIX + "beds"
 LOAD_ON = 20.0
-"""From this load on somebody lies there [kg]."""
+"""A load above this is a person [kg]."""
 LOAD_OFF = 10.0
-"""Below this load nobody does [kg]; in between it stays as it was."""
-HEARTBEAT = 30.0
-"""A bed speaks at least this often [s]."""
-BELIEF = 0.95
-"""Confidence in load cells that speak."""
-DWELL = {OCCUPIED: 1.5, "": 3.0}
-"""So long a bed must be loaded, or free, before it counts [s]: a suitcase thrown on it, somebody
-turning over.
-"""
+"""A load below this is nobody [kg]; in between the state stays as it was."""
+BED_HEARTBEAT = 30.0
+"""Longest time between two messages of a bed [s]."""
+_LOAD_CONFIDENCE = 0.95
+"""Confidence in load cells that report."""
+_DWELL = {_OCCUPIED: 1.5, "": 3.0}
+"""How long a bed must be loaded or free [s]: ignores thrown bags and people who turn over."""
 
 
 class Beds:
-    """Watches all beds that say their load.
+    """Detects which beds are occupied.
 
     Args:
         beds: ids of the bed sensors.
@@ -35,66 +40,70 @@ class Beds:
     def __init__(self, beds: Collection[str]) -> None:
         self._beds = {bed: _Bed(bed) for bed in sorted(beds)}
 
-    def take(self, item: Item) -> None:
-        """Take what a bed says of itself."""
+    def add(self, item: DetectorInput) -> None:
+        """Add what a bed reports about itself."""
         if (
             isinstance(item, Observation)
             and item.valid
             and item.thing == item.source
             and item.source in self._beds
         ):
-            self._beds[item.source].take(item)
+            self._beds[item.source].add(item)
 
-    def after(self, now: float) -> tuple[Happening, ...]:
-        """Return which beds came to be occupied or free up to a time [s]."""
+    def update(self, now: float) -> tuple[RoomEvent, ...]:
+        """Return the beds that became occupied or free up to a time [s]."""
         return tuple(
-            happening
+            event
             for bed in self._beds.values()
-            for happening in bed.latch.step(now, bed.finding(now))
+            for event in bed.hysteresis.update(now, bed.assess(now))
         )
 
-    def holds(self) -> tuple[Situation, ...]:
+    def active(self) -> tuple[Situation, ...]:
         """Return the occupied beds."""
         return tuple(
-            bed.latch.situation for bed in self._beds.values() if bed.latch.situation is not None
+            bed.hysteresis.situation
+            for bed in self._beds.values()
+            if bed.hysteresis.situation is not None
         )
 
     def occupied(self, bed: str, now: float) -> bool | None:
-        """Return whether a bed feels somebody at a time [s], however shortly; None when it does not
-        say.
-        """
+        """Return whether a bed is loaded at a time [s], without hysteresis; None if unknown."""
         known = self._beds.get(bed)
-        found = known.finding(now) if known else None
-        return found.kind == OCCUPIED if found else None
+        found = known.assess(now) if known else None
+        return found.kind == _OCCUPIED if found else None
 
     def situation(self, bed: str) -> Situation | None:
-        """Return the claim that a bed is occupied, if it is made."""
-        return self._beds[bed].latch.situation if bed in self._beds else None
+        """Return the situation that a bed is occupied, None if it is not."""
+        return self._beds[bed].hysteresis.situation if bed in self._beds else None
 
 
 class _Bed:
     def __init__(self, bed: str) -> None:
-        self.latch = Latch(bed, SOURCE, DWELL)
+        self.hysteresis = Hysteresis(bed, _SOURCE, _DWELL)
         self._bed, self._load, self._loaded, self._since = bed, 0.0, False, 0.0
         self._heard: float | None = None
 
-    def take(self, said: Observation) -> None:
-        load = number(said, "load")
-        loaded = _loaded(load, self._loaded) if load is not None else flag(said, "occupied")
+    def add(self, sample: Observation) -> None:
+        load = number(sample, "load")
+        loaded = _loaded(load, self._loaded) if load is not None else flag(sample, "occupied")
         if loaded is None:
             return
         if self._heard is None or loaded != self._loaded:
-            self._since = said.captured_at
-        self._heard, self._loaded, self._load = said.captured_at, loaded, load or 0.0
+            self._since = sample.captured_at
+        self._heard, self._loaded, self._load = sample.captured_at, loaded, load or 0.0
 
-    def finding(self, now: float) -> Finding | None:
-        believed = BELIEF * trust(now - self._heard, HEARTBEAT) if self._heard is not None else 0.0
-        if believed == 0.0:
+    def assess(self, now: float) -> Assessment | None:
+        confidence = (
+            _LOAD_CONFIDENCE * freshness(now - self._heard, BED_HEARTBEAT)
+            if self._heard is not None
+            else 0.0
+        )
+        if confidence == 0.0:
             return None
         words = f"{self._bed}: load {self._load:.1f} kg"
-        return Finding(
-            OCCUPIED if self._loaded else "",
-            believed,
+        return Assessment(
+            _OCCUPIED if self._loaded else "",
+            confidence,
             self._since,
             (words,),
             (("load", self._load),),
@@ -102,5 +111,5 @@ class _Bed:
 
 
 def _loaded(load: float, before: bool) -> bool:
-    """Return whether a load is somebody's [kg], given whether it was."""
+    """Return whether the load is a person [kg], given whether it was before."""
     return load >= (LOAD_OFF if before else LOAD_ON)

@@ -1,39 +1,38 @@
-"""What cabinets and refrigerators say of their contents, made into moves: by their own reports, or
-by what is missing and new.
-"""
+"""Turns the contents that cabinets and refrigerators report into moves."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 
+from housefly.hub.situations.confidence import KNOWN_THRESHOLD, freshness
 from housefly.hub.situations.move import PUT, TAKEN, Move
-from housefly.hub.situations.situation import Item, fact, number
-from housefly.hub.situations.trust import KNOWN, trust
-from housefly.messages import Facts, Happening, Observation
+from housefly.hub.situations.situation import DetectorInput, fact, number
+from housefly.messages import Facts, Observation, RoomEvent
 
-HEARTBEAT = 30.0
-"""A container speaks at least this often [s]."""
-ABSENT = 1.5
-"""A thing must be missing from the contents for this long before it counts as taken [s]: tag
-readers blink.
-"""
-SETTLE = 2.0
-"""For this long after a container reported a move, contents that say otherwise are not believed
-[s]: they are older.
-"""
-REPORTED = 0.95
-"""Confidence in a move that the container reports itself."""
-COMPARED = 0.85
-"""Confidence in a move seen in the contents only."""
-UNDATED = 0.6
-"""The same, where the container was silent meanwhile."""
+CONTAINER_HEARTBEAT = 30.0
+"""Longest time between two messages of a container [s]."""
+ABSENT_AFTER = 1.5
+"""How long a thing must be missing before it counts as taken [s]: tag readers blink."""
+_SETTLE_TIME = 2.0
+"""How long contents that contradict a reported move are ignored [s]: they are older."""
+_REPORTED_CONFIDENCE = 0.95
+"""Confidence in a move that the container itself reports."""
+_COMPARED_CONFIDENCE = 0.85
+"""Confidence in a move seen only as a change of contents."""
+_UNDATED_CONFIDENCE = 0.6
+"""The same, if the container was silent in between."""
 
 
 @dataclass(slots=True)
 class _Container:
-    """One container: its contents, None until it names them; what is missing, and what it reported
-    [s, Unix time].
+    """One container.
+
+    Attributes:
+        heard: when it was last heard [s, Unix time].
+        inside: its contents, None until it lists them.
+        missing: when each thing went missing [s, Unix time], and whether that time is exact.
+        reported: when it reported a move of each thing [s, Unix time], and whether it was put in.
     """
 
     heard: float
@@ -41,16 +40,18 @@ class _Container:
     missing: dict[str, tuple[float, bool]] = field(default_factory=dict)
     reported: dict[str, tuple[float, bool]] = field(default_factory=dict)
 
-    def believed(self, named: set[str], at: float) -> set[str]:
-        """Return the contents that it names, mended by what it has just reported."""
-        fresh = {thing: put for thing, (when, put) in self.reported.items() if at - when < SETTLE}
+    def corrected(self, named: set[str], at: float) -> set[str]:
+        """Return the listed contents, corrected by the moves that it has just reported."""
+        fresh = {
+            thing: put for thing, (when, put) in self.reported.items() if at - when < _SETTLE_TIME
+        }
         return (named | {thing for thing, put in fresh.items() if put}) - {
             thing for thing, put in fresh.items() if not put
         }
 
 
-class Contents:
-    """Watches everything that says what is in it.
+class ContentsDetector:
+    """Detects moves in and out of everything that reports its contents.
 
     Args:
         expected: ids of the containers that should speak.
@@ -61,9 +62,9 @@ class Contents:
         self._containers: dict[str, _Container] = {}
         self._moves: list[Move] = []
 
-    def take(self, item: Item) -> None:
-        """Take a report of a move, or the contents."""
-        if isinstance(item, Happening):
+    def add(self, item: DetectorInput) -> None:
+        """Add a report of a move, or a list of contents."""
+        if isinstance(item, RoomEvent):
             if item.kind in (TAKEN, PUT) and item.thing != item.source:
                 self._report(item)
         elif (
@@ -74,48 +75,53 @@ class Contents:
             self._compare(item, {name for name in named.split(",") if name})
 
     def moves(self, now: float) -> tuple[Move, ...]:
-        """Return the moves since the last call; what is missing counts once it was so for a while."""
+        """Return the moves since the last call; a thing counts as taken after ``ABSENT_AFTER``."""
         done, self._moves = self._moves + list(self._lost(now)), []
         return tuple(sorted(done, key=lambda move: (move.at, move.thing)))
 
-    def where(self, thing: str) -> str:
+    def container_of(self, thing: str) -> str:
         """Return the id of the container that a thing is in, "" for none."""
         return next(
             (name for name, box in sorted(self._containers.items()) if thing in (box.inside or ())),
             "",
         )
 
-    def known(self, now: float) -> bool:
-        """Tell whether all containers still speak, so that what is in none of them is known."""
+    def all_live(self, now: float) -> bool:
+        """Return whether all containers are alive, so that what is in none of them is known."""
         heard = {
             **dict.fromkeys(self._expected, float("-inf")),
             **{name: box.heard for name, box in self._containers.items()},
         }
-        return all(trust(now - at, HEARTBEAT) >= KNOWN for at in heard.values())
+        return all(
+            freshness(now - at, CONTAINER_HEARTBEAT) >= KNOWN_THRESHOLD for at in heard.values()
+        )
 
-    def _report(self, told: Happening) -> None:
-        box, put = self._containers.setdefault(told.source, _Container(told.at)), told.kind == PUT
-        box.heard, box.reported[told.thing] = told.at, (told.at, put)
-        box.missing.pop(told.thing, None)
+    def _report(self, event: RoomEvent) -> None:
+        box, put = (
+            self._containers.setdefault(event.source, _Container(event.at)),
+            event.kind == PUT,
+        )
+        box.heard, box.reported[event.thing] = event.at, (event.at, put)
+        box.missing.pop(event.thing, None)
         if box.inside is not None:
-            if (told.thing in box.inside) == put:
+            if (event.thing in box.inside) == put:
                 return
-            (box.inside.add if put else box.inside.discard)(told.thing)
-        self._moves.append(_reported(told))
+            (box.inside.add if put else box.inside.discard)(event.thing)
+        self._moves.append(_reported(event))
 
-    def _compare(self, said: Observation, named: set[str]) -> None:
-        at, source = said.captured_at, said.source
+    def _compare(self, sample: Observation, named: set[str]) -> None:
+        at, source = sample.captured_at, sample.source
         box = self._containers.setdefault(source, _Container(at))
-        dated, box.heard = trust(at - box.heard, HEARTBEAT) == 1.0, at
-        believed = box.believed(named, at)
+        dated, box.heard = freshness(at - box.heard, CONTAINER_HEARTBEAT) == 1.0, at
+        contents = box.corrected(named, at)
         if box.inside is None:
-            box.inside = set(believed)
-        for thing in sorted(believed - box.inside):
+            box.inside = set(contents)
+        for thing in sorted(contents - box.inside):
             box.inside.add(thing)
             self._moves.append(_compared(PUT, thing, at, source, dated))
-        for thing in sorted(box.inside - believed):
+        for thing in sorted(box.inside - contents):
             box.missing.setdefault(thing, (at, dated))
-        for thing in believed:
+        for thing in contents:
             box.missing.pop(thing, None)
 
     def _lost(self, now: float) -> Iterator[Move]:
@@ -123,7 +129,7 @@ class Contents:
             lost = [
                 (thing, at, dated)
                 for thing, (at, dated) in sorted(box.missing.items())
-                if now - at >= ABSENT
+                if now - at >= ABSENT_AFTER
             ]
             for thing, at, dated in lost:
                 del box.missing[thing]
@@ -131,18 +137,18 @@ class Contents:
                 yield _compared(TAKEN, thing, at, source, dated)
 
 
-def _reported(told: Happening) -> Move:
-    weight = number(told, "weight")
+def _reported(event: RoomEvent) -> Move:
+    weight = number(event, "weight")
     facts: Facts = () if weight is None else (("weight", weight),)
-    confidence = REPORTED * min(1.0, max(0.0, told.confidence))
+    confidence = _REPORTED_CONFIDENCE * min(1.0, max(0.0, event.confidence))
     return Move(
-        told.kind,
-        told.thing,
-        told.at,
-        told.source,
+        event.kind,
+        event.thing,
+        event.at,
+        event.source,
         None,
         confidence,
-        f"{told.source}: reports it",
+        f"{event.source}: reports it",
         facts=facts,
     )
 
@@ -152,4 +158,13 @@ def _compared(kind: str, thing: str, at: float, source: str, dated: bool) -> Mov
         f"{source}: {'no longer' if kind == TAKEN else 'now'} among its"
         f" contents{'' if dated else ', after a silence'}"
     )
-    return Move(kind, thing, at, source, None, COMPARED if dated else UNDATED, words, dated)
+    return Move(
+        kind,
+        thing,
+        at,
+        source,
+        None,
+        _COMPARED_CONFIDENCE if dated else _UNDATED_CONFIDENCE,
+        words,
+        dated,
+    )

@@ -1,60 +1,63 @@
-"""Someone is at the entrance: the bell, a person before the door and the motion sensor, each with
-its weight.
-"""
+"""Detects someone at the entrance from the bell, a person at the door and the motion sensor."""
 
 from __future__ import annotations
 
-from housefly.hub.situations.latch import Latch
+from housefly.hub.situations.confidence import freshness, noisy_or
+from housefly.hub.situations.hysteresis import Hysteresis
 from housefly.hub.situations.layout import Layout
-from housefly.hub.situations.situation import OURS, Finding, Item, Situation, flag, time_of
-from housefly.hub.situations.tracks import Tracks
-from housefly.hub.situations.trust import together, trust
-from housefly.messages import Happening
+from housefly.hub.situations.person_tracks import PersonTracks
+from housefly.hub.situations.situation import (
+    SOURCE_PREFIX,
+    Assessment,
+    DetectorInput,
+    Situation,
+    flag,
+    time_of,
+)
+from housefly.messages import RoomEvent
 
-SOMEONE = "someone at the entrance"
-SOURCE = OURS + "entrance"
-BELL = 0.9
-"""Confidence that somebody stands there who has just rung."""
-BELL_PATIENCE = 15.0
-"""Whoever rings is believed to wait: wholly for twice this long, after four times it is not known
-any more [s].
-"""
-PERSON = 0.9
-"""Confidence in a person who is seen before the door and stays."""
-STAYS = 1.5
-"""So long must a person be before the door [s]: who passes does not count."""
-EDGE = 0.3
-"""And is there until they are this far outside the rectangle [m]."""
-MOTION = 0.4
-"""Confidence in the motion sensor alone; too little for a claim."""
-MOTION_PATIENCE = 5.0
-"""Motion is believed wholly for twice this long after it was last seen [s]."""
-DWELL = {SOMEONE: 0.0, "": 2.0}
-"""So long must somebody, or nobody, be there before it counts [s]."""
-THING = "entrance"
+_SOMEONE = "someone at the entrance"
+_SOURCE = SOURCE_PREFIX + "entrance"
+BELL_CONFIDENCE = 0.9
+"""Confidence that somebody who has just rung stands there."""
+BELL_HEARTBEAT = 15.0
+"""Heartbeat of the bell [s]: whoever rings is expected to wait for twice this time."""
+_PERSON_CONFIDENCE = 0.9
+"""Confidence in a person who is seen at the door and stays."""
+_MIN_STAY = 1.5
+"""How long a person must be at the door [s]: passers-by do not count."""
+_EXIT_MARGIN = 0.3
+"""A person leaves when this far outside the rectangle [m]."""
+MOTION_CONFIDENCE = 0.4
+"""Confidence in the motion sensor alone; too low for a claim."""
+_MOTION_HEARTBEAT = 5.0
+"""Heartbeat of the motion sensor [s]: motion counts fully for twice this time."""
+_DWELL = {_SOMEONE: 0.0, "": 2.0}
+"""How long somebody, or nobody, must be there before it counts [s]."""
+_THING = "entrance"
 
 
 class Entrance:
-    """Watches one entrance.
+    """Detects who is at one entrance.
 
     Args:
         tracks: where people are; fed by whoever owns it.
         layout: the rectangle before the door, and whose bells and motion sensors are there.
     """
 
-    def __init__(self, tracks: Tracks, layout: Layout) -> None:
+    def __init__(self, tracks: PersonTracks, layout: Layout) -> None:
         self._tracks, self._layout = tracks, layout
-        self._latch = Latch(THING, SOURCE, DWELL)
+        self._hysteresis = Hysteresis(_THING, _SOURCE, _DWELL)
         self._rung: tuple[float, str] | None = None
         self._moved: tuple[float, str] | None = None
         self._inside: dict[str, float] = {}
         self._left = False
 
-    def take(self, item: Item) -> None:
-        """Take bells and motion."""
+    def add(self, item: DetectorInput) -> None:
+        """Add bell presses and motion."""
         at = time_of(item)
         if (
-            isinstance(item, Happening)
+            isinstance(item, RoomEvent)
             and item.kind == "bell pressed"
             and item.source in self._layout.bells
         ):
@@ -62,14 +65,14 @@ class Entrance:
         if item.source in self._layout.motion and _is_motion(item):
             self._moved = (at, item.source)
 
-    def after(self, now: float) -> tuple[Happening, ...]:
-        """Return whether somebody came to be there, or is there no longer, up to a time [s]."""
+    def update(self, now: float) -> tuple[RoomEvent, ...]:
+        """Return whether somebody arrived or left up to a time [s]."""
         self._note_people(now)
-        return self._latch.step(now, self._finding(now))
+        return self._hysteresis.update(now, self._assess(now))
 
-    def holds(self) -> tuple[Situation, ...]:
-        """Return that someone is there, if so."""
-        return (self._latch.situation,) if self._latch.situation is not None else ()
+    def active(self) -> tuple[Situation, ...]:
+        """Return the situation that someone is there, if so."""
+        return (self._hysteresis.situation,) if self._hysteresis.situation is not None else ()
 
     def _note_people(self, now: float) -> None:
         here = {person for person in self._tracks.people() if self._is_before_the_door(person, now)}
@@ -78,9 +81,7 @@ class Entrance:
         self._inside = {person: self._inside.get(person, now) for person in sorted(here)}
 
     def _went(self, person: str, now: float) -> bool:
-        """Tell whether somebody is seen elsewhere, or no longer by a source that speaks; its
-        silence says nothing.
-        """
+        """Return whether a person is seen elsewhere, or no longer seen by a live source."""
         latest = self._tracks.latest(person)
         return self._tracks.best(person, now) is not None or (
             latest is not None and self._tracks.out_of_sight(latest)
@@ -88,52 +89,63 @@ class Entrance:
 
     def _is_before_the_door(self, person: str, now: float) -> bool:
         track, area = self._tracks.best(person, now), self._layout.entrance
-        margin = EDGE if person in self._inside else 0.0
+        margin = _EXIT_MARGIN if person in self._inside else 0.0
         return (
             track is not None and area is not None and area.distance(track.last.position) <= margin
         )
 
-    def _finding(self, now: float) -> Finding | None:
+    def _assess(self, now: float) -> Assessment | None:
         signs = [*self._bell(now), *self._person(now), *self._motion(now)]
-        confidence = together(believed for believed, _, _ in signs)
+        confidence = noisy_or(sign for sign, _, _ in signs)
         words = tuple(word for _, _, word in signs)
         who = min(
-            (person for person, since in self._inside.items() if now - since >= STAYS), default=""
+            (person for person, since in self._inside.items() if now - since >= _MIN_STAY),
+            default="",
         )
         since = min((at for _, at, _ in signs), default=now)
         if signs:
-            return Finding(SOMEONE, confidence, since, words, (("signs", float(len(signs))),), who)
-        return Finding("", PERSON, None, ("who stood there is gone",)) if self._left else None
+            return Assessment(
+                _SOMEONE, confidence, since, words, (("signs", float(len(signs))),), who
+            )
+        return (
+            Assessment("", _PERSON_CONFIDENCE, None, ("who stood there is gone",))
+            if self._left
+            else None
+        )
 
     def _bell(self, now: float) -> list[tuple[float, float, str]]:
         if self._rung is None:
             return []
         at, source = self._rung
-        believed = BELL * trust(now - at, BELL_PATIENCE)
-        return [(believed, at, f"{source}: rang")] if believed > 0.0 else []
+        confidence = BELL_CONFIDENCE * freshness(now - at, BELL_HEARTBEAT)
+        return [(confidence, at, f"{source}: rang")] if confidence > 0.0 else []
 
     def _person(self, now: float) -> list[tuple[float, float, str]]:
         return [
-            (PERSON * self._believed(person, now), since, f"{person} stands before the door")
+            (
+                _PERSON_CONFIDENCE * self._track_confidence(person, now),
+                since,
+                f"{person} stands before the door",
+            )
             for person, since in self._inside.items()
-            if now - since >= STAYS
+            if now - since >= _MIN_STAY
         ]
 
-    def _believed(self, person: str, now: float) -> float:
+    def _track_confidence(self, person: str, now: float) -> float:
         track = self._tracks.best(person, now)
-        return 0.0 if track is None else self._tracks.trusted(track, now)
+        return 0.0 if track is None else self._tracks.confidence(track, now)
 
     def _motion(self, now: float) -> list[tuple[float, float, str]]:
         if self._moved is None:
             return []
         at, source = self._moved
-        believed = MOTION * trust(now - at, MOTION_PATIENCE)
-        return [(believed, at, f"{source}: motion")] if believed > 0.0 else []
+        confidence = MOTION_CONFIDENCE * freshness(now - at, _MOTION_HEARTBEAT)
+        return [(confidence, at, f"{source}: motion")] if confidence > 0.0 else []
 
 
-def _is_motion(item: Item) -> bool:
+def _is_motion(item: DetectorInput) -> bool:
     return (
         item.kind == "motion seen"
-        if isinstance(item, Happening)
+        if isinstance(item, RoomEvent)
         else item.valid and flag(item, "motion") is True
     )

@@ -1,22 +1,20 @@
-"""Where one sits, lies and rings, from the model of the room."""
+"""Seats, beds and the entrance, from the model of the room."""
 
 from __future__ import annotations
 
 from housefly.hub.situations.layout import Area
 from housefly.room.model import Room, Shape, Solid
 
-LOWEST_SEAT = 0.25
-"""Nobody sits on what is lower [m]."""
-HIGHEST_SEAT = 0.65
-"""Nor on what is higher [m]."""
-ENTRANCE_SIDE = 1.5
-"""Side of the square before the door in which somebody is at the entrance [m]."""
+_LOWEST_SEAT = 0.25
+"""Nobody sits lower than this [m]."""
+_HIGHEST_SEAT = 0.65
+"""Nobody sits higher than this [m]."""
+_ENTRANCE_SIDE = 1.5
+"""Side of the square at the door that counts as the entrance [m]."""
 
 
 def seats_of(room: Room) -> tuple[Area, ...]:
-    """Return the seats of chairs and sofas: the boxes that are called so and have the height of a
-    seat.
-    """
+    """Return the seats of chairs and sofas: boxes named so, at the height of a seat."""
     return tuple(_area(solid) for solid in room.solids if _is(solid, "seat"))
 
 
@@ -26,9 +24,9 @@ def beds_of(room: Room) -> tuple[Area, ...]:
 
 
 def entrance_of(room: Room) -> Area | None:
-    """Return the square around where a visitor stands, None in a room without one."""
+    """Return the square around the visitor's place, None in a room without one."""
     return (
-        Area("entrance", room.visitor, (ENTRANCE_SIDE, ENTRANCE_SIDE))
+        Area("entrance", room.visitor, (_ENTRANCE_SIDE, _ENTRANCE_SIDE))
         if room.visitor is not None
         else None
     )
@@ -39,7 +37,7 @@ def _is(solid: Solid, word: str) -> bool:
     return (
         solid.shape is Shape.BOX
         and word in solid.name.split()
-        and LOWEST_SEAT <= top <= HIGHEST_SEAT
+        and _LOWEST_SEAT <= top <= _HIGHEST_SEAT
     )
 
 

@@ -1,6 +1,4 @@
-"""What detectors know of the room beforehand: where one sits and lies, where the entrance is, which
-device stands where.
-"""
+"""What detectors know of the room in advance: seats, beds, the entrance, where devices stand."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ class Area:
     yaw: float = 0.0
 
     def distance(self, point: tuple[float, ...]) -> float:
-        """Return how far a point lies outside [m], 0 inside."""
+        """Return how far outside a point lies [m], 0 inside."""
         x, y = point[0] - self.centre[0], point[1] - self.centre[1]
         along, across = x * cos(self.yaw) + y * sin(self.yaw), y * cos(self.yaw) - x * sin(self.yaw)
         return hypot(
@@ -38,17 +36,16 @@ class Area:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """What is known of a room beforehand; whatever is missing is not claimed.
+    """What is known of a room in advance; situations that need a missing part are not claimed.
 
     Attributes:
-        seats: where one sits.
-        beds: where one lies, by the id of the bed's sensor; a bed without a sensor has an id of its
-            own.
-        entrance: the rectangle before the door, or None.
+        seats: areas of seats.
+        beds: areas of beds, by the id of the bed's sensor, or an id of its own without one.
+        entrance: the rectangle at the door, or None.
         bells: ids of the doorbells of that entrance.
-        motion: ids of motion sensors that look at the entrance.
-        containers: where the cabinets and refrigerators stand, by id [m].
-        open_limits: how long a door may stand open, by id [s]; others ``door.OPEN_TOO_LONG``.
+        motion: ids of the motion sensors that watch the entrance.
+        containers: positions of cabinets and refrigerators, by id [m].
+        open_limits: how long a door may stand open, by id [s]; default ``door.OPEN_TOO_LONG``.
         people: ids of people, for sources that do not say what a thing is.
     """
 

@@ -1,4 +1,4 @@
-"""A thing was taken or put: what the sources of things report to the detector of objects."""
+"""A thing was taken or put, as reported to the detector of objects."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ class Move:
         thing: id.
         at: when [s, Unix time].
         container: id of what it was taken from or put into, "" for none.
-        position: where it was taken or put [m]; None when that is the container's own place.
+        position: where it was taken or put [m]; None at the container's own position.
         confidence: 0 to 1.
-        evidence: which source says so and what.
-        dated: whether the time is known so well that it can be said who was near.
+        evidence: which source reports what.
+        dated: whether the time is exact enough to say who was near.
         facts: the numbers.
     """
 

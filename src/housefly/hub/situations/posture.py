@@ -1,6 +1,4 @@
-"""How somebody is, from where they are, how fast they move and how high their head is: the first
-rule that fits.
-"""
+"""Posture of a person from place, speed and height of the head: the first rule that fits."""
 
 from __future__ import annotations
 
@@ -16,31 +14,31 @@ WALKING, STANDING, SITTING, LYING = (
     "person lying",
 )
 
-WALK = 0.35
-"""From this speed on a person walks [m/s]."""
-STOP = 0.2
-"""Below this speed who walked stands [m/s]."""
-SEAT_MARGIN = 0.05
-"""Who is at most this far beside a seat or bed is on it [m]."""
-FALLEN_HEAD = 0.5
-"""Whose head is lower and who is not in bed lies on the floor [m]."""
-PILLOW_HEAD = 0.95
-"""Whose head is higher sits on the bed instead of lying there [m]."""
-SEATED_HEAD = 1.45
-"""Whose head is higher stands before the seat instead of sitting on it [m]."""
+WALK_SPEED = 0.35
+"""A person at least this fast walks [m/s]."""
+STOP_SPEED = 0.2
+"""A walking person slower than this stands [m/s]."""
+_SEAT_MARGIN = 0.05
+"""Whoever is at most this far beside a seat or bed is on it [m]."""
+_FALLEN_HEAD = 0.5
+"""Somebody with a lower head, not in bed, lies on the floor [m]."""
+_PILLOW_HEAD = 0.95
+"""Somebody with a higher head sits on the bed instead of lying there [m]."""
+_SEATED_HEAD = 1.45
+"""Somebody with a higher head stands in front of the seat instead of sitting on it [m]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
-    """What is known of one person at one moment.
+class PersonFeatures:
+    """Features of one person at one moment.
 
     Attributes:
         speed: over the floor [m/s].
         walked: whether they walked until now.
-        head: height of the head above the floor [m], None when unknown.
+        head: height of the head above the floor [m], None if unknown.
         seat: the seat that they are on, None for none.
-        bed: likewise.
-        loaded: whether the bed feels somebody; None when it does not say, or there is no bed.
+        bed: the bed that they are on, None for none.
+        loaded: whether the bed is loaded; None if unknown, or without a bed.
     """
 
     speed: float
@@ -53,64 +51,64 @@ class Looks:
     @property
     def moves(self) -> bool:
         """Whether they walk, with hysteresis."""
-        return self.speed >= (STOP if self.walked else WALK)
+        return self.speed >= (STOP_SPEED if self.walked else WALK_SPEED)
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
-    """One way to be; the words say why."""
+class _Rule:
+    """One posture; ``words`` say why."""
 
     kind: str
     confidence: float
-    fits: Callable[[Looks], bool]
+    fits: Callable[[PersonFeatures], bool]
     words: str
 
 
-RULES: tuple[Rule, ...] = (
-    Rule(
-        LYING, 0.8, lambda p: p.bed is None and _below(p.head, FALLEN_HEAD), "head near the floor"
+RULES: tuple[_Rule, ...] = (
+    _Rule(
+        LYING, 0.8, lambda p: p.bed is None and _below(p.head, _FALLEN_HEAD), "head near the floor"
     ),
-    Rule(WALKING, 0.9, lambda p: p.moves, "moves over the floor"),
-    Rule(
+    _Rule(WALKING, 0.9, lambda p: p.moves, "moves over the floor"),
+    _Rule(
         SITTING,
         0.85,
-        lambda p: p.bed is not None and _above(p.head, PILLOW_HEAD) and p.loaded is not False,
+        lambda p: p.bed is not None and _above(p.head, _PILLOW_HEAD) and p.loaded is not False,
         "head high on bed",
     ),
-    Rule(
+    _Rule(
         LYING,
         0.95,
         lambda p: p.bed is not None and p.loaded is True,
         "in bed, and the bed feels it",
     ),
-    Rule(LYING, 0.6, lambda p: p.bed is not None and p.loaded is None, "in bed"),
-    Rule(
+    _Rule(LYING, 0.6, lambda p: p.bed is not None and p.loaded is None, "in bed"),
+    _Rule(
         STANDING,
         0.8,
-        lambda p: p.seat is not None and _above(p.head, SEATED_HEAD),
+        lambda p: p.seat is not None and _above(p.head, _SEATED_HEAD),
         "head high before seat",
     ),
-    Rule(SITTING, 0.9, lambda p: p.seat is not None and p.head is not None, "on seat, head low"),
-    Rule(SITTING, 0.8, lambda p: p.seat is not None, "on seat"),
-    Rule(STANDING, 0.9, lambda p: True, "stays where they are"),
+    _Rule(SITTING, 0.9, lambda p: p.seat is not None and p.head is not None, "on seat, head low"),
+    _Rule(SITTING, 0.8, lambda p: p.seat is not None, "on seat"),
+    _Rule(STANDING, 0.9, lambda p: True, "stays where they are"),
 )
-"""From the surest sign to the weakest; confidences are for positions that are fresh."""
+"""From the strongest evidence to the weakest; confidences hold for fresh positions."""
 
 
-def rule_for(looks: Looks) -> Rule:
-    """Return the rule that fits."""
+def rule_for(looks: PersonFeatures) -> _Rule:
+    """Return the first rule that fits."""
     return next(rule for rule in RULES if rule.fits(looks))
 
 
 def seat_at(layout: Layout, point: tuple[float, ...]) -> Area | None:
     """Return the seat that a point is on, None for none."""
-    return next((seat for seat in layout.seats if seat.distance(point) <= SEAT_MARGIN), None)
+    return next((seat for seat in layout.seats if seat.distance(point) <= _SEAT_MARGIN), None)
 
 
 def bed_at(layout: Layout, point: tuple[float, ...]) -> str:
     """Return the id of the bed that a point is on, "" for none."""
     return next(
-        (bed for bed, area in sorted(layout.beds.items()) if area.distance(point) <= SEAT_MARGIN),
+        (bed for bed, area in sorted(layout.beds.items()) if area.distance(point) <= _SEAT_MARGIN),
         "",
     )
 

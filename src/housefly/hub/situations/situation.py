@@ -1,4 +1,4 @@
-"""What holds now, and what a detector believes at one moment."""
+"""Situations, assessments of one moment, and the detectors that produce them."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from math import isfinite
 from typing import Protocol
 
-from housefly.messages import Facts, Happening, Observation
+from housefly.messages import Facts, Observation, RoomEvent
 
-Item = Observation | Happening
-"""What sensors tell."""
-OURS = "situations/"
-"""How the sources of our own happenings begin; no sensor can be called so."""
+DetectorInput = Observation | RoomEvent
+"""What detectors consume."""
+SOURCE_PREFIX = "situations/"
+"""Prefix of the sources of our own events; no sensor may be called so."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,12 +19,11 @@ class Situation:
     """Something that holds now.
 
     Attributes:
-        kind: what, in words of a small vocabulary: "person sitting", "bed occupied", "someone at
-            the entrance".
+        kind: from a small vocabulary: "person sitting", "bed occupied", "someone at the entrance".
         thing: id of the person, thing or device that it holds for.
         since: when it began, by the evidence [s, Unix time].
         confidence: 0 to 1; falls while a source is silent.
-        evidence: which sources say so and what, for people.
+        evidence: which sources report what, for people.
         facts: the numbers.
     """
 
@@ -37,16 +36,16 @@ class Situation:
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
-    """What the evidence of one moment says; its absence means that nothing is known.
+class Assessment:
+    """What the evidence says at one moment; None instead of an assessment means unknown.
 
     Attributes:
-        kind: of the situation that holds, "" for none of them.
+        kind: of the situation that holds, "" for none.
         confidence: 0 to 1.
-        since: since when the evidence says so [s, Unix time]; None for since this moment.
-        evidence: which sources say so and what.
+        since: since when the evidence says so [s, Unix time]; None for this moment.
+        evidence: which sources report what.
         facts: the numbers.
-        cause: id of who brought it about, "" when unknown.
+        cause: id of who caused it, "" if unknown.
     """
 
     kind: str
@@ -58,35 +57,33 @@ class Finding:
 
 
 class Detector(Protocol):
-    """Turns what sensors tell into situations; time comes with the data and with ``after``."""
+    """Turns sensor data into situations; time comes with the data and with ``update``."""
 
-    def take(self, item: Item) -> None:
-        """Take one item; items come in order of time."""
+    def add(self, item: DetectorInput) -> None:
+        """Add one item; items come in order of time."""
         ...
 
-    def after(self, now: float) -> tuple[Happening, ...]:
-        """Return what began, ended or happened up to a time [s, Unix time]; times do not run
-        backwards.
-        """
+    def update(self, now: float) -> tuple[RoomEvent, ...]:
+        """Return what began, ended or happened up to a time [s, Unix time], which never falls."""
         ...
 
-    def holds(self) -> tuple[Situation, ...]:
-        """Return what holds since the last call of ``after``."""
+    def active(self) -> tuple[Situation, ...]:
+        """Return the situations that hold since the last ``update``."""
         ...
 
 
-def time_of(item: Item) -> float:
-    """Return when an item was so [s, Unix time]."""
+def time_of(item: DetectorInput) -> float:
+    """Return the time of an item [s, Unix time]."""
     return item.captured_at if isinstance(item, Observation) else item.at
 
 
-def fact(item: Item, name: str) -> str | float | bool | None:
-    """Return one fact of an item, None when it does not say it."""
+def fact(item: DetectorInput, name: str) -> str | float | bool | None:
+    """Return one fact of an item, None if absent."""
     return next((value for key, value in item.facts if key == name), None)
 
 
-def number(item: Item, name: str) -> float | None:
-    """Return a fact that is a finite number, None when it is absent or something else."""
+def number(item: DetectorInput, name: str) -> float | None:
+    """Return a fact that is a finite number, None if it is absent or something else."""
     value = fact(item, name)
     return (
         float(value)
@@ -95,7 +92,7 @@ def number(item: Item, name: str) -> float | None:
     )
 
 
-def flag(item: Item, name: str) -> bool | None:
-    """Return a fact that is a truth value, None when it is absent or something else."""
+def flag(item: DetectorInput, name: str) -> bool | None:
+    """Return a fact that is a boolean, None if it is absent or something else."""
     value = fact(item, name)
     return value if isinstance(value, bool) else None

@@ -1,4 +1,4 @@
-"""All detectors over one stream: what the room knows, from what its sensors tell."""
+"""All detectors on one stream of sensor data."""
 
 from __future__ import annotations
 
@@ -11,34 +11,30 @@ from housefly.hub.situations.entrance import Entrance
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.objects import Objects
 from housefly.hub.situations.person import People
-from housefly.hub.situations.situation import OURS, Detector, Item, Situation
-from housefly.hub.situations.stream import PATIENCE, Stream
-from housefly.hub.situations.tracks import Tracks
-from housefly.messages import Happening
+from housefly.hub.situations.person_tracks import PersonTracks
+from housefly.hub.situations.reorder_buffer import REORDER_DELAY, ReorderBuffer
+from housefly.hub.situations.situation import SOURCE_PREFIX, Detector, DetectorInput, Situation
+from housefly.messages import RoomEvent
 
-STEP = 0.25
-"""Detectors look at the room at whole multiples of this time [s], so that nothing depends on how
-often they are called.
-"""
-LONGEST_GAP = 900.0
-"""After a longer pause [s] they start this long before its end: everything but doors and missing
-things is forgotten by then.
-"""
+_DETECTOR_PERIOD = 0.25
+"""Detectors run at whole multiples of this time [s], however often ``update`` is called."""
+_MAX_CATCH_UP = 900.0
+"""After a longer pause detectors catch up over this time only [s]."""
 
 
 class Situations:
-    """Runs the detectors in order of time, ``PATIENCE`` behind it.
+    """Runs the detectors in order of time, ``REORDER_DELAY`` behind it.
 
-    The same items give the same happenings, however they are cut into calls and in whatever order
-    they come within ``PATIENCE``.
+    The same items give the same events, however they are split into calls and in whatever order
+    they arrive within ``REORDER_DELAY``.
 
     Args:
-        layout: what is known of the room beforehand.
+        layout: what is known of the room in advance.
     """
 
     def __init__(self, layout: Layout) -> None:
-        self._stream = Stream()
-        self._tracks, beds = Tracks(layout.people), Beds(layout.beds)
+        self._stream = ReorderBuffer()
+        self._tracks, beds = PersonTracks(layout.people), Beds(layout.beds)
         entrance, objects = Entrance(self._tracks, layout), Objects(self._tracks, layout)
         self._detectors: tuple[Detector, ...] = (
             beds, Doors(layout.open_limits), People(self._tracks, beds, layout), entrance, objects,
@@ -47,41 +43,39 @@ class Situations:
 
     @property
     def counts(self) -> Mapping[tuple[str, str], int]:
-        """What was not taken, by reason and source: late, doubled, from the future, not a number,
-        too many.
-        """
+        """Numbers of refused items by reason ("late", "from the future", ...) and source."""
         return dict(self._stream.counts)
 
-    def after(self, items: Iterable[Item], now: float) -> tuple[Happening, ...]:
-        """Take what was told since the last call and return what happened.
+    def update(self, items: Iterable[DetectorInput], now: float) -> tuple[RoomEvent, ...]:
+        """Add the items since the last call and return the events.
 
         Args:
             items: in any order, or none.
-            now: the time [s, Unix time]; a time that runs backwards is no time.
+            now: the time [s, Unix time]; one that runs backwards is ignored.
         """
-        goal = floor((now - PATIENCE) / STEP)
+        goal = floor((now - REORDER_DELAY) / _DETECTOR_PERIOD)
         if self._steps is None:
             self._steps = goal - 1
         for item in items:
-            if not item.source.startswith(OURS):  # they may come back over the bus
-                self._stream.add(item, self._steps * STEP, now)
-        begin = max(self._steps, goal - round(LONGEST_GAP / STEP))
-        told = [
-            happening
+            if not item.source.startswith(SOURCE_PREFIX):  # they may come back over the bus
+                self._stream.add(item, self._steps * _DETECTOR_PERIOD, now)
+        begin = max(self._steps, goal - round(_MAX_CATCH_UP / _DETECTOR_PERIOD))
+        events = [
+            event
             for number in range(begin + 1, goal + 1)
-            for happening in self._step(number * STEP)
+            for event in self._step(number * _DETECTOR_PERIOD)
         ]
         self._steps = max(self._steps, goal)
-        return tuple(told)
+        return tuple(events)
 
-    def holds(self) -> tuple[Situation, ...]:
-        """Return what holds now, in order of kind and thing."""
-        claims = (claim for detector in self._detectors for claim in detector.holds())
+    def active(self) -> tuple[Situation, ...]:
+        """Return what holds now, sorted by kind and thing."""
+        claims = (claim for detector in self._detectors for claim in detector.active())
         return tuple(sorted(claims, key=lambda claim: (claim.kind, claim.thing)))
 
-    def _step(self, now: float) -> list[Happening]:
+    def _step(self, now: float) -> list[RoomEvent]:
         for item in self._stream.until(now):
-            self._tracks.take(item)
+            self._tracks.add(item)
             for detector in self._detectors:
-                detector.take(item)
-        return [happening for detector in self._detectors for happening in detector.after(now)]
+                detector.add(item)
+        return [event for detector in self._detectors for event in detector.update(now)]

@@ -1,3 +1,1 @@
-"""The room's memory: what is where and what happened, now and in the past (TMS_DB), in SQLite or
-PostgreSQL.
-"""
+"""The room's memory, now and in the past (TMS_DB), in SQLite or PostgreSQL."""

@@ -1,4 +1,4 @@
-"""What the store needs of a database, and how the two dialects of SQL differ."""
+"""What the store needs from a database, and how the two SQL dialects differ."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ Row = tuple[Any, ...]
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """What one database calls otherwise than another.
+    """How the SQL of one database differs from another.
 
     Attributes:
-        clustered: what makes a table lie in the order of its key.
-        floor: the whole part of a positive number, with {} for the number.
-        lock_schema: what keeps another process from migrating at the same time, "" where a
-            transaction does it anyway.
+        clustered: clause that stores a table in the order of its key.
+        floor: the integer part of a positive number, with {} for the number.
+        lock_schema: statement that keeps other processes from migrating at the same time, "" where
+            a transaction does so anyway.
     """
 
     clustered: str
@@ -30,11 +30,11 @@ class Dialect:
 
 
 class Database(Protocol):
-    """A connection; every problem is a StoreError in words. SQL is written with ``?`` for values."""
+    """A connection; every problem is a StoreError in words. SQL uses ``?`` for values."""
 
     @property
     def dialect(self) -> Dialect:
-        """Which SQL it speaks."""
+        """Its SQL dialect."""
         ...
 
     @property
@@ -59,5 +59,5 @@ class Database(Protocol):
         ...
 
     def close(self) -> None:
-        """Let go of it."""
+        """Close the connection."""
         ...

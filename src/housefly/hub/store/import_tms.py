@@ -1,10 +1,9 @@
-"""Reads what ROS-TMS knew: a dump of its database (mongoexport, one row of JSON a line) becomes
-things and samples.
+"""Imports a dump of ROS-TMS's database (mongoexport, one JSON row a line) as things and samples.
 
-A row that no sensor wrote is the catalogue; the others are the last word of each sensor. A row that
-cannot be read is named by its line and skipped; nothing else is lost. Exactly (0, 0, 0), and (-1,
--1, -1) of what is not there, are ROS-TMS's ways to say that a position is unknown. What has no
-place in our values stays beside them as facts that begin with ``tms_``.
+A row without a sensor is the catalogue; the others are the last report of each sensor. A row that
+cannot be read is reported by its line and skipped; nothing else is lost. ROS-TMS writes an unknown
+position as exactly (0, 0, 0), or (-1, -1, -1) if absent. Fields that Housefly has no place for
+become facts that begin with ``tms_``.
 """
 
 from __future__ import annotations
@@ -16,25 +15,31 @@ from pathlib import Path
 
 from housefly.errors import StoreError, ThingError
 from housefly.geometry import Quaternion, Vec3, quaternion_from_euler
-from housefly.hub.store.tms_rows import BANDS, JAPAN, TmsRow, kind_of, parse_row, source_of
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
-from housefly.hub.things.world import World
+from housefly.hub.store.tms_rows import (
+    JAPAN_UTC_OFFSET,
+    KIND_BY_THOUSANDS,
+    TmsRow,
+    parse_row,
+    source_of,
+    tms_kind,
+)
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Facts, Observation
 
-UNKNOWN = ((0.0, 0.0, 0.0), (-1.0, -1.0, -1.0))
-PREFIX = "tms_"
+_UNKNOWN_POSITIONS = ((0.0, 0.0, 0.0), (-1.0, -1.0, -1.0))
+TMS_PREFIX = "tms_"
 
 
 @dataclass(frozen=True, slots=True)
 class TmsDump:
-    """What a dump held.
+    """The content of a dump.
 
     Attributes:
-        things: the catalogue; what only sensors or other rows speak of is there by its name or
-            number.
-        samples: the last word of each sensor on each thing.
+        things: the catalogue; things that only samples mention are named by their name or number.
+        samples: the last report of each sensor on each thing.
         remarks: what was wrong, by line number.
-        skipped: how many rows were skipped as a whole.
+        skipped: how many rows were skipped.
     """
 
     things: tuple[Thing, ...]
@@ -43,16 +48,16 @@ class TmsDump:
     skipped: int
 
 
-def read_tms(path: Path, utc_offset: float = JAPAN) -> TmsDump:
-    """Read a dump from a file; raises StoreError when the file cannot be read at all."""
+def read_tms(path: Path, utc_offset: float = JAPAN_UTC_OFFSET) -> TmsDump:
+    """Read a dump from a file; raises StoreError if the file cannot be read at all."""
     try:
         with path.open(encoding="utf-8", errors="replace") as lines:
-            return import_tms(lines, utc_offset)
+            return parse_tms(lines, utc_offset)
     except OSError as error:
         raise StoreError(f"{path} cannot be read ({error.strerror})") from error
 
 
-def import_tms(lines: Iterable[str], utc_offset: float = JAPAN) -> TmsDump:
+def parse_tms(lines: Iterable[str], utc_offset: float = JAPAN_UTC_OFFSET) -> TmsDump:
     """Read the lines of a dump.
 
     Args:
@@ -70,7 +75,7 @@ def import_tms(lines: Iterable[str], utc_offset: float = JAPAN) -> TmsDump:
 
 
 class _Reader:
-    """The rows of one dump on their way to things and samples."""
+    """Collects the rows of one dump and converts them to things and samples."""
 
     def __init__(self) -> None:
         self.rows: list[tuple[int, TmsRow]] = []
@@ -80,7 +85,7 @@ class _Reader:
         self._things: dict[str, Thing] = {}
         self._catalogued: set[str] = set()
         self._samples: list[Observation] = []
-        self._world = World()
+        self._world = WorldModel()
 
     def skip(self, number: int, why: str) -> None:
         self._skipped += 1
@@ -90,28 +95,26 @@ class _Reader:
         for _, row in self.rows:
             self._name(row)
         for number, row in self.rows:
-            if is_catalogue(row):
+            if _is_catalogue(row):
                 self._catalogue(number, row)
         for number, row in self.rows:
             self._call(number, row)
-            if not is_catalogue(row):
+            if not _is_catalogue(row):
                 self._sample(number, row)
         return TmsDump(
             tuple(self._things.values()), tuple(self._samples), tuple(self._remarks), self._skipped
         )
 
     def _name(self, row: TmsRow) -> None:
-        """Give a number its id: its name in small letters, with the number where two have the same
-        name.
-        """
+        """Assign an id to a number: the name as a slug, with the number if the name is taken."""
         if row.id not in self._ids:
-            self._put(row.id, row.name, kind_of(row.id, row.type))
+            self._put(row.id, row.name, tms_kind(row.id, row.type))
 
-    def _put(self, number: int, given: str, kind: Kind) -> None:
+    def _put(self, number: int, given: str, kind: ThingKind) -> None:
         name = given if slug(given) else f"{kind.value} {number}"
         id_ = slug(name) if slug(name) not in self._things else f"{slug(name)}-{number}"
         self._ids[number] = id_
-        self._things[id_] = Thing(id_, name, kind, facts=((f"{PREFIX}id", float(number)),))
+        self._things[id_] = Thing(id_, name, kind, facts=((f"{TMS_PREFIX}id", float(number)),))
 
     def _catalogue(self, number: int, row: TmsRow) -> None:
         known = self._things[self._ids[row.id]]
@@ -128,22 +131,22 @@ class _Reader:
         extras = (*row.extras, *((name, value) for name, value in marks if value))
         thing = replace(
             known,
-            kind=kind_of(row.id, row.type or known.kind.value),
+            kind=tms_kind(row.id, row.type or known.kind.value),
             position=position,
             orientation=_orientation(row, position),
             inside=self._container(number, row),
             facts=(*known.facts, *_prefixed(extras)),
         )
         try:
-            self._world.know(thing)
+            self._world.add_thing(thing)
         except ThingError as error:
             self._remarks.append(f"row {number}: place {row.place} is ignored: {error}")
             thing = replace(thing, inside="")
-            self._world.know(thing)
+            self._world.add_thing(thing)
         self._things[thing.id] = thing
 
     def _call(self, number: int, row: TmsRow) -> None:
-        """Add what a row says of other names and of poses before a thing, whoever wrote the row."""
+        """Add a row's aliases and viewpoints of a thing, whoever wrote the row."""
         known = self._things[self._ids[row.id]]
         names = (*known.aliases, *(name.strip() for name in row.tag.split(";") if name.strip()))
         views = known.viewpoints
@@ -171,7 +174,7 @@ class _Reader:
             facts=_prefixed(extras),
         )
         try:
-            self._world.told(sample)
+            self._world.observe(sample)
         except ThingError as error:
             self._remarks.append(f"row {number}: place {row.place} is ignored: {error}")
             sample = replace(sample, inside="")
@@ -181,23 +184,25 @@ class _Reader:
         if row.place == 0:
             return ""
         if row.place not in self._ids:
-            if row.place // 1000 not in BANDS:
+            if row.place // 1000 not in KIND_BY_THOUSANDS:
                 self._remarks.append(
                     f"row {number}: place is {row.place}, which is no thing: it is ignored"
                 )
                 return ""
-            self._put(row.place, "", kind_of(row.place))
+            self._put(row.place, "", tms_kind(row.place))
         return self._ids[row.place]
 
 
-def is_catalogue(row: TmsRow) -> bool:
-    """Tell whether no sensor wrote a row."""
+def _is_catalogue(row: TmsRow) -> bool:
+    """Return whether a row was written by no sensor."""
     return row.time is None or (row.sensor == 0 and row.state == 0)
 
 
 def viewpoints_of(etcdata: str) -> tuple[Viewpoint, ...]:
-    """Return the poses hidden in "smartpal5_2;10.3,3.7,-1.57;wheelchair;9.8,1.55,1.57"; raises
-    ValueError in words.
+    """Return the poses in "smartpal5_2;10.3,3.7,-1.57;wheelchair;9.8,1.55,1.57".
+
+    Raises:
+        ValueError: in words.
     """
     parts = [part.strip() for part in etcdata.strip().strip(";").split(";")]
     if parts == [""]:
@@ -223,7 +228,7 @@ def _viewpoint(robot: str, pose: str) -> Viewpoint:
 
 
 def _position(row: TmsRow) -> Vec3 | None:
-    unknown = UNKNOWN if row.state == 0 else UNKNOWN[:1]
+    unknown = _UNKNOWN_POSITIONS if row.state == 0 else _UNKNOWN_POSITIONS[:1]
     return None if row.position in unknown else row.position
 
 
@@ -232,4 +237,4 @@ def _orientation(row: TmsRow, position: Vec3 | None) -> Quaternion | None:
 
 
 def _prefixed(extras: Facts) -> Facts:
-    return tuple((PREFIX + name, value) for name, value in extras)
+    return tuple((TMS_PREFIX + name, value) for name, value in extras)

@@ -1,4 +1,4 @@
-"""Counts what was dropped and why, and says it in words."""
+"""Counts what was dropped and why, and words it."""
 
 from __future__ import annotations
 
@@ -7,23 +7,23 @@ from threading import Lock
 
 from housefly.hub.store.backlog import Dropped
 
-RECENT = 60.0
-"""The report is about this long [s]."""
+_RECENT = 60.0
+"""Period of the report [s]."""
 
-Counts = Counter[tuple[str, str]]
-"""How many, by the sort of row ("poses", "events") and the reason."""
+_Counts = Counter[tuple[str, str]]
+"""Numbers of rows by table ("poses", "events") and reason."""
 
 
 class Losses:
-    """What was dropped in the last minute, and ever."""
+    """What was dropped in the last minute, and in total."""
 
     def __init__(self) -> None:
-        self.ever: Counts = Counter()
-        self._recent: deque[tuple[float, Counts]] = deque()
+        self.ever: _Counts = Counter()
+        self._recent: deque[tuple[float, _Counts]] = deque()
         self._lock = Lock()
 
     def count(self, dropped: Dropped, reason: str, now: float) -> None:
-        """Remember rows that were dropped at a monotonic time [s]."""
+        """Count rows that were dropped at a monotonic time [s]."""
         counts = Counter({("poses", reason): dropped.poses, ("events", reason): dropped.events})
         with self._lock:
             self.ever += counts
@@ -34,12 +34,13 @@ class Losses:
             self._forget(now)
 
     def words(self, now: float) -> str:
-        """Return what the last minute lost, "" when nothing: "dropped 1 200 poses in the last
-        minute: disk is full".
+        """Return the losses of the last minute in words, "" if none.
+
+        For example "dropped 1 200 poses in the last minute: disk is full".
         """
         with self._lock:
             self._forget(now)
-            recent: Counts = sum((counts for _, counts in self._recent), Counter())
+            recent: _Counts = sum((counts for _, counts in self._recent), Counter())
         said = [
             f"{count:,} {rows}".replace(",", " ") + f" in the last minute: {reason}"
             for (rows, reason), count in recent.items()
@@ -47,5 +48,5 @@ class Losses:
         return f"dropped {', '.join(said)}" if said else ""
 
     def _forget(self, now: float) -> None:
-        while self._recent and self._recent[0][0] < now - RECENT:
+        while self._recent and self._recent[0][0] < now - _RECENT:
             self._recent.popleft()

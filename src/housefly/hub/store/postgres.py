@@ -1,8 +1,7 @@
 """PostgreSQL, for a room that outgrows one machine.
 
-A commit waits for the server's disk (``synchronous_commit``, the server's own default), which ten
-batches a second can
-afford: what is committed survives a crash of the server, too.
+A commit waits for the server's disk (``synchronous_commit``, the server's default), which ten
+batches a second can afford: what is committed survives a crash of the server, too.
 """
 
 from __future__ import annotations
@@ -15,17 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import MissingPartError, StoreError
-from housefly.hub.store.contract import UnfitRowError
 from housefly.hub.store.database import Dialect, Row
+from housefly.hub.store.store import RejectedRowError
 
 try:
     import psycopg
 except ImportError as error:
     raise MissingPartError("psycopg (PostgreSQL)", "pip install 'housefly[postgres]'") from error
 
-SETTINGS = "-c lock_timeout=1000"
-CONNECT_S = 3
-REASONS: dict[str, str] = {
+_SETTINGS = "-c lock_timeout=1000"
+_CONNECT_TIMEOUT = 3
+_REASONS: dict[str, str] = {
     "53100": "disk is full",
     "55P03": "another process holds the database",
     "40P01": "another process holds the database",
@@ -35,10 +34,10 @@ REASONS: dict[str, str] = {
     "3D000": "there is no such database",
     "53300": "the database server has too many connections",
 }
-LOST = "the database server does not answer"
-REFUSED = "the database server refuses"
-FIRST_CONTACT = 7_220_110
-"""Number of the server's lock under which the table of versions is made."""
+_LOST = "the database server does not answer"
+_REFUSED = "the database server refuses"
+_SCHEMA_LOCK = 7_220_110
+"""Number of the advisory lock under which the version table is created."""
 
 
 class PostgresDatabase:
@@ -50,16 +49,16 @@ class PostgresDatabase:
     notices: tuple[str, ...] = ()
 
     def __init__(self, url: str) -> None:
-        """Connect; raises StoreError when the server does not answer or refuses."""
+        """Connect; raises StoreError if the server does not answer or refuses."""
         with _telling():
             self._connection = psycopg.connect(
-                url, autocommit=True, connect_timeout=CONNECT_S, options=SETTINGS
+                url, autocommit=True, connect_timeout=_CONNECT_TIMEOUT, options=_SETTINGS
             )
-            self._connection.execute("SELECT pg_advisory_lock(%s)", (FIRST_CONTACT,))
+            self._connection.execute("SELECT pg_advisory_lock(%s)", (_SCHEMA_LOCK,))
             self._connection.execute(
                 "CREATE TABLE IF NOT EXISTS schema (version INTEGER PRIMARY KEY)"
             )
-            self._connection.execute("SELECT pg_advisory_unlock(%s)", (FIRST_CONTACT,))
+            self._connection.execute("SELECT pg_advisory_unlock(%s)", (_SCHEMA_LOCK,))
 
     def query(self, sql: str, values: Sequence[object] = ()) -> Iterable[Row]:
         """Run one statement and return its rows."""
@@ -86,7 +85,7 @@ class PostgresDatabase:
             yield
 
     def close(self) -> None:
-        """Let go of the connection."""
+        """Close the connection."""
         self._connection.close()
 
 
@@ -104,14 +103,16 @@ def _telling() -> Iterator[None]:
         psycopg.ProgrammingError,
         UnicodeError,
     ) as error:
-        reason = REASONS.get(error.sqlstate or "") if isinstance(error, psycopg.Error) else None
+        reason = _REASONS.get(error.sqlstate or "") if isinstance(error, psycopg.Error) else None
         if reason:
             raise StoreError(reason) from error
-        raise UnfitRowError(f"the database cannot hold it ({_first_line(error)})") from error
+        raise RejectedRowError(f"the database cannot hold it ({_first_line(error)})") from error
     except psycopg.Error as error:
         if error.sqlstate:
-            raise StoreError(REASONS.get(error.sqlstate, _first_line(error))) from error
-        raise StoreError(REFUSED if "FATAL" in str(error) else LOST, _first_line(error)) from error
+            raise StoreError(_REASONS.get(error.sqlstate, _first_line(error))) from error
+        raise StoreError(
+            _REFUSED if "FATAL" in str(error) else _LOST, _first_line(error)
+        ) from error
 
 
 def _first_line(error: Exception) -> str:

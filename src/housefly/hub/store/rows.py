@@ -1,4 +1,4 @@
-"""Values as rows of the tables, and back."""
+"""Converts values to table rows and back."""
 
 from __future__ import annotations
 
@@ -8,33 +8,33 @@ from math import isfinite
 
 from housefly.geometry import Quaternion, Vec3
 from housefly.hub.store.database import Row
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
-from housefly.messages import Covariance, Facts, Happening, Observation
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.messages import Covariance, Facts, Observation, RoomEvent
 
-NOWHERE: Row = (None, None, None)
-UNTURNED: Row = (None, None, None, None)
+_NO_POSITION: Row = (None, None, None)
+_NO_ORIENTATION: Row = (None, None, None, None)
 
-POSE = "x, y, z, qw, qx, qy, qz"
-SAMPLE = f"received_at, {POSE}, covariance, inside, facts"
-THING = f"id, name, kind, {POSE}, inside, facts"
-EVENT = "at, kind, thing, source, cause, confidence, facts"
-VIEWPOINT = "name, robot, x, y, z, yaw, pitch"
+_POSE_COLUMNS = "x, y, z, qw, qx, qy, qz"
+SAMPLE_COLUMNS = f"received_at, {_POSE_COLUMNS}, covariance, inside, facts"
+THING_COLUMNS = f"id, name, kind, {_POSE_COLUMNS}, inside, facts"
+EVENT_COLUMNS = "at, kind, thing, source, cause, confidence, facts"
+VIEWPOINT_COLUMNS = "name, robot, x, y, z, yaw, pitch"
 
 
 def row_of_sample(sample: Observation) -> Row:
-    """Return the columns ``SAMPLE``; a position that is no number is no position."""
+    """Return the columns ``SAMPLE_COLUMNS``; a position that is not finite is stored as none."""
     return (
         sample.received_at,
-        *(sample.position if is_placed(sample) else NOWHERE),  # type: ignore[misc]
-        *(sample.orientation or UNTURNED),
+        *(sample.position if _has_position(sample) else _NO_POSITION),  # type: ignore[misc]
+        *(sample.orientation or _NO_ORIENTATION),
         json.dumps(sample.covariance) if sample.covariance else "",
         sample.inside,
         _text_of(sample.facts),
     )
 
 
-def sample_of(row: Row) -> Observation:
-    """Return a sample from the columns thing, source, captured_at, valid and ``SAMPLE``."""
+def sample_from_row(row: Row) -> Observation:
+    """Return a sample from thing, source, captured_at, valid and ``SAMPLE_COLUMNS``."""
     (
         thing,
         source,
@@ -66,43 +66,41 @@ def sample_of(row: Row) -> Observation:
     )
 
 
-def is_placed(sample: Observation) -> bool:
-    """Tell whether a sample has a position of finite numbers."""
+def _has_position(sample: Observation) -> bool:
+    """Return whether a sample has a finite position."""
     return sample.position is not None and all(map(isfinite, sample.position))
 
 
 def is_valid(sample: Observation) -> bool:
-    """Tell whether a sample is kept as valid: its source stands by it, and a position is one of
-    finite numbers.
-    """
-    return sample.valid and (sample.position is None or is_placed(sample))
+    """Return whether a sample is stored as valid: marked valid, and its position finite if any."""
+    return sample.valid and (sample.position is None or _has_position(sample))
 
 
-def row_of_happening(happening: Happening) -> Row:
-    """Return the columns ``EVENT``."""
-    h = happening
+def row_of_event(event: RoomEvent) -> Row:
+    """Return the columns ``EVENT_COLUMNS``."""
+    h = event
     return h.at, h.kind, h.thing, h.source, h.cause, h.confidence, _text_of(h.facts)
 
 
-def happening_of(row: Row) -> Happening:
-    """Return what happened from the columns ``EVENT``."""
+def event_from_row(row: Row) -> RoomEvent:
+    """Return an event from the columns ``EVENT_COLUMNS``."""
     at, kind, thing, source, cause, confidence, facts = row
-    return Happening(kind, thing, at, source, cause, confidence, _facts(facts))
+    return RoomEvent(kind, thing, at, source, cause, confidence, _facts(facts))
 
 
 def row_of_thing(thing: Thing) -> Row:
-    """Return the columns ``THING``."""
-    pose = (*(thing.position or NOWHERE), *(thing.orientation or UNTURNED))
+    """Return the columns ``THING_COLUMNS``."""
+    pose = (*(thing.position or _NO_POSITION), *(thing.orientation or _NO_ORIENTATION))
     return thing.id, thing.name, thing.kind.value, *pose, thing.inside, _text_of(thing.facts)
 
 
 def row_of_viewpoint(viewpoint: Viewpoint) -> Row:
-    """Return the columns ``VIEWPOINT``."""
+    """Return the columns ``VIEWPOINT_COLUMNS``."""
     return viewpoint.name, viewpoint.robot, *viewpoint.position, viewpoint.yaw, viewpoint.pitch
 
 
-def thing_of(row: Row, aliases: Sequence[str], viewpoints: Sequence[Row]) -> Thing:
-    """Return a thing from the columns ``THING``, its other names and its ``VIEWPOINT`` rows."""
+def thing_from_row(row: Row, aliases: Sequence[str], viewpoints: Sequence[Row]) -> Thing:
+    """Return a thing from ``THING_COLUMNS``, its aliases and its ``VIEWPOINT_COLUMNS`` rows."""
     id_, name, kind, x, y, z, qw, qx, qy, qz, inside, facts = row
     seen_from = tuple(
         Viewpoint(view, (vx, vy, vz), yaw, pitch, robot)
@@ -111,7 +109,7 @@ def thing_of(row: Row, aliases: Sequence[str], viewpoints: Sequence[Row]) -> Thi
     return Thing(
         id_,
         name,
-        Kind(kind),
+        ThingKind(kind),
         tuple(aliases),
         _vector(x, y, z),
         _quaternion(qw, qx, qy, qz),

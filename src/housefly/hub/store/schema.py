@@ -1,6 +1,6 @@
-"""The tables, as numbered steps from nothing to now.
+"""The tables, as numbered migrations.
 
-A step that was released is never edited: a change is a new step at the end.
+A released migration is never edited: a change is a new one at the end.
 """
 
 from __future__ import annotations
@@ -10,18 +10,18 @@ from collections.abc import Sequence
 from housefly.errors import StoreError
 from housefly.hub.store.database import Database, Dialect
 
-Steps = Sequence[tuple[str, ...]]
+Migrations = Sequence[tuple[str, ...]]
 
-POSE = "x {real}, y {real}, z {real}, qw {real}, qx {real}, qy {real}, qz {real}"
-SAMPLE = (
-    f"received_at {{real}} NOT NULL, {POSE}, covariance TEXT NOT NULL, inside TEXT NOT NULL, facts"
+_POSE = "x {real}, y {real}, z {real}, qw {real}, qx {real}, qy {real}, qz {real}"
+_SAMPLE = (
+    f"received_at {{real}} NOT NULL, {_POSE}, covariance TEXT NOT NULL, inside TEXT NOT NULL, facts"
     " TEXT NOT NULL"
 )
-STEPS: Steps = (
+MIGRATIONS: Migrations = (
     (
         (
             "CREATE TABLE thing (id TEXT PRIMARY KEY, name TEXT NOT NULL, kind TEXT NOT NULL,"
-            f" {POSE}, inside TEXT NOT NULL, facts TEXT NOT NULL)"
+            f" {_POSE}, inside TEXT NOT NULL, facts TEXT NOT NULL)"
         ),
         (
             "CREATE TABLE alias (thing TEXT NOT NULL, number INTEGER NOT NULL, alias TEXT NOT NULL,"
@@ -29,12 +29,12 @@ STEPS: Steps = (
         ),
         (
             "CREATE TABLE sighting (thing TEXT NOT NULL, source TEXT NOT NULL, captured_at"
-            f" {{real}} NOT NULL, until {{real}} NOT NULL, valid SMALLINT NOT NULL, {SAMPLE},"
+            f" {{real}} NOT NULL, until {{real}} NOT NULL, valid SMALLINT NOT NULL, {_SAMPLE},"
             " PRIMARY KEY (thing, source, captured_at)){clustered}"
         ),
         (
             "CREATE TABLE latest (thing TEXT NOT NULL, source TEXT NOT NULL, valid SMALLINT NOT"
-            f" NULL, captured_at {{real}} NOT NULL, {SAMPLE}, PRIMARY KEY (thing, source,"
+            f" NULL, captured_at {{real}} NOT NULL, {_SAMPLE}, PRIMARY KEY (thing, source,"
             " valid)){clustered}"
         ),
         (
@@ -63,11 +63,11 @@ STEPS: Steps = (
 """Step 1: things, samples, events. Step 2: viewpoints. Step 3: how far old samples are thinned."""
 
 
-def migrate(database: Database, steps: Steps = STEPS) -> None:
-    """Bring an older or empty database up to date, whole or not at all.
+def migrate(database: Database, steps: Migrations = MIGRATIONS) -> None:
+    """Migrate an older or empty database, completely or not at all.
 
     Raises:
-        StoreError: a newer version of the program made it.
+        StoreError: a newer version made it.
     """
     if version_of(database) == len(steps):
         return
@@ -88,7 +88,7 @@ def migrate(database: Database, steps: Steps = STEPS) -> None:
 
 
 def version_of(database: Database) -> int:
-    """Return how many steps a database has taken; 0 for an empty one."""
+    """Return how many migrations a database has had; 0 for an empty one."""
     database.query("CREATE TABLE IF NOT EXISTS schema (version INTEGER PRIMARY KEY)")
     return int(next(iter(database.query("SELECT coalesce(max(version), 0) FROM schema")))[0])
 

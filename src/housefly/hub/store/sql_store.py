@@ -1,4 +1,4 @@
-"""The store in SQL, the same for both databases."""
+"""The store in SQL, shared by both databases."""
 
 from __future__ import annotations
 
@@ -7,52 +7,56 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from housefly.errors import StoreError
-from housefly.hub.store.changes import Changes
-from housefly.hub.store.contract import KEPT_DAYS, Trajectory
 from housefly.hub.store.database import Database, Row
+from housefly.hub.store.retention import prune_step
 from housefly.hub.store.rows import (
-    EVENT,
-    SAMPLE,
-    THING,
-    VIEWPOINT,
-    happening_of,
+    EVENT_COLUMNS,
+    SAMPLE_COLUMNS,
+    THING_COLUMNS,
+    VIEWPOINT_COLUMNS,
+    event_from_row,
     is_valid,
-    row_of_happening,
+    row_of_event,
     row_of_sample,
     row_of_thing,
     row_of_viewpoint,
-    sample_of,
-    thing_of,
+    sample_from_row,
+    thing_from_row,
 )
-from housefly.hub.store.schema import STEPS, Steps, migrate
+from housefly.hub.store.run_length import RunLengthEncoder
+from housefly.hub.store.schema import MIGRATIONS, Migrations, migrate
 from housefly.hub.store.statements import (
-    BEGIN,
-    HAPPENED,
-    KNOWN,
-    LATEST,
-    PATH,
-    SEEN,
-    STRETCH,
-    THINNED,
-    insert,
+    EXTEND_SAMPLE,
+    INSERT_EVENT,
+    INSERT_SAMPLE,
+    SELECT_PATH,
+    SELECT_SEEN,
+    THINNED_PATH,
+    UPSERT_LATEST,
+    UPSERT_THING,
+    insert_into,
 )
-from housefly.hub.store.tidying import tidy_step
+from housefly.hub.store.store import DEFAULT_KEEP_DAYS, TrajectoryRows
 from housefly.hub.things.thing import Thing
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 
 
 class SqlStore:
-    """A ``Store`` over a database."""
+    """A ``Store`` on a database."""
 
     def __init__(
-        self, database: Database, *, keep_days: float = KEPT_DAYS, steps: Steps = STEPS
+        self,
+        database: Database,
+        *,
+        keep_days: float = DEFAULT_KEEP_DAYS,
+        steps: Migrations = MIGRATIONS,
     ) -> None:
-        """Bring the tables up to date; raises StoreError when a newer program made them or the
-        database refuses.
+        """Migrate the tables; raises StoreError if a newer version made them or the database
+        refuses.
         """
         self._database = database
         self._keep_days = keep_days
-        self._changes = Changes()
+        self._runs = RunLengthEncoder()
         try:
             migrate(database, steps)
         except StoreError:
@@ -64,8 +68,8 @@ class SqlStore:
         """What the user should know about how it was opened."""
         return self._database.notices
 
-    def know(self, things: Iterable[Thing]) -> None:
-        """Keep things of the catalogue, replacing what was known of them."""
+    def put_things(self, things: Iterable[Thing]) -> None:
+        """Write things of the catalogue, replacing older ones."""
         kept = tuple(things)
         ids = [(thing.id,) for thing in kept]
         aliases = [
@@ -79,15 +83,17 @@ class SqlStore:
             for number, view in enumerate(thing.viewpoints)
         ]
         with self._database.transaction():
-            self._database.many(KNOWN, [row_of_thing(thing) for thing in kept])
+            self._database.many(UPSERT_THING, [row_of_thing(thing) for thing in kept])
             self._database.many("DELETE FROM alias WHERE thing = ?", ids)
             self._database.many("DELETE FROM viewpoint WHERE thing = ?", ids)
-            self._database.many(insert("alias", "thing, number, alias"), aliases)
-            self._database.many(insert("viewpoint", f"thing, number, {VIEWPOINT}"), views)
+            self._database.many(insert_into("alias", "thing, number, alias"), aliases)
+            self._database.many(
+                insert_into("viewpoint", f"thing, number, {VIEWPOINT_COLUMNS}"), views
+            )
 
-    def write(self, samples: Sequence[Observation], happenings: Sequence[Happening] = ()) -> None:
-        """Keep all or nothing; raises StoreError (not now) or UnfitRowError (never)."""
-        change = self._changes.of(samples)
+    def write(self, samples: Sequence[Observation], events: Sequence[RoomEvent] = ()) -> None:
+        """Write all or nothing; raises StoreError (not now) or RejectedRowError (never)."""
+        change = self._runs.encode(samples)
         newest: dict[tuple[str, str, bool], Observation] = {}
         for sample in samples:
             key = sample.thing, sample.source, is_valid(sample)
@@ -96,17 +102,15 @@ class SqlStore:
         try:
             with self._database.transaction():
                 self._database.many(
-                    BEGIN, [_begin(span.sample, span.until) for span in change.begun]
+                    INSERT_SAMPLE, [_begin(run.sample, run.until) for run in change.begun]
                 )
                 self._database.many(
-                    STRETCH, [_stretch(span.sample, span.until) for span in change.stretched]
+                    EXTEND_SAMPLE, [_extend(run.sample, run.until) for run in change.extended]
                 )
-                self._database.many(LATEST, [_latest(sample) for sample in newest.values()])
-                self._database.many(
-                    HAPPENED, [row_of_happening(happening) for happening in happenings]
-                )
+                self._database.many(UPSERT_LATEST, [_latest(sample) for sample in newest.values()])
+                self._database.many(INSERT_EVENT, [row_of_event(event) for event in events])
         except StoreError:
-            self._changes.forget()
+            self._runs.reset()
             raise
 
     def things(self, thing: str = "") -> tuple[Thing, ...]:
@@ -120,41 +124,48 @@ class SqlStore:
         ):
             aliases.setdefault(owner, []).append(alias)
         for owner, *view in self._database.query(
-            f"SELECT thing, {VIEWPOINT} FROM viewpoint {of_thing} ORDER BY thing, number", values
+            f"SELECT thing, {VIEWPOINT_COLUMNS} FROM viewpoint {of_thing} ORDER BY thing, number",
+            values,
         ):
             views.setdefault(owner, []).append(tuple(view))
         rows = self._database.query(
-            f"SELECT {THING} FROM thing {where.format('id')} ORDER BY id", values
+            f"SELECT {THING_COLUMNS} FROM thing {where.format('id')} ORDER BY id", values
         )
-        return tuple(thing_of(row, aliases.get(row[0], ()), views.get(row[0], ())) for row in rows)
+        return tuple(
+            thing_from_row(row, aliases.get(row[0], ()), views.get(row[0], ())) for row in rows
+        )
 
     def latest(self, thing: str = "") -> tuple[Observation, ...]:
         """Return the last valid and the last invalid sample of each source, of one thing or of all."""
         where, values = ("WHERE thing = ?", (thing,)) if thing else ("", ())
         sql = (
-            f"SELECT thing, source, captured_at, valid, {SAMPLE} FROM latest {where} ORDER BY"
+            f"SELECT thing, source, captured_at, valid, {SAMPLE_COLUMNS} FROM latest {where} ORDER BY"
             " thing, source, captured_at"
         )
-        return tuple(sample_of(row) for row in self._database.query(sql, values))
+        return tuple(sample_from_row(row) for row in self._database.query(sql, values))
 
-    def seen(self, at: float, thing: str = "") -> tuple[Observation, ...]:
+    def latest_at(self, at: float, thing: str = "") -> tuple[Observation, ...]:
         """Return the last valid sample of each source at or before a time, of one thing or of all."""
         sql, values = (
-            (f"{SEEN} AND l.thing = ?", (at, at, at, thing)) if thing else (SEEN, (at, at, at))
+            (f"{SELECT_SEEN} AND l.thing = ?", (at, at, at, thing))
+            if thing
+            else (SELECT_SEEN, (at, at, at))
         )
         return tuple(
-            sample_of(row)
+            sample_from_row(row)
             for row in self._database.query(f"{sql} ORDER BY l.thing, l.source", values)
         )
 
     def trajectory(
         self, thing: str, since: float, until: float, *, source: str = "", every: float = 0.0
-    ) -> Trajectory:
+    ) -> TrajectoryRows:
         """Return where a thing was between two times, by one source or by all."""
         sources = [
-            sample.source for sample in self.seen(until, thing) if source in ("", sample.source)
+            sample.source
+            for sample in self.latest_at(until, thing)
+            if source in ("", sample.source)
         ]
-        before = {sample.source: sample for sample in self.seen(since, thing)}
+        before = {sample.source: sample for sample in self.latest_at(since, thing)}
         parts = [
             _from_begin(before.get(name), since, self._path(thing, name, since, until, every))
             for name in sources
@@ -163,7 +174,7 @@ class SqlStore:
 
     def events(
         self, since: float, until: float, *, thing: str = "", kind: str = "", cause: str = ""
-    ) -> tuple[Happening, ...]:
+    ) -> tuple[RoomEvent, ...]:
         """Return what happened between two times, by time."""
         asked = [
             (column, value)
@@ -172,36 +183,36 @@ class SqlStore:
         ]
         where = "".join(f" AND {column} = ?" for column, _ in asked)
         sql = (
-            f"SELECT {EVENT} FROM event WHERE at >= ? AND at <= ?{where} ORDER BY at, kind, thing,"
+            f"SELECT {EVENT_COLUMNS} FROM event WHERE at >= ? AND at <= ?{where} ORDER BY at, kind, thing,"
             " source, cause"
         )
         return tuple(
-            happening_of(row)
+            event_from_row(row)
             for row in self._database.query(sql, (since, until, *(value for _, value in asked)))
         )
 
-    def tidy(self, now: float) -> bool:
-        """Thin and remove old samples in one short transaction; tell whether there is more to do."""
-        return tidy_step(self._database, now, keep_days=self._keep_days)
+    def prune(self, now: float) -> bool:
+        """Thin and delete old samples in one short transaction; return whether more is left."""
+        return prune_step(self._database, now, keep_days=self._keep_days)
 
     def close(self) -> None:
-        """Let go of the database."""
+        """Close the database."""
         self._database.close()
 
     def _path(
         self, thing: str, source: str, since: float, until: float, every: float
-    ) -> Trajectory:
-        """Return the samples of one source; where it stood still, the begin and the end of that."""
+    ) -> TrajectoryRows:
+        """Return the samples of one source; where it stood still, begin and end of that."""
         asked: Row = (thing, source, since, until)
-        sql, values = PATH, asked
+        sql, values = SELECT_PATH, asked
         if every > 0.0:
             bucket = self._database.dialect.floor.format(f"captured_at / {every!r}")
-            sql, values = PATH + THINNED.format(bucket), asked * 2
-        spans = self._database.numbers(f"{sql} ORDER BY captured_at", values, 5)
-        path, stood = spans[:, (0, 2, 3, 4)], spans[:, 1] > spans[:, 0]
+            sql, values = SELECT_PATH + THINNED_PATH.format(bucket), asked * 2
+        runs = self._database.numbers(f"{sql} ORDER BY captured_at", values, 5)
+        path, stood = runs[:, (0, 2, 3, 4)], runs[:, 1] > runs[:, 0]
         if not stood.any():
             return path
-        ends = np.column_stack([np.minimum(spans[stood, 1], until), spans[stood, 2:]])
+        ends = np.column_stack([np.minimum(runs[stood, 1], until), runs[stood, 2:]])
         return _by_time(np.concatenate([path, ends]))
 
 
@@ -216,7 +227,7 @@ def _begin(sample: Observation, until: float) -> Row:
     )
 
 
-def _stretch(sample: Observation, until: float) -> Row:
+def _extend(sample: Observation, until: float) -> Row:
     return until, sample.thing, sample.source, sample.captured_at, until
 
 
@@ -230,12 +241,12 @@ def _latest(sample: Observation) -> Row:
     )
 
 
-def _by_time(path: Trajectory) -> Trajectory:
+def _by_time(path: TrajectoryRows) -> TrajectoryRows:
     return path[np.argsort(path[:, 0], kind="stable")]
 
 
-def _from_begin(before: Observation | None, since: float, path: Trajectory) -> Trajectory:
-    """Put in front where the thing stood at the begin, if its source said so just then."""
+def _from_begin(before: Observation | None, since: float, path: TrajectoryRows) -> TrajectoryRows:
+    """Prepend the position at the begin, if the source reported one at that very time."""
     if before is None or before.position is None or before.captured_at < since:
         return path
     return np.concatenate([np.array([(since, *before.position)]), path])

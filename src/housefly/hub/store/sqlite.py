@@ -1,9 +1,9 @@
 """SQLite: one file beside the site, written by one process and read by many.
 
-The file is in write-ahead mode with ``synchronous = NORMAL``: a transaction is with the operating
-system when it is committed, so ``kill -9`` of the writer loses only what it had not committed yet;
-the disk is told to keep it (fsync) at every checkpoint, about each 1000 pages, so a power cut may
-lose the seconds since the last one. Neither leaves a damaged file.
+The file is in write-ahead mode with ``synchronous = NORMAL``. A committed transaction is with the
+operating system, so ``kill -9`` of the writer loses only what was not committed. The disk is
+flushed (fsync) at every checkpoint, about every 1000 pages, so a power cut may lose the seconds
+since the last one. Neither damages the file.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import StoreError
-from housefly.hub.store.contract import UnfitRowError
 from housefly.hub.store.database import Dialect, Row
+from housefly.hub.store.store import RejectedRowError
 
-PATIENCE = 1.0
-"""How long to wait for another process that writes [s]; the writer tries again later."""
-CODE = 0xFF
-"""The part of SQLite's error codes that says what; the rest says where."""
-REASONS: dict[int, str] = {
+_LOCK_TIMEOUT = 1.0
+"""How long to wait for another writing process [s]; the writer retries later."""
+_PRIMARY_CODE = 0xFF
+"""Mask of the primary result code; the rest is detail."""
+_REASONS: dict[int, str] = {
     sqlite3.SQLITE_FULL: "disk is full",
     sqlite3.SQLITE_BUSY: "another process holds the database",
     sqlite3.SQLITE_LOCKED: "another process holds the database",
@@ -34,24 +34,24 @@ REASONS: dict[int, str] = {
     sqlite3.SQLITE_IOERR: "disk refuses (input/output error)",
     sqlite3.SQLITE_CANTOPEN: "the database file cannot be opened",
 }
-DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
-UNFIT = (
+_DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
+_REJECTED = (
     sqlite3.IntegrityError,
     sqlite3.InterfaceError,
     sqlite3.DataError,
     UnicodeError,
     OverflowError,
 )
-COMPANIONS = ("", "-wal", "-shm")
+_COMPANIONS = ("", "-wal", "-shm")
 
 
 class SqliteDatabase:
-    """A connection to a file; a damaged one is moved aside, never deleted, and a new one begun."""
+    """A connection to a file; a damaged file is moved aside, never deleted, and a new one begun."""
 
     dialect = Dialect(clustered=" WITHOUT ROWID", floor="CAST({} AS INTEGER)", lock_schema="")
 
     def __init__(self, path: Path) -> None:
-        """Open or make a file; raises StoreError when that is impossible."""
+        """Open or create a file; raises StoreError if that is impossible."""
         self.path = path
         self.notices: tuple[str, ...] = ()
         try:
@@ -89,14 +89,14 @@ class SqliteDatabase:
             raise
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
         self._connection.close()
 
     def _open(self) -> None:
         with self._telling():
             self._connection = sqlite3.connect(
                 self.path,
-                timeout=PATIENCE,
+                timeout=_LOCK_TIMEOUT,
                 isolation_level=None,
                 check_same_thread=False,
                 cached_statements=64,
@@ -118,21 +118,21 @@ class SqliteDatabase:
             yield
         except sqlite3.ProgrammingError as error:  # used after it was closed
             raise StoreError(str(error)) from error
-        except UNFIT as error:
-            raise UnfitRowError(f"the database cannot hold it ({error})") from error
+        except _REJECTED as error:
+            raise RejectedRowError(f"the database cannot hold it ({error})") from error
         except sqlite3.Error as error:
-            code = getattr(error, "sqlite_errorcode", 0) & CODE
-            if code in DAMAGED:
+            code = getattr(error, "sqlite_errorcode", 0) & _PRIMARY_CODE
+            if code in _DAMAGED:
                 raise StoreError(self._moved_aside()) from error
-            raise StoreError(REASONS.get(code, str(error)), f"database {self.path}") from error
+            raise StoreError(_REASONS.get(code, str(error)), f"database {self.path}") from error
 
     def _moved_aside(self) -> str:
-        """Move the file and its companions aside and return the words for it."""
+        """Move the file and its companions aside; return a message."""
         self._connection.close()
         kept = self.path.with_name(
             f"{self.path.name}.damaged-{time.strftime('%Y%m%d-%H%M%S')}-{time.monotonic_ns() % 10**6:06d}"
         )
-        for ending in COMPANIONS:
+        for ending in _COMPANIONS:
             file = self.path.with_name(self.path.name + ending)
             if file.exists():
                 file.rename(kept.with_name(kept.name + ending))

@@ -1,6 +1,4 @@
-"""One row of ROS-TMS's database (``tms_msg_db/Tmsdb``, as mongoexport writes it), checked; its
-numbers for things and sensors.
-"""
+"""One checked row of ROS-TMS's database (``tms_msg_db/Tmsdb``), and its numbers for things."""
 
 from __future__ import annotations
 
@@ -11,23 +9,23 @@ from math import isfinite
 from typing import Any
 
 from housefly.geometry import Vec3
-from housefly.hub.things.thing import Kind
+from housefly.hub.things.thing import ThingKind
 from housefly.messages import Facts
 
-JAPAN = 9 * 3600.0
-"""ROS-TMS writes the wall clock of its room, without saying so [s east of UTC]."""
-NEVER = "0000-00-00 00:00:00.000000"
-"""The time of a row that no sensor wrote: what the catalogue says."""
-BANDS: dict[int, Kind] = {
-    1: Kind.PERSON, 2: Kind.ROBOT, 3: Kind.SENSOR, 4: Kind.STRUCTURE, 5: Kind.SPACE, 6: Kind.FURNITURE, 7: Kind.OBJECT,
+JAPAN_UTC_OFFSET = 9 * 3600.0
+"""ROS-TMS writes the local time of its room without a time zone [s east of UTC]."""
+_NEVER = "0000-00-00 00:00:00.000000"
+"""The time of a row that no sensor wrote: a row of the catalogue."""
+KIND_BY_THOUSANDS: dict[int, ThingKind] = {
+    1: ThingKind.PERSON, 2: ThingKind.ROBOT, 3: ThingKind.SENSOR, 4: ThingKind.STRUCTURE, 5: ThingKind.SPACE, 6: ThingKind.FURNITURE, 7: ThingKind.OBJECT,
 }  # fmt: skip
-"""What an id's thousands mean; from 8000 on there are tasks and states, which are no things."""
-SOURCES: dict[int, str] = {
+"""Kind of thing by the thousands of its id; from 8000 on there are tasks and states."""
+SENSOR_NAMES: dict[int, str] = {
     3001: "vicon", 3002: "ics", 3003: "odometry", 3018: "irs", 3020: "bed", 3021: "whs1", 3501: "kalman_filter",
 }  # fmt: skip
-TEXTS = ("joint", "rfid", "extfile", "task", "note", "announce")
-NUMBERS = ("offset_x", "offset_y", "offset_z", "weight", "probability")
-NEEDED = ("id", "name", "x", "y", "z", "rr", "rp", "ry")
+TEXT_FIELDS = ("joint", "rfid", "extfile", "task", "note", "announce")
+NUMBER_FIELDS = ("offset_x", "offset_y", "offset_z", "weight", "probability")
+_NEEDED = ("id", "name", "x", "y", "z", "rr", "rp", "ry")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,19 +61,19 @@ class TmsRow:
     extras: Facts
 
 
-def parse_row(line: str, utc_offset: float = JAPAN) -> TmsRow:
-    """Return the row of one line; raises ValueError in words."""
+def parse_row(line: str, utc_offset: float = JAPAN_UTC_OFFSET) -> TmsRow:
+    """Parse one line; raises ValueError in words."""
     try:
         tree = json.loads(line)
     except ValueError as error:
         raise ValueError(f"is no JSON ({error})") from error
     if not isinstance(tree, dict):
         raise ValueError("is no JSON object")
-    missing = [name for name in NEEDED if name not in tree]
+    missing = [name for name in _NEEDED if name not in tree]
     if missing:
         raise ValueError(f"has no {', '.join(missing)}")
-    texts: Facts = tuple((name, _text(tree, name)) for name in TEXTS)
-    numbers: Facts = tuple((name, _number(tree, name)) for name in NUMBERS)
+    texts: Facts = tuple((name, _text(tree, name)) for name in TEXT_FIELDS)
+    numbers: Facts = tuple((name, _number(tree, name)) for name in NUMBER_FIELDS)
     return TmsRow(
         time=_time(_text(tree, "time"), utc_offset),
         id=_id(tree),
@@ -92,13 +90,13 @@ def parse_row(line: str, utc_offset: float = JAPAN) -> TmsRow:
     )
 
 
-def line_of(row: TmsRow, utc_offset: float = JAPAN) -> str:
+def line_of(row: TmsRow, utc_offset: float = JAPAN_UTC_OFFSET) -> str:
     """Return a row as a line of JSON with all fields of ROS-TMS."""
     extras = dict(row.extras)
-    numbers = {name: extras.get(name, 0) for name in NUMBERS}
-    texts = {name: extras.get(name, "") for name in TEXTS}
+    numbers = {name: extras.get(name, 0) for name in NUMBER_FIELDS}
+    texts = {name: extras.get(name, "") for name in TEXT_FIELDS}
     when = (
-        NEVER
+        _NEVER
         if row.time is None
         else datetime.fromtimestamp(row.time, _zone(utc_offset)).strftime("%Y-%m-%dT%H:%M:%S.%f")
     )
@@ -114,14 +112,18 @@ def line_of(row: TmsRow, utc_offset: float = JAPAN) -> str:
     return json.dumps(tree | rest, ensure_ascii=False)
 
 
-def kind_of(number: int, type_: str = "") -> Kind:
-    """Return what sort of thing a row is about: by its type, else by its number."""
-    return Kind(type_) if type_ in Kind._value2member_map_ else BANDS[number // 1000]
+def tms_kind(number: int, type_: str = "") -> ThingKind:
+    """Return the kind of a row's thing: by its type, else by its number."""
+    return (
+        ThingKind(type_)
+        if type_ in ThingKind._value2member_map_
+        else KIND_BY_THOUSANDS[number // 1000]
+    )
 
 
 def source_of(sensor: int) -> str:
-    """Return the name of the source that a sensor's number means."""
-    return SOURCES.get(sensor, f"tms-{sensor}")
+    """Return the source name of a sensor's number."""
+    return SENSOR_NAMES.get(sensor, f"tms-{sensor}")
 
 
 def _zone(utc_offset: float) -> timezone:
@@ -135,15 +137,15 @@ def _time(text: str, utc_offset: float) -> float | None:
         return datetime.fromisoformat(text).replace(tzinfo=_zone(utc_offset)).timestamp()
     except ValueError as error:
         raise ValueError(
-            f"time is {text!r}; allowed: {NEVER!r}, or like '2018-02-26T14:31:02.936504'"
+            f"time is {text!r}; allowed: {_NEVER!r}, or like '2018-02-26T14:31:02.936504'"
         ) from error
 
 
 def _id(tree: dict[str, Any]) -> int:
     number = _whole(tree, "id")
-    if number // 1000 not in BANDS:
+    if number // 1000 not in KIND_BY_THOUSANDS:
         raise ValueError(
-            f"id is {number}: no thing (things have ids from {min(BANDS)}000 to {max(BANDS)}999)"
+            f"id is {number}: no thing (things have ids from {min(KIND_BY_THOUSANDS)}000 to {max(KIND_BY_THOUSANDS)}999)"
         )
     return number
 

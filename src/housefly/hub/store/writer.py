@@ -1,11 +1,9 @@
-"""Writes to a store in a thread of its own: whoever tells it something never waits and never hears
-an error.
+"""Writes to a store on its own thread: callers never wait and never see an error.
 
-Every tenth of a second what has come is written in one transaction, so ``kill -9`` loses about a
-tenth of a second. When the store refuses (full disk, another process holds it, no server) the batch
-is kept and tried again until it succeeds. Meanwhile what
-comes waits in a bounded backlog, and what does not fit is dropped and counted: samples before
-    events, the oldest first.
+Every tenth of a second all new rows are written in one transaction, so ``kill -9`` loses about a
+tenth of a second. When the store refuses (full disk, locked by another process, no server) the
+batch is kept and retried until it succeeds. Meanwhile new rows wait in a bounded backlog, and
+what does not fit is dropped and counted: samples before events, the oldest first.
 """
 
 from __future__ import annotations
@@ -15,28 +13,28 @@ from collections.abc import Callable, Iterable
 from threading import Condition, Lock, Thread
 
 from housefly.errors import StoreError
-from housefly.hub.store.backlog import MOST_AT_ONCE, Backlog, Batch, Dropped
-from housefly.hub.store.contract import Store, UnfitRowError
+from housefly.hub.store.backlog import MAX_BATCH, Backlog, Batch, Dropped
 from housefly.hub.store.losses import Losses
+from housefly.hub.store.store import RejectedRowError, Store
 from housefly.hub.things.thing import Thing
-from housefly.messages import Happening, Observation
+from housefly.messages import Observation, RoomEvent
 
-BATCH_S = 0.1
-CAPACITY = 60_000
+_BATCH_PERIOD = 0.1
+_CAPACITY = 60_000
 """Samples and events that may wait: half a minute at 2000 a second."""
-LONGEST_PAUSE = 1.0
-"""A store that refuses is tried again at least this often [s]."""
-TIDY_EVERY = 10.0
-"""How often to look for old samples when there were none [s]."""
-BEHIND = "the database is too slow"
-STOPPED = "the writer was stopped"
+_MAX_RETRY_PAUSE = 1.0
+"""A failing store is retried at least this often [s]."""
+_PRUNE_PERIOD = 10.0
+"""How often to look for old samples if there were none [s]."""
+_TOO_SLOW = "the database is too slow"
+_STOPPED = "the writer was stopped"
 
 
-class Writer:
-    """Keeps what it is told in a store; begins at once, ends with ``close``."""
+class StoreWriter:
+    """Writes values to a store; starts at once, ends with ``close``."""
 
-    def __init__(self, open_store: Callable[[], Store], *, capacity: int = CAPACITY) -> None:
-        """Open the store and begin; raises StoreError when it cannot be opened at all."""
+    def __init__(self, open_store: Callable[[], Store], *, capacity: int = _CAPACITY) -> None:
+        """Open the store and start; raises StoreError if it cannot be opened at all."""
         self._open = open_store
         self._store: Store | None = open_store()
         self._backlog = Backlog(capacity)
@@ -51,24 +49,23 @@ class Writer:
         self._thread = Thread(target=self._run, name="store-writer", daemon=True)
         self._thread.start()
 
-    def write(self, *said: Observation | Happening | Thing) -> None:
-        """Keep what was seen, what happened, and things of the catalogue, soon; never waits, never
-        raises.
-        """
+    def write(self, *said: Observation | RoomEvent | Thing) -> None:
+        """Write observations, events and things soon; never waits, never raises."""
         self.write_all(said)
 
-    def write_all(self, said: Iterable[Observation | Happening | Thing]) -> None:
-        """Keep many at once."""
+    def write_all(self, said: Iterable[Observation | RoomEvent | Thing]) -> None:
+        """Write many at once."""
         if self._stopping_at is None:
-            self._count(self._backlog.put(tuple(said)), self._reason or BEHIND)
+            self._count(self._backlog.put(tuple(said)), self._reason or _TOO_SLOW)
         else:
-            self._count(_rows_in(said), STOPPED)
+            self._count(_rows_in(said), _STOPPED)
 
     def report(self) -> str:
-        """Return in words how it goes: what was dropped in the last minute and why, what waits and
-        why, else "all is kept".
+        """Return the state in words, for example "all is kept".
+
+        Says what was dropped in the last minute and why, and what waits and why.
         """
-        waiting = len(self._backlog) + len(self._pending.samples) + len(self._pending.happenings)
+        waiting = len(self._backlog) + len(self._pending.samples) + len(self._pending.events)
         parts = [
             self._losses.words(time.monotonic()),
             f"{waiting:,} rows wait: {self._reason}".replace(",", " ") if self._reason else "",
@@ -77,7 +74,7 @@ class Writer:
         return "; ".join(part for part in parts if part) or "all is kept"
 
     def dropped(self) -> Dropped:
-        """Return how many rows were dropped since the begin."""
+        """Return how many rows were dropped since the start."""
         ever = self._losses.ever.copy()
         return Dropped(
             *(
@@ -87,7 +84,7 @@ class Writer:
         )
 
     def flush(self, timeout: float = 5.0) -> bool:
-        """Wait until all that was told is written; tell whether it is."""
+        """Wait until everything added so far is written; return whether it is."""
         deadline = time.monotonic() + timeout
         while time.monotonic() < deadline:
             with self._moving:
@@ -97,21 +94,21 @@ class Writer:
         return False
 
     def close(self, timeout: float = 5.0) -> None:
-        """Write what waits, for at most so long [s], and end; what is left counts as dropped."""
+        """Write what waits, for at most this long [s], and end; what is left counts as dropped."""
         self._stopping_at = time.monotonic() + timeout
         with self._woken:
             self._woken.notify()
-        self._thread.join(timeout + 2 * LONGEST_PAUSE)
+        self._thread.join(timeout + 2 * _MAX_RETRY_PAUSE)
 
     def _run(self) -> None:
-        pause = BATCH_S
+        pause = _BATCH_PERIOD
         while not self._is_over():
             with self._woken:
-                self._woken.wait(pause if self._stopping_at is None else BATCH_S)
-            pause = BATCH_S if self._try() else min(2.0 * pause, LONGEST_PAUSE)
-        left = (self._pending, *iter(self._backlog.take, Batch()))
+                self._woken.wait(pause if self._stopping_at is None else _BATCH_PERIOD)
+            pause = _BATCH_PERIOD if self._try() else min(2.0 * pause, _MAX_RETRY_PAUSE)
+        left = (self._pending, *iter(self._backlog.pop_batch, Batch()))
         for batch in left:
-            self._count(_rows_in((*batch.samples, *batch.happenings)), self._reason or STOPPED)
+            self._count(_rows_in((*batch.samples, *batch.events)), self._reason or _STOPPED)
         self._pending = Batch()
         if self._store:
             self._store.close()
@@ -122,14 +119,14 @@ class Writer:
         return time.monotonic() >= self._stopping_at or not (self._pending or len(self._backlog))
 
     def _try(self) -> bool:
-        """Write one batch and tidy a little; tell whether the store took it."""
+        """Write one batch and prune a little; return whether the store accepted it."""
         try:
             store = self._opened()
             while batch := self._next():
                 self._keep(store, batch)
                 self._pending = Batch()
                 if (
-                    len(self._backlog) < MOST_AT_ONCE
+                    len(self._backlog) < MAX_BATCH
                 ):  # few came meanwhile: they are for the next tenth of a second
                     break
             self._tidy(store)
@@ -138,7 +135,7 @@ class Writer:
             return False
         except Exception as error:  # a fault of ours must not end the thread
             self._count(
-                Dropped(len(self._pending.samples), len(self._pending.happenings)),
+                Dropped(len(self._pending.samples), len(self._pending.events)),
                 f"{type(error).__name__}: {error}",
             )
             self._pending = Batch()
@@ -154,43 +151,41 @@ class Writer:
 
     def _next(self) -> Batch:
         with self._moving:
-            self._pending = self._pending or self._backlog.take()
+            self._pending = self._pending or self._backlog.pop_batch()
         return self._pending
 
     def _keep(self, store: Store, batch: Batch) -> None:
         try:
             if batch.things:
-                store.know(batch.things)
-            if batch.samples or batch.happenings:
-                store.write(batch.samples, batch.happenings)
-        except UnfitRowError:
+                store.put_things(batch.things)
+            if batch.samples or batch.events:
+                store.write(batch.samples, batch.events)
+        except RejectedRowError:
             self._keep_one_by_one(store, batch)
 
     def _keep_one_by_one(self, store: Store, batch: Batch) -> None:
-        """Find the rows that the database never takes; what is written twice stays once."""
+        """Find the rows that the database never accepts; writing a row twice does no harm."""
         singles = [
             *(Batch(things=(thing,)) for thing in batch.things),
-            *(Batch(happenings=(happening,)) for happening in batch.happenings),
+            *(Batch(events=(event,)) for event in batch.events),
             *(Batch(samples=(sample,)) for sample in batch.samples),
         ]
         for single in singles:
             try:
                 if single.things:
-                    store.know(single.things)
+                    store.put_things(single.things)
                 else:
-                    store.write(single.samples, single.happenings)
-            except UnfitRowError as error:
-                self._count(Dropped(len(single.samples), len(single.happenings)), error.reason)
+                    store.write(single.samples, single.events)
+            except RejectedRowError as error:
+                self._count(Dropped(len(single.samples), len(single.events)), error.reason)
 
     def _tidy(self, store: Store) -> None:
         now = time.monotonic()
         if now >= self._next_tidy and self._stopping_at is None:
-            self._next_tidy = now if store.tidy(time.time()) else now + TIDY_EVERY
+            self._next_tidy = now if store.prune(time.time()) else now + _PRUNE_PERIOD
 
     def _give_up(self, reason: str) -> None:
-        """Open the store anew at the next try: the file may have been moved aside, the server
-        restarted.
-        """
+        """Reopen the store at the next attempt: the file may have moved, the server restarted."""
         self._reason = reason
         if self._store:
             self._notices = tuple(dict.fromkeys((*self._notices, *self._store.notices)))
@@ -202,8 +197,8 @@ class Writer:
             self._losses.count(dropped, reason, time.monotonic())
 
 
-def _rows_in(said: Iterable[Observation | Happening | Thing]) -> Dropped:
+def _rows_in(said: Iterable[Observation | RoomEvent | Thing]) -> Dropped:
     values = tuple(said)
     return Dropped(
-        *(sum(isinstance(value, sort) for value in values) for sort in (Observation, Happening))
+        *(sum(isinstance(value, sort) for value in values) for sort in (Observation, RoomEvent))
     )

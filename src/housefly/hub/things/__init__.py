@@ -1,3 +1,1 @@
-"""What is in the room, and where it is by what every source last said of it (TMS_DB's catalogue and
-its `now`).
-"""
+"""What is in the room and where, from the last report of every source (TMS_DB's catalogue and `now`)."""

@@ -19,59 +19,60 @@ facts = { doors = 2 }
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import Field, ValidationError
+from pydantic import Field
 
-from housefly.config.site import Section, explain
+from housefly.config.section import Section
+from housefly.config.toml import parse_toml
+from housefly.config.validation import Location, validated
 from housefly.errors import ConfigError, ThingError
 from housefly.geometry import quaternion_from_euler
-from housefly.hub.things.thing import Kind, Thing, Viewpoint
-from housefly.hub.things.world import World
+from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Fact
 
-Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
-Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
-Point = tuple[Coordinate, Coordinate, Coordinate]
-Id = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_.-]*$", max_length=80)]
-Name = Annotated[str, Field(min_length=1, max_length=200)]
+_Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+_Angle = Annotated[float, Field(ge=-6.3, le=6.3, allow_inf_nan=False)]
+_Point = tuple[_Coordinate, _Coordinate, _Coordinate]
+_Id = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_.-]*$", max_length=80)]
+_Name = Annotated[str, Field(min_length=1, max_length=200)]
 
 
-class ViewpointEntry(Section):
+class _ViewpointEntry(Section):
     """A named pose from which a robot reaches or sees the thing."""
 
-    name: Name
-    position: Point
-    yaw: Angle
-    pitch: Angle = 0.0
+    name: _Name
+    position: _Point
+    yaw: _Angle
+    pitch: _Angle = 0.0
     robot: str = ""
 
 
-class ThingEntry(Section):
+class _ThingEntry(Section):
     """One thing of the file."""
 
-    id: Id
+    id: _Id
     name: str = ""
-    kind: Kind = Kind.OBJECT
-    aliases: tuple[Name, ...] = ()
-    position: Point | None = None
-    yaw: Angle | None = None
+    kind: ThingKind = ThingKind.OBJECT
+    aliases: tuple[_Name, ...] = ()
+    position: _Point | None = None
+    yaw: _Angle | None = None
     inside: str = ""
-    viewpoints: tuple[ViewpointEntry, ...] = ()
+    viewpoints: tuple[_ViewpointEntry, ...] = ()
     facts: dict[str, Fact] = Field(default_factory=dict)
 
 
-class Catalogue(Section):
+class _CatalogueFile(Section):
     """The whole file."""
 
-    thing: tuple[ThingEntry, ...] = ()
+    thing: tuple[_ThingEntry, ...] = ()
 
 
 def load_catalogue(path: Path) -> tuple[Thing, ...]:
-    """Read and check a catalogue; raises ConfigError naming the thing, the key, the value and what
-    is allowed.
+    """Read and check a catalogue file; raises ConfigError naming thing, key, value and allowed
+    values.
     """
     try:
         text = path.read_text(encoding="utf-8")
@@ -81,26 +82,19 @@ def load_catalogue(path: Path) -> tuple[Thing, ...]:
 
 
 def catalogue_from_toml(text: str, source: str = "") -> tuple[Thing, ...]:
-    """Return the things of a catalogue's text; raises ConfigError naming the thing, the key, the
-    value and what is allowed.
-    """
-    try:
-        entries = Catalogue.model_validate(tomllib.loads(text)).thing
-    except tomllib.TOMLDecodeError as error:
-        raise ConfigError("catalogue", f"cannot be parsed: {error}", source) from error
-    except ValidationError as error:
-        problem = error.errors()[0]
-        raise ConfigError(_key(problem["loc"]), explain(problem, Catalogue), source) from error
+    """Return the things of a catalogue's text; raises ConfigError as ``load_catalogue`` does."""
+    tree = parse_toml(text, "catalogue", source)
+    entries = validated(_CatalogueFile, tree, "", source, _key).thing
     _check_ids(entries, source)
     things = tuple(_thing(entry) for entry in entries)
     try:
-        World(things)
+        WorldModel(things)
     except ThingError as error:
         raise ConfigError("thing.inside", str(error), source) from error
     return things
 
 
-def _check_ids(entries: tuple[ThingEntry, ...], source: str) -> None:
+def _check_ids(entries: tuple[_ThingEntry, ...], source: str) -> None:
     known: set[str] = set()
     for number, entry in enumerate(entries, 1):
         if entry.id in known:
@@ -119,7 +113,7 @@ def _check_ids(entries: tuple[ThingEntry, ...], source: str) -> None:
             )
 
 
-def _thing(entry: ThingEntry) -> Thing:
+def _thing(entry: _ThingEntry) -> Thing:
     return Thing(
         id=entry.id,
         name=entry.name or entry.id,
@@ -135,7 +129,7 @@ def _thing(entry: ThingEntry) -> Thing:
     )
 
 
-def _key(location: tuple[int | str, ...]) -> str:
+def _key(location: Location) -> str:
     """Return a key as people count: ("thing", 0, "position", 2) is "thing 1.position 3"."""
     parts: list[str] = []
     for part in location:

@@ -1,4 +1,4 @@
-"""What is in what: a chain upwards that never closes to a ring."""
+"""Which thing contains which: chains that never form a cycle."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterable
 
 from housefly.errors import ThingError
 
-Container = Callable[[str], str]
-"""From the id of a thing to the id of what contains it, "" when nothing does."""
+_ContainerOf = Callable[[str], str]
+"""Maps the id of a thing to the id of its container, "" for none."""
 
 
-def chain_of(thing: str, container: Container) -> tuple[str, ...]:
+def chain_of(thing: str, container: _ContainerOf) -> tuple[str, ...]:
     """Return what contains a thing, the closest first.
 
     Raises:
-        ThingError: the thing would contain itself; the message walks the ring.
+        ThingError: the thing would contain itself; the message lists the cycle.
     """
     found: list[str] = []
     at = container(thing)
@@ -26,8 +26,8 @@ def chain_of(thing: str, container: Container) -> tuple[str, ...]:
     return tuple(found)
 
 
-def contents_of(thing: str, things: Iterable[str], container: Container) -> tuple[str, ...]:
-    """Return all that is in a thing, however deep, in the order of ``things``."""
+def contents_of(thing: str, things: Iterable[str], container: _ContainerOf) -> tuple[str, ...]:
+    """Return everything inside a thing, nested contents included, in the order of ``things``."""
     children: dict[str, list[str]] = {}
     every = tuple(things)
     for child in every:

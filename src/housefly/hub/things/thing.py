@@ -1,4 +1,4 @@
-"""A thing of the room: what never changes about it, or only when somebody edits the catalogue."""
+"""Things of the catalogue: what does not change unless somebody edits it."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from housefly.geometry import Quaternion, Vec3
 from housefly.messages import Facts
 
 
-class Kind(StrEnum):
-    """What sort of thing it is."""
+class ThingKind(StrEnum):
+    """Kind of a thing."""
 
     PERSON = "person"
     ROBOT = "robot"
@@ -46,21 +46,20 @@ class Thing:
     """One thing of the catalogue.
 
     Attributes:
-        id: stable, never shown without need: "cup-1".
+        id: stable, rarely shown: "cup-1".
         name: what people call it: "the red cup".
-        kind: what sort of thing it is.
+        kind: what kind of thing it is.
         aliases: other names, spoken ones too.
-        position: where it is as long as no source says otherwise, world [m].
-        orientation: (w, x, y, z), body to world, as long as no source says otherwise.
-        inside: id of the thing that contains it as long as no source says otherwise, "" when
-            nothing does.
+        position: where it is unless a source says otherwise, world [m].
+        orientation: (w, x, y, z), body to world, unless a source says otherwise.
+        inside: id of its container unless a source says otherwise, "" for none.
         viewpoints: from where to reach or see it.
-        facts: what else is known of it.
+        facts: what else is known about it.
     """
 
     id: str
     name: str
-    kind: Kind = Kind.OBJECT
+    kind: ThingKind = ThingKind.OBJECT
     aliases: tuple[str, ...] = ()
     position: Vec3 | None = None
     orientation: Quaternion | None = None

@@ -1,4 +1,4 @@
-"""Flies chunks on a Dask cluster: workers may come, go and die; the numbers stay the same."""
+"""Fly chunks on a Dask cluster. Workers may join or die at any time; the numbers stay the same."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from typing import Any
 from housefly.errors import LinkError, MissingPartError
 from housefly.lab.campaigns.plan import Chunk, Plan
 from housefly.lab.campaigns.provenance import processor, versions
-from housefly.lab.campaigns.runner import Landed
 from housefly.lab.experiments.cases import Cases
-from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission
+from housefly.lab.experiments.engine import Progress, fly_many
+from housefly.lab.experiments.flight_plan import FlightPlan
 from housefly.lab.experiments.outcomes import Outcomes
 
 try:
@@ -26,15 +25,15 @@ except ImportError as error:
         "distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'"
     ) from error
 
-PATIENCE = 5.0
-"""How long the scheduler may take to answer, and the first worker to come [s]."""
-DEAF = 60.0
-"""How long a cluster without any worker is waited for [s]."""
-LOOK = 2.0
-"""How often to look whether the cluster is still there while nothing lands [s]."""
-AHEAD = 4
+_CONNECT_TIMEOUT = 5.0
+"""How long the scheduler may take to answer, and the first worker to appear [s]."""
+_WORKER_TIMEOUT = 60.0
+"""How long to wait for a cluster that has no worker left [s]."""
+_POLL_INTERVAL = 2.0
+"""How often to check that the cluster is still there while nothing lands [s]."""
+_CHUNKS_PER_THREAD = 4
 """Chunks handed out for each thread of the cluster."""
-KEPT = "what has landed is kept, run the same again to go on"
+_RESUME_HINT = "what has landed is kept, run the same again to go on"
 
 
 class ClusterFleet:
@@ -66,19 +65,20 @@ class ClusterFleet:
         self.close()
 
     def close(self) -> None:
-        """Leave the cluster; what is still handed out is taken back."""
+        """Disconnect; chunks still handed out are cancelled."""
         self._client.close()  # type: ignore[no-untyped-call]
 
     def foreign_processors(self) -> set[str]:
-        """Return the types of the workers' processors that are not this machine's: their last bits
-        may differ.
+        """Return the workers' processor types that differ from this machine's.
+
+        On such processors the last bits of the results may differ.
         """
         return set(self._client.run(processor).values()) - {processor()}
 
     def fly(
-        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed
+        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Progress
     ) -> Iterator[tuple[Chunk, Outcomes]]:
-        """Hand out chunks, some for every thread of the cluster, and yield each as it lands.
+        """Keep every thread of the cluster busy with chunks, and yield each chunk as it lands.
 
         Raises:
             LinkError: the scheduler is gone, no worker is left, or chunks kill every worker that
@@ -97,26 +97,28 @@ class ClusterFleet:
                 yield chunk, outcomes
 
     def _hand_out(self, plan: Plan, waiting: list[Chunk], flying: dict[Any, Chunk]) -> None:
-        most = AHEAD * max(self._threads(), 1)
+        most = _CHUNKS_PER_THREAD * max(self._threads(), 1)
         while waiting and len(flying) < most:
             chunk = waiting.pop()
             cases, _ = plan.cases_of(chunk)
             flying[
                 self._client.submit(
-                    fly_chunk, cases, plan.legs[chunk.leg].mission, versions(), pure=False
+                    fly_chunk, cases, plan.groups[chunk.group].mission, versions(), pure=False
                 )
             ] = chunk
 
     def _landed(self, flying: list[Any]) -> list[Any]:
-        """Return those that have landed, at least one."""
+        """Return the futures that have finished, at least one."""
         alone = 0.0
-        while alone <= DEAF:
+        while alone <= _WORKER_TIMEOUT:
             try:
                 with self._client.as_current():
-                    return list(wait(flying, timeout=LOOK, return_when="FIRST_COMPLETED").done)  # type: ignore[no-untyped-call]
+                    return list(
+                        wait(flying, timeout=_POLL_INTERVAL, return_when="FIRST_COMPLETED").done
+                    )  # type: ignore[no-untyped-call]
             except TimeoutError:
-                alone = 0.0 if self._threads() else alone + LOOK
-        raise LinkError(f"no worker at {self._address} for {DEAF:.0f} s; {KEPT}")
+                alone = 0.0 if self._threads() else alone + _POLL_INTERVAL
+        raise LinkError(f"no worker at {self._address} for {_WORKER_TIMEOUT:.0f} s; {_RESUME_HINT}")
 
     @contextmanager
     def _watching(self) -> Iterator[None]:
@@ -124,13 +126,13 @@ class ClusterFleet:
             yield
         except KilledWorker as error:
             raise LinkError(
-                f"the workers at {self._address} die of their work ({error}); {KEPT}"
+                f"the workers at {self._address} die of their work ({error}); {_RESUME_HINT}"
             ) from error
         except (
             CancelledError,
             OSError,
         ) as error:  # which of them depends on what the client was about to ask
-            raise LinkError(f"the scheduler at {self._address} is gone; {KEPT}") from error
+            raise LinkError(f"the scheduler at {self._address} is gone; {_RESUME_HINT}") from error
 
     def _threads(self) -> int:
         if self._client.status != "running":
@@ -139,10 +141,10 @@ class ClusterFleet:
 
     def _check_workers(self) -> None:
         try:
-            self._client.wait_for_workers(1, timeout=PATIENCE)
+            self._client.wait_for_workers(1, timeout=_CONNECT_TIMEOUT)
         except TimeoutError as error:
             raise LinkError(
-                f"no worker at {self._address} after {PATIENCE:.0f} s; start one with: dask worker"
+                f"no worker at {self._address} after {_CONNECT_TIMEOUT:.0f} s; start one with: dask worker"
                 f" {self._address}"
             ) from error
         for worker, theirs in self._client.run(versions, on_error="return").items():
@@ -154,12 +156,14 @@ class ClusterFleet:
 
 
 def _connected(address: str) -> Client:
-    """Return a client; asks first who answers, because a client that cannot connect may wait for
-    ever and cannot be closed.
+    """Return a connected client.
+
+    The scheduler is asked for its identity first: a client that cannot connect may block for ever
+    and cannot be closed.
     """
     try:
         asyncio.run(_identity(address))
-        return Client(address, timeout=PATIENCE, set_as_default=False)  # type: ignore[no-untyped-call]
+        return Client(address, timeout=_CONNECT_TIMEOUT, set_as_default=False)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as error:
         raise LinkError(
             f"no scheduler answers at {address}; start one with: dask scheduler"
@@ -167,13 +171,17 @@ def _connected(address: str) -> Client:
 
 
 async def _identity(address: str) -> None:
-    async with asyncio.timeout(PATIENCE), rpc(address, timeout=PATIENCE) as scheduler:  # type: ignore[no-untyped-call]
+    async with (
+        asyncio.timeout(_CONNECT_TIMEOUT),
+        rpc(address, timeout=_CONNECT_TIMEOUT) as scheduler,
+    ):  # type: ignore[no-untyped-call]
         await scheduler.identity()
 
 
-def fly_chunk(cases: Cases, mission: Mission, wanted: dict[str, str]) -> Outcomes:
-    """Fly one chunk on one thread of a worker; raises LinkError when this worker has other versions
-    than wanted.
+def fly_chunk(cases: Cases, mission: FlightPlan, wanted: dict[str, str]) -> Outcomes:
+    """Fly one chunk on one thread of a worker.
+
+    Raises LinkError when the worker's versions are not the wanted ones.
     """
     _refuse_others(versions(), wanted, "one that joined later")
     return fly_many(cases, mission, threads=1)

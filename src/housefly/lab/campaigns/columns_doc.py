@@ -1,5 +1,6 @@
-"""The tables of columns and measures in ``docs/campaigns.md``: ``python -m
-housefly.lab.campaigns.columns_doc``.
+"""The tables of columns and measures in ``docs/campaigns.md``.
+
+Print them with ``python -m housefly.lab.campaigns.columns_doc``.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from housefly.lab.experiments.outcomes import MEASURES
 
 
 def columns_table() -> str:
-    """Return every column with unit, range, the shipped site's value and meaning, as Markdown."""
+    """Return every column as a Markdown table: unit, range, value of the shipped site, meaning."""
     rows = [
         f"| `{p.name}` | {p.unit} | {p.low:g} to {'any' if p.high == inf else f'{p.high:g}'} |"
         f" {_default(p)} | {p.meaning} |"

@@ -1,25 +1,23 @@
-"""Says in which keys two descriptions of a campaign differ."""
+"""The keys in which two descriptions of a campaign differ, in words."""
 
 from __future__ import annotations
 
 import json
 from typing import Any
 
-NAMED = 4
-"""Differing keys that are named; the rest is counted."""
+_MAX_KEYS_NAMED = 4
+"""At most this many differing keys are named; the rest are counted."""
 
 
-def differences(there: str, here: dict[str, Any]) -> str:
-    """Return in words what differs between a description on disk (JSON) and ours; empty when
-    nothing does.
-    """
+def describe_differences(there: str, here: dict[str, Any]) -> str:
+    """Return how a description on disk (JSON) differs from ours; "" when it does not."""
     try:
         old = json.loads(there)
     except ValueError:
         return "its description cannot be read"
     found = _differing(old, json.loads(json.dumps(here)), "")
-    more = f" and {len(found) - NAMED} more" if len(found) > NAMED else ""
-    return f"it differs in {', '.join(found[:NAMED])}{more}" if found else ""
+    more = f" and {len(found) - _MAX_KEYS_NAMED} more" if len(found) > _MAX_KEYS_NAMED else ""
+    return f"it differs in {', '.join(found[:_MAX_KEYS_NAMED])}{more}" if found else ""
 
 
 def _differing(old: Any, new: Any, key: str) -> list[str]:

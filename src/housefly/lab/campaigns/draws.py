@@ -1,5 +1,6 @@
-"""Distributions of drawn columns: one uniform number a drone, so that drone k is the same however
-many fly.
+"""Distributions of drawn columns.
+
+Each drone takes one uniform number per column, so drone k is the same however many fly.
 """
 
 from __future__ import annotations
@@ -10,21 +11,20 @@ from math import inf, isfinite, log
 from typing import Annotated, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from housefly.config.section import Section
 from housefly.errors import ConfigError, MissingPartError
 from housefly.lab.experiments.cases import Parameter
+from housefly.numeric import FloatArray
 
 try:
     from scipy.special import ndtr, ndtri
 except ImportError as error:
     raise MissingPartError("scipy (distributions)", "pip install 'housefly[lab]'") from error
 
-Numbers = NDArray[np.float64]
-Value = Annotated[float, Field(strict=True)] | str
-"""A number, or a word for one; true and false are neither."""
+ColumnValue = Annotated[float, Field(strict=True)] | str
+"""A number, or a word that stands for one; never true or false."""
 
 
 class Draw(Section):
@@ -42,7 +42,7 @@ class Draw(Section):
         default=None, description="from, to; equally likely in every octave"
     )
     normal: tuple[float, float] | None = Field(default=None, description="mean, one sigma")
-    choice: tuple[Value, ...] | None = Field(
+    choice: tuple[ColumnValue, ...] | None = Field(
         default=None, min_length=1, description="values, equally likely"
     )
 
@@ -59,11 +59,11 @@ class Draw(Section):
 
     @property
     def numbers(self) -> tuple[float, ...]:
-        """Its numbers, once words are numbers."""
+        """Its numbers, after words have been replaced by numbers."""
         return tuple(float(number) for number in getattr(self, self.kind))
 
     def check(self, key: str, column: Parameter) -> None:
-        """Raise ConfigError when a distribution other than a choice makes no sense for a column."""
+        """Raise ConfigError when the distribution does not fit the column."""
         unit = "" if column.unit == "1" else f" {column.unit}"
         bounds = f"{column.low:g} to {column.high:g}{unit}"
         if self.kind == "normal":
@@ -90,43 +90,41 @@ class Draw(Section):
         if self.kind == "loguniform" and low <= 0.0:
             raise ConfigError(key, f"loguniform is [{low:g}, {high:g}]; both must be positive")
 
-    def at(self, shares: Numbers, column: Parameter) -> Numbers:
-        """Return the values below which these shares of the distribution lie, cut off at the
-        column's range.
-        """
+    def at(self, shares: FloatArray, column: Parameter) -> FloatArray:
+        """Return the quantiles at these shares, clipped to the column's range."""
         return _QUANTILES[self.kind](shares, self.numbers, column)
 
 
-def shares_of(name: str, first: int, count: int) -> Numbers:
+def shares_of(name: str, first: int, count: int) -> FloatArray:
     """Return uniform numbers in [0, 1) for drones ``first`` to ``first + count`` of one column."""
     stream = np.random.PCG64(zlib.crc32(name.encode()))
     stream.advance(first)
     return np.random.Generator(stream).random(count)
 
 
-def _uniform(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
+def _uniform(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:
     low, high = numbers
     return low + (high - low) * shares
 
 
-def _loguniform(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
+def _loguniform(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:
     low, high = numbers
     return np.clip(np.exp(log(low) + (log(high) - log(low)) * shares), low, high)
 
 
-def _normal(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
+def _normal(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:
     mean, sigma = numbers
     low, high = ndtr((column.low - mean) / sigma), ndtr((column.high - mean) / sigma)
-    drawn: Numbers = mean + sigma * ndtri(low + (high - low) * shares)
+    drawn: FloatArray = mean + sigma * ndtri(low + (high - low) * shares)
     return np.clip(drawn, column.low, column.high)
 
 
-def _choice(shares: Numbers, numbers: tuple[float, ...], column: Parameter) -> Numbers:
-    chosen: Numbers = np.asarray(numbers, dtype=float)[(shares * len(numbers)).astype(int)]
+def _choice(shares: FloatArray, numbers: tuple[float, ...], column: Parameter) -> FloatArray:
+    chosen: FloatArray = np.asarray(numbers, dtype=float)[(shares * len(numbers)).astype(int)]
     return chosen
 
 
-_QUANTILES: dict[str, Callable[[Numbers, tuple[float, ...], Parameter], Numbers]] = {
+_QUANTILES: dict[str, Callable[[FloatArray, tuple[float, ...], Parameter], FloatArray]] = {
     "uniform": _uniform,
     "loguniform": _loguniform,
     "normal": _normal,

@@ -1,9 +1,7 @@
-"""The folder of one campaign: what it is of, one Parquet part a chunk, and at the end one table of
-all drones.
+"""The folder of one campaign: its description, one Parquet part per chunk, one final table.
 
-A part is written under another name and then renamed, so that a part that is there is whole. Each
-part carries the mark of its campaign; a part that is foreign, torn or of another size counts as not
-flown.
+A part is written under a temporary name and then renamed, so an existing part is complete. Each
+part carries the mark of its campaign; a foreign, torn or wrongly sized part counts as not flown.
 """
 
 from __future__ import annotations
@@ -21,9 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import ConfigError, MissingPartError, RecordingError
-from housefly.lab.campaigns.differences import differences
+from housefly.lab.campaigns.differences import describe_differences
 from housefly.lab.campaigns.plan import Chunk, Plan
-from housefly.lab.campaigns.provenance import describe
+from housefly.lab.campaigns.provenance import describe_plan
 from housefly.lab.experiments.cases import CASE, PARAMETERS, Cases
 from housefly.lab.experiments.outcomes import MEASURES, OUTCOME, Outcomes
 
@@ -33,21 +31,23 @@ try:
 except ImportError as error:
     raise MissingPartError("pyarrow (results as Parquet)", "pip install 'housefly[lab]'") from error
 
-DESCRIPTION = "campaign.json"
-RESULTS = "results.parquet"
-PARTS = "parts"
-LOCK = ".lock"
-UNITS = {parameter.name: parameter.unit for parameter in PARAMETERS} | {
+DESCRIPTION_FILE = "campaign.json"
+_RESULTS_FILE = "results.parquet"
+_PARTS_FOLDER = "parts"
+_LOCK_FILE = ".lock"
+_UNITS = {parameter.name: parameter.unit for parameter in PARAMETERS} | {
     measure.name: measure.unit for measure in MEASURES
 }
-SCHEMA = pa.schema(
+_SCHEMA = pa.schema(
     [
-        pa.field(name, pa.from_numpy_dtype(kind), metadata={b"unit": UNITS.get(name, "1").encode()})
+        pa.field(
+            name, pa.from_numpy_dtype(kind), metadata={b"unit": _UNITS.get(name, "1").encode()}
+        )
         for name, kind in [("cell", np.dtype(np.int64))]
         + [(name, table[name]) for table in (CASE, OUTCOME) for name in table.names or ()]
     ]
 )
-"""Every result: the number of the point in the grid, the drone, what came of it."""
+"""Columns of the results: the grid point's number, the drone, its measures."""
 
 
 class CampaignFolder:
@@ -64,7 +64,7 @@ class CampaignFolder:
         self.path = path
         self.landed = 0
         self._plan = plan
-        description = describe(plan)
+        description = describe_plan(plan)
         self._mark = (
             hashlib.sha256(json.dumps(description, sort_keys=True).encode()).hexdigest().encode()
         )
@@ -72,11 +72,11 @@ class CampaignFolder:
             path.mkdir(parents=True, exist_ok=True)
             if fresh:
                 self._refuse_strangers()
-            self._lock = (path / LOCK).open("w")
+            self._lock = (path / _LOCK_FILE).open("w")
             self._hold()
             if fresh:
                 self._clear()
-            (path / PARTS).mkdir(exist_ok=True)
+            (path / _PARTS_FOLDER).mkdir(exist_ok=True)
             self._claim(description)
 
     def __enter__(self) -> Self:
@@ -90,28 +90,29 @@ class CampaignFolder:
         self._lock.close()
 
     def missing(self) -> tuple[Chunk, ...]:
-        """Return the chunks that are not there yet; every part that is there is read and checked."""
+        """Return the chunks still to be flown; every existing part is read and checked."""
         chunks = tuple(chunk for chunk in self._plan.chunks if not self._is_whole(chunk))
         self.landed = self._plan.drones - sum(chunk.drones for chunk in chunks)
         return chunks
 
     def write(self, chunk: Chunk, flown: Outcomes) -> None:
-        """Keep the results of a chunk; raises RecordingError when the disk does not take them."""
+        """Write the results of a chunk; raises RecordingError when that fails."""
         marks = {b"campaign": self._mark, b"chunk": str(chunk.number).encode()}
         columns = _columns(*self._plan.cases_of(chunk), flown)
         table = pa.table(
-            [columns[name] for name in SCHEMA.names], schema=SCHEMA.with_metadata(marks)
+            [columns[name] for name in _SCHEMA.names], schema=_SCHEMA.with_metadata(marks)
         )
         with _whole(self._part(chunk)) as half:
             pq.write_table(table, half, compression="zstd", write_page_checksum=True)
         self.landed += chunk.drones
 
     def finish(self) -> Path:
-        """Join all parts into one file, drones in order, and return it; raises RecordingError when
-        a part is not whole.
+        """Join all parts into one file, drones in order, and return its path.
+
+        Raises RecordingError when a part is not complete.
         """
-        path = self.path / RESULTS
-        schema = SCHEMA.with_metadata({b"campaign": self._mark})
+        path = self.path / _RESULTS_FILE
+        schema = _SCHEMA.with_metadata({b"campaign": self._mark})
         with _whole(path) as half, pq.ParquetWriter(half, schema, compression="zstd") as writer:
             for chunk in self._plan.chunks:
                 part = self._read(chunk)
@@ -121,13 +122,13 @@ class CampaignFolder:
         return path
 
     def _part(self, chunk: Chunk) -> Path:
-        return self.path / PARTS / f"part-{chunk.number:06d}.parquet"
+        return self.path / _PARTS_FOLDER / f"part-{chunk.number:06d}.parquet"
 
     def _is_whole(self, chunk: Chunk) -> bool:
         return self._read(chunk) is not None
 
     def _read(self, chunk: Chunk) -> pa.Table | None:
-        """Return a part, or None where it is absent, torn, of another campaign or of another chunk."""
+        """Return a part; None when it is absent, torn, or of another campaign or chunk."""
         try:
             table = pq.ParquetFile(self._part(chunk), page_checksum_verification=True).read()
         except (OSError, ValueError, pa.ArrowException):
@@ -139,7 +140,7 @@ class CampaignFolder:
         )
         return (
             table
-            if ours and table.num_rows == chunk.drones and table.schema.equals(SCHEMA)
+            if ours and table.num_rows == chunk.drones and table.schema.equals(_SCHEMA)
             else None
         )
 
@@ -154,12 +155,12 @@ class CampaignFolder:
             ) from error
 
     def _claim(self, description: dict[str, Any]) -> None:
-        file = self.path / DESCRIPTION
+        file = self.path / DESCRIPTION_FILE
         if not file.is_file():
             with _whole(file) as half:
                 half.write_text(json.dumps(description, indent=1), encoding="utf-8")
             return
-        differing = differences(file.read_text(encoding="utf-8"), description)
+        differing = describe_differences(file.read_text(encoding="utf-8"), description)
         if differing:
             self.close()
             raise ConfigError(
@@ -169,16 +170,16 @@ class CampaignFolder:
             )
 
     def _refuse_strangers(self) -> None:
-        strangers = {file.name for file in self.path.iterdir()} - {LOCK, PARTS}
-        if strangers and DESCRIPTION not in strangers:
+        strangers = {file.name for file in self.path.iterdir()} - {_LOCK_FILE, _PARTS_FOLDER}
+        if strangers and DESCRIPTION_FILE not in strangers:
             raise ConfigError(
                 "--fresh", f"{self.path} is not the folder of a campaign: nothing was removed"
             )
 
     def _clear(self) -> None:
-        if (self.path / PARTS).is_dir():
-            shutil.rmtree(self.path / PARTS)
-        for name in (DESCRIPTION, RESULTS):
+        if (self.path / _PARTS_FOLDER).is_dir():
+            shutil.rmtree(self.path / _PARTS_FOLDER)
+        for name in (DESCRIPTION_FILE, _RESULTS_FILE):
             (self.path / name).unlink(missing_ok=True)
 
 
@@ -191,9 +192,7 @@ def _columns(cases: Cases, cells: NDArray[np.int64], flown: Outcomes) -> dict[st
 
 @contextmanager
 def _whole(path: Path) -> Iterator[Path]:
-    """Give another name to write under, and rename it when all went well; what fails leaves nothing
-    behind.
-    """
+    """Yield a temporary path to write to and rename it on success; a failure leaves nothing."""
     half = path.with_name(f"{path.name}.writing")
     with _telling(path):
         try:

@@ -1,27 +1,25 @@
-"""What a person who wrote a campaign may not have meant."""
+"""Warnings about a campaign that is valid but probably not what its author meant."""
 
 from __future__ import annotations
 
 from itertools import pairwise
 from math import dist
 
-from housefly.lab.campaigns.plan import Leg, Plan
-from housefly.lab.experiments.mission import SETTLE, Task
+from housefly.lab.campaigns.plan import ModeGroup, Plan
+from housefly.lab.experiments.flight_plan import SETTLE, Task
 
 
 def notes(plan: Plan) -> list[str]:
-    """Return what is strange although it is allowed: ways that no drone can fly to the end in the
-    time given.
-    """
+    """Return warnings: paths that no drone can finish in the time given."""
     given = {*plan.spec.fixed, *plan.spec.grid, *plan.spec.draw}
-    return [] if "speed" in given else [note for leg in plan.legs for note in _too_short(leg)]
+    return [] if "speed" in given else [note for group in plan.groups for note in _too_short(group)]
 
 
-def _too_short(leg: Leg) -> list[str]:
-    mission = leg.mission
+def _too_short(group: ModeGroup) -> list[str]:
+    mission = group.mission
     length = sum(dist(start, stop) for start, stop in pairwise(mission.waypoints))
-    needed = SETTLE + length / leg.site.limits.speed
+    needed = SETTLE + length / group.site.limits.speed
     if mission.task is not Task.PATH or needed <= mission.duration:
         return []
-    way = f"the {length:.1f} m in mode {leg.site.mode} take at least {needed:.0f} s"
+    way = f"the {length:.1f} m in mode {group.site.mode} take at least {needed:.0f} s"
     return [f"mission.duration_s is {mission.duration:g} s, but {way}: no drone will arrive"]

@@ -1,4 +1,4 @@
-"""From a campaign to drones: one leg a mode (their ways differ), cut into chunks of fixed size.
+"""From a campaign to drones: one group per mode (their paths differ), cut into equal chunks.
 
 A drone is one point of the grid with one seed. Which drone has which number depends on the campaign
 alone, so chunks can be flown in any order, anywhere, and again.
@@ -17,47 +17,43 @@ from numpy.typing import NDArray
 from housefly.config.site import Mode, Site, changed
 from housefly.errors import ConfigError
 from housefly.lab.campaigns.draws import shares_of
-from housefly.lab.campaigns.spec import Spec
+from housefly.lab.campaigns.spec import CampaignSpec
 from housefly.lab.experiments.cases import BY_NAME, DEFAULT, PAPER, Cases, cases
-from housefly.lab.experiments.mission import Mission, Task
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
-CHUNK_LEAST, CHUNK_MOST = 250, 4000
-"""Drones flown between two writes; a stop loses no more than these."""
-CHUNKS_WANTED = 200
-"""A campaign of middling size is cut into about so many chunks, enough for every worker to have
-some.
-"""
-MODES: dict[int, Mode] = {DEFAULT: "default", PAPER: "paper"}
+MIN_CHUNK, MAX_CHUNK = 250, 4000
+"""Smallest and largest number of drones per chunk; a stop loses no more than one chunk."""
+_CHUNKS_WANTED = 200
+"""Number of chunks of a medium campaign, so that every worker gets some."""
+MODE_NAMES: dict[int, Mode] = {DEFAULT: "default", PAPER: "paper"}
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
-    """All points of the grid that fly one mission.
+class ModeGroup:
+    """The grid points of one mode, which share one flight plan.
 
     Attributes:
-        site: in the leg's mode.
+        site: in the group's mode.
         mission: what they fly.
         cells: numbers of the points in the whole grid.
         points: values of the grid's columns, one row a point.
     """
 
     site: Site
-    mission: Mission
+    mission: FlightPlan
     cells: tuple[int, ...]
     points: tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Chunk:
-    """Some drones of one leg: those numbered ``start`` to ``stop`` of it; ``number`` counts chunks
-    in the campaign.
-    """
+    """Drones ``start`` to ``stop`` of one group; ``number`` counts chunks in the campaign."""
 
     number: int
-    leg: int
+    group: int
     start: int
     stop: int
 
@@ -73,12 +69,12 @@ class Plan:
 
     Attributes:
         spec: the campaign.
-        legs: by mode.
-        chunks: of all legs.
+        groups: by mode.
+        chunks: of all groups.
     """
 
-    spec: Spec
-    legs: tuple[Leg, ...]
+    spec: CampaignSpec
+    groups: tuple[ModeGroup, ...]
     chunks: tuple[Chunk, ...]
 
     @property
@@ -88,10 +84,10 @@ class Plan:
 
     def cases_of(self, chunk: Chunk) -> tuple[Cases, NDArray[np.int64]]:
         """Return the drones of a chunk and the number of each one's point in the grid."""
-        leg, spec = self.legs[chunk.leg], self.spec
+        group, spec = self.groups[chunk.group], self.spec
         point, seed = np.divmod(np.arange(chunk.start, chunk.stop), spec.seeds)
         columns: dict[str, Any] = dict(spec.fixed)
-        values = np.asarray(leg.points, dtype=float).reshape(len(leg.points), len(spec.grid))
+        values = np.asarray(group.points, dtype=float).reshape(len(group.points), len(spec.grid))
         columns.update({name: values[point, index] for index, name in enumerate(spec.grid)})
         first, count = int(seed.min()), int(np.ptp(seed)) + 1
         for name, draw in spec.draw.items():
@@ -99,19 +95,17 @@ class Plan:
             columns[name] = draw.at(shares, BY_NAME[name])[seed - first]
         columns["seed"] = spec.first_seed + seed
         return (
-            cases(leg.site, chunk.stop - chunk.start, **columns),
-            np.asarray(leg.cells, dtype=np.int64)[point],
+            cases(group.site, chunk.stop - chunk.start, **columns),
+            np.asarray(group.cells, dtype=np.int64)[point],
         )
 
 
 def chunk_size(drones: int) -> int:
-    """Return how many drones a chunk of a campaign of this size has; neither cores nor workers
-    matter.
-    """
-    return min(max(-(-drones // CHUNKS_WANTED), CHUNK_LEAST), CHUNK_MOST)
+    """Return the drones per chunk of a campaign of this size; cores and workers do not matter."""
+    return min(max(-(-drones // _CHUNKS_WANTED), MIN_CHUNK), MAX_CHUNK)
 
 
-def plan_campaign(spec: Spec, site: Site, chunk: int | None = None) -> Plan:
+def plan_campaign(spec: CampaignSpec, site: Site, chunk: int | None = None) -> Plan:
     """Return the campaign ready to fly, in chunks of ``chunk`` drones (by its size when None).
 
     Raises:
@@ -119,37 +113,37 @@ def plan_campaign(spec: Spec, site: Site, chunk: int | None = None) -> Plan:
     """
     points = tuple(product(*spec.grid.values()))
     mode_of = [_mode(spec, site, point) for point in points]
-    legs = []
-    for number, mode in MODES.items():
+    groups = []
+    for number, mode in MODE_NAMES.items():
         cells = tuple(cell for cell, own in enumerate(mode_of) if own == number)
         if cells:
             in_mode = changed(site, mode=mode)
             values = tuple(tuple(float(value) for value in points[cell]) for cell in cells)
-            legs.append(Leg(in_mode, mission_of(spec, in_mode), cells, values))
+            groups.append(ModeGroup(in_mode, _flight_plan(spec, in_mode), cells, values))
     return Plan(
-        spec, tuple(legs), tuple(_chunks(legs, spec.seeds, chunk or chunk_size(spec.drones)))
+        spec, tuple(groups), tuple(_chunks(groups, spec.seeds, chunk or chunk_size(spec.drones)))
     )
 
 
-def _chunks(legs: list[Leg], seeds: int, size: int) -> Iterator[Chunk]:
+def _chunks(groups: list[ModeGroup], seeds: int, size: int) -> Iterator[Chunk]:
     number = 0
-    for index, leg in enumerate(legs):
-        drones = len(leg.points) * seeds
+    for index, group in enumerate(groups):
+        drones = len(group.points) * seeds
         for start in range(0, drones, size):
             yield Chunk(number, index, start, min(start + size, drones))
             number += 1
 
 
-def _mode(spec: Spec, site: Site, point: tuple[Any, ...]) -> int:
+def _mode(spec: CampaignSpec, site: Site, point: tuple[Any, ...]) -> int:
     values = dict(zip(spec.grid, point, strict=True)) | spec.fixed
     return int(values["mode"]) if "mode" in values else (PAPER if site.mode == "paper" else DEFAULT)
 
 
-def mission_of(spec: Spec, site: Site) -> Mission:
-    """Return what the drones of one mode fly."""
+def _flight_plan(spec: CampaignSpec, site: Site) -> FlightPlan:
+    """Return the flight plan of one mode."""
     given, height = spec.mission, site.map.flight_height
     if given.waypoints:
-        return Mission(Task(given.task), given.waypoints, given.duration_s, height)
+        return FlightPlan(Task(given.task), given.waypoints, given.duration_s, height)
     room = load_room(site.room.model)
     try:
         start, goal = room.place(given.start), room.place(given.goal)
@@ -161,4 +155,6 @@ def mission_of(spec: Spec, site: Site) -> Mission:
             "mission.goal",
             f"no way from {given.start} to {given.goal} in mode {site.mode}: {answer.reason}",
         )
-    return Mission(Task(given.task), answer.path.waypoints, given.duration_s, height, room.home_yaw)
+    return FlightPlan(
+        Task(given.task), answer.path.waypoints, given.duration_s, height, room.home_yaw
+    )

@@ -1,5 +1,6 @@
-"""Pictures of a campaign: a line for one axis of the grid, lines or a heat map for two, small
-multiples for more.
+"""Plots of a campaign over its grid.
+
+A line for one axis, lines or a heat map for two, panels for more.
 """
 
 from __future__ import annotations
@@ -15,37 +16,39 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from housefly.errors import RecordingError
-from housefly.lab.campaigns.spec import WORDS, Spec
-from housefly.lab.campaigns.summary import SHARES, Cell, shown
+from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
+from housefly.lab.campaigns.summary import SHARES, GridPoint, value_text
 from housefly.lab.experiments.cases import BY_NAME
 from housefly.lab.experiments.outcomes import MEASURES
+from housefly.record.plot_style import (
+    AMBER,
+    BLUE,
+    GREEN,
+    ORANGE,
+    PINK,
+    PLOT_STYLE,
+    SKY,
+    save_figure,
+)
 
-STYLE: Any = {
-    "font.size": 9,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.titlesize": 9,
-    "svg.fonttype": "none",
-    "svg.hashsalt": "housefly",
-}
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""Okabe and Ito: told apart by everybody."""
-MARKERS = "osD^vP"
-LINES_MOST = len(COLOURS)
-"""An axis with more values than this is not drawn as lines but as a heat map."""
-PANELS_MOST = 12
-DECADE = 10.0
-"""An axis whose ends differ by more than this factor is drawn logarithmic."""
-BESIDE = 0.1
-"""Distance of points of one word."""
-NOTHING = "0.85"
-"""Grey of a point of the grid that has nothing to show."""
+_STYLE = PLOT_STYLE | {"axes.titlesize": 9}
+_COLOURS = (BLUE, ORANGE, GREEN, PINK, AMBER, SKY)
+_MARKERS = "osD^vP"
+_MAX_LINES = len(_COLOURS)
+"""An axis with more values than this becomes a heat map."""
+_MAX_PANELS = 12
+_LOG_SCALE_RATIO = 10.0
+"""An axis whose ends differ by more than this factor is logarithmic."""
+_MARKER_SHIFT = 0.1
+"""Horizontal shift between markers that share a word on the x axis."""
+_EMPTY_SHADE = "0.85"
+"""Shade of a grid point without data."""
 _MEASURES = {measure.name: measure for measure in MEASURES}
 
 
 @dataclass(frozen=True, slots=True)
-class Picture:
-    """What is drawn along what.
+class _Plot:
+    """Which column is drawn along which direction.
 
     Attributes:
         measure: what is drawn.
@@ -68,10 +71,11 @@ class Picture:
 
 
 def draw_campaign(
-    spec: Spec, cells: tuple[Cell, ...], measure: str, stem: Path
+    spec: CampaignSpec, cells: tuple[GridPoint, ...], measure: str, stem: Path
 ) -> tuple[Path, ...]:
-    """Draw one measure over the grid as ``stem.png`` and ``stem.svg``; returns the files, none for
-    a grid of one point.
+    """Draw one measure over the grid as ``stem.png`` and ``stem.svg`` and return the files.
+
+    A grid of one point has no plot: the result is empty.
 
     Raises:
         RecordingError: the disk does not take them.
@@ -79,33 +83,32 @@ def draw_campaign(
     picture = _arranged(spec, cells, measure)
     if picture is None:
         return ()
-    files = (stem.with_suffix(".png"), stem.with_suffix(".svg"))
-    with matplotlib.rc_context(STYLE):
+    with matplotlib.rc_context(_STYLE):
         figure = _drawn(picture, spec.name)
         try:
-            figure.savefig(files[0], dpi=150)
-            figure.savefig(files[1], metadata={"Date": None})
+            return save_figure(figure, stem, dpi=150)
         except OSError as error:
             raise RecordingError(f"{stem} cannot be written: {error.strerror}") from error
-    return files
 
 
-def _arranged(spec: Spec, cells: tuple[Cell, ...], measure: str) -> Picture | None:
-    """Put the longest column of numbers along x, the next along y of a map when it is long, else
-    words or it as lines.
+def _arranged(spec: CampaignSpec, cells: tuple[GridPoint, ...], measure: str) -> _Plot | None:
+    """Assign the columns to directions.
+
+    The longest numeric column goes along x. A second long one becomes the y axis of a heat map;
+    short ones and words become lines.
     """
     values = {
         name: tuple(sorted(float(value) for value in given)) for name, given in spec.grid.items()
     }
     axes = sorted(
         (name for name in values if len(values[name]) > 1),
-        key=lambda name: (name in WORDS, -len(values[name])),
+        key=lambda name: (name in COLUMN_WORDS, -len(values[name])),
     )
     if not axes:
         return None
     across, *others = axes
-    few = all(len(values[name]) <= LINES_MOST for name in others)
-    others.sort(key=lambda name: (few and name not in WORDS, -len(values[name])))
+    few = all(len(values[name]) <= _MAX_LINES for name in others)
+    others.sort(key=lambda name: (few and name not in COLUMN_WORDS, -len(values[name])))
     order = [*others[1:], *others[:1], across]
     field = np.full((*(len(values[name]) for name in order), 3), np.nan)
     names = list(spec.grid)
@@ -114,7 +117,7 @@ def _arranged(spec: Spec, cells: tuple[Cell, ...], measure: str) -> Picture | No
             cell.estimates[measure]
         )
     second = others[0] if others else None
-    return Picture(
+    return _Plot(
         measure,
         across,
         second if few else None,
@@ -125,9 +128,9 @@ def _arranged(spec: Spec, cells: tuple[Cell, ...], measure: str) -> Picture | No
     )
 
 
-def _drawn(picture: Picture, title: str) -> Figure:
+def _drawn(picture: _Plot, title: str) -> Figure:
     places = list(product(*(range(len(picture.values[name])) for name in picture.split)))
-    drawn = places[:PANELS_MOST]
+    drawn = places[:_MAX_PANELS]
     columns = 2 if len(drawn) == 4 else min(3, len(drawn))
     height = -(-len(drawn) // columns)
     figure = Figure(
@@ -159,28 +162,28 @@ def _drawn(picture: Picture, title: str) -> Figure:
     return figure
 
 
-def _lines(panel: Any, picture: Picture, field: Any) -> None:
+def _lines(panel: Any, picture: _Plot, field: Any) -> None:
     x = np.asarray(picture.values[picture.across])
     curves = field[np.newaxis] if picture.lines is None else field
     for index, (middle, low, high) in enumerate(np.moveaxis(curves, -1, 1)):
-        colour = COLOURS[index]
+        colour = _COLOURS[index]
         label = (
             None
             if picture.lines is None
-            else shown(picture.lines, picture.values[picture.lines][index])
+            else value_text(picture.lines, picture.values[picture.lines][index])
         )
         size = 1.0 + 0.25 * (
             len(curves) - 1 - index
         )  # so that curves that coincide are seen one on the other
         style: Any = {
             "color": colour,
-            "marker": MARKERS[index],
+            "marker": _MARKERS[index],
             "markersize": 4 * size,
             "linewidth": 1.4 * size,
             "label": label,
         }
-        if picture.across in WORDS:
-            shift = BESIDE * (index - 0.5 * (len(curves) - 1))
+        if picture.across in COLUMN_WORDS:
+            shift = _MARKER_SHIFT * (index - 0.5 * (len(curves) - 1))
             panel.errorbar(
                 x + shift,
                 middle,
@@ -193,7 +196,7 @@ def _lines(panel: Any, picture: Picture, field: Any) -> None:
             panel.fill_between(x, low, high, color=colour, alpha=0.2, linewidth=0)
     _scale(panel, picture.across, x)
     for first, last in _gaps(x, np.isnan(curves[..., 0]).all(axis=0), panel.get_xlim()):
-        panel.axvspan(first, last, color=NOTHING, linewidth=0)
+        panel.axvspan(first, last, color=_EMPTY_SHADE, linewidth=0)
     panel.set_ylabel(_measure_label(picture.measure))
     if picture.measure in SHARES:
         panel.set_ylim(-0.03, 1.03)
@@ -201,49 +204,49 @@ def _lines(panel: Any, picture: Picture, field: Any) -> None:
 
 
 def _scale(panel: Any, name: str, x: Any) -> None:
-    if x[0] > 0.0 and x[-1] > DECADE * x[0]:
+    if x[0] > 0.0 and x[-1] > _LOG_SCALE_RATIO * x[0]:
         panel.set_xscale("log")
         reach = (x[-1] / x[0]) ** 0.04
         panel.set_xlim(x[0] / reach, x[-1] * reach)
         panel.minorticks_off()
     else:
-        reach = 0.5 if name in WORDS else 0.04 * (x[-1] - x[0])
+        reach = 0.5 if name in COLUMN_WORDS else 0.04 * (x[-1] - x[0])
         panel.set_xlim(x[0] - reach, x[-1] + reach)
-    if name in WORDS or panel.get_xscale() == "log":
-        panel.set_xticks(x, [shown(name, value) for value in x])
+    if name in COLUMN_WORDS or panel.get_xscale() == "log":
+        panel.set_xticks(x, [value_text(name, value) for value in x])
 
 
 def _gaps(x: Any, empty: Any, ends: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return the stretches of x at whose values no curve has anything to show."""
+    """Return the ranges of x where no curve has data."""
     middles = np.concatenate(([ends[0]], 0.5 * (x[1:] + x[:-1]), [ends[1]]))
     return [(float(middles[index]), float(middles[index + 1])) for index in np.flatnonzero(empty)]
 
 
-def _heat_map(panel: Any, picture: Picture, field: Any) -> None:
+def _heat_map(panel: Any, picture: _Plot, field: Any) -> None:
     assert picture.rows is not None
-    panel.set_facecolor(NOTHING)
+    panel.set_facecolor(_EMPTY_SHADE)
     panel.imshow(field[..., 0], origin="lower", aspect="auto", cmap="viridis", **_limits(picture))
     for axis, name in ((panel.xaxis, picture.across), (panel.yaxis, picture.rows)):
         values = picture.values[name]
         step = -(-len(values) // 10)
         axis.set_ticks(
-            range(0, len(values), step), [shown(name, value) for value in values[::step]]
+            range(0, len(values), step), [value_text(name, value) for value in values[::step]]
         )
     panel.set_ylabel(_axis_label(picture.rows))
 
 
-def _limits(picture: Picture) -> dict[str, float]:
-    """Return one scale for all panels."""
+def _limits(picture: _Plot) -> dict[str, float]:
+    """Return one colour scale for all panels."""
     if picture.measure in SHARES:
         return {"vmin": 0.0, "vmax": 1.0}
     values = picture.field[..., 0]
     return {"vmin": 0.0, "vmax": float(np.nanmax(values))} if np.isfinite(values).any() else {}
 
 
-def _key(figure: Figure, panels: Any, picture: Picture) -> None:
-    """Say what colours mean, beside the panels."""
+def _key(figure: Figure, panels: Any, picture: _Plot) -> None:
+    """Add the legend or colour bar beside the panels."""
     empty = np.isnan(picture.field[..., 0])
-    nothing = [Patch(facecolor=NOTHING, label="no stable flight")]
+    nothing = [Patch(facecolor=_EMPTY_SHADE, label="no stable flight")]
     if picture.rows is not None:
         figure.colorbar(
             panels[0, 0].images[0],
@@ -274,7 +277,7 @@ def _key(figure: Figure, panels: Any, picture: Picture) -> None:
 
 def _setting(name: str, value: float) -> str:
     unit = BY_NAME[name].unit
-    return f"{name} {shown(name, value)}" + ("" if unit == "1" else f" {unit}")
+    return f"{name} {value_text(name, value)}" + ("" if unit == "1" else f" {unit}")
 
 
 def _axis_label(name: str) -> str:

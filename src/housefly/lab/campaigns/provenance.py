@@ -1,4 +1,4 @@
-"""What the numbers of a campaign depend on: drones, ways, and the code that flies them."""
+"""What the results of a campaign depend on: drones, paths, and the code that flies them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import Any
 
 import llvmlite.binding as llvm  # type: ignore[import-untyped]
 
-from housefly.lab.campaigns.plan import MODES, Plan
+from housefly.lab.campaigns.plan import MODE_NAMES, Plan
 from housefly.lab.experiments.cases import CASE, cases
 
-PACKAGES = ("housefly", "numba", "numpy")
-"""What must be the same everywhere, or the numbers would not be."""
-FLYING = (
+_PACKAGES = ("housefly", "numba", "numpy")
+"""Packages whose versions must be the same on every machine."""
+_FLIGHT_CODE = (
     "pilot/behavior",
     "pilot/control",
     "pilot/estimation",
@@ -24,50 +24,47 @@ FLYING = (
     "geometry.py",
     "numeric.py",
 )
-"""The code that flies; what plans and configures shows in the ways and columns themselves."""
+"""The code that flies. Code that plans or configures shows in the paths and columns themselves."""
 
 
 @cache
 def versions() -> dict[str, str]:
-    """Return the versions of everything that the numbers depend on; ``code`` marks the source text
-    of the code that flies.
-    """
+    """Return the versions that the numbers depend on; ``code`` is a hash of the flying code."""
     root = Path(__file__).parents[2]
     mark = hashlib.sha256()
     for file in sorted(
         file
-        for part in FLYING
+        for part in _FLIGHT_CODE
         for file in root.glob(part if part.endswith(".py") else f"{part}/**/*.py")
     ):
         mark.update(file.relative_to(root).as_posix().encode() + file.read_bytes())
-    return {package: metadata.version(package) for package in PACKAGES} | {
+    return {package: metadata.version(package) for package in _PACKAGES} | {
         "code": mark.hexdigest()[:16]
     }
 
 
 def processor() -> str:
-    """Return the type of processor that compiled code is made for."""
+    """Return the processor type that compiled code targets."""
     return str(llvm.get_host_cpu_name())
 
 
-def describe(plan: Plan) -> dict[str, Any]:
-    """Return everything that the numbers depend on, as plain values; what is only drawn or said
-    stays out.
-    """
-    legs = {MODES[int(cases(leg.site)["mode"][0])]: leg for leg in plan.legs}
+def describe_plan(plan: Plan) -> dict[str, Any]:
+    """Return everything that the numbers depend on as plain values, without names and plots."""
+    groups = {MODE_NAMES[int(cases(group.site)["mode"][0])]: group for group in plan.groups}
     return {
         "spec": plan.spec.model_dump(
             mode="json", exclude={"name", "site", "plot"}, exclude_none=True
         ),
         "drone": {
-            mode: {name: cases(leg.site)[name][0].item() for name in CASE.names or ()}
-            for mode, leg in legs.items()
+            mode: {name: cases(group.site)[name][0].item() for name in CASE.names or ()}
+            for mode, group in groups.items()
         },
         "way": {
-            mode: [list(point) for point in leg.mission.waypoints] for mode, leg in legs.items()
+            mode: [list(point) for point in group.mission.waypoints]
+            for mode, group in groups.items()
         },
-        "height": {mode: leg.mission.height for mode, leg in legs.items()},
-        "yaw": {mode: leg.mission.yaw for mode, leg in legs.items()},
+        "height": {mode: group.mission.height for mode, group in groups.items()},
+        "yaw": {mode: group.mission.yaw for mode, group in groups.items()},
         "chunk": max(chunk.drones for chunk in plan.chunks),
         "made_by": versions(),
     }

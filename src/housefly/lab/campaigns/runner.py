@@ -1,10 +1,8 @@
-"""Flies the chunks of a campaign that are missing, here or on a cluster, and keeps each as it
-lands.
-"""
+"""Fly a campaign's missing chunks, here or on a cluster, and store each as it lands."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import groupby
 from typing import Protocol
 
@@ -12,20 +10,18 @@ import numpy as np
 
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import Chunk, Plan
-from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.engine import Progress, fly_many
 from housefly.lab.experiments.outcomes import Outcomes
 
-TOGETHER = 2000
-"""Drones that are flown between two writes on this machine, unless chunks are larger."""
-Landed = Callable[[int], None]
-"""Called with the number of drones that have just landed."""
+_DRONES_PER_WRITE = 2000
+"""Drones flown between two writes on this machine, unless chunks are larger."""
 
 
 class Fleet(Protocol):
-    """Whoever flies chunks: yields each as it lands, in any order."""
+    """Something that flies chunks and yields each as it lands, in any order."""
 
     def fly(
-        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed
+        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Progress
     ) -> Iterator[tuple[Chunk, Outcomes]]:
         """Fly the chunks."""
         ...
@@ -38,16 +34,14 @@ class LocalFleet:
         self._threads = threads
 
     def fly(
-        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed
+        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Progress
     ) -> Iterator[tuple[Chunk, Outcomes]]:
-        """Fly some chunks at a time on all threads: every thread waits for the last drone only once
-        for all of them.
-        """
+        """Fly several chunks at once on all threads, so that stragglers are waited for once."""
         for together in _batches(chunks):
             cases = np.concatenate([plan.cases_of(chunk)[0] for chunk in together])
             outcomes = fly_many(
                 cases,
-                plan.legs[together[0].leg].mission,
+                plan.groups[together[0].group].mission,
                 threads=self._threads,
                 on_progress=on_landed,
             )
@@ -56,12 +50,12 @@ class LocalFleet:
 
 
 def _batches(chunks: tuple[Chunk, ...]) -> Iterator[tuple[Chunk, ...]]:
-    """Yield chunks of one leg together, as many as ``TOGETHER`` allows, at least one."""
-    for _, own in groupby(chunks, key=lambda chunk: chunk.leg):
-        of_leg = list(own)
-        size = max(TOGETHER // of_leg[0].drones, 1)
-        for first in range(0, len(of_leg), size):
-            yield tuple(of_leg[first : first + size])
+    """Yield batches of chunks of one group: up to ``_DRONES_PER_WRITE`` drones, or one chunk."""
+    for _, own in groupby(chunks, key=lambda chunk: chunk.group):
+        of_group = list(own)
+        size = max(_DRONES_PER_WRITE // of_group[0].drones, 1)
+        for first in range(0, len(of_group), size):
+            yield tuple(of_group[first : first + size])
 
 
 def run_campaign(
@@ -69,8 +63,8 @@ def run_campaign(
     missing: tuple[Chunk, ...],
     folder: CampaignFolder,
     fleet: Fleet,
-    on_landed: Landed = lambda drones: None,
+    on_landed: Progress = lambda drones: None,
 ) -> None:
-    """Fly the missing chunks; what has landed is kept, whatever happens to the rest."""
+    """Fly the missing chunks; results that have landed are kept whatever happens to the rest."""
     for chunk, outcomes in fleet.fly(plan, missing, on_landed):
         folder.write(chunk, outcomes)

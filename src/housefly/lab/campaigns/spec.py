@@ -1,31 +1,31 @@
-"""The campaign file: what is flown, what is fixed, what runs through a grid, what is drawn for each
-seed.
+"""The campaign file: mission, fixed columns, grid, and columns drawn for each seed.
 
 Every key is checked; columns are those of ``experiments.cases.PARAMETERS``, in SI.
 """
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from math import prod
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field, ValidationError
+from pydantic import Field
 
-from housefly.config.section import Section, explain, quantity
+from housefly.config.section import Section, quantity
+from housefly.config.toml import read_toml
+from housefly.config.validation import Location, dotted, validated
 from housefly.errors import ConfigError
-from housefly.lab.campaigns.draws import Draw, Value
+from housefly.lab.campaigns.draws import ColumnValue, Draw
 from housefly.lab.experiments.cases import BY_NAME, PARAMETERS, WHOLE, checked
 from housefly.lab.experiments.outcomes import MEASURES
 
-MOST_DRONES = 50_000_000
-"""More drones than this are refused: their results would fill a disk before anyone reads them."""
-MOST_POINTS = 100_000
+_MAX_DRONES = 50_000_000
+"""More drones than this are refused: their results would fill the disk."""
+_MAX_POINTS = 100_000
 """A grid with more points than this is refused: nobody reads that many rows."""
-WORDS: dict[str, dict[str, int]] = {
+COLUMN_WORDS: dict[str, dict[str, int]] = {
     "mode": {"default": 0, "paper": 1},
     "estimator": {
         "delay_compensated": 0,
@@ -35,15 +35,15 @@ WORDS: dict[str, dict[str, int]] = {
     },
 }
 """Words for the values of the columns that hold whole numbers."""
-UNION = ("constrained-float", "float", "str")
-"""What pydantic adds to the place of a problem in a value that is a number or a word."""
+_UNION_TAGS = ("constrained-float", "float", "str")
+"""Parts that pydantic adds to the location of an error in a value that is a number or a word."""
 
-Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
-Point = tuple[Coordinate, Coordinate]
+_Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+_Point = tuple[_Coordinate, _Coordinate]
 
 
-class MissionSpec(Section):
-    """What every drone flies: a way planned to a place, or waypoints."""
+class _MissionSpec(Section):
+    """What every drone flies: a planned path to a place, or given waypoints."""
 
     task: Literal["path", "step", "hold"] = Field(
         default="path", description="how the reference moves"
@@ -52,13 +52,13 @@ class MissionSpec(Section):
         default="", description="a place of the site's room; the way is planned in each mode"
     )
     start: str = Field(default="home", description="a place of the site's room")
-    waypoints: tuple[Point, ...] = Field(
+    waypoints: tuple[_Point, ...] = Field(
         default=(), max_length=1000, description="world x, y [m], in place of goal"
     )
     duration_s: float = quantity(30.0, 3.0, 3600.0, "s", "of each flight")
 
 
-class Spec(Section):
+class CampaignSpec(Section):
     """One campaign."""
 
     name: str = Field(
@@ -74,9 +74,9 @@ class Spec(Section):
         default=20, ge=1, le=10_000_000, description="drones for each point of the grid"
     )
     first_seed: int = Field(default=0, ge=0, le=2**40, description="seeds are numbered from here")
-    mission: MissionSpec = MissionSpec()
-    fixed: dict[str, Value] = Field(default={}, description="columns with one value")
-    grid: dict[str, tuple[Value, ...]] = Field(
+    mission: _MissionSpec = _MissionSpec()
+    fixed: dict[str, ColumnValue] = Field(default={}, description="columns with one value")
+    grid: dict[str, tuple[ColumnValue, ...]] = Field(
         default={}, description="columns with several; every combination is flown"
     )
     draw: dict[str, Draw] = Field(default={}, description="columns drawn anew for each seed")
@@ -93,41 +93,31 @@ class Spec(Section):
         return self.points * self.seeds
 
 
-def load_spec(path: Path) -> Spec:
+def load_spec(path: Path) -> CampaignSpec:
     """Read and check a campaign file (TOML).
 
     Raises:
         ConfigError: naming the key, the value, what is allowed, and the unit.
     """
-    try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(
-            "campaign file", f"cannot be read ({error.strerror})", str(path)
-        ) from error
-    except ValueError as error:
-        raise ConfigError("campaign file", f"cannot be parsed: {error}", str(path)) from error
+    tree = read_toml(path, "campaign file")
     return spec_from_tree(tree, str(path))
 
 
-def spec_from_tree(tree: Mapping[str, Any], source: str = "") -> Spec:
-    """Check a tree of plain values and return the campaign; raises ConfigError for the first bad
-    key.
-    """
-    try:
-        spec = Spec.model_validate(tree)
-    except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"] if part not in UNION)
-        raise ConfigError(key or "campaign file", explain(first, Spec), source) from error
+def spec_from_tree(tree: Mapping[str, Any], source: str = "") -> CampaignSpec:
+    """Check plain values and return the campaign; raises ConfigError for the first error."""
+    spec = validated(CampaignSpec, tree, "campaign file", source, _key)
     try:
         return _with_numbers(spec)
     except ConfigError as error:
         raise ConfigError(error.key, error.problem, source) from error
 
 
-def _with_numbers(spec: Spec) -> Spec:
-    """Return the campaign with words turned into numbers, columns and sizes checked."""
+def _key(location: Location) -> str:
+    return dotted(part for part in location if part not in _UNION_TAGS)
+
+
+def _with_numbers(spec: CampaignSpec) -> CampaignSpec:
+    """Return the campaign with words replaced by numbers, and columns and sizes checked."""
     _check_names(spec)
     fixed = {name: _number(f"fixed.{name}", name, value) for name, value in spec.fixed.items()}
     grid = {
@@ -141,18 +131,18 @@ def _with_numbers(spec: Spec) -> Spec:
             raise ConfigError(f"grid.{name}", "names a value twice")
     draw = {name: _drawable(f"draw.{name}", name, draw) for name, draw in spec.draw.items()}
     whole = spec.model_copy(update={"fixed": fixed, "grid": grid, "draw": draw})
-    if whole.points > MOST_POINTS:
-        raise ConfigError("grid", f"has {whole.points} points; allowed: at most {MOST_POINTS}")
-    if whole.drones > MOST_DRONES:
+    if whole.points > _MAX_POINTS:
+        raise ConfigError("grid", f"has {whole.points} points; allowed: at most {_MAX_POINTS}")
+    if whole.drones > _MAX_DRONES:
         raise ConfigError(
             "seeds",
             f"{whole.points} points times {spec.seeds} seeds are {whole.drones} drones; allowed: at"
-            f" most {MOST_DRONES}",
+            f" most {_MAX_DRONES}",
         )
     return whole
 
 
-def _check_names(spec: Spec) -> None:
+def _check_names(spec: CampaignSpec) -> None:
     known = [parameter.name for parameter in PARAMETERS]
     seen: dict[str, str] = {}
     for section in ("fixed", "grid", "draw"):
@@ -195,8 +185,8 @@ def _drawable(key: str, name: str, draw: Draw) -> Draw:
     return draw
 
 
-def _number(key: str, name: str, value: Value) -> float:
-    words = WORDS.get(name, {})
+def _number(key: str, name: str, value: ColumnValue) -> float:
+    words = COLUMN_WORDS.get(name, {})
     if isinstance(value, str):
         if value not in words:
             allowed = f"one of {', '.join(words)}" if words else "a number"

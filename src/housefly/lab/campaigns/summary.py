@@ -1,6 +1,4 @@
-"""What a campaign says: for each point of the grid, means and shares over seeds with their 95 %
-intervals.
-"""
+"""Means and shares over seeds with 95 % intervals, for each point of the grid."""
 
 from __future__ import annotations
 
@@ -14,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.errors import MissingPartError, RecordingError
-from housefly.lab.campaigns.spec import WORDS, Spec
+from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
 from housefly.lab.experiments.intervals import Estimate, mean, share
 from housefly.lab.experiments.outcomes import MEASURES
 
@@ -24,11 +22,11 @@ except ImportError as error:
     raise MissingPartError("pyarrow (results as Parquet)", "pip install 'housefly[lab]'") from error
 
 SHARES = ("stable",)
-"""Measures that are yes or no."""
+"""Measures that are 0 or 1."""
 
 
 @dataclass(frozen=True, slots=True)
-class Cell:
+class GridPoint:
     """One point of the grid.
 
     Attributes:
@@ -42,12 +40,11 @@ class Cell:
     estimates: dict[str, Estimate]
 
 
-def summarize(spec: Spec, results: Path) -> tuple[Cell, ...]:
-    """Return the cells of a campaign's ``results.parquet`` in the order of the grid; one column is
-    in memory at a time.
+def summarize_campaign(spec: CampaignSpec, results: Path) -> tuple[GridPoint, ...]:
+    """Return the grid points of a campaign's ``results.parquet`` in grid order.
 
-    Distances of a flight that diverged say nothing, so they are averaged over the stable ones;
-    ``stable`` tells their share.
+    One column is in memory at a time. Errors of a flight that diverged mean nothing, so means are
+    taken over the stable flights; ``stable`` is their share.
     """
     cells = _column(results, "cell")
     order = np.argsort(cells, kind="stable")
@@ -63,7 +60,7 @@ def summarize(spec: Spec, results: Path) -> tuple[Cell, ...]:
             )
     points = product(*spec.grid.values())
     return tuple(
-        Cell(tuple(float(value) for value in point), int(last - first), found)
+        GridPoint(tuple(float(value) for value in point), int(last - first), found)
         for point, (first, last), found in zip(points, pairwise(bounds), estimates, strict=True)
     )
 
@@ -73,14 +70,14 @@ def _column(results: Path, name: str) -> NDArray[Any]:
     return values
 
 
-def shown(column: str, value: float) -> str:
-    """Return a value of a grid column as a person writes it."""
-    words = {number: word for word, number in WORDS.get(column, {}).items()}
+def value_text(column: str, value: float) -> str:
+    """Return a value of a grid column as people write it."""
+    words = {number: word for word, number in COLUMN_WORDS.get(column, {}).items()}
     return words[int(value)] if words else f"{value:g}"
 
 
-def told(measure: str, estimate: Estimate) -> str:
-    """Return an estimate with its interval as a person writes it."""
+def estimate_text(measure: str, estimate: Estimate) -> str:
+    """Return an estimate with its interval as people write it."""
     value, low, high = estimate
     if not np.isfinite(value):
         return "-"
@@ -94,9 +91,10 @@ def told(measure: str, estimate: Estimate) -> str:
     return f"{value:.{decimals}f} ± {estimate.half:.{decimals}f}"
 
 
-def write_summary(path: Path, spec: Spec, cells: tuple[Cell, ...]) -> None:
-    """Write one row a cell and three columns a measure as CSV; raises RecordingError when the disk
-    does not take it.
+def write_summary(path: Path, spec: CampaignSpec, cells: tuple[GridPoint, ...]) -> None:
+    """Write a CSV with one row per grid point and three columns per measure.
+
+    Raises RecordingError when that fails.
     """
     names = [measure.name for measure in MEASURES]
     try:
@@ -112,7 +110,7 @@ def write_summary(path: Path, spec: Spec, cells: tuple[Cell, ...]) -> None:
             for cell in cells:
                 numbers = [f"{number:.6g}" for name in names for number in cell.estimates[name]]
                 values = (
-                    shown(column, value)
+                    value_text(column, value)
                     for column, value in zip(spec.grid, cell.values, strict=True)
                 )
                 writer.writerow([*values, cell.drones, *numbers])

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.random import State, normal
+from housefly.lab.experiments.random import RandomState, normal
 from housefly.lab.experiments.tracking_noise import Camera, Frames, Stream, exposed
 from housefly.numeric import compiled
-from housefly.pilot.control.model import Beat, Body, Constants, beat_of, hover_tilt, moved
-from housefly.pilot.estimation.horizon import NO_TIME
+from housefly.pilot.control.model import Beat, Constants, DroneState, beat_of, hover_tilt, moved
+from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 
 LONGEST_STEP = 0.0125
 """Longest step of the dynamics [s]."""
@@ -64,9 +64,9 @@ def airframe_of(case: Any) -> Airframe:
     """Return the drone of one case."""
     tick = 1.0 / case.rate_hz
     constants = Constants(case.lag, case.gain, case.drag, case.climb_lag, case.yaw_lag)
-    lag_ticks = floor(case.delay / tick + NO_TIME)
+    lag_ticks = floor(case.delay / tick + TIME_TOLERANCE)
     early = max(case.delay - lag_ticks * tick, 0.0)
-    early = 0.0 if early < NO_TIME else early
+    early = 0.0 if early < TIME_TOLERANCE else early
     late = tick - early
     early_steps, late_steps = ceil(early / LONGEST_STEP), ceil(late / LONGEST_STEP)
     return Airframe(
@@ -85,7 +85,7 @@ def airframe_of(case: Any) -> Airframe:
 
 
 @compiled
-def gusted(gust: tuple[float, float], air: Airframe, random: State) -> tuple[float, float]:
+def gusted(gust: tuple[float, float], air: Airframe, random: RandomState) -> tuple[float, float]:
     """Return the push of the gusts one tick later [m/s^2]."""
     if air.gust <= 0.0:
         return gust
@@ -97,7 +97,7 @@ def gusted(gust: tuple[float, float], air: Airframe, random: State) -> tuple[flo
 
 @compiled
 def carried_on(
-    body: Body,
+    body: DroneState,
     stream: Stream,
     tick: int,
     now: float,
@@ -106,8 +106,8 @@ def carried_on(
     orders: Orders,
     camera: Camera,
     frames: Frames,
-    random: State,
-) -> tuple[Body, Stream]:
+    random: RandomState,
+) -> tuple[DroneState, Stream]:
     """Return drone and tracking stream one tick of the pilot later."""
     wind = (air.wind_x + gust[0], air.wind_y + gust[1])
     for step in range(air.early_steps + air.late_steps):
@@ -123,8 +123,13 @@ def carried_on(
 
 @compiled
 def _pushed(
-    body: Body, sent: int, orders: Orders, wind: tuple[float, float], air: Airframe, beat: Beat
-) -> Body:
+    body: DroneState,
+    sent: int,
+    orders: Orders,
+    wind: tuple[float, float],
+    air: Airframe,
+    beat: Beat,
+) -> DroneState:
     order = orders[sent & (orders.size - 1)]
     if sent >= 0 and order.flying > 0:
         return moved(

@@ -16,14 +16,11 @@ from numpy.typing import NDArray
 
 from housefly.config.site import Site
 from housefly.errors import ConfigError
-from housefly.pilot.behavior.acceptor import PAPER_EPSILONS
+from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
+from housefly.pilot.estimation.estimator import EstimatorKind
 
 DEFAULT, PAPER = 0, 1
 """Values of the column ``mode``."""
-DELAY_COMPENSATED, ON_ARRIVAL, HELD_SAMPLE, FINITE_DIFFERENCE = range(4)
-"""Values of the column ``estimator``: ours; the paper's Kalman filter; the same fed the held sample
-each tick; none at all.
-"""
 
 
 class Parameter(NamedTuple):
@@ -50,205 +47,76 @@ def _is_paper(site: Site) -> bool:
     return site.mode == "paper"
 
 
+# fmt: off
+_P = Parameter
 PARAMETERS: tuple[Parameter, ...] = (
-    Parameter(
-        "mode",
-        "1",
-        DEFAULT,
-        PAPER,
-        lambda s: PAPER if _is_paper(s) else DEFAULT,
-        "0 default, 1 paper",
-    ),
-    Parameter(
-        "estimator",
-        "1",
-        DELAY_COMPENSATED,
-        FINITE_DIFFERENCE,
-        lambda s: ON_ARRIVAL if _is_paper(s) else DELAY_COMPENSATED,
-        "0 delay-compensated, 1 Kalman on arrival (paper), 2 Kalman fed the held sample, 3 held"
-        " sample and finite difference",
-    ),
-    Parameter(
-        "rate_hz", "Hz", 20.0, 200.0, lambda s: s.control.rate_hz, "rate of the pilot's loop"
-    ),
-    Parameter(
-        "alpha",
-        "1/s",
-        -20.0,
-        60.0,
-        lambda s: s.control.alpha,
-        "damping gain; negative is the paper's literal sign",
-    ),
-    Parameter("beta", "1/s^2", -50.0, 500.0, lambda s: s.control.beta, "stiffness gain"),
-    Parameter("yaw_gain", "1/s", -10.0, 20.0, lambda s: s.control.yaw_gain, "K1"),
-    Parameter("height_gain", "1/s", -10.0, 20.0, lambda s: s.control.height_gain, "K2"),
-    Parameter(
-        "epsilon_height",
-        "m",
-        0.001,
-        2.0,
-        lambda s: PAPER_EPSILONS[0] if _is_paper(s) else s.control.epsilon_height,
-        "eps1 of the acceptor",
-    ),
-    Parameter(
-        "epsilon_yaw",
-        "rad",
-        0.0001,
-        3.2,
-        lambda s: PAPER_EPSILONS[1] if _is_paper(s) else s.control.epsilon_yaw,
-        "eps2 of the acceptor",
-    ),
-    Parameter(
-        "epsilon_position",
-        "m",
-        0.001,
-        2.0,
-        lambda s: PAPER_EPSILONS[2] if _is_paper(s) else s.control.epsilon_position,
-        "eps3 of the acceptor",
-    ),
-    Parameter(
-        "dwell",
-        "s",
-        0.0,
-        5.0,
-        lambda s: 0.0 if _is_paper(s) else s.control.dwell,
-        "shortest stay in a state",
-    ),
-    Parameter(
-        "wrap_yaw",
-        "1",
-        0.0,
-        1.0,
-        lambda s: 1.0,
-        "1 wraps yaw errors; 0 is the paper's literal reading",
-    ),
-    Parameter(
-        "acceleration_noise",
-        "m/s^2",
-        0.001,
-        50.0,
-        lambda s: s.control.acceleration_noise,
-        "Kalman Q, one sigma",
-    ),
-    Parameter(
-        "position_noise",
-        "m",
-        0.00001,
-        1.0,
-        lambda s: s.control.position_noise,
-        "Kalman R, one sigma",
-    ),
-    Parameter(
-        "model_lag",
-        "1/s",
-        0.5,
-        50.0,
-        lambda s: s.drone.attitude_lag,
-        "lambda that the pilot believes",
-    ),
-    Parameter(
-        "model_gain",
-        "1",
-        0.2,
-        2.0,
-        lambda s: s.drone.attitude_gain,
-        "c / lambda that the pilot believes",
-    ),
-    Parameter(
-        "model_drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "drag that the pilot believes"
-    ),
-    Parameter(
-        "model_delay",
-        "s",
-        0.0,
-        0.5,
-        lambda s: s.drone.command_delay,
-        "command delay that the pilot believes",
-    ),
-    Parameter("tilt_max", "rad", 0.02, 0.5, lambda s: s.limits.tilt_max, "largest pitch or roll"),
-    Parameter(
-        "vertical_speed_max",
-        "m/s",
-        0.05,
-        2.0,
-        lambda s: s.limits.vertical_speed_max,
-        "largest climb rate",
-    ),
-    Parameter(
-        "yaw_rate_max", "rad/s", 0.1, 6.2, lambda s: s.limits.yaw_rate_max, "largest yaw rate"
-    ),
-    Parameter("speed", "m/s", 0.05, 2.0, lambda s: s.limits.speed, "cruise speed of the reference"),
-    Parameter(
-        "pose_age_level",
-        "s",
-        0.05,
-        inf,
-        lambda s: s.limits.pose_age_level,
-        "pose age at which the drone holds itself",
-    ),
-    Parameter(
-        "pose_age_land",
-        "s",
-        0.3,
-        inf,
-        lambda s: s.limits.pose_age_land,
-        "pose age at which it lands: the flight ends",
-    ),
-    Parameter("lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag, "lambda of the drone"),
-    Parameter("gain", "1", 0.05, 20.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
-    Parameter(
-        "drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "linear drag over mass of the drone"
-    ),
-    Parameter(
-        "delay",
-        "s",
-        0.0,
-        0.5,
-        lambda s: s.twin.command_delay,
-        "from command to first reaction of the drone",
-    ),
-    Parameter(
-        "climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag, "pole of the drone's climb rate"
-    ),
-    Parameter(
-        "yaw_lag", "1/s", 0.2, 50.0, lambda s: s.drone.yaw_lag, "pole of the drone's yaw rate"
-    ),
-    Parameter("wind_x", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along x"),
-    Parameter("wind_y", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along y"),
-    Parameter(
-        "gust", "m/s^2", 0.0, 2.0, lambda s: 0.0, "one sigma of a push that changes within a second"
-    ),
-    Parameter(
-        "mocap_rate_hz",
-        "Hz",
-        1.0,
-        400.0,
-        lambda s: s.twin.mocap_rate_hz,
-        "frames per second of the tracking",
-    ),
-    Parameter(
-        "mocap_latency", "s", 0.0, 0.5, lambda s: s.twin.mocap_latency, "from exposure to arrival"
-    ),
-    Parameter(
-        "mocap_jitter",
-        "s",
-        0.0,
-        0.1,
-        lambda s: 0.0005,
-        "mean of the extra, exponentially distributed delay",
-    ),
-    Parameter(
-        "mocap_noise",
-        "m",
-        0.0,
-        0.1,
-        lambda s: s.twin.mocap_noise,
-        "one sigma of a tracked coordinate",
-    ),
-    Parameter(
-        "mocap_dropout", "1", 0.0, 1.0, lambda s: s.twin.mocap_dropout, "share of frames lost"
-    ),
+    _P("mode", "1", DEFAULT, PAPER, lambda s: PAPER if _is_paper(s) else DEFAULT,
+       "0 default, 1 paper"),
+    _P("estimator", "1", EstimatorKind.DELAY_COMPENSATED, EstimatorKind.FINITE_DIFFERENCE,
+       lambda s: EstimatorKind.ON_ARRIVAL if _is_paper(s) else EstimatorKind.DELAY_COMPENSATED,
+       "0 delay-compensated, 1 Kalman on arrival (paper), 2 Kalman fed the held sample,"
+       " 3 held sample and finite difference"),
+    _P("rate_hz", "Hz", 20.0, 200.0, lambda s: s.control.rate_hz, "rate of the pilot's loop"),
+    _P("alpha", "1/s", -20.0, 60.0, lambda s: s.control.alpha,
+       "damping gain; negative is the paper's literal sign"),
+    _P("beta", "1/s^2", -50.0, 500.0, lambda s: s.control.beta, "stiffness gain"),
+    _P("yaw_gain", "1/s", -10.0, 20.0, lambda s: s.control.yaw_gain, "K1"),
+    _P("height_gain", "1/s", -10.0, 20.0, lambda s: s.control.height_gain, "K2"),
+    _P("epsilon_height", "m", 0.001, 2.0,
+       lambda s: PAPER_TOLERANCES.height if _is_paper(s) else s.control.epsilon_height,
+       "eps1 of the acceptor"),
+    _P("epsilon_yaw", "rad", 0.0001, 3.2,
+       lambda s: PAPER_TOLERANCES.yaw if _is_paper(s) else s.control.epsilon_yaw,
+       "eps2 of the acceptor"),
+    _P("epsilon_position", "m", 0.001, 2.0,
+       lambda s: PAPER_TOLERANCES.position if _is_paper(s) else s.control.epsilon_position,
+       "eps3 of the acceptor"),
+    _P("dwell", "s", 0.0, 5.0, lambda s: 0.0 if _is_paper(s) else s.control.dwell,
+       "shortest stay in a state"),
+    _P("wrap_yaw", "1", 0.0, 1.0, lambda s: 1.0,
+       "1 wraps yaw errors; 0 is the paper's literal reading"),
+    _P("acceleration_noise", "m/s^2", 0.001, 50.0, lambda s: s.control.acceleration_noise,
+       "Kalman Q, one sigma"),
+    _P("position_noise", "m", 1e-05, 1.0, lambda s: s.control.position_noise,
+       "Kalman R, one sigma"),
+    _P("model_lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag,
+       "lambda that the pilot believes"),
+    _P("model_gain", "1", 0.2, 2.0, lambda s: s.drone.attitude_gain,
+       "c / lambda that the pilot believes"),
+    _P("model_drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "drag that the pilot believes"),
+    _P("model_delay", "s", 0.0, 0.5, lambda s: s.drone.command_delay,
+       "command delay that the pilot believes"),
+    _P("tilt_max", "rad", 0.02, 0.5, lambda s: s.limits.tilt_max, "largest pitch or roll"),
+    _P("vertical_speed_max", "m/s", 0.05, 2.0, lambda s: s.limits.vertical_speed_max,
+       "largest climb rate"),
+    _P("yaw_rate_max", "rad/s", 0.1, 6.2, lambda s: s.limits.yaw_rate_max, "largest yaw rate"),
+    _P("speed", "m/s", 0.05, 2.0, lambda s: s.limits.speed, "cruise speed of the reference"),
+    _P("pose_age_level", "s", 0.05, inf, lambda s: s.limits.pose_age_level,
+       "pose age at which the drone holds itself"),
+    _P("pose_age_land", "s", 0.3, inf, lambda s: s.limits.pose_age_land,
+       "pose age at which it lands: the flight ends"),
+    _P("lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag, "lambda of the drone"),
+    _P("gain", "1", 0.05, 20.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
+    _P("drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "linear drag over mass of the drone"),
+    _P("delay", "s", 0.0, 0.5, lambda s: s.twin.command_delay,
+       "from command to first reaction of the drone"),
+    _P("climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag,
+       "pole of the drone's climb rate"),
+    _P("yaw_lag", "1/s", 0.2, 50.0, lambda s: s.drone.yaw_lag, "pole of the drone's yaw rate"),
+    _P("wind_x", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along x"),
+    _P("wind_y", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along y"),
+    _P("gust", "m/s^2", 0.0, 2.0, lambda s: 0.0,
+       "one sigma of a push that changes within a second"),
+    _P("mocap_rate_hz", "Hz", 1.0, 400.0, lambda s: s.twin.mocap_rate_hz,
+       "frames per second of the tracking"),
+    _P("mocap_latency", "s", 0.0, 0.5, lambda s: s.twin.mocap_latency, "from exposure to arrival"),
+    _P("mocap_jitter", "s", 0.0, 0.1, lambda s: 0.0005,
+       "mean of the extra, exponentially distributed delay"),
+    _P("mocap_noise", "m", 0.0, 0.1, lambda s: s.twin.mocap_noise,
+       "one sigma of a tracked coordinate"),
+    _P("mocap_dropout", "1", 0.0, 1.0, lambda s: s.twin.mocap_dropout, "share of frames lost"),
 )
+# fmt: on
 WHOLE = ("mode", "estimator")
 """Columns that hold whole numbers."""
 CASE = np.dtype(

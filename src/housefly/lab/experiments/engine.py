@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.lab.experiments.cases import Cases
+from housefly.lab.experiments.flight_plan import FlightPlan
 from housefly.lab.experiments.loop import Record, desk, fly_rows, ticks_of
-from housefly.lab.experiments.mission import Mission
 from housefly.lab.experiments.outcomes import OUTCOME, Outcomes
 from housefly.lab.experiments.route import Route, route_of
 from housefly.lab.experiments.trace import SEEN, TRACE, Trace
@@ -31,7 +31,7 @@ UNWRITTEN = Record(np.zeros(0, TRACE), np.zeros(0, SEEN))
 
 def fly_many(
     cases: Cases,
-    mission: Mission,
+    mission: FlightPlan,
     *,
     threads: int | None = None,
     on_progress: Progress | None = None,
@@ -62,12 +62,12 @@ def fly_many(
     return outcomes
 
 
-def fly_traced(cases: Cases, mission: Mission) -> Trace:
+def fly_traced(cases: Cases, mission: FlightPlan) -> Trace:
     """Fly the first case and return every tick as a structured array of dtype ``trace.TRACE``."""
     return fly_recorded(cases, mission)[0]
 
 
-def fly_recorded(cases: Cases, mission: Mission) -> tuple[Trace, NDArray[Any]]:
+def fly_recorded(cases: Cases, mission: FlightPlan) -> tuple[Trace, NDArray[Any]]:
     """Fly the first case and return every tick and, with the tick at which it arrived, every
     sighting (``trace.SEEN``).
     """

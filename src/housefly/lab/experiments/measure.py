@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.belief import Estimated
 from housefly.lab.experiments.route import HOLD, Route, off_line
 from housefly.numeric import compiled
-from housefly.pilot.behavior.ride import Target
-from housefly.pilot.control.model import Body
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.control.model import DroneState
+from housefly.pilot.estimation.estimator import PoseEstimate
 
 LAST = 2.0
 """Arrival and what still oscillates are judged over the last seconds [s]."""
@@ -84,7 +84,13 @@ def cleared(score: Any) -> None:
 
 @compiled
 def looked_at(
-    score: Any, route: Route, body: Body, here: Estimated, target: Target, eps3: float, now: float
+    score: Any,
+    route: Route,
+    body: DroneState,
+    here: PoseEstimate,
+    target: TrajectorySetpoint,
+    eps3: float,
+    now: float,
 ) -> bool:
     """Take one look at a drone on its task; return whether it is still where it can be measured."""
     off = off_line(route.line, body.x, body.y)
@@ -130,7 +136,7 @@ def summed_up(score: Any, route: Route, ended_at: float, outcome: Any) -> None:
 
 
 @compiled
-def _near_goal(score: Any, route: Route, body: Body, eps3: float, now: float) -> None:
+def _near_goal(score: Any, route: Route, body: DroneState, eps3: float, now: float) -> None:
     goal = len(route.line) - 1
     dx, dy = body.x - route.line[goal, 0], body.y - route.line[goal, 1]
     score.goal_off = sqrt(dx * dx + dy * dy)
@@ -148,7 +154,7 @@ def _near_goal(score: Any, route: Route, body: Body, eps3: float, now: float) ->
 
 
 @compiled
-def _at_the_end(score: Any, body: Body) -> None:
+def _at_the_end(score: Any, body: DroneState) -> None:
     score.last_looks += 1.0
     score.goal_sum += score.goal_off
     score.x_sum += body.x

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from housefly.numeric import compiled
 
-State = NDArray[np.uint64]
+RandomState = NDArray[np.uint64]
 
 STRIDE = np.uint64(0x9E3779B97F4A7C15)
 FIRST, SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
@@ -47,26 +47,26 @@ def mixed(bits: Any) -> Any:
 
 
 @compiled
-def sown(state: State, seed: int) -> None:
+def sown(state: RandomState, seed: int) -> None:
     """Start the numbers of a seed; neighbouring seeds have nothing in common."""
     state[0] = mixed(np.uint64(seed) * STRIDE + FIRST)
 
 
 @compiled
-def uniform(state: State) -> float:
+def uniform(state: RandomState) -> float:
     """Return the next number, evenly distributed over 0 (excluded) to 1."""
     state[0] += STRIDE
     return (float(mixed(state[0]) >> S11) + 0.5) * UNIT
 
 
 @compiled
-def exponential(state: State, mean: float) -> float:
+def exponential(state: RandomState, mean: float) -> float:
     """Return the next number, exponentially distributed."""
     return -mean * log(uniform(state))
 
 
 @compiled
-def normal(state: State) -> float:
+def normal(state: RandomState) -> float:
     """Return the next number of the standard normal distribution (ziggurat, Doornik 2005).
 
     The area under the bell is cut into ``LAYERS`` of equal size; all but one draw in eighty fall
@@ -87,7 +87,7 @@ def normal(state: State) -> float:
 
 
 @compiled
-def _tail(state: State, negative: bool) -> float:
+def _tail(state: RandomState, negative: bool) -> float:
     """Return a number beyond the last edge (Marsaglia 1964)."""
     while True:
         x, y = -log(uniform(state)) / TAIL, -log(uniform(state))

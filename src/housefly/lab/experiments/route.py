@@ -7,10 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from housefly.lab.experiments.mission import Mission, Task
-from housefly.numeric import compiled
-from housefly.pilot.behavior.ride import Numbers, Way
-from housefly.pilot.behavior.tracking import way_along
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
+from housefly.numeric import FloatArray, compiled
+from housefly.pilot.behavior.path_profile import PathProfile, path_profile
 
 PATH, STEP, HOLD = range(3)
 TASKS = {Task.PATH: PATH, Task.STEP: STEP, Task.HOLD: HOLD}
@@ -23,8 +22,7 @@ class Route(NamedTuple):
 
     Attributes:
         task: ``PATH``, ``STEP`` or ``HOLD``.
-        way: for the moving reference of mode default.
-        cells: waypoints as given, for mode paper [m], shape (n, 2).
+        path: for the reference of both modes.
         line: the path without waypoints in straight legs, for measuring [m], shape (m, 2).
         last_x, last_y: direction of the last leg, 0 when there is none.
         height: z_ref [m].
@@ -35,9 +33,8 @@ class Route(NamedTuple):
     """
 
     task: int
-    way: Way
-    cells: Numbers
-    line: Numbers
+    path: PathProfile
+    line: FloatArray
     last_x: float
     last_y: float
     height: float
@@ -47,9 +44,11 @@ class Route(NamedTuple):
     duration: float
 
 
-def route_of(mission: Mission) -> Route:
+def route_of(mission: FlightPlan) -> Route:
     """Return a mission as arrays."""
-    way = way_along(mission.waypoints if mission.task is not Task.HOLD else mission.waypoints[:1])
+    way = path_profile(
+        mission.waypoints if mission.task is not Task.HOLD else mission.waypoints[:1]
+    )
     line = _without_straight(way.points)
     if mission.task is Task.STEP:
         line = way.points[[0, -1]] if len(way.points) > 1 else way.points
@@ -57,8 +56,7 @@ def route_of(mission: Mission) -> Route:
     last = leg / max(float(np.hypot(*leg)), 1e-12)
     return Route(
         task=TASKS[mission.task],
-        way=way,
-        cells=np.array(mission.waypoints, dtype=float),
+        path=way,
         line=np.ascontiguousarray(line),
         last_x=float(last[0]),
         last_y=float(last[1]),
@@ -71,7 +69,7 @@ def route_of(mission: Mission) -> Route:
 
 
 @compiled
-def off_line(line: Numbers, x: float, y: float) -> float:
+def off_line(line: FloatArray, x: float, y: float) -> float:
     """Return the distance of a point from a line of straight legs [m], shape (m, 2)."""
     dx, dy = x - line[0, 0], y - line[0, 1]
     nearest = dx * dx + dy * dy
@@ -85,7 +83,7 @@ def off_line(line: Numbers, x: float, y: float) -> float:
     return sqrt(nearest)
 
 
-def _without_straight(points: Numbers) -> Numbers:
+def _without_straight(points: FloatArray) -> FloatArray:
     legs = np.diff(points, axis=0)
     turns = np.abs(legs[:-1, 0] * legs[1:, 1] - legs[:-1, 1] * legs[1:, 0])
     ahead = np.sum(legs[:-1] * legs[1:], axis=1) > 0.0

@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.belief import Estimated
 from housefly.lab.experiments.tracking_noise import FRAME
 from housefly.numeric import compiled
-from housefly.pilot.behavior.ride import Target
-from housefly.pilot.control.model import Body
-from housefly.pilot.control.steering import Asked
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.control.model import DroneState
+from housefly.pilot.control.steering import ControlOutput
+from housefly.pilot.estimation.estimator import PoseEstimate
 
 TRUTH = ("x", "y", "z", "psi", "vx", "vy", "vz", "theta", "phi")
 ESTIMATE = ("est_x", "est_y", "est_z", "est_vx", "est_vy", "est_vz", "est_psi", "pose_age")
@@ -37,7 +37,7 @@ SEEN = np.dtype([("tick", "i8"), *((name, FRAME[name]) for name in FRAME.names o
 
 
 @compiled
-def traced_truth(row: Any, now: float, body: Body) -> None:
+def traced_truth(row: Any, now: float, body: DroneState) -> None:
     """Write time and truth into one row."""
     row.t = now
     row.x, row.y, row.z, row.psi = body.x, body.y, body.z, body.psi
@@ -63,7 +63,13 @@ def noted(seen: Any, number: int, tick: int, frame: Any) -> None:
 
 @compiled
 def traced_thoughts(
-    row: Any, here: Estimated, age: float, target: Target, height: float, yaw: float, asked: Asked
+    row: Any,
+    here: PoseEstimate,
+    age: float,
+    target: TrajectorySetpoint,
+    height: float,
+    yaw: float,
+    asked: ControlOutput,
 ) -> None:
     """Write estimate, reference and what control asks into a row."""
     row.est_x, row.est_y, row.est_z = here.x, here.y, here.z

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.random import State, exponential, normal, uniform
+from housefly.lab.experiments.random import RandomState, exponential, normal, uniform
 from housefly.numeric import compiled, wrapped
-from housefly.pilot.control.model import Body, between
-from housefly.pilot.estimation.height_yaw import YAW_PER_METRE
+from housefly.pilot.control.model import DroneState, between
+from housefly.pilot.estimation.height_yaw import YAW_NOISE_RATIO
 
 FRAME = np.dtype([(name, "f8") for name in ("captured_at", "received_at", "x", "y", "z", "yaw")])
 """One sighting on its way to the pilot: times [s], position [m], heading [rad]."""
@@ -64,9 +64,9 @@ def exposed(
     stream: Stream,
     camera: Camera,
     frames: Frames,
-    random: State,
-    before: Body,
-    after: Body,
+    random: RandomState,
+    before: DroneState,
+    after: DroneState,
     start: float,
     dt: float,
 ) -> Stream:
@@ -112,7 +112,7 @@ def delivered(stream: Stream) -> Stream:
 def _write(
     frame: Any,
     noise: float,
-    random: State,
+    random: RandomState,
     at: float,
     arrival: float,
     x: float,
@@ -128,4 +128,4 @@ def _write(
             y + noise * normal(random),
             z + noise * normal(random),
         )
-        frame.yaw = wrapped(yaw + YAW_PER_METRE * noise * normal(random))
+        frame.yaw = wrapped(yaw + YAW_NOISE_RATIO * noise * normal(random))

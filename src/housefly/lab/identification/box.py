@@ -1,4 +1,4 @@
-"""The box that an identification flight must stay in, and whether the room has one."""
+"""The box that an identification flight must stay in."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from housefly.errors import RoomError
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.room.grid import OccupancyGrid
 
-HEIGHT_BAND = 0.7
-"""The drone must stay this near to its flight height [m]."""
+_HEIGHT_BAND = 0.7
+"""The drone must stay within this distance of its flight height [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,12 +33,13 @@ class Box:
         """Return whether a point is inside."""
         x, y, z = position
         inside = abs(x - self.centre[0]) <= self.reach and abs(y - self.centre[1]) <= self.reach
-        return inside and abs(z - self.height) <= HEIGHT_BAND
+        return inside and abs(z - self.height) <= _HEIGHT_BAND
 
 
 def free_reach(grid: OccupancyGrid, centre: Vec2) -> float:
-    """Return half the side of the largest free square around a point [m]; obstacles are grown by
-    the hull already.
+    """Return half the side of the largest free square around a point [m].
+
+    Obstacles on the grid are already inflated by the hull.
     """
     here = grid.cell_of(centre)
     if not grid.contains(here) or not grid.is_free(here):
@@ -50,7 +51,7 @@ def free_reach(grid: OccupancyGrid, centre: Vec2) -> float:
 
 
 def find_box(grid: OccupancyGrid, start: Vec2, reach: float, height: float) -> Box:
-    """Return the box of a reach whose centre is nearest to a start.
+    """Return the box of this reach whose centre is closest to ``start``.
 
     Raises:
         RoomError: no place has so much room; the message names the one with the most.

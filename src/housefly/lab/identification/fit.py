@@ -1,8 +1,7 @@
-"""Least squares over blocks, with what differs from block to block projected out, and intervals by
-bootstrap over blocks.
+"""Least squares over blocks by variable projection, with intervals by bootstrap over blocks.
 
-Each block has a start and a steady push of its own; these enter linearly and are removed from data
-and model alike, so that only what all blocks share is searched for (variable projection).
+Each block has its own initial state and constant push. These enter linearly and are projected out
+of data and model, so that only the shared constants are searched for.
 """
 
 from __future__ import annotations
@@ -12,9 +11,9 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.errors import MissingPartError
+from housefly.numeric import FloatArray
 
 try:
     from scipy.optimize import least_squares
@@ -22,14 +21,13 @@ try:
 except ImportError as error:
     raise MissingPartError("scipy (identification)", "pip install 'housefly[lab]'") from error
 
-Numbers = NDArray[np.float64]
-RESAMPLES = 2000
-LEVEL = 0.95
+_RESAMPLES = 2000
+_CONFIDENCE = 0.95
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BlockModel:
-    """One block at some constants; all rows are weighted by one over their noise.
+    """One block at given constants; every row is divided by its noise.
 
     Attributes:
         measured: shape (n,).
@@ -39,25 +37,25 @@ class BlockModel:
     Rows at the end may say what is known beforehand of the block's own (measured and modelled 0).
     """
 
-    measured: Numbers
-    modelled: Numbers
-    own: Numbers
+    measured: FloatArray
+    modelled: FloatArray
+    own: FloatArray
 
     @property
-    def residual(self) -> Numbers:
-        """What neither the shared constants nor the block's own explain, shape (n,)."""
+    def residual(self) -> FloatArray:
+        """What neither the shared constants nor the block's own terms explain, shape (n,)."""
         rest = self.measured - self.modelled
         basis, _ = np.linalg.qr(self.own)
         return np.asarray(rest - basis @ (basis.T @ rest))
 
 
-Model = Callable[[Numbers], list[BlockModel]]
-"""The blocks at given constants."""
+_Model = Callable[[FloatArray], list[BlockModel]]
+"""Returns the blocks at given constants."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
-    """What was found.
+    """The result of a fit.
 
     Attributes:
         constants: shape (p,).
@@ -66,15 +64,16 @@ class Fit:
         at_bound: numbers of the constants that lie on a bound.
     """
 
-    constants: Numbers
-    half: Numbers
+    constants: FloatArray
+    half: FloatArray
     blocks: list[BlockModel]
     at_bound: tuple[int, ...]
 
 
-def fitted(model: Model, start: Numbers, bounds: tuple[Numbers, Numbers], seed: int = 0) -> Fit:
-    """Return the constants that explain the blocks best, with intervals by bootstrap over the
-    blocks.
+def fit_blocks(
+    model: _Model, start: FloatArray, bounds: tuple[FloatArray, FloatArray], seed: int = 0
+) -> Fit:
+    """Return the constants that fit the blocks best, with intervals by bootstrap over the blocks.
 
     Args:
         model: the blocks at given constants.
@@ -84,7 +83,7 @@ def fitted(model: Model, start: Numbers, bounds: tuple[Numbers, Numbers], seed: 
     """
     scale, steps = np.maximum(np.abs(start), 1e-3), np.full(start.size, 1e-4)
 
-    def residuals(constants: Numbers) -> Numbers:
+    def residuals(constants: FloatArray) -> FloatArray:
         return np.concatenate([block.residual for block in model(constants)])
 
     found = least_squares(
@@ -108,22 +107,24 @@ def fitted(model: Model, start: Numbers, bounds: tuple[Numbers, Numbers], seed: 
     )
 
 
-def _half_widths(rows: list[Numbers], rests: list[Numbers], seed: int) -> Numbers:
-    """Return half of the intervals: blocks are drawn with replacement, and each draw is refitted in
-    one Gauss-Newton step.
+def _half_widths(rows: list[FloatArray], rests: list[FloatArray], seed: int) -> FloatArray:
+    """Return half the widths of the intervals.
 
-    Residuals within a block hang together (a gust, a late datagram), whole blocks do not. A fit of
-    p constants to n blocks leaves residuals that look too small; Student's quantile for n - p and
-    the factor n / (n - p) correct for that.
+    Blocks are drawn with replacement and each draw is refitted in one Gauss-Newton step. Residuals
+    within a block are correlated (a gust, a late datagram), whole blocks are not. With p constants
+    and n blocks the residuals look too small; Student's quantile for n - p and the factor n / (n -
+    p) correct for that.
     """
     count, free = len(rows), len(rows) - rows[0].shape[1]
     curvature = np.array([row.T @ row for row in rows])
     slope = np.array([row.T @ rest for row, rest in zip(rows, rests, strict=True)])
-    weights = np.random.default_rng(seed).multinomial(count, np.full(count, 1.0 / count), RESAMPLES)
+    weights = np.random.default_rng(seed).multinomial(
+        count, np.full(count, 1.0 / count), _RESAMPLES
+    )
     whole = np.einsum("sb,bij->sij", weights, curvature)
     shifts = -np.einsum(
         "sij,sb,bj->si", np.linalg.pinv(whole, hermitian=True), weights, slope, optimize=True
     )
     spread = shifts.std(axis=0)
-    quantile = float(student.ppf(0.5 + 0.5 * LEVEL, free))
+    quantile = float(student.ppf(0.5 + 0.5 * _CONFIDENCE, free))
     return np.asarray(spread * quantile * sqrt(count / free))

@@ -1,6 +1,4 @@
-"""The blocks in flight: each begun at rest in the middle of the box, all given up when anything is
-not as it should be.
-"""
+"""Fly the blocks, each from rest in the middle of the box; abort when anything goes wrong."""
 
 from __future__ import annotations
 
@@ -10,22 +8,20 @@ from housefly.geometry import distance
 from housefly.lab.identification.box import Box
 from housefly.lab.identification.pattern import Block
 from housefly.lab.identification.samples import Flown
-from housefly.messages import Action, Command, Estimate
+from housefly.messages import Estimate, Setpoint
 
-NEAR, SLOW, CALM = 0.2, 0.08, 0.8
-"""A block begins when the drone was this near to the middle [m], this slow [m/s], for this long
-[s].
-"""
-PATIENCE = 25.0
-"""A drone that does not come to rest for this long is given up [s]."""
-STALE = 0.25
-"""A pose older than this ends the test [s]."""
-GAP = 0.15
-"""A block in which the pilot did something else for this long is lost, and the test with it [s]."""
+REST_DISTANCE, _REST_SPEED, REST_TIME = 0.2, 0.08, 0.8
+"""A block begins when the drone is this close to the middle [m], this slow [m/s], this long [s]."""
+_REST_TIMEOUT = 25.0
+"""A drone that does not come to rest within this time is given up [s]."""
+_MAX_POSE_AGE = 0.25
+"""A pose older than this aborts the maneuver [s]."""
+_MAX_INTERRUPTION = 0.15
+"""A block that is interrupted for this long aborts the maneuver [s]."""
 
 
-class Maneuver:
-    """Implements ``behavior.maneuver.Maneuver``: replaces what the pilot would ask while it holds.
+class IdentificationManeuver:
+    """Implements ``behavior.maneuver.Maneuver``: replaces the pilot's command while it holds.
 
     Attributes:
         problem: why the test was given up, "" while it was not.
@@ -51,54 +47,44 @@ class Maneuver:
 
     @property
     def done(self) -> int:
-        """How many blocks were flown."""
+        """Number of blocks flown."""
         return self._next
 
-    def propose(self, now: float, estimate: Estimate, otherwise: Command) -> Command:
-        """Return what is asked now [s] while the pilot holds; ``otherwise`` is what holds the
-        place.
-        """
+    def propose(self, now: float, estimate: Estimate) -> Setpoint | None:
+        """Return what is asked now [s] while the pilot holds, or None to hold on."""
         gap, self._asked_at = now - self._asked_at, now
         if self.finished:
-            return otherwise
-        if self._began is not None and gap > GAP:
-            return self._given_up("it was interrupted in the middle of a step", otherwise)
+            return None
+        if self._began is not None and gap > _MAX_INTERRUPTION:
+            return self._given_up("it was interrupted in the middle of a step")
         if not self._box.holds(estimate.position):
-            return (
-                self._given_up("the drone left the box", otherwise) if self._entered else otherwise
-            )
+            return self._given_up("the drone left the box") if self._entered else None
         self._entered = True
-        if estimate.pose_age > STALE:
-            return self._given_up(f"tracking was lost for {estimate.pose_age:.2f} s", otherwise)
+        if estimate.pose_age > _MAX_POSE_AGE:
+            return self._given_up(f"tracking was lost for {estimate.pose_age:.2f} s")
         if self._began is None:
-            return self._rested(now, estimate, otherwise)
+            return self._rest(now, estimate)
         block, elapsed = self._plan[self._next], now - self._began
-        if elapsed >= block.duration:
-            self._next, self._began, self._calm_since, self._waiting_since = (
-                self._next + 1,
-                None,
-                None,
-                now,
-            )
-            return otherwise
-        return Command(Action.FLY, block.setpoint(elapsed))
+        if elapsed < block.duration:
+            return block.setpoint(elapsed)
+        self._next += 1
+        self._began, self._calm_since, self._waiting_since = None, None, now
+        return None
 
-    def _rested(self, now: float, estimate: Estimate, otherwise: Command) -> Command:
+    def _rest(self, now: float, estimate: Estimate) -> Setpoint | None:
         """Wait for the drone to come to rest, then begin the next block."""
         self._waiting_since = now if self._waiting_since is None else self._waiting_since
-        vx, vy, vz = estimate.velocity
-        calm = distance(estimate.position[:2], self._box.centre) < NEAR and hypot(vx, vy, vz) < SLOW
+        is_near = distance(estimate.position[:2], self._box.centre) < REST_DISTANCE
+        calm = is_near and hypot(*estimate.velocity) < _REST_SPEED
         self._calm_since = (now if self._calm_since is None else self._calm_since) if calm else None
-        if self._calm_since is not None and now - self._calm_since >= CALM:
+        if self._calm_since is not None and now - self._calm_since >= REST_TIME:
             self._began = now
             self.flown.append(Flown(self._plan[self._next], now))
-            return Command(Action.FLY, self._plan[self._next].setpoint(0.0))
-        if now - self._waiting_since > PATIENCE:
-            return self._given_up(
-                f"the drone did not come to rest within {PATIENCE:.0f} s", otherwise
-            )
-        return otherwise
+            return self._plan[self._next].setpoint(0.0)
+        if now - self._waiting_since > _REST_TIMEOUT:
+            return self._given_up(f"the drone did not come to rest within {_REST_TIMEOUT:.0f} s")
+        return None
 
-    def _given_up(self, problem: str, otherwise: Command) -> Command:
+    def _given_up(self, problem: str) -> Setpoint | None:
         self.problem = problem
-        return otherwise
+        return None

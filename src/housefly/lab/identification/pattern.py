@@ -1,6 +1,4 @@
-"""What is flown to learn a drone's constants: the same few steps, again and again, each ending near
-where it began.
-"""
+"""The steps flown to identify a drone: a few, repeated, each ending close to where it began."""
 
 from __future__ import annotations
 
@@ -21,20 +19,22 @@ class Axis(Enum):
     TURN = "turn"
 
 
-TILTS = (Axis.PITCH, Axis.ROLL)
+TILT_AXES = (Axis.PITCH, Axis.ROLL)
 
 
-THERE_AND_BACK = (1.0, -1.0, -1.0, 1.0)
-"""Signs of the parts of a block that ends where it began, and at rest."""
-UP_AND_DOWN = (1.0, -1.0)
-"""An AR.Drone sinks up to twice as fast as it climbs for the same stick, so the longer way would
-lead to the floor.
+_THERE_AND_BACK = (1.0, -1.0, -1.0, 1.0)
+"""Signs of the parts of a block that ends at rest where it began."""
+_UP_AND_DOWN = (1.0, -1.0)
+"""Signs of a climb block.
+
+An AR.Drone sinks up to twice as fast as it climbs for the same stick, so four parts would lead to
+the floor.
 """
 
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """A few parts of equal length, then nothing for ``tail``.
+    """A few parts of equal length, then zero for ``tail``.
 
     Attributes:
         axis: what moves.
@@ -47,7 +47,7 @@ class Block:
     axis: Axis
     amplitude: float
     part: float
-    signs: tuple[float, ...] = THERE_AND_BACK
+    signs: tuple[float, ...] = _THERE_AND_BACK
     tail: float = 0.3
 
     @property
@@ -56,12 +56,12 @@ class Block:
         return len(self.signs) * self.part + self.tail
 
     def asked(self, elapsed: float) -> float:
-        """Return what is asked ``elapsed`` seconds after the block began."""
+        """Return the command ``elapsed`` seconds after the block began."""
         index = floor(elapsed / self.part)
         return self.amplitude * self.signs[index] if 0 <= index < len(self.signs) else 0.0
 
     def setpoint(self, elapsed: float) -> Setpoint:
-        """Return the setpoint at that time; everything but the block's own axis is level and still."""
+        """Return the setpoint at that time; every other axis is zero."""
         value = self.asked(elapsed)
         return {
             Axis.PITCH: Setpoint(theta=value),
@@ -71,30 +71,28 @@ class Block:
         }[self.axis]
 
     def reversed(self) -> Block:
-        """Return the block that begins the other way."""
+        """Return the block with opposite signs."""
         return replace(self, amplitude=-self.amplitude)
 
 
-TILT_SHARE = 0.4
+_TILT_SHARE = 0.4
 """Share of the largest tilt that is commanded, as in the paper's Fig. 11."""
-TILT_PART, CLIMB_PART, TURN_PART = 0.6, 1.0, 0.5
+_TILT_PART, _CLIMB_PART, _TURN_PART = 0.6, 1.0, 0.5
 """Lengths of the parts [s]."""
-CLIMB_SPEED, TURN_RATE = 0.25, 0.8
+_CLIMB_SPEED, _TURN_RATE = 0.25, 0.8
 """Amplitudes [m/s, rad/s]."""
-SLACK = 2.0
-"""Excursions are predicted for drones this many times as quick or as slow as believed."""
+_SLACK = 2.0
+"""Excursions are predicted for drones this many times quicker or slower than believed."""
 
 
 def blocks(repeats: int, tilt_max: float) -> tuple[Block, ...]:
-    """Return all blocks of a flight in order: each axis ``repeats`` times, beginning the one way
-    and the other in turn.
-    """
-    tilt = TILT_SHARE * tilt_max
+    """Return all blocks of a flight: each axis ``repeats`` times, in alternating directions."""
+    tilt = _TILT_SHARE * tilt_max
     kinds = (
-        Block(Axis.PITCH, tilt, TILT_PART),
-        Block(Axis.ROLL, tilt, TILT_PART),
-        Block(Axis.TURN, TURN_RATE, TURN_PART),
-        Block(Axis.CLIMB, CLIMB_SPEED, CLIMB_PART, UP_AND_DOWN, tail=0.0),
+        Block(Axis.PITCH, tilt, _TILT_PART),
+        Block(Axis.ROLL, tilt, _TILT_PART),
+        Block(Axis.TURN, _TURN_RATE, _TURN_PART),
+        Block(Axis.CLIMB, _CLIMB_SPEED, _CLIMB_PART, _UP_AND_DOWN, tail=0.0),
     )
     return tuple(
         kind if turn % 2 == 0 else kind.reversed() for turn in range(repeats) for kind in kinds
@@ -102,9 +100,7 @@ def blocks(repeats: int, tilt_max: float) -> tuple[Block, ...]:
 
 
 def excursion(block: Block, lag: float, gain: float, drag: float, delay: float) -> float:
-    """Return how far a tilt block takes a drone from where it began [m], at most, its delay and
-    level tail included.
-    """
+    """Return the farthest that a tilt block takes a drone [m], with its delay and level tail."""
     reach, place, speed, angle, at = 0.0, 0.0, 0.0, 0.0, 0.0
     step = 0.01
     while at < block.duration + delay:
@@ -120,15 +116,16 @@ def excursion(block: Block, lag: float, gain: float, drag: float, delay: float) 
 def largest_excursion(
     plan: tuple[Block, ...], lag: float, gain: float, drag: float, delay: float
 ) -> float:
-    """Return the largest excursion of any tilt block [m] for a drone up to ``SLACK`` quicker,
-    slower, later or stronger.
+    """Return the largest excursion of any tilt block [m].
+
+    The drone may be ``_SLACK`` times quicker, slower or later, and stronger.
     """
-    tilts = {abs(block.amplitude): block for block in plan if block.axis in TILTS}
+    tilts = {abs(block.amplitude): block for block in plan if block.axis in TILT_AXES}
     drones = [
-        (lag * pace, gain * strength, drag / SLACK, delay * late)
-        for pace in (1.0 / SLACK, 1.0, SLACK)
+        (lag * pace, gain * strength, drag / _SLACK, delay * late)
+        for pace in (1.0 / _SLACK, 1.0, _SLACK)
         for strength in (1.0, 1.25)
-        for late in (1.0, SLACK)
+        for late in (1.0, _SLACK)
     ]
     return max(
         (excursion(block, *drone) for block in tilts.values() for drone in drones), default=0.0

@@ -1,4 +1,4 @@
-"""From blocks to a drone's constants, or to the words that say why the data cannot tell them."""
+"""From blocks to the drone's constants, or to the reasons why the data cannot tell them."""
 
 from __future__ import annotations
 
@@ -8,34 +8,38 @@ import numpy as np
 
 from housefly.config.profile import CONSTANTS, Interval
 from housefly.lab.identification.fit import Fit
-from housefly.lab.identification.pattern import TILTS, Axis
-from housefly.lab.identification.rates import TIME as TIME_CONSTANT
-from housefly.lab.identification.rates import RateFit, fit_climb, fit_turn
+from housefly.lab.identification.pattern import TILT_AXES, Axis
+from housefly.lab.identification.rates import TIME_CONSTANT, RateFit, fit_climb, fit_turn
 from housefly.lab.identification.samples import Samples
-from housefly.lab.identification.tilt import DELAY, DRAG, GAIN, LAG, TiltFit, fit_tilt
+from housefly.lab.identification.tilt import (
+    TILT_DELAY,
+    TILT_DRAG,
+    TILT_GAIN,
+    TILT_LAG,
+    TiltFit,
+    fit_tilt,
+)
 
-FEWEST = 4
-"""Blocks of each kind without which no interval can be given."""
-FEWEST_FRAMES = 12
-"""Frames in a block without which it counts as not seen."""
-LONGEST_GAP = 0.25
-"""A block with a longer time without a frame counts as not seen [s]."""
-SMALLEST_SHARE = 0.05
-"""A tilt block that asked less than this share of the largest tilt is no excitation."""
-SATURATED = 0.98
-"""A block that asked more than this share of a limit may have been cut."""
-WIDEST: dict[str, float] = {
+_MIN_BLOCKS = 4
+"""Fewest blocks of each kind that give an interval."""
+_MIN_FRAMES = 12
+"""A block with fewer frames counts as unseen."""
+_MAX_GAP = 0.25
+"""A block with a longer gap between frames counts as unseen [s]."""
+_MIN_SHARE = 0.05
+"""A block whose command stays below this share of the limit excites nothing."""
+_SATURATED_SHARE = 0.98
+"""A block whose command exceeds this share of a limit may have been clipped."""
+_MAX_HALF_WIDTH: dict[str, float] = {
     "attitude_gain": 0.15, "attitude_lag": 0.35, "command_delay": 0.03, "drag": 0.35, "climb_lag": 0.5, "yaw_lag": 1.5,
 }  # fmt: skip
-"""Half of an interval above which a constant is not known: a share of the value; for delay seconds,
-for drag 1/s.
-"""
-ABSOLUTE = ("command_delay", "drag")
+"""Largest half-width of an interval: a share of the value, but s for the delay, 1/s for the drag."""
+_ABSOLUTE_WIDTH = ("command_delay", "drag")
 
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What the site lets the drone do: tilt [rad], climb [m/s], turn [rad/s]."""
+    """The site's limits: tilt [rad], climb [m/s], turn [rad/s]."""
 
     tilt: float
     climb: float
@@ -44,7 +48,7 @@ class Limits:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Identified:
-    """What a flight says of its drone.
+    """The constants identified from a flight.
 
     Attributes:
         constants: by the keys of ``profile.CONSTANTS``.
@@ -65,13 +69,13 @@ class Identified:
 def identify(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Identified:
     """Return the constants with their 95 % intervals, and what is wrong with them."""
     seen = tuple(
-        block for block in blocks if block.at.size >= FEWEST_FRAMES and block.gap <= LONGEST_GAP
+        block for block in blocks if block.at.size >= _MIN_FRAMES and block.gap <= _MAX_GAP
     )
     problems = [*_gaps(blocks, seen), *_excitation(seen, limits)]
     if problems:
         return Identified({}, tuple(problems), None, None, None, seen)
-    tilt = fit_tilt(tuple(block for block in seen if block.block.axis in TILTS), seed)
-    delay, half = float(tilt.fit.constants[DELAY]), float(tilt.fit.half[DELAY])
+    tilt = fit_tilt(tuple(block for block in seen if block.block.axis in TILT_AXES), seed)
+    delay, half = float(tilt.fit.constants[TILT_DELAY]), float(tilt.fit.half[TILT_DELAY])
     climb = fit_climb(
         tuple(block for block in seen if block.block.axis is Axis.CLIMB), delay, half, seed
     )
@@ -79,10 +83,10 @@ def identify(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Iden
         tuple(block for block in seen if block.block.axis is Axis.TURN), delay, half, seed
     )
     constants = {
-        "attitude_gain": _interval(tilt.fit, GAIN),
-        "attitude_lag": _interval(tilt.fit, LAG),
-        "command_delay": _interval(tilt.fit, DELAY),
-        "drag": _interval(tilt.fit, DRAG),
+        "attitude_gain": _interval(tilt.fit, TILT_GAIN),
+        "attitude_lag": _interval(tilt.fit, TILT_LAG),
+        "command_delay": _interval(tilt.fit, TILT_DELAY),
+        "drag": _interval(tilt.fit, TILT_DRAG),
         "climb_lag": _pole(climb, "climb_lag"),
         "yaw_lag": _pole(turn, "yaw_lag"),
     }
@@ -95,9 +99,7 @@ def _interval(fit: Fit, number: int) -> Interval:
 
 
 def _pole(fit: RateFit, key: str) -> Interval:
-    """Return a pole with its interval: one over the time constant and its ends, kept in the range
-    of the constant.
-    """
+    """Return a pole with its interval from the time constant's, clipped to the constant's range."""
     time, known = float(fit.fit.constants[TIME_CONSTANT]), CONSTANTS[key]
     low, high = 1.0 / (time + fit.half_time), 1.0 / max(time - fit.half_time, 1.0 / known.high)
     return Interval(min(1.0 / time, known.high), max(low, known.low), high)
@@ -105,22 +107,22 @@ def _pole(fit: RateFit, key: str) -> Interval:
 
 def _gaps(blocks: tuple[Samples, ...], seen: tuple[Samples, ...]) -> list[str]:
     found = []
-    for name, axes in (("tilt", TILTS), ("climb", (Axis.CLIMB,)), ("turn", (Axis.TURN,))):
+    for name, axes in (("tilt", TILT_AXES), ("climb", (Axis.CLIMB,)), ("turn", (Axis.TURN,))):
         flown = [block for block in blocks if block.block.axis in axes]
         good = [block for block in seen if block.block.axis in axes]
-        if len(good) >= FEWEST:
+        if len(good) >= _MIN_BLOCKS:
             continue
         lost = len(flown) - len(good)
         if lost:
             worst = max(block.gap for block in flown)
             found.append(
                 f"{lost} of {len(flown)} {name} steps were not seen well enough (longest gap of"
-                f" tracking {worst:.2f} s, allowed {LONGEST_GAP:g} s, at least {FEWEST_FRAMES}"
-                f" frames each): {len(good)} are left, {FEWEST} are needed"
+                f" tracking {worst:.2f} s, allowed {_MAX_GAP:g} s, at least {_MIN_FRAMES}"
+                f" frames each): {len(good)} are left, {_MIN_BLOCKS} are needed"
             )
         else:
             found.append(
-                f"{len(good)} {name} steps were flown, {FEWEST} are needed: fly with more --repeats"
+                f"{len(good)} {name} steps were flown, {_MIN_BLOCKS} are needed: fly with more --repeats"
             )
     return found
 
@@ -139,12 +141,12 @@ def _excitation(seen: tuple[Samples, ...], limits: Limits) -> list[str]:
             for block in seen
             if block.block.axis is axis
         ]
-        if largest and min(largest) < SMALLEST_SHARE * bound:
+        if largest and min(largest) < _MIN_SHARE * bound:
             found.append(
                 f"{axis.value}: nothing was commanded in a step (no excitation), so nothing can be"
                 " learned from it"
             )
-        if largest and max(largest) > SATURATED * bound:
+        if largest and max(largest) > _SATURATED_SHARE * bound:
             found.append(
                 f"{axis.value}: the command reached its limit ({bound:g}), so what was asked is not"
                 " what was done"
@@ -161,7 +163,7 @@ def _doubts(constants: dict[str, Interval], tilt: TiltFit) -> list[str]:
     ]
     for key, interval in constants.items():
         half = 0.5 * (interval.high - interval.low)
-        allowed = WIDEST[key] * (1.0 if key in ABSOLUTE else interval.value)
+        allowed = _MAX_HALF_WIDTH[key] * (1.0 if key in _ABSOLUTE_WIDTH else interval.value)
         if half > allowed:
             known = CONSTANTS[key]
             unit = "" if known.unit == "1" else f" {known.unit}"

@@ -1,4 +1,4 @@
-"""One block as it was flown: what left the gate, and what tracking saw, along the block's own axis."""
+"""One block as flown: commands that left the gate, and what tracking saw along its axis."""
 
 from __future__ import annotations
 
@@ -7,18 +7,14 @@ from dataclasses import dataclass
 from math import cos, sin
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.geometry import euler_from_quaternion
 from housefly.lab.identification.pattern import Axis, Block
 from housefly.messages import Action, PilotStep, Setpoint, Sighting
-from housefly.numeric import wrapped
+from housefly.numeric import FloatArray, wrapped
 
-Numbers = NDArray[np.float64]
-BEFORE = 0.7
-"""Commands are looked at from this long before a block on [s]: the longest delay that is looked
-for, and some.
-"""
+COMMANDS_BEFORE = 0.7
+"""Commands are kept from this long before a block [s]: more than the longest delay searched for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +39,11 @@ class Samples:
     """
 
     block: Block
-    sent_at: Numbers
-    sent: Numbers
-    at: Numbers
-    place: Numbers
-    angle: Numbers
+    sent_at: FloatArray
+    sent: FloatArray
+    at: FloatArray
+    place: FloatArray
+    angle: FloatArray
 
     @property
     def gap(self) -> float:
@@ -74,7 +70,9 @@ def samples_of(
     taken = np.array([sighting.captured_at for sighting in sightings])
     found = []
     for own in flown:
-        first, last = np.searchsorted(times, (own.began - BEFORE, own.began + own.block.duration))
+        first, last = np.searchsorted(
+            times, (own.began - COMMANDS_BEFORE, own.began + own.block.duration)
+        )
         values = [
             _value(own.block.axis, kept[i][1].setpoint) * (kept[i][1].action is Action.FLY)
             for i in range(first, last)
@@ -95,7 +93,7 @@ def samples_of(
 
 
 def _newest_first_seen(sightings: Iterable[Sighting]) -> list[Sighting]:
-    """Return the sightings by capture time, each once."""
+    """Return the sightings in order of capture time, each once."""
     return [
         sighting
         for _, sighting in sorted(
@@ -113,9 +111,10 @@ def _value(axis: Axis, setpoint: Setpoint) -> float:
     }[axis]
 
 
-def _along(axis: Axis, sightings: list[Sighting]) -> tuple[Numbers, Numbers]:
-    """Return place and angle along an axis; forward for pitch and right for roll, by the heading of
-    the first frame.
+def _along(axis: Axis, sightings: list[Sighting]) -> tuple[FloatArray, FloatArray]:
+    """Return position and angle along an axis.
+
+    Forward for pitch and right for roll, by the mean heading; height; heading.
     """
     if not sightings:
         return np.zeros(0), np.zeros(0)

@@ -1,5 +1,6 @@
-"""Gain, lag, delay and drag from tilt blocks: angle and position together (paper eqs. 8-9, 22-23,
-plus delay and drag).
+"""Gain, lag, delay and drag fitted to the angles and positions of the tilt blocks.
+
+Paper eqs. (8)-(9) and (22)-(23), plus delay and drag.
 """
 
 from __future__ import annotations
@@ -7,35 +8,34 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from housefly.lab.identification.fit import BlockModel, Fit, fitted
+from housefly.lab.identification.fit import BlockModel, Fit, fit_blocks
 from housefly.lab.identification.response import (
     NO_DRAG,
     SWITCH_SPREAD,
     at_frames,
     delayed,
     first_order,
-    grid,
+    grid_times,
     pulses,
     travelled,
 )
 from housefly.lab.identification.samples import Samples
+from housefly.numeric import FloatArray
 
-Numbers = NDArray[np.float64]
-GAIN, LAG, DELAY, DRAG = range(4)
+TILT_GAIN, TILT_LAG, TILT_DELAY, TILT_DRAG = range(4)
 """Order of the constants: c / lambda, lambda [1/s], delay [s], drag [1/s]."""
-START = np.array([1.0, 6.0, 0.08, 0.4])
-BOUNDS = np.array([0.2, 0.8, 0.0, 0.0]), np.array([2.0, 40.0, 0.45, 3.0])
-FIRST_NOISES = (0.007, 0.001)
-"""Noise of angles [rad] and positions [m] before it is known."""
-SMALLEST_NOISES = (0.0003, 0.0001)
-ROUNDS = 3
+_START = np.array([1.0, 6.0, 0.08, 0.4])
+_BOUNDS = np.array([0.2, 0.8, 0.0, 0.0]), np.array([2.0, 40.0, 0.45, 3.0])
+_FIRST_NOISES = (0.007, 0.001)
+"""Initial noise of angles [rad] and positions [m]."""
+_MIN_NOISES = (0.0003, 0.0001)
+_ROUNDS = 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TiltFit:
-    """What tilt blocks say.
+    """The fit of the tilt blocks.
 
     Attributes:
         fit: constants in the order GAIN, LAG, DELAY, DRAG.
@@ -49,17 +49,15 @@ class TiltFit:
 
 
 def fit_tilt(blocks: tuple[Samples, ...], seed: int = 0) -> TiltFit:
-    """Fit all tilt blocks at once; angles and positions weigh by what is left of them, found in a
-    few rounds.
-    """
-    noises, start = FIRST_NOISES, START
-    for _ in range(ROUNDS):
+    """Fit all tilt blocks; angles and positions are weighted by their residuals in a few rounds."""
+    noises, start = _FIRST_NOISES, _START
+    for _ in range(_ROUNDS):
         angle_noise, place_noise = noises
 
-        def model(constants: Numbers, noises: tuple[float, float] = noises) -> list[BlockModel]:
-            return [tilt_block(samples, constants, noises) for samples in blocks]
+        def model(constants: FloatArray, noises: tuple[float, float] = noises) -> list[BlockModel]:
+            return [_tilt_block(samples, constants, noises) for samples in blocks]
 
-        found = fitted(model, start, BOUNDS, seed)
+        found = fit_blocks(model, start, _BOUNDS, seed)
         start = found.constants
         rests = [
             np.split(block.residual[: 2 * samples.at.size], 2)
@@ -70,21 +68,20 @@ def fit_tilt(blocks: tuple[Samples, ...], seed: int = 0) -> TiltFit:
             for parts in zip(*rests, strict=True)
         ]
         noises = (
-            max(left[0] * angle_noise, SMALLEST_NOISES[0]),
-            max(left[1] * place_noise, SMALLEST_NOISES[1]),
+            max(left[0] * angle_noise, _MIN_NOISES[0]),
+            max(left[1] * place_noise, _MIN_NOISES[1]),
         )
     return TiltFit(found, *noises)
 
 
-def tilt_block(samples: Samples, constants: Numbers, noises: tuple[float, float]) -> BlockModel:
-    """Return one block at some constants; rows are the angles, then the positions, each over its
-    noise, then what is known.
+def _tilt_block(samples: Samples, constants: FloatArray, noises: tuple[float, float]) -> BlockModel:
+    """Return one block at given constants; rows are angles, positions, then prior knowledge.
 
-    The block's own: first angle, first position, first speed, a steady push, an offset of the
-    angles, and how much later than on average each switch left.
+    Its own terms: initial angle, position and speed, a constant push, an offset of the angles, and
+    how much later than average each switch left.
     """
     gain, lag, delay, drag = constants
-    times = grid(samples)
+    times = grid_times(samples)
     angle = gain * first_order(delayed(samples, samples.sent, delay, times), lag)
     decay = np.exp(-lag * times)
     slowing = (1.0 - np.exp(-max(drag, NO_DRAG) * times)) / max(drag, NO_DRAG)

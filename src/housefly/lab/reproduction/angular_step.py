@@ -1,6 +1,4 @@
-"""The paper's identification of (c, lambda) from one step of a tilt angle, and what a pure delay
-does to it (Fig. 11).
-"""
+"""Identification of (c, lambda) from one tilt step as in the paper's Fig. 11, and with a delay."""
 
 from __future__ import annotations
 
@@ -8,18 +6,15 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
-Numbers = NDArray[np.float64]
+from housefly.numeric import FloatArray
 
-START = (1.0, 5.0, 0.03)
-"""Where the search for gain, lambda and delay begins: an ordinary drone."""
-STEPS = (1e-4, 1e-4, 1e-4)
-"""Relative steps of the numeric derivatives: larger than the kink that the delay makes between two
-samples.
-"""
-BOUNDS = ([0.05, 0.2, 0.0], [5.0, 100.0, 0.5])
+_START = (1.0, 5.0, 0.03)
+"""Initial gain, lambda and delay of the search: an ordinary drone."""
+_STEPS = (1e-4, 1e-4, 1e-4)
+"""Relative steps of the numeric derivatives, larger than the kink of a delay between samples."""
+_BOUNDS = ([0.05, 0.2, 0.0], [5.0, 100.0, 0.5])
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,15 +38,13 @@ class AngularStep:
     misfit_without_delay: float
 
 
-def response(time: Numbers, asked: float, gain: float, lag: float, delay: float) -> Numbers:
-    """Return the angle [rad] at times [s] since a command ``asked`` [rad]: eq. (22) after a pure
-    delay.
-    """
+def response(time: FloatArray, asked: float, gain: float, lag: float, delay: float) -> FloatArray:
+    """Return the angle [rad] at times [s] after the command ``asked`` [rad]: delayed eq. (22)."""
     late = np.maximum(time - delay, 0.0)
     return np.asarray(asked * gain * (1.0 - np.exp(-lag * late)))
 
 
-def fit_step(time: Numbers, angle: Numbers, asked: float) -> AngularStep:
+def fit_step(time: FloatArray, angle: FloatArray, asked: float) -> AngularStep:
     """Return the fit to one measured step.
 
     Args:
@@ -67,20 +60,20 @@ def fit_step(time: Numbers, angle: Numbers, asked: float) -> AngularStep:
 
 
 def _fitted(
-    time: Numbers, angle: Numbers, asked: float, delayed: bool
+    time: FloatArray, angle: FloatArray, asked: float, delayed: bool
 ) -> tuple[float, float, float]:
-    def misses(guess: Numbers) -> Numbers:
+    def misses(guess: FloatArray) -> FloatArray:
         gain, lag, delay = guess
         return response(time, asked, gain, lag, delay if delayed else 0.0) - angle
 
     gain, lag, delay = least_squares(
-        misses, START, bounds=BOUNDS, x_scale=(1.0, 5.0, 0.05), diff_step=STEPS
+        misses, _START, bounds=_BOUNDS, x_scale=(1.0, 5.0, 0.05), diff_step=_STEPS
     ).x
     return float(gain), float(lag), float(delay) if delayed else 0.0
 
 
 def _misfit(
-    time: Numbers, angle: Numbers, asked: float, fitted: tuple[float, float, float]
+    time: FloatArray, angle: FloatArray, asked: float, fitted: tuple[float, float, float]
 ) -> float:
     misses = response(time, asked, *fitted) - angle
     return float(np.sqrt(np.mean(misses**2)) / abs(fitted[0] * asked))

@@ -9,58 +9,56 @@ import numpy as np
 from housefly.lab.experiments.intervals import Estimate, mean, share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
-from housefly.lab.reproduction.routes import CELL
+from housefly.lab.reproduction.routes import PAPER_CELL
 from housefly.lab.reproduction.ruling import Claim, Ruling, centimetres, percents, untestable
 from housefly.lab.reproduction.trials import LITERAL_EPS2
 
-EXACT = 1e-9
+_EXACT = 1e-9
 """Two formulas are the same when they differ by less than rounding [m/s^2]."""
-IN_CELL = 0.5 * CELL
-"""Nearer than this to the middle of the goal's square is inside it, whatever the direction [m]."""
-MOST = 0.95
-"""A statement about every flight needs this share of them."""
-FEW = 0.5
-"""Where less than this share succeeds, it does not work."""
-CALM = 1.0
-"""Changes of state per second beyond which the acceptor chatters: no behavior does anything within
-a second [1/s].
-"""
-COSTLY = 1.1
-"""A change that multiplies an error by this is felt."""
-FIXED = 0.05
-"""A drone that stays this near holds its place [m]."""
-RUNAWAY = 1.0
-"""An error of this size is no tolerance but a flight out of control [m]."""
+_IN_CELL = 0.5 * PAPER_CELL
+"""Closer than this to the middle of the goal's square is inside it, in any direction [m]."""
+_MOST_FLIGHTS = 0.95
+"""Share of flights that counts as all of them."""
+_FEW_FLIGHTS = 0.5
+"""Below this share of successful flights something does not work."""
+_MAX_SWITCH_RATE = 1.0
+"""The acceptor chatters above this rate of state changes [1/s]."""
+_COSTLY_FACTOR = 1.1
+"""A change that multiplies an error by this matters."""
+_HOLD_RADIUS = 0.05
+"""A drone that stays within this distance holds its place [m]."""
+_RUNAWAY_ERROR = 1.0
+"""A larger error means a flight out of control [m]."""
 
 
-def motion(evidence: Evidence) -> Ruling:
+def _motion(evidence: Evidence) -> Ruling:
     """Rule on (5)-(7) as consequences of (4)."""
     facts = evidence.equations
     text = (
         f"With f_g as printed the rows differ by up to {facts.newton_printed:.1f} m/s^2, with f_g ="
         f" (0, 0, m g) by {facts.newton_mended:.0e}."
     )
-    if facts.newton_mended > EXACT:
+    if facts.newton_mended > _EXACT:
         return Ruling(Verdict.FAILS, text)
-    if facts.newton_printed > EXACT:
+    if facts.newton_printed > _EXACT:
         return Ruling(Verdict.CONDITION, "With the weight as a force that points down. " + text)
     return Ruling(Verdict.HOLDS, text)
 
 
-def planar(evidence: Evidence) -> Ruling:
+def _planar(evidence: Evidence) -> Ruling:
     """Rule on (8)-(9) as the dynamics at constant height."""
     facts = evidence.equations
     text = (
         "At the headings 0 and pi they are exact; within 0.21 rad of tilt they are wrong by up to"
         f" {facts.planar_elsewhere:.1f} m/s^2 at other headings."
     )
-    if facts.planar_at_two > EXACT:
+    if facts.planar_at_two > _EXACT:
         return Ruling(Verdict.FAILS, text)
-    verdict = Verdict.HOLDS if facts.planar_elsewhere <= EXACT else Verdict.CONDITION
+    verdict = Verdict.HOLDS if facts.planar_elsewhere <= _EXACT else Verdict.CONDITION
     return Ruling(verdict, text)
 
 
-def two_directions(evidence: Evidence) -> Ruling:
+def _two_directions(evidence: Evidence) -> Ruling:
     """Rule on the two headings as all that a path in this room needs."""
     maps = evidence.maps
     text = (
@@ -72,19 +70,19 @@ def two_directions(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.CONDITION, "Along x; along y the drone must keep the last one. " + text)
 
 
-def heading_pi(evidence: Evidence) -> Ruling:
+def _heading_pi(evidence: Evidence) -> Ruling:
     """Rule on psi_ref = pi with the yaw law as printed, its difference not wrapped."""
     wrapped, literal = (_arrived(evidence, key) for key in ("as printed", "no wrap"))
     text = (
         f"With the difference as printed {percents(literal)} of the flights reach the goal and stay"
         f" there, wrapped {percents(wrapped)}."
     )
-    if literal.value >= MOST * wrapped.value:
+    if literal.value >= _MOST_FLIGHTS * wrapped.value:
         return Ruling(Verdict.HOLDS, text)
     return Ruling(Verdict.CONDITION, "Only with the difference of angles wrapped. " + text)
 
 
-def height_law(evidence: Evidence) -> Ruling:
+def _height_law(evidence: Evidence) -> Ruling:
     """Rule on u_z = K2 (z - z_ref) with K2 > 0 and u_z upwards, as the drone has it."""
     literal, ours = (
         float(np.median(evidence.trials[key]["height_error"])) for key in _HEIGHT_SIGNS
@@ -93,15 +91,16 @@ def height_law(evidence: Evidence) -> Ruling:
         f"Within 30 s the printed sign takes the drone {literal:.1f} m from its height, the other"
         f" sign {ours:.2f} m (medians)."
     )
-    return Ruling(Verdict.FAILS if literal > RUNAWAY > ours else Verdict.HOLDS, text)
+    return Ruling(Verdict.FAILS if literal > _RUNAWAY_ERROR > ours else Verdict.HOLDS, text)
 
 
 _HEIGHT_SIGNS = ("literal height sign", "positive height gain")
 
 
-def one_at_a_time(evidence: Evidence) -> Ruling:
-    """Rule on "behaviors keep height and heading so that a 2-D path can be tracked": what do the
-    swaps cost the path?
+def _one_at_a_time(evidence: Evidence) -> Ruling:
+    """Rule on "behaviors keep height and heading so that a 2-D path can be tracked".
+
+    The measure is what swapping behaviors costs in path error.
     """
     swapped, always = (
         mean(evidence.trials[key]["rms_error"]) for key in ("eps2 0.2 rad", "always tracking")
@@ -112,21 +111,21 @@ def one_at_a_time(evidence: Evidence) -> Ruling:
         f" always on, {centimetres(swapped)} with the behaviors swapped at 0.2 rad,"
         f" {centimetres(printed)} at the printed 0.2 deg."
     )
-    if printed.value <= COSTLY * always.value:
+    if printed.value <= _COSTLY_FACTOR * always.value:
         return Ruling(Verdict.HOLDS, text)
     return Ruling(
         Verdict.CONDITION, "While another behavior is active nothing holds the place. " + text
     )
 
 
-def q2_after_q1(evidence: Evidence) -> Ruling:
+def _q2_after_q1(evidence: Evidence) -> Ruling:
     """Rule on "q2 cannot be true until q1 is not"."""
     overlap = evidence.equations.overlap
     text = f"Of {overlap.inputs} combinations of errors {overlap.q2_with_q1} make both true."
     return Ruling(Verdict.HOLDS if overlap.q2_with_q1 == 0 else Verdict.FAILS, text)
 
 
-def execution_order(evidence: Evidence) -> Ruling:
+def _execution_order(evidence: Evidence) -> Ruling:
     """Rule on "transitions have a predefined execution order"."""
     overlap = evidence.equations.overlap
     text = (
@@ -141,7 +140,7 @@ def execution_order(evidence: Evidence) -> Ruling:
     )
 
 
-def eps2(evidence: Evidence) -> Ruling:
+def _eps2(evidence: Evidence) -> Ruling:
     """Rule on eps2 = 0.2 deg."""
     printed, wider = (evidence.trials[key] for key in ("as printed", "eps2 0.2 rad"))
     rate, calm = mean(printed["switches_per_s"]), mean(wider["switches_per_s"])
@@ -151,28 +150,28 @@ def eps2(evidence: Evidence) -> Ruling:
         f" a second and the way takes {late.value:.0f} s; at 0.2 rad {calm.value:.2f} times and"
         f" {soon.value:.0f} s."
     )
-    if rate.value <= CALM:
+    if rate.value <= _MAX_SWITCH_RATE:
         return Ruling(Verdict.HOLDS, text)
-    works = _arrived(evidence, "as printed").value >= MOST
+    works = _arrived(evidence, "as printed").value >= _MOST_FLIGHTS
     return Ruling(
         Verdict.CONDITION if works else Verdict.FAILS,
         ("It arrives, but chatters. " if works else "") + text,
     )
 
 
-def eps3_small(evidence: Evidence) -> Ruling:
+def _eps3_small(evidence: Evidence) -> Ruling:
     """Rule on "eps3 < 0.5 m is convenient"."""
     printed, quarter = (_inside(evidence, key) for key in ("eps3 0.4 m", "eps3 0.25 m"))
     text = (
-        f"{percents(printed)} of the flights end within {IN_CELL:.2f} m of the goal with eps3 = 0.4"
+        f"{percents(printed)} of the flights end within {_IN_CELL:.2f} m of the goal with eps3 = 0.4"
         f" m, {percents(quarter)} with 0.25 m."
     )
-    if printed.value >= MOST:
+    if printed.value >= _MOST_FLIGHTS:
         return Ruling(Verdict.HOLDS, text)
     return Ruling(Verdict.CONDITION, "Below half a cell, not below a cell. " + text)
 
 
-def eps3_one(evidence: Evidence) -> Ruling:
+def _eps3_one(evidence: Evidence) -> Ruling:
     """Rule on "eps3 = 1 m does not satisfy"."""
     wide = _inside(evidence, "eps3 1 m")
     error = mean(evidence.trials["eps3 1 m"]["arrival_error"])
@@ -180,16 +179,16 @@ def eps3_one(evidence: Evidence) -> Ruling:
         f"{percents(wide)} of the flights end in the goal's square; they end {centimetres(error)}"
         " from its middle."
     )
-    return Ruling(Verdict.HOLDS if wide.value < FEW else Verdict.FAILS, text)
+    return Ruling(Verdict.HOLDS if wide.value < _FEW_FLIGHTS else Verdict.FAILS, text)
 
 
-def hover(evidence: Evidence) -> Ruling:
+def _hover(evidence: Evidence) -> Ruling:
     """Rule on "hover maintains a fixed position"."""
     strayed = mean(evidence.trials["hover"]["max_error"])
     text = f"In 30 s of hover in moving air the drone strays by up to {centimetres(strayed)}."
-    if strayed.value <= FIXED:
+    if strayed.value <= _HOLD_RADIUS:
         return Ruling(Verdict.HOLDS, text)
-    if strayed.value <= RUNAWAY:
+    if strayed.value <= _RUNAWAY_ERROR:
         return Ruling(
             Verdict.CONDITION, "It stops the drone but knows no place to return to. " + text
         )
@@ -201,18 +200,18 @@ def _arrived(evidence: Evidence, key: str) -> Estimate:
 
 
 def _inside(evidence: Evidence, key: str) -> Estimate:
-    return share(evidence.trials[key]["arrival_error"] < IN_CELL)
+    return share(evidence.trials[key]["arrival_error"] < _IN_CELL)
 
 
-CLAIMS: tuple[Claim, ...] = (
-    Claim("equations of motion", "V-A", "(5)-(7) follow from Newton's law (4)", motion, ("8",)),
+BEHAVIOR_CLAIMS: tuple[Claim, ...] = (
+    Claim("equations of motion", "V-A", "(5)-(7) follow from Newton's law (4)", _motion, ("8",)),
     Claim(
         "unknown thrust",
         "V-A",
         "motor speeds cannot be read on this drone, so the thrust is unknown",
         untestable("A property of the drone's closed firmware; the law does not need the thrust."),
     ),
-    Claim("planar dynamics", "V-B", "at constant height the drone obeys (8)-(10)", planar, ("8",)),
+    Claim("planar dynamics", "V-B", "at constant height the drone obeys (8)-(10)", _planar, ("8",)),
     Claim(
         "acceptors fit",
         "V-B",
@@ -224,36 +223,36 @@ CLAIMS: tuple[Claim, ...] = (
         "two directions",
         "V-B",
         "two major directions can be identified, psi = 0 and pi",
-        two_directions,
+        _two_directions,
         ("7",),
     ),
     Claim(
         "yaw law",
         "V-B",
         "a proportional law controls the heading, psi_ref = pi among them",
-        heading_pi,
+        _heading_pi,
     ),
-    Claim("height law", "V-B", "u_z = K2 (z - z_ref) controls the height", height_law),
+    Claim("height law", "V-B", "u_z = K2 (z - z_ref) controls the height", _height_law),
     Claim(
         "fewer degrees of freedom",
         "V-B",
         "height and heading are kept fixed by behaviors of their own, which leaves a 2-D path to"
         " track",
-        one_at_a_time,
+        _one_at_a_time,
         ("10",),
     ),
-    Claim("q2 after q1", "V-B", "q2 cannot be true until q1 is not", q2_after_q1, ("10",)),
+    Claim("q2 after q1", "V-B", "q2 cannot be true until q1 is not", _q2_after_q1, ("10",)),
     Claim(
         "execution order",
         "V-B",
         "the transitions have a predefined execution order",
-        execution_order,
+        _execution_order,
         ("10",),
     ),
-    Claim("eps2", "V-B", "eps2 = 0.2 deg was used in the experiments", eps2, ("10",)),
-    Claim("eps3 below a cell", "V-B", "eps3 below 0.5 m is convenient", eps3_small, ("7",)),
+    Claim("eps2", "V-B", "eps2 = 0.2 deg was used in the experiments", _eps2, ("10",)),
+    Claim("eps3 below a cell", "V-B", "eps3 below 0.5 m is convenient", _eps3_small, ("7",)),
     Claim(
-        "eps3 of a metre", "V-B", "eps3 = 1 m does not give satisfying results", eps3_one, ("7",)
+        "eps3 of a metre", "V-B", "eps3 = 1 m does not give satisfying results", _eps3_one, ("7",)
     ),
-    Claim("hover", "V-B, VI", "hover maintains a fixed position", hover, ("10", "14")),
+    Claim("hover", "V-B, VI", "hover maintains a fixed position", _hover, ("10", "14")),
 )

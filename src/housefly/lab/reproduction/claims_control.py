@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from housefly.lab.experiments.cases import DELAY_COMPENSATED, ON_ARRIVAL
 from housefly.lab.experiments.intervals import Estimate, mean, share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
@@ -15,49 +14,48 @@ from housefly.lab.reproduction.ruling import (
     untestable,
 )
 from housefly.lab.reproduction.streams import LATENCIES, RATES
+from housefly.pilot.estimation.estimator import EstimatorKind
 
-CLOSE = 0.01
-"""A response this near to the promised one is the promised one [m]."""
-ALL, NONE = 0.95, 0.05
+_CLOSE = 0.01
+"""A response within this distance of the promised one counts as equal [m]."""
+_ALL_FLIGHTS, _NO_FLIGHTS = 0.95, 0.05
 """Shares of flights that count as all and as none."""
-NEVER = 0.002
-"""A share of the time that is no more than the first instant of a step."""
-FELT = 1.1
+_NEVER = 0.002
+"""A share of the time no longer than the first instant of a step."""
+_FELT_FACTOR = 1.1
 """A number multiplied by this has changed."""
-SHAPE = 0.1
-"""A curve that leaves less than this of the step describes its shape."""
-WRONG = 0.1
+_MAX_MISFIT = 0.1
+"""A curve that leaves less than this share of the step describes its shape."""
+_MAX_ERROR = 0.1
 """A constant off by more than this share is not identified."""
-CALM = 0.01
-"""A drone that swings by less is at rest [m]."""
+_AT_REST = 0.01
+"""A drone that oscillates by less is at rest [m]."""
 
 
-def linearization(evidence: Evidence) -> Ruling:
+def _linearization(evidence: Evidence) -> Ruling:
     """Rule on "the law turns the dynamics into a second-order system"."""
     deviation = evidence.equations.step_deviation
     text = (
         f"A step of one cell strays from the second-order system by up to {100 * deviation:.1f} cm,"
         f" from the attitude lag alone (lambda = {evidence.site.drone.attitude_lag:g} 1/s)."
     )
-    if deviation <= CLOSE:
+    if deviation <= _CLOSE:
         return Ruling(Verdict.HOLDS, text)
     return Ruling(Verdict.CONDITION, "For angles that are reached at once. " + text)
 
 
-def eigenvalues(evidence: Evidence) -> Ruling:
-    """Rule on "stable only if the eigenvalues of A have negative real parts", together with the
-    remark after (21).
-    """
+def _eigenvalues(evidence: Evidence) -> Ruling:
+    """Rule on "stable only if the eigenvalues of A have negative real parts"."""
     literal, ours = (_stable(evidence, key) for key in ("literal gain signs", "positive gains"))
     text = (
         f"With alpha and beta negative, as A asks for, {percents(literal)} of the flights stay"
         f" stable, with both positive {percents(ours)}: x is the error, reference less estimate,"
         " and turns the sign."
     )
-    return Ruling(Verdict.HOLDS if literal.value >= ALL else Verdict.FAILS, text)
+    return Ruling(Verdict.HOLDS if literal.value >= _ALL_FLIGHTS else Verdict.FAILS, text)
 
 
-def chosen_gains(evidence: Evidence) -> Ruling:
+def _chosen_gains(evidence: Evidence) -> Ruling:
     """Rule on "the choice of the coefficients keeps the commands within [-1, 1]"."""
     below, above = (
         mean(evidence.trials[key]["saturated"])
@@ -68,15 +66,15 @@ def chosen_gains(evidence: Evidence) -> Ruling:
         f" beta = 3.24 1/s^2, {100 * above.value:.1f} % with 5.29: the bound is g tan(theta_max) /"
         " 0.5 m = 4.18."
     )
-    if max(below.value, above.value) <= NEVER:
+    if max(below.value, above.value) <= _NEVER:
         return Ruling(Verdict.HOLDS, text)
     return Ruling(
-        Verdict.CONDITION if below.value <= NEVER else Verdict.FAILS,
+        Verdict.CONDITION if below.value <= _NEVER else Verdict.FAILS,
         "Below a bound that depends on the step. " + text,
     )
 
 
-def saturation(evidence: Evidence) -> Ruling:
+def _saturation(evidence: Evidence) -> Ruling:
     """Rule on "saturation eliminates unexpected overshoots"."""
     limited, free = (
         mean(evidence.trials[key]["overshoot"])
@@ -91,7 +89,7 @@ def saturation(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.FAILS, "It bounds the tilt, not the overshoot. " + text)
 
 
-def first_order(evidence: Evidence) -> Ruling:
+def _first_order(evidence: Evidence) -> Ruling:
     """Rule on "the shape of the curve validates a first-order system" (Fig. 11)."""
     step = evidence.pitch
     if step is None:
@@ -100,14 +98,14 @@ def first_order(evidence: Evidence) -> Ruling:
         f"Eq. (22) leaves {percent(step.misfit_without_delay)} of the step (root mean square), with"
         f" a pure delay of {1000 * step.delay:.0f} ms before it {percent(step.misfit)}."
     )
-    if step.misfit > SHAPE:
+    if step.misfit > _MAX_MISFIT:
         return Ruling(Verdict.FAILS, text)
-    if step.misfit_without_delay > FELT * step.misfit:
+    if step.misfit_without_delay > _FELT_FACTOR * step.misfit:
         return Ruling(Verdict.CONDITION, "After a pure delay. " + text)
     return Ruling(Verdict.HOLDS, text)
 
 
-def identified(evidence: Evidence) -> Ruling:
+def _identified(evidence: Evidence) -> Ruling:
     """Rule on "these data give an estimate of (c, lambda)"."""
     step = evidence.pitch
     if step is None:
@@ -117,14 +115,14 @@ def identified(evidence: Evidence) -> Ruling:
         f"lambda is {step.lag_without_delay:.1f} 1/s by eq. (22), {step.lag:.1f} with a delay; the"
         f" twin has {true:g}."
     )
-    if abs(step.lag_without_delay / true - 1.0) <= WRONG:
+    if abs(step.lag_without_delay / true - 1.0) <= _MAX_ERROR:
         return Ruling(Verdict.HOLDS, text)
-    if abs(step.lag / true - 1.0) <= WRONG:
+    if abs(step.lag / true - 1.0) <= _MAX_ERROR:
         return Ruling(Verdict.CONDITION, "With the delay in the model. " + text)
     return Ruling(Verdict.FAILS, text)
 
 
-def independent_loops(evidence: Evidence) -> Ruling:
+def _independent_loops(evidence: Evidence) -> Ruling:
     """Rule on "two independent loops are running"."""
     below, above = (
         mean(evidence.trials[key]["residual"])
@@ -134,14 +132,14 @@ def independent_loops(evidence: Evidence) -> Ruling:
         f"Without any delay the outer loop swings by {100 * below.value:.1f} cm in the end with"
         f" beta at half of lambda alpha, by {100 * above.value:.0f} cm with beta at twice that."
     )
-    if above.value <= CALM:
+    if above.value <= _AT_REST:
         return Ruling(Verdict.HOLDS, text)
-    if below.value <= CALM:
+    if below.value <= _AT_REST:
         return Ruling(Verdict.CONDITION, "As long as beta < lambda alpha. " + text)
     return Ruling(Verdict.FAILS, text)
 
 
-def lag_matters(evidence: Evidence) -> Ruling:
+def _lag_matters(evidence: Evidence) -> Ruling:
     """Rule on "(c, lambda) are of particular value for the state estimation"."""
     known, unknown = (
         mean(evidence.trials[key]["estimate_rms"]) for key in ("lag known", "lag unknown")
@@ -151,11 +149,13 @@ def lag_matters(evidence: Evidence) -> Ruling:
         f" knows lambda, by {1000 * unknown.value:.1f} mm when it takes the angles for reached at"
         " once."
     )
-    return Ruling(Verdict.HOLDS if unknown.value > FELT * known.value else Verdict.FAILS, text)
+    return Ruling(
+        Verdict.HOLDS if unknown.value > _FELT_FACTOR * known.value else Verdict.FAILS, text
+    )
 
 
-def filter_needed(evidence: Evidence) -> Ruling:
-    """Rule on "state estimation is required": with noise of 5 mm, differences against the filter."""
+def _filter_needed(evidence: Evidence) -> Ruling:
+    """Rule on "state estimation is required" by finite differences at 5 mm of noise."""
     raw, filtered = (evidence.trials[key] for key in ("unfiltered", "filtered"))
     shaken, calm = mean(raw["saturated"]), mean(filtered["saturated"])
     wide, narrow = mean(raw["rms_error"]), mean(filtered["rms_error"])
@@ -164,19 +164,17 @@ def filter_needed(evidence: Evidence) -> Ruling:
         f" time when frames are differentiated, {100 * calm.value:.1f} % with the filter; the path"
         f" is kept to {centimetres(wide)} and {centimetres(narrow)}."
     )
-    if shaken.value > FELT * max(calm.value, NEVER):
+    if shaken.value > _FELT_FACTOR * max(calm.value, _NEVER):
         return Ruling(Verdict.HOLDS, text)
     return Ruling(Verdict.FAILS, text)
 
 
-def kalman_good(evidence: Evidence) -> Ruling:
-    """Rule on "a Kalman filter is a good estimator for our case": against one that knows lag and
-    delays.
-    """
+def _kalman_good(evidence: Evidence) -> Ruling:
+    """Rule on "a Kalman filter is a good estimator", against one that models lag and delays."""
     rate, late = RATES[-1], LATENCIES[-1]
     theirs, ours = (
         mean(evidence.edges.of(estimator, rate, late))
-        for estimator in (ON_ARRIVAL, DELAY_COMPENSATED)
+        for estimator in (EstimatorKind.ON_ARRIVAL, EstimatorKind.DELAY_COMPENSATED)
     )
     text = (
         f"With frames {1000 * late:.0f} ms old the loop is stable up to {theirs.value:.1f} ±"
@@ -192,36 +190,36 @@ def _stable(evidence: Evidence, key: str) -> Estimate:
     return share(evidence.trials[key]["stable"] == 1.0)
 
 
-CLAIMS: tuple[Claim, ...] = (
+CONTROL_CLAIMS: tuple[Claim, ...] = (
     Claim(
         "feedback linearization",
         "V-C",
         "(20)-(21) turn the dynamics into a second-order system",
-        linearization,
+        _linearization,
         ("12",),
     ),
     Claim(
         "eigenvalues",
         "V-C",
         "the loop is stable only if the eigenvalues of A have negative real parts",
-        eigenvalues,
+        _eigenvalues,
     ),
     Claim(
-        "choice of gains", "V-C", "acceptable gains keep the commands within [-1, 1]", chosen_gains
+        "choice of gains", "V-C", "acceptable gains keep the commands within [-1, 1]", _chosen_gains
     ),
-    Claim("saturation", "V-C", "saturation functions eliminate unexpected overshoots", saturation),
+    Claim("saturation", "V-C", "saturation functions eliminate unexpected overshoots", _saturation),
     Claim(
         "first order",
         "V-C",
         "the shape of the angular response validates a first-order system",
-        first_order,
+        _first_order,
         ("11",),
     ),
     Claim(
         "identification",
         "V-C",
         "step responses give an estimate of (c, lambda)",
-        identified,
+        _identified,
         ("11",),
     ),
     Claim(
@@ -238,28 +236,28 @@ CLAIMS: tuple[Claim, ...] = (
         "independent loops",
         "V-C",
         "outer and inner loop run independently",
-        independent_loops,
+        _independent_loops,
         ("12",),
     ),
     Claim(
         "use of (c, lambda)",
         "V-C",
         "(c, lambda) are of particular value for state estimation",
-        lag_matters,
+        _lag_matters,
         ("13",),
     ),
     Claim(
         "estimation is required",
         "V-D",
         "noisy positions without speeds ask for state estimation",
-        filter_needed,
+        _filter_needed,
         ("13",),
     ),
     Claim(
         "Kalman filter",
         "V-D",
         "a Kalman filter is a good estimator for this case",
-        kalman_good,
+        _kalman_good,
         ("13",),
     ),
 )

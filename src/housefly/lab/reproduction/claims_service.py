@@ -17,15 +17,15 @@ from housefly.lab.reproduction.ruling import (
 )
 from housefly.lab.reproduction.streams import TYPICAL_LATENCY, TYPICAL_LOSS, TYPICAL_RATE
 
-COMPLETED = "completed"
-DAY = 50
-"""Services that a day may ask for without anybody looking at the charge."""
-EVERY = 0.95
+_COMPLETED = "completed"
+_SERVICES_A_DAY = 50
+"""Services that one day may ask for without anybody checking the charge."""
+_EVERY_FLIGHT = 0.95
 """Share of flights that counts as all of them."""
 
 
-def automatic(evidence: Evidence) -> Ruling:
-    """Rule on "the drone took off, moved along the path and reached the destination automatically"."""
+def _automatic(evidence: Evidence) -> Ruling:
+    """Rule on "the drone took off, moved along the path and reached the destination"."""
     flown = evidence.streams.where(
         mode="paper",
         mocap_rate_hz=TYPICAL_RATE,
@@ -39,18 +39,20 @@ def automatic(evidence: Evidence) -> Ruling:
         f"{centimetres(error)} from its middle."
     )
     services = [service for service in evidence.services if service.mode == "paper"]
-    completed = sum(service.outcome == COMPLETED for service in services)
+    completed = sum(service.outcome == _COMPLETED for service in services)
     if services:
         text += (
             f" On the twin {completed} of {len(services)} whole services of mode paper, take-off to"
             " landing, completed."
         )
-    if reached.value < EVERY or completed < len(services):
-        return Ruling(Verdict.FAILS if reached.value < 1.0 - EVERY else Verdict.CONDITION, text)
+    if reached.value < _EVERY_FLIGHT or completed < len(services):
+        return Ruling(
+            Verdict.FAILS if reached.value < 1.0 - _EVERY_FLIGHT else Verdict.CONDITION, text
+        )
     return Ruling(Verdict.HOLDS, text)
 
 
-def battery(evidence: Evidence) -> Ruling:
+def _battery(evidence: Evidence) -> Ruling:
     """Rule on "the battery level is of key importance": can a day of services empty it?"""
     used = [
         service.battery_used for service in evidence.services if service.battery_used is not None
@@ -58,15 +60,15 @@ def battery(evidence: Evidence) -> Ruling:
     if not used:
         return Ruling(Verdict.NOT_TESTABLE, "No whole service was flown on the twin in this run.")
     one, floor = float(np.mean(used)), evidence.site.limits.battery_floor
-    last = int((1.0 - floor) / one) if one > 0.0 else DAY + 1
+    last = int((1.0 - floor) / one) if one > 0.0 else _SERVICES_A_DAY + 1
     text = (
         f"One service takes {100 * one:.1f} % of a charge: after {last} the last gate lands the"
         f" drone at {percent(floor)}."
     )
-    return Ruling(Verdict.HOLDS if last <= DAY else Verdict.FAILS, text)
+    return Ruling(Verdict.HOLDS if last <= _SERVICES_A_DAY else Verdict.FAILS, text)
 
 
-def static_map(evidence: Evidence) -> Ruling:
+def _static_map(evidence: Evidence) -> Ruling:
     """Rule on "a static map is not valid when unexpected obstacles are added"."""
     maps = evidence.maps
     text = (
@@ -76,7 +78,7 @@ def static_map(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.HOLDS if maps.hit_static else Verdict.FAILS, text)
 
 
-def dynamic_map(evidence: Evidence) -> Ruling:
+def _dynamic_map(evidence: Evidence) -> Ruling:
     """Rule on "a map updated each time the algorithm is executed solves this problem"."""
     maps = evidence.maps
     text = (
@@ -92,7 +94,7 @@ def dynamic_map(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.HOLDS, text)
 
 
-CLAIMS: tuple[Claim, ...] = (
+SERVICE_CLAIMS: tuple[Claim, ...] = (
     Claim(
         "easy to use",
         "VI",
@@ -111,28 +113,32 @@ CLAIMS: tuple[Claim, ...] = (
         ("14",),
     ),
     Claim(
-        "battery", "VI", "the battery level is of key importance for safe flights", battery, ("14",)
+        "battery",
+        "VI",
+        "the battery level is of key importance for safe flights",
+        _battery,
+        ("14",),
     ),
     Claim(
         "service",
         "VII",
         "the drone took off, moved along the desired path and reached the destination"
         " automatically",
-        automatic,
+        _automatic,
         ("15", "16", "17"),
     ),
     Claim(
         "static map",
         "VIII",
         "the map is not valid once unexpected obstacles are added",
-        static_map,
+        _static_map,
         ("7",),
     ),
     Claim(
         "dynamic map",
         "VIII",
         "a map updated at each execution solves this problem",
-        dynamic_map,
+        _dynamic_map,
         ("7",),
     ),
 )

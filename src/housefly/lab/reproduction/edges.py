@@ -1,8 +1,7 @@
-"""How stiff the position loop may be before it rings: by way of estimating, tracking rate and
-latency, drone by drone.
+"""The stiffest position loop that does not ring, by estimator, tracking rate, latency and drone.
 
-The loop is the paper's own law (20)-(21) with the acceptor kept in pathTracking, so that nothing
-but the estimator differs.
+The loop is the paper's law (20)-(21) with the acceptor held in pathTracking, so that only the
+estimator differs.
 """
 
 from __future__ import annotations
@@ -15,30 +14,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config.site import Site, changed
-from housefly.lab.experiments.cases import (
-    DELAY_COMPENSATED,
-    FINITE_DIFFERENCE,
-    HELD_SAMPLE,
-    ON_ARRIVAL,
-    cases,
-)
-from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.cases import cases
+from housefly.lab.experiments.engine import Progress, fly_many
 from housefly.lab.reproduction.fleet import fleet
-from housefly.lab.reproduction.routes import step
-from housefly.lab.reproduction.streams import LATENCIES, RATES, Landed
+from housefly.lab.reproduction.routes import step_plan
+from housefly.lab.reproduction.streams import LATENCIES, RATES
+from housefly.pilot.estimation.estimator import EstimatorKind
 
 ESTIMATORS: dict[int, str] = {
-    FINITE_DIFFERENCE: "held sample, finite difference",
-    HELD_SAMPLE: "Kalman, fed the held sample",
-    ON_ARRIVAL: "Kalman on arrival (paper)",
-    DELAY_COMPENSATED: "delay-compensated (ours)",
+    EstimatorKind.FINITE_DIFFERENCE: "held sample, finite difference",
+    EstimatorKind.HELD_SAMPLE: "Kalman, fed the held sample",
+    EstimatorKind.ON_ARRIVAL: "Kalman on arrival (paper)",
+    EstimatorKind.DELAY_COMPENSATED: "delay-compensated (ours)",
 }
 """From the plainest to ours."""
-FREQUENCIES: NDArray[np.float64] = np.geomspace(0.8, 16.0, 26)
+_FREQUENCIES: NDArray[np.float64] = np.geomspace(0.8, 16.0, 26)
 """Natural frequencies tried, critically damped [rad/s]: 13 % apart."""
-RINGING = 0.02
-"""A step that still swings by more than this after ten seconds does not settle [m]: ten times what
-noise and gusts leave.
+_RINGING = 0.02
+"""A step that still oscillates by more than this after ten seconds does not settle [m].
+
+This is ten times what noise and gusts leave.
 """
 TRACKING_ALWAYS = {"epsilon_height": 2.0, "epsilon_yaw": 3.2, "epsilon_position": 0.001}
 """Tolerances with which the acceptor never leaves pathTracking."""
@@ -46,7 +41,7 @@ TRACKING_ALWAYS = {"epsilon_height": 2.0, "epsilon_yaw": 3.2, "epsilon_position"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Edges:
-    """Largest frequency at which each drone still settles.
+    """The largest frequency at which each drone still settles.
 
     Attributes:
         values: [rad/s], shape (estimators, rates, latencies, drones); nan when it settles at none.
@@ -63,17 +58,18 @@ class Edges:
         return np.asarray(self.values[place])
 
 
-def flights(seeds: int) -> int:
+def edge_flights(seeds: int) -> int:
     """Return how many flights ``find_edges`` makes."""
-    return len(ESTIMATORS) * len(RATES) * len(LATENCIES) * FREQUENCIES.size * seeds
+    return len(ESTIMATORS) * len(RATES) * len(LATENCIES) * _FREQUENCIES.size * seeds
 
 
-def find_edges(site: Site, seeds: int, on_landed: Landed | None = None, **columns: Any) -> Edges:
-    """Fly a step of one cell with every estimator, rate, latency, frequency and drone; ``columns``
-    replace a site's values.
+def find_edges(site: Site, seeds: int, on_landed: Progress | None = None, **columns: Any) -> Edges:
+    """Fly a step of one cell with every estimator, rate, latency, frequency and drone.
+
+    ``columns`` replace values of the site.
     """
     paper = changed(site, mode="paper")
-    grid = np.array(list(product(ESTIMATORS, RATES, LATENCIES, FREQUENCIES)))
+    grid = np.array(list(product(ESTIMATORS, RATES, LATENCIES, _FREQUENCIES)))
     estimator, rate, latency, frequency = (np.repeat(column, seeds) for column in grid.T)
     drones = {name: np.tile(values, len(grid)) for name, values in fleet(site, seeds).items()}
     given: dict[str, Any] = {
@@ -86,13 +82,15 @@ def find_edges(site: Site, seeds: int, on_landed: Landed | None = None, **column
         **drones,
         **columns,
     }
-    outcomes = fly_many(cases(paper, frequency.size, **given), step(paper), on_progress=on_landed)
-    shape = (len(ESTIMATORS), len(RATES), len(LATENCIES), FREQUENCIES.size, seeds)
-    settled = (outcomes["residual"] < RINGING).reshape(shape)
+    outcomes = fly_many(
+        cases(paper, frequency.size, **given), step_plan(paper), on_progress=on_landed
+    )
+    shape = (len(ESTIMATORS), len(RATES), len(LATENCIES), _FREQUENCIES.size, seeds)
+    settled = (outcomes["residual"] < _RINGING).reshape(shape)
     return Edges(_largest(settled), settled.mean(axis=-1))
 
 
 def _largest(settled: NDArray[np.bool_]) -> NDArray[np.float64]:
     """Return the last frequency before the first at which a drone rings."""
     unbroken = np.logical_and.accumulate(settled, axis=-2).sum(axis=-2)
-    return np.where(unbroken > 0, FREQUENCIES[np.maximum(unbroken - 1, 0)], np.nan)
+    return np.where(unbroken > 0, _FREQUENCIES[np.maximum(unbroken - 1, 0)], np.nan)

@@ -1,6 +1,4 @@
-"""What the paper's equations and conditions do when numbers are put in; no flight is needed for
-these.
-"""
+"""The paper's equations and conditions evaluated with numbers; no flight is needed."""
 
 from __future__ import annotations
 
@@ -13,36 +11,34 @@ import numpy as np
 
 from housefly.config.site import Site
 from housefly.geometry import GRAVITY, quaternion_from_euler, rotate
-from housefly.lab.reproduction.routes import CELL
-from housefly.pilot.behavior.acceptor import PAPER_EPSILONS, Condition, printed_conditions
+from housefly.lab.reproduction.routes import PAPER_CELL
+from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Condition, printed_conditions
 from housefly.pilot.control.laws import acceleration, clipped_per_axis, demand, paper_tilt
-from housefly.pilot.control.model import Body, Constants, body_step
+from housefly.pilot.control.model import Constants, DroneState, drone_step
 
-MASS = 0.436
-"""Of an AR.Drone 2.0 with its indoor hull [kg]; the printed (4) is wrong by an amount that depends
-on it.
-"""
-TICK = 0.002
+_MASS = 0.436
+"""Mass of an AR.Drone 2.0 with its indoor hull [kg]; the error of (4) as printed depends on it."""
+_TICK = 0.002
 """Step of the small simulations [s]."""
-RISEN = 1.0 - exp(-1.0)
+_RISEN = 1.0 - exp(-1.0)
 """A first-order response has risen by this share after one time constant."""
-LOOK = 6.0
-"""How long a response is watched [s]: seven time constants of the slowest."""
-TILTS = tuple(float(angle) for angle in np.linspace(-0.21, 0.21, 7))
-PAPER_HEADINGS = (0.0, pi)
-HEADINGS = tuple(float(psi) for psi in np.linspace(-pi, pi, 24, endpoint=False))
-LITERAL_WEIGHT = (0.0, 0.0, -GRAVITY)
+_DURATION = 6.0
+"""Duration of a simulated response [s]: seven of the slowest time constants."""
+_TILTS = tuple(float(angle) for angle in np.linspace(-0.21, 0.21, 7))
+_PAPER_HEADINGS = (0.0, pi)
+_HEADINGS = tuple(float(psi) for psi in np.linspace(-pi, pi, 24, endpoint=False))
+_LITERAL_WEIGHT = (0.0, 0.0, -GRAVITY)
 """f_g of eq. (4) as printed."""
-WEIGHT = (0.0, 0.0, MASS * GRAVITY)
+_WEIGHT = (0.0, 0.0, _MASS * GRAVITY)
 """f_g as it must be for (5)-(7)."""
 
-Conditions = Callable[[float, float, float], int]
+_Conditions = Callable[[float, float, float], int]
 """Condition bits for errors of height [m], yaw [rad] and place [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Overlap:
-    """How the conditions share the errors among them.
+    """How the conditions divide the errors among them.
 
     Attributes:
         inputs: combinations of errors tried, those that equal an epsilon among them.
@@ -84,45 +80,47 @@ class Equations:
     speed_rise: float
 
 
-def examine(site: Site) -> Equations:
+def evaluate_equations(site: Site) -> Equations:
     """Return the numbers for a site's drone and gains."""
     drone = Constants(site.drone.attitude_lag, site.drone.attitude_gain, site.drone.drag)
-    angle, speed = rises(drone)
+    angle, speed = _rises(drone)
     return Equations(
-        newton_printed=newton(LITERAL_WEIGHT),
-        newton_mended=newton(WEIGHT),
-        planar_at_two=planar(PAPER_HEADINGS),
-        planar_elsewhere=planar(HEADINGS),
-        overlap=overlap(_printed),
-        step_deviation=step_deviation(drone, site.control.alpha, site.control.beta),
+        newton_printed=_newton(_LITERAL_WEIGHT),
+        newton_mended=_newton(_WEIGHT),
+        planar_at_two=_planar(_PAPER_HEADINGS),
+        planar_elsewhere=_planar(_HEADINGS),
+        overlap=_overlap(_printed),
+        step_deviation=_step_deviation(drone, site.control.alpha, site.control.beta),
         angle_rise=angle,
         speed_rise=speed,
     )
 
 
-def newton(weight: tuple[float, float, float]) -> float:
-    """Return the largest difference [m/s^2] between (5)-(7) and (4) with this f_g, thrust holding
-    the height.
+def _newton(weight: tuple[float, float, float]) -> float:
+    """Return the largest difference [m/s^2] between (5)-(7) and (4) with this f_g.
+
+    The thrust holds the height.
     """
     worst = 0.0
-    for theta, phi, psi in product(TILTS, TILTS, HEADINGS):
-        thrust = MASS * GRAVITY / (cos(theta) * cos(phi))
+    for theta, phi, psi in product(_TILTS, _TILTS, _HEADINGS):
+        thrust = _MASS * GRAVITY / (cos(theta) * cos(phi))
         lift = rotate(quaternion_from_euler(phi, theta, psi), (0.0, 0.0, thrust))
-        by_4 = [(force - down) / MASS for force, down in zip(lift, weight, strict=True)]
+        by_4 = [(force - down) / _MASS for force, down in zip(lift, weight, strict=True)]
         by_5_to_7 = (
             *acceleration(theta, phi, psi),
-            cos(phi) * cos(theta) / MASS * thrust - GRAVITY,
+            cos(phi) * cos(theta) / _MASS * thrust - GRAVITY,
         )
         worst = max(worst, *(abs(a - b) for a, b in zip(by_4, by_5_to_7, strict=True)))
     return worst
 
 
-def planar(headings: Sequence[float]) -> float:
-    """Return the largest difference [m/s^2] between (8)-(9) with the nearer sign and the dynamics
-    at these headings.
+def _planar(headings: Sequence[float]) -> float:
+    """Return the largest difference [m/s^2] between (8)-(9) and the dynamics at these headings.
+
+    (8)-(9) are taken with the sign of the closer heading.
     """
     worst = 0.0
-    for theta, phi, psi in product(TILTS, TILTS, headings):
+    for theta, phi, psi in product(_TILTS, _TILTS, headings):
         sign = 1.0 if cos(psi) > 0.0 else -1.0
         by_8, by_9 = sign * GRAVITY * tan(theta), -sign * GRAVITY * tan(phi) / cos(theta)
         ax, ay = acceleration(theta, phi, psi)
@@ -130,13 +128,14 @@ def planar(headings: Sequence[float]) -> float:
     return worst
 
 
-def overlap(conditions: Conditions) -> Overlap:
-    """Return how these conditions overlap, for errors up to three times each epsilon and for errors
-    equal to one.
+def _overlap(conditions: _Conditions) -> Overlap:
+    """Return how these conditions overlap, for errors up to three times each epsilon.
+
+    Errors equal to an epsilon are among them.
     """
     errors = [
         sorted({*(float(e) for e in np.linspace(0.0, 3.0 * eps, 25)), eps})
-        for eps in PAPER_EPSILONS
+        for eps in PAPER_TOLERANCES[:3]
     ]
     held = [conditions(*error) for error in product(*errors)]
     counts = [bin(bits).count("1") for bits in held]
@@ -150,39 +149,37 @@ def overlap(conditions: Conditions) -> Overlap:
 
 
 def _printed(height: float, yaw: float, place: float) -> int:
-    return int(printed_conditions(height, yaw, place, *PAPER_EPSILONS))
+    return int(printed_conditions(height, yaw, place, *PAPER_TOLERANCES[:3]))
 
 
-def step_deviation(drone: Constants, alpha: float, beta: float) -> float:
-    """Return how far [m] a step of one cell, flown by (20)-(21) without delay or noise, strays from
-    x'' = -alpha x' - beta x.
+def _step_deviation(drone: Constants, alpha: float, beta: float) -> float:
+    """Return how far [m] a step of one cell deviates from x'' = -alpha x' - beta x.
 
-    Drag and static gain are left out: only the attitude lag of eq. (22) stands between the two.
+    The step is flown by (20)-(21) without delay, noise, drag or static gain, so only the attitude
+    lag of eq. (22) stands between the two.
     """
     plain = Constants(drone.lag, 1.0, 0.0)
-    body, x, v, worst = Body(), 0.0, 0.0, 0.0
-    for _ in range(round(LOOK / TICK)):
-        wanted = demand(CELL - body.x, -body.vx, 0.0, alpha, beta)
+    body, x, v, worst = DroneState(), 0.0, 0.0, 0.0
+    for _ in range(round(_DURATION / _TICK)):
+        wanted = demand(PAPER_CELL - body.x, -body.vx, 0.0, alpha, beta)
         theta, phi = clipped_per_axis(*paper_tilt(wanted, 0.0, 1.0, 1.0), 0.21)
-        body = Body(*body_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), plain, TICK))
-        a = demand(CELL - x, -v, 0.0, alpha, beta)
-        x, v = x + TICK * v + 0.5 * TICK * TICK * a, v + TICK * a
+        body = DroneState(*drone_step(body, theta, phi, 0.0, 0.0, (0.0, 0.0), plain, _TICK))
+        a = demand(PAPER_CELL - x, -v, 0.0, alpha, beta)
+        x, v = x + _TICK * v + 0.5 * _TICK * _TICK * a, v + _TICK * a
         worst = max(worst, abs(body.x - x))
     return worst
 
 
-def rises(drone: Constants) -> tuple[float, float]:
-    """Return the time [s] in which angle and speed rise by 63 % of their final values under a
-    steady tenth of theta_max.
-    """
-    asked, body = 0.021, Body()
+def _rises(drone: Constants) -> tuple[float, float]:
+    """Return the rise times [s] of angle and speed to 63 % under a tenth of theta_max."""
+    asked, body = 0.021, DroneState()
     angles, speeds = [], []
-    for _ in range(round(LOOK / max(drone.drag, 0.1) / TICK)):
-        body = Body(*body_step(body, asked, 0.0, 0.0, 0.0, (0.0, 0.0), drone, TICK))
+    for _ in range(round(_DURATION / max(drone.drag, 0.1) / _TICK)):
+        body = DroneState(*drone_step(body, asked, 0.0, 0.0, 0.0, (0.0, 0.0), drone, _TICK))
         angles.append(body.theta)
         speeds.append(body.vx)
     return _rise(angles), _rise(speeds)
 
 
 def _rise(values: Sequence[float]) -> float:
-    return TICK * float(np.argmax(np.asarray(values) >= RISEN * values[-1]))
+    return _TICK * float(np.argmax(np.asarray(values) >= _RISEN * values[-1]))

@@ -1,4 +1,4 @@
-"""Everything that was measured for the tables and the findings."""
+"""Everything measured for the tables and findings."""
 
 from __future__ import annotations
 
@@ -11,24 +11,22 @@ from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction import edges, streams, trials
 from housefly.lab.reproduction.angular_step import AngularStep
 from housefly.lab.reproduction.edges import Edges, find_edges
-from housefly.lab.reproduction.equations import Equations, examine
+from housefly.lab.reproduction.equations import Equations, evaluate_equations
 from housefly.lab.reproduction.maps import MapFacts, survey
 from housefly.lab.reproduction.streams import Streams, fly_streams
 from housefly.lab.reproduction.trials import fly_trials
 from housefly.record.summary import Summary
 
-EDGE_SEEDS = 40
-"""Drones for each search of an edge: each gives one edge, so the interval of their mean narrows
-quickly.
-"""
+_EDGE_SEEDS = 40
+"""Drones for each search of an edge; each gives one edge, so few are enough."""
 
-Progress = Callable[[float], None]
-"""Told the share of all flights that have ended, 0 to 1."""
+_Progress = Callable[[float], None]
+"""Called with the share of all flights that have ended, 0 to 1."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
-    """What the findings rest on.
+    """The measurements behind the findings.
 
     Attributes:
         site: whose room, drone and gains.
@@ -54,7 +52,7 @@ class Evidence:
 def gather(
     site: Site,
     seeds: int,
-    on_progress: Progress = lambda share: None,
+    on_progress: _Progress = lambda share: None,
     changes: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> Evidence:
     """Survey the map and fly everything that needs no twin.
@@ -65,8 +63,10 @@ def gather(
         on_progress: told the share of flights that have ended.
         changes: columns replaced in single trials, by key.
     """
-    edge_seeds = min(seeds, EDGE_SEEDS)
-    total = streams.flights(seeds) + edges.flights(edge_seeds) + trials.flights(seeds)
+    edge_seeds = min(seeds, _EDGE_SEEDS)
+    total = (
+        streams.stream_flights(seeds) + edges.edge_flights(edge_seeds) + trials.trial_flights(seeds)
+    )
     ended = 0
 
     def landed(more: int) -> None:
@@ -77,7 +77,7 @@ def gather(
     return Evidence(
         site=site,
         maps=survey(site),
-        equations=examine(site),
+        equations=evaluate_equations(site),
         streams=fly_streams(site, seeds, landed),
         edges=find_edges(site, edge_seeds, landed),
         trials=fly_trials(site, seeds, landed, changes),

@@ -1,4 +1,4 @@
-"""What the reproduction shows: figures, tables, and findings about the paper's claims."""
+"""Figures, tables, and findings about the paper's claims."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Table:
 
 
 class Verdict(Enum):
-    """What became of a claim."""
+    """The outcome for a claim."""
 
     HOLDS = "holds"
     CONDITION = "holds with a condition"
@@ -52,7 +52,7 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class ClaimFinding:
     """A claim of the paper and what the measurements say.
 
     Attributes:

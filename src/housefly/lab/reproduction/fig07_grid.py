@@ -10,21 +10,21 @@ from matplotlib.colors import ListedColormap
 from matplotlib.patches import Patch, Rectangle
 
 from housefly.geometry import Vec2
-from housefly.lab.reproduction.drawing import write
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.room.grid import Cell, OccupancyGrid
 
-FREE, OBSTACLE, VIRTUAL, DRONE = "#ffffff", "#000000", "#5a5a5a", "#9a9a9a"
-HATCH = "////"
+_FREE, _OBSTACLE, _VIRTUAL, _DRONE = "#ffffff", "#000000", "#5a5a5a", "#9a9a9a"
+_HATCH = "////"
 
 
-def draw(folder: Path, grid: OccupancyGrid, drone: Vec2) -> Exhibit:
-    """Draw the grid of mode paper; white is free, black an obstacle, grey the drone, as in the
-    paper.
-    """
+def draw_fig07(folder: Path, grid: OccupancyGrid, drone: Vec2) -> Exhibit:
+    """Draw the grid of mode paper: free white, obstacle black, drone grey, as in the paper."""
     blocked, virtual = (int((grid.cells == cell).sum()) for cell in (Cell.OCCUPIED, Cell.VIRTUAL))
     nx, ny = grid.cells.shape
-    write(folder, "fig07", (9.0, 3.7), lambda figure: paint(figure.subplots(), grid, drone))
+    write_figure(
+        folder, "fig07", (9.0, 3.7), lambda figure: paint_grid(figure.subplots(), grid, drone)
+    )
     return Exhibit(
         "7",
         "Occupancy grid",
@@ -37,7 +37,7 @@ def draw(folder: Path, grid: OccupancyGrid, drone: Vec2) -> Exhibit:
     )
 
 
-def paint(axes: Any, grid: OccupancyGrid, drone: Vec2 | None) -> None:
+def paint_grid(axes: Any, grid: OccupancyGrid, drone: Vec2 | None) -> None:
     """Paint the cells on axes in metres."""
     (x, y), (nx, ny), edge = grid.origin, grid.cells.shape, grid.resolution
     picture = np.where(grid.cells == Cell.FREE, 0, 1)
@@ -46,7 +46,7 @@ def paint(axes: Any, grid: OccupancyGrid, drone: Vec2 | None) -> None:
         picture.T,
         origin="lower",
         extent=extent,
-        cmap=ListedColormap([FREE, OBSTACLE]),
+        cmap=ListedColormap([_FREE, _OBSTACLE]),
         vmin=0,
         vmax=1,
     )
@@ -54,7 +54,13 @@ def paint(axes: Any, grid: OccupancyGrid, drone: Vec2 | None) -> None:
         corner = (x + ix * edge, y + iy * edge)
         axes.add_patch(
             Rectangle(
-                corner, edge, edge, facecolor=VIRTUAL, edgecolor="white", hatch=HATCH, linewidth=0.0
+                corner,
+                edge,
+                edge,
+                facecolor=_VIRTUAL,
+                edgecolor="white",
+                hatch=_HATCH,
+                linewidth=0.0,
             )
         )
     for index in range(nx + 1):
@@ -62,20 +68,20 @@ def paint(axes: Any, grid: OccupancyGrid, drone: Vec2 | None) -> None:
     for index in range(ny + 1):
         axes.axhline(y + index * edge, color="#c8c8c8", linewidth=0.5)
     handles = [
-        Patch(facecolor=FREE, edgecolor="#888888", label="free"),
-        Patch(facecolor=OBSTACLE, label="obstacle"),
+        Patch(facecolor=_FREE, edgecolor="#888888", label="free"),
+        Patch(facecolor=_OBSTACLE, label="obstacle"),
     ]
     handles.append(
-        Patch(facecolor=VIRTUAL, edgecolor="white", hatch=HATCH, label="virtual obstacle")
+        Patch(facecolor=_VIRTUAL, edgecolor="white", hatch=_HATCH, label="virtual obstacle")
     )
     if drone is not None:
         ix, iy = grid.cell_of(drone)
         axes.add_patch(
             Rectangle(
-                (x + ix * edge, y + iy * edge), edge, edge, facecolor=DRONE, edgecolor="#333333"
+                (x + ix * edge, y + iy * edge), edge, edge, facecolor=_DRONE, edgecolor="#333333"
             )
         )
-        handles.append(Patch(facecolor=DRONE, edgecolor="#333333", label="drone"))
+        handles.append(Patch(facecolor=_DRONE, edgecolor="#333333", label="drone"))
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     axes.set_aspect("equal")

@@ -12,32 +12,34 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Ellipse, FancyArrowPatch
 from numpy.typing import NDArray
 
-from housefly.lab.reproduction.drawing import BLUE, INK, write
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import EXECUTION_ORDER, STATES, TABLE, Condition
+from housefly.record.plot_style import BLUE, INK
 
-PLACES: dict[Behavior, tuple[float, float]] = {
+_PLACES: dict[Behavior, tuple[float, float]] = {
     Behavior.HOVER: (0.0, 0.0),
     Behavior.ALTITUDE_CONTROL: (0.0, 3.0),
     Behavior.YAW_CONTROL: (-4.6, -2.4),
     Behavior.PATH_TRACKING: (4.6, -2.4),
 }
-WIDTH, HEIGHT = 2.1, 0.8
-SYMBOLS = {
+_WIDTH, _HEIGHT = 2.1, 0.8
+_SYMBOLS = {
     Condition.Q1: "$q_1$",
     Condition.Q2: "$q_2$",
     Condition.Q3: "$q_3$",
     Condition.Q4: "$q_4$",
     Condition.REST: "rest",
 }
-NOTHING = "else"
-Edge = tuple[Behavior, Behavior, tuple[str, ...]]
+_ELSE = "else"
+_Transition = tuple[Behavior, Behavior, tuple[str, ...]]
 
 
-def edges(table: NDArray[np.uint8] = TABLE) -> tuple[Edge, ...]:
-    """Return every transition of a table: from, to, and the conditions that decide it, "else" where
-    none holds.
+def transitions(table: NDArray[np.uint8] = TABLE) -> tuple[_Transition, ...]:
+    """Return every transition of a table: from, to, and the conditions that decide it.
+
+    "else" stands where no condition holds.
     """
     found = []
     for state, target in product(STATES, STATES):
@@ -51,7 +53,7 @@ def edges(table: NDArray[np.uint8] = TABLE) -> tuple[Edge, ...]:
 
 def _deciding(bits: int) -> str:
     return next(
-        (SYMBOLS[condition] for condition, _ in EXECUTION_ORDER if bits & condition), NOTHING
+        (_SYMBOLS[condition] for condition, _ in EXECUTION_ORDER if bits & condition), _ELSE
     )
 
 
@@ -62,10 +64,10 @@ def _rank(bits: int) -> int:
     )
 
 
-def draw(folder: Path, table: NDArray[np.uint8] = TABLE) -> Exhibit:
+def draw_fig10(folder: Path, table: NDArray[np.uint8] = TABLE) -> Exhibit:
     """Draw the acceptor."""
-    found = edges(table)
-    write(folder, "fig10", (8.6, 6.0), lambda figure: _paint(figure, found))
+    found = transitions(table)
+    write_figure(folder, "fig10", (8.6, 6.0), lambda figure: _paint(figure, found))
     between = sum(1 for state, target, _ in found if state is not target)
     return Exhibit(
         "10",
@@ -79,12 +81,18 @@ def draw(folder: Path, table: NDArray[np.uint8] = TABLE) -> Exhibit:
     )
 
 
-def _paint(figure: Figure, found: tuple[Edge, ...]) -> None:
+def _paint(figure: Figure, found: tuple[_Transition, ...]) -> None:
     axes = figure.subplots()
-    for state, (x, y) in PLACES.items():
+    for state, (x, y) in _PLACES.items():
         axes.add_patch(
             Ellipse(
-                (x, y), WIDTH, HEIGHT, facecolor="#eaf3f8", edgecolor=BLUE, linewidth=1.6, zorder=3
+                (x, y),
+                _WIDTH,
+                _HEIGHT,
+                facecolor="#eaf3f8",
+                edgecolor=BLUE,
+                linewidth=1.6,
+                zorder=3,
             )
         )
         axes.text(x, y, state.value, ha="center", va="center", fontsize=9.5, zorder=4)
@@ -99,22 +107,22 @@ def _paint(figure: Figure, found: tuple[Edge, ...]) -> None:
     axes.axis("off")
 
 
-BEND = 0.12
-"""How much an arrow bends, as a share of its length."""
-LABEL_AT = 0.42
-"""Where on an arrow its conditions stand, as a share of the way."""
-ON_WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 1.2}
+_BEND = 0.12
+"""Bend of an arrow as a share of its length."""
+_LABEL_AT = 0.42
+"""Position of an arrow's label as a share of its length."""
+_ON_WHITE = {"facecolor": "white", "edgecolor": "none", "pad": 1.2}
 
 
 def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...]) -> None:
-    (x0, y0), (x1, y1) = PLACES[state], PLACES[target]
+    (x0, y0), (x1, y1) = _PLACES[state], _PLACES[target]
     start, end = _rim((x0, y0), (x1, y1), 0.2), _rim((x1, y1), (x0, y0), -0.2)
     style = "Simple, tail_width=0.6, head_width=5, head_length=7"
     axes.add_patch(
         FancyArrowPatch(
             start,
             end,
-            connectionstyle=f"arc3,rad={BEND}",
+            connectionstyle=f"arc3,rad={_BEND}",
             arrowstyle=style,
             color=INK,
             linewidth=0.5,
@@ -122,12 +130,12 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
         )
     )
     bend = (
-        0.5 * (start[0] + end[0]) + BEND * (end[1] - start[1]),
-        0.5 * (start[1] + end[1]) - BEND * (end[0] - start[0]),
+        0.5 * (start[0] + end[0]) + _BEND * (end[1] - start[1]),
+        0.5 * (start[1] + end[1]) - _BEND * (end[0] - start[0]),
     )
     # Nearer to where the arrow begins: the label of the way back stands elsewhere.
     x, y = (
-        (1 - LABEL_AT) ** 2 * a + 2 * LABEL_AT * (1 - LABEL_AT) * c + LABEL_AT**2 * b
+        (1 - _LABEL_AT) ** 2 * a + 2 * _LABEL_AT * (1 - _LABEL_AT) * c + _LABEL_AT**2 * b
         for a, b, c in zip(start, end, bend, strict=True)
     )
     axes.text(
@@ -138,7 +146,7 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
         va="center",
         fontsize=9,
         color=BLUE,
-        bbox=ON_WHITE,
+        bbox=_ON_WHITE,
         zorder=5,
     )
 
@@ -146,19 +154,17 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
 def _rim(
     centre: tuple[float, float], towards: tuple[float, float], turn: float
 ) -> tuple[float, float]:
-    """Return the point of an ellipse in a direction, turned a little so that both ways have a line
-    of their own.
-    """
+    """Return the point of an ellipse in a direction, turned a little to separate two arrows."""
     angle = atan2(towards[1] - centre[1], towards[0] - centre[0]) - turn
-    reach = 1.0 / hypot(cos(angle) / (0.5 * WIDTH), sin(angle) / (0.5 * HEIGHT))
+    reach = 1.0 / hypot(cos(angle) / (0.5 * _WIDTH), sin(angle) / (0.5 * _HEIGHT))
     return centre[0] + 1.06 * reach * cos(angle), centre[1] + 1.06 * reach * sin(angle)
 
 
 def _loop(axes: Any, state: Behavior, names: tuple[str, ...]) -> None:
-    x, y = PLACES[state]
+    x, y = _PLACES[state]
     up = 1.0 if y > 0.0 else -1.0
     angles = (pi / 2 + 0.35, pi / 2 - 0.35)
-    ends = [(x + 0.5 * WIDTH * cos(a), y + up * 0.5 * HEIGHT * sin(a) * 1.02) for a in angles]
+    ends = [(x + 0.5 * _WIDTH * cos(a), y + up * 0.5 * _HEIGHT * sin(a) * 1.02) for a in angles]
     style = "Simple, tail_width=0.6, head_width=5, head_length=7"
     rad = -1.5 if up > 0 else 1.5
     axes.add_patch(
@@ -173,7 +179,7 @@ def _loop(axes: Any, state: Behavior, names: tuple[str, ...]) -> None:
     )
     axes.text(
         x,
-        y + up * (0.5 * HEIGHT + 0.72),
+        y + up * (0.5 * _HEIGHT + 0.72),
         ", ".join(names),
         ha="center",
         va="center",

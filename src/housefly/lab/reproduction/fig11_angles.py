@@ -1,6 +1,4 @@
-"""Fig. 11: how the drone's pitch answers a step, with the first-order curve of eq. (22) and what it
-leaves out.
-"""
+"""Fig. 11: the response of the pitch to a step, with the first-order curve of eq. (22)."""
 
 from __future__ import annotations
 
@@ -8,22 +6,22 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from housefly.config.profile import Interval
 from housefly.lab.reproduction.angular_step import AngularStep, response
-from housefly.lab.reproduction.drawing import BLUE, GREEN, GREY, ORANGE, write
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
+from housefly.numeric import FloatArray
+from housefly.record.plot_style import BLUE, GREEN, GREY, ORANGE
 
-Numbers = NDArray[np.float64]
 ALPHA, THETA_MAX = 0.4, 0.21
-"""Share of the largest angle that is commanded, and the angle [rad]: the paper's."""
+"""Commanded share of the largest angle, and that angle [rad]: the paper's."""
 
 
-def draw(
+def draw_fig11(
     folder: Path,
-    onboard: tuple[Numbers, Numbers],
-    tracked: tuple[Numbers, Numbers],
+    onboard: tuple[FloatArray, FloatArray],
+    tracked: tuple[FloatArray, FloatArray],
     step: AngularStep,
     constants: dict[str, Interval],
 ) -> Exhibit:
@@ -37,7 +35,7 @@ def draw(
         step: fit of the first.
         constants: what ``housefly identify`` made of the same flight.
     """
-    write(folder, "fig11", (8.6, 4.0), lambda figure: _paint(figure, onboard, tracked, step))
+    write_figure(folder, "fig11", (8.6, 4.0), lambda figure: _paint(figure, onboard, tracked, step))
     lag, gain, delay = (
         constants[key] for key in ("attitude_lag", "attitude_gain", "command_delay")
     )
@@ -57,8 +55,8 @@ def draw(
 
 def _paint(
     figure: Figure,
-    onboard: tuple[Numbers, Numbers],
-    tracked: tuple[Numbers, Numbers],
+    onboard: tuple[FloatArray, FloatArray],
+    tracked: tuple[FloatArray, FloatArray],
     step: AngularStep,
 ) -> None:
     axes = figure.subplots()

@@ -9,32 +9,30 @@ from typing import Any, NamedTuple
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
-from numpy.typing import NDArray
 
-from housefly.lab.reproduction.drawing import BLUE, GREEN, GREY, INK, ORANGE, write
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.flight import Flight
+from housefly.lab.reproduction.flight import FlightTracks
+from housefly.numeric import FloatArray
 from housefly.pilot.control.laws import acceleration
+from housefly.record.plot_style import BLUE, GREEN, GREY, INK, ORANGE
 
-Numbers = NDArray[np.float64]
-WINDOW = 9.0
-"""Seconds of the flight that are shown."""
-STEPS_SHOWN = 3
-"""Frames of tracking are drawn one in so many."""
+_WINDOW = 9.0
+"""Length of the part of the flight that is shown [s]."""
+_FRAME_STRIDE = 3
+"""Every so many frames of tracking, one is drawn."""
 
 
-class Signal(NamedTuple):
-    """One arrow: its name, its curves (time, value, colour, style), and where its small plot stands
-    (column, row).
-    """
+class _Signal(NamedTuple):
+    """One arrow: name, curves (time, value, colour, style), and place of its plot (column, row)."""
 
     name: str
-    curves: tuple[tuple[Numbers, Numbers, str, str], ...]
+    curves: tuple[tuple[FloatArray, FloatArray, str, str], ...]
     place: tuple[float, float]
 
 
-def draw(folder: Path, flight: Flight, start: float) -> tuple[Exhibit, Exhibit]:
-    """Draw both diagrams from ``start`` [s] of a flight on; along x, where the outbound way begins."""
+def draw_fig12_and_13(folder: Path, flight: FlightTracks, start: float) -> tuple[Exhibit, Exhibit]:
+    """Draw both diagrams from ``start`` [s] of a flight on."""
     signals = _signals(flight, start)
     inner = (
         "reference and position",
@@ -43,8 +41,10 @@ def draw(folder: Path, flight: Flight, start: float) -> tuple[Exhibit, Exhibit]:
         "reached angle",
         "true position",
     )
-    write(folder, "fig12", (12.0, 5.0), lambda figure: _diagram(figure, signals, inner, False))
-    write(
+    write_figure(
+        folder, "fig12", (12.0, 5.0), lambda figure: _diagram(figure, signals, inner, False)
+    )
+    write_figure(
         folder,
         "fig13",
         (12.0, 7.2),
@@ -58,7 +58,7 @@ def draw(folder: Path, flight: Flight, start: float) -> tuple[Exhibit, Exhibit]:
             "fig12",
             "A block diagram without signals: position loop outside, the drone's own attitude loop"
             " inside.",
-            f"{WINDOW:.0f} s of one flight along x at every arrow: the position follows its"
+            f"{_WINDOW:.0f} s of one flight along x at every arrow: the position follows its"
             f" reference to {100 * error:.1f} cm (root mean square), the angle follows its command"
             f" {1000 * lag:.0f} ms behind.",
         ),
@@ -73,44 +73,42 @@ def draw(folder: Path, flight: Flight, start: float) -> tuple[Exhibit, Exhibit]:
     )
 
 
-def _signals(flight: Flight, start: float) -> dict[str, Signal]:
-    shown = (flight.at >= start) & (flight.at < start + WINDOW)
+def _signals(flight: FlightTracks, start: float) -> dict[str, _Signal]:
+    shown = (flight.at >= start) & (flight.at < start + _WINDOW)
     t = flight.at[shown] - start
-    frames = (flight.seen_at >= start) & (flight.seen_at < start + WINDOW)
+    frames = (flight.seen_at >= start) & (flight.seen_at < start + _WINDOW)
     seen_t = flight.seen_at[frames] - start
     reference, estimate = flight.reference[shown, 0], flight.estimate[shown]
     push = np.array([acceleration(theta, phi, 0.0)[0] for theta, phi in flight.asked[shown]])
     along = np.cos(_yaws(flight)[shown])
     tilt, reached = flight.asked[shown, 0], flight.reached[shown, 0]
     x, tracked = flight.seen[frames, 0], flight.seen_tilt[frames, 0]
-    few = slice(None, None, STEPS_SHOWN)
+    few = slice(None, None, _FRAME_STRIDE)
     return {
-        "reference and position": Signal(
+        "reference and position": _Signal(
             "x_ref, x [m]", ((t, reference, GREY, "--"), (t, estimate[:, 0], BLUE, "-")), (0.0, 1.0)
         ),
-        "demanded acceleration": Signal(
+        "demanded acceleration": _Signal(
             "demanded acceleration [m/s²]", ((t, push * along, ORANGE, "-"),), (1.0, 1.0)
         ),
-        "commanded angle": Signal("theta_des [rad]", ((t, tilt, ORANGE, "-"),), (2.0, 1.0)),
-        "reached angle": Signal(
+        "commanded angle": _Signal("theta_des [rad]", ((t, tilt, ORANGE, "-"),), (2.0, 1.0)),
+        "reached angle": _Signal(
             "theta [rad]", ((t, tilt, GREY, "--"), (t, reached, GREEN, "-")), (3.0, 1.0)
         ),
-        "true position": Signal("x [m]", ((seen_t, x, GREEN, "-"),), (4.0, 1.0)),
-        "tracking": Signal("tracking: x [m]", ((seen_t[few], x[few], GREEN, "."),), (3.0, 0.0)),
-        "estimate": Signal("Kalman: dx/dt [m/s]", ((t, estimate[:, 2], BLUE, "-"),), (1.0, 0.0)),
-        "tracked angle": Signal("theta [rad]", ((seen_t, tracked, GREEN, "."),), (2.0, 0.0)),
+        "true position": _Signal("x [m]", ((seen_t, x, GREEN, "-"),), (4.0, 1.0)),
+        "tracking": _Signal("tracking: x [m]", ((seen_t[few], x[few], GREEN, "."),), (3.0, 0.0)),
+        "estimate": _Signal("Kalman: dx/dt [m/s]", ((t, estimate[:, 2], BLUE, "-"),), (1.0, 0.0)),
+        "tracked angle": _Signal("theta [rad]", ((seen_t, tracked, GREEN, "."),), (2.0, 0.0)),
     }
 
 
-def _yaws(flight: Flight) -> Numbers:
+def _yaws(flight: FlightTracks) -> FloatArray:
     return np.array([s.outputs.estimate.yaw if s.outputs.estimate else 0.0 for s in flight.steps])
 
 
-def _numbers(flight: Flight, start: float) -> tuple[float, float]:
-    """Return the distance from the reference [m], root mean square, and how late the angle is [s],
-    by correlation.
-    """
-    shown = (flight.at >= start) & (flight.at < start + WINDOW)
+def _numbers(flight: FlightTracks, start: float) -> tuple[float, float]:
+    """Return the RMS distance from the reference [m] and the lag of the angle [s]."""
+    shown = (flight.at >= start) & (flight.at < start + _WINDOW)
     off = flight.reference[shown] - flight.estimate[shown, :2]
     asked, reached = flight.asked[shown, 0], flight.reached[shown, 0]
     period = float(np.median(np.diff(flight.at)))
@@ -119,7 +117,7 @@ def _numbers(flight: Flight, start: float) -> tuple[float, float]:
     return float(np.sqrt(np.nanmean(np.sum(off**2, axis=1)))), float(np.argmax(fits) * period)
 
 
-BLOCKS = (
+_BLOCKS = (
     "reference",
     "feedback\nlinearization",
     "saturation,\nlast gate",
@@ -129,7 +127,7 @@ BLOCKS = (
 
 
 def _diagram(
-    figure: Figure, signals: dict[str, Signal], names: tuple[str, ...], filtered: bool
+    figure: Figure, signals: dict[str, _Signal], names: tuple[str, ...], filtered: bool
 ) -> None:
     frame = figure.add_axes((0.0, 0.0, 1.0, 1.0))
     figure.set_layout_engine("none")
@@ -139,7 +137,7 @@ def _diagram(
     frame.axis("off")
     row = height - 0.85
     centres = [1.2 + 2.4 * k for k in range(5)]
-    for centre, words in zip(centres, BLOCKS, strict=True):
+    for centre, words in zip(centres, _BLOCKS, strict=True):
         _block(frame, centre, row, words)
     for left, right in pairwise(centres):
         _arrow(frame, [(left + 0.72, row), (right - 0.72, row)])
@@ -206,7 +204,7 @@ def _arrow(frame: Any, points: list[tuple[float, float]], *, dashed: bool = Fals
 
 
 def _plot(
-    figure: Figure, signal: Signal, left: float, bottom: float, width: float, height: float
+    figure: Figure, signal: _Signal, left: float, bottom: float, width: float, height: float
 ) -> None:
     axes = figure.add_axes((left, bottom, width, height))
     axes.patch.set_alpha(1.0)
@@ -221,6 +219,6 @@ def _plot(
         signal.name, fontsize=8, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5}
     )
     axes.tick_params(labelsize=7, length=2)
-    axes.set_xlim(0.0, WINDOW)
+    axes.set_xlim(0.0, _WINDOW)
     axes.set_xticks([0, 3, 6, 9], ["0", "3", "6", "9 s"])
     axes.grid(True, linewidth=0.5)

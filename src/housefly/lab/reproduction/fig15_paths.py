@@ -1,4 +1,4 @@
-"""Figs. 15 and 16: room, start and goal; the way as planned and as flown, in both modes."""
+"""Figs. 15 and 16: room, start and goal; the path as planned and as flown, in both modes."""
 
 from __future__ import annotations
 
@@ -11,14 +11,16 @@ from matplotlib.colors import ListedColormap
 from matplotlib.patches import Circle
 
 from housefly.geometry import Vec2, distance
-from housefly.lab.reproduction.drawing import BLUE, GREEN, ORANGE, write
+from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.fig07_grid import paint
-from housefly.lab.reproduction.flight import Flight
+from housefly.lab.reproduction.fig07_grid import paint_grid
+from housefly.lab.reproduction.flight import FlightTracks
 from housefly.messages import Phase
+from housefly.record.plot_style import BLUE, GREEN, ORANGE
+from housefly.record.summary import distance_to_path
 from housefly.room.grid import Cell, OccupancyGrid
 
-SHADES = {
+_SHADES = {
     Cell.FREE: "#ffffff",
     Cell.OCCUPIED: "#3b4046",
     Cell.VIRTUAL: "#f3d9b1",
@@ -27,17 +29,19 @@ SHADES = {
 }
 
 
-def draw(
+def draw_fig15_and_16(
     folder: Path,
-    paper: tuple[OccupancyGrid, Flight],
-    default: tuple[OccupancyGrid, Flight],
+    paper: tuple[OccupancyGrid, FlightTracks],
+    default: tuple[OccupancyGrid, FlightTracks],
     goal: Vec2,
 ) -> tuple[Exhibit, Exhibit]:
     """Draw both figures."""
     grid, flight = paper
     start = flight.path[0]
-    write(folder, "fig15", (9.0, 3.7), lambda figure: _ends(figure.subplots(), grid, start, goal))
-    write(folder, "fig16", (9.0, 7.4), lambda figure: _both(figure, paper, default, goal))
+    write_figure(
+        folder, "fig15", (9.0, 3.7), lambda figure: _ends(figure.subplots(), grid, start, goal)
+    )
+    write_figure(folder, "fig16", (9.0, 7.4), lambda figure: _both(figure, paper, default, goal))
     numbers = [_words(mode, one) for mode, one in (("paper", flight), ("default", default[1]))]
     return (
         Exhibit(
@@ -58,8 +62,8 @@ def draw(
     )
 
 
-def _words(mode: str, flight: Flight) -> str:
-    off = distance_from_path(flight)
+def _words(mode: str, flight: FlightTracks) -> str:
+    off = distance_to_path(flight.seen[flight.seen_during(Phase.OUTBOUND), :2], flight.path)
     length = sum(distance(a, b) for a, b in pairwise(flight.path))
     return (
         f"Mode {mode}: {length:.1f} m in {len(flight.path)} waypoints; flown"
@@ -68,19 +72,8 @@ def _words(mode: str, flight: Flight) -> str:
     )
 
 
-def distance_from_path(flight: Flight) -> Any:
-    """Return how far each frame of the outbound way lies from the planned one [m]."""
-    points = flight.seen[flight.seen_during(Phase.OUTBOUND), :2]
-    path = np.array(flight.path)
-    legs = path[1:] - path[:-1]
-    lengths = np.maximum((legs**2).sum(axis=1), 1e-12)
-    shares = np.clip(((points[:, None] - path[:-1]) * legs).sum(axis=2) / lengths, 0.0, 1.0)
-    nearest = path[:-1] + shares[..., None] * legs
-    return np.sqrt(((points[:, None] - nearest) ** 2).sum(axis=2)).min(axis=1)
-
-
 def _ends(axes: Any, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> None:
-    paint(axes, grid, None)
+    paint_grid(axes, grid, None)
     _mark(axes, start, BLUE, "start")
     _mark(axes, goal, ORANGE, "target")
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
@@ -92,8 +85,8 @@ def _mark(axes: Any, place: Vec2, colour: str, name: str) -> None:
 
 def _both(
     figure: Any,
-    paper: tuple[OccupancyGrid, Flight],
-    default: tuple[OccupancyGrid, Flight],
+    paper: tuple[OccupancyGrid, FlightTracks],
+    default: tuple[OccupancyGrid, FlightTracks],
     goal: Vec2,
 ) -> None:
     upper, lower = figure.subplots(2, 1)
@@ -102,9 +95,9 @@ def _both(
         (lower, default, "mode default"),
     ):
         if grid is paper[0]:
-            paint(axes, grid, None)
+            paint_grid(axes, grid, None)
         else:
-            paint_fine(axes, grid)
+            paint_fine_grid(axes, grid)
         out, back = (
             flight.seen_during(Phase.OUTBOUND, Phase.LOOKING),
             flight.seen_during(Phase.RETURNING),
@@ -142,10 +135,10 @@ def _both(
         axes.legend(loc="lower center", bbox_to_anchor=(0.62, 1.0), ncols=3)
 
 
-def paint_fine(axes: Any, grid: OccupancyGrid) -> None:
-    """Paint the cells of a fine grid, kinds told apart by shade."""
+def paint_fine_grid(axes: Any, grid: OccupancyGrid) -> None:
+    """Paint the cells of a fine grid, one shade per kind."""
     (x, y), (nx, ny), edge = grid.origin, grid.cells.shape, grid.resolution
-    shades = ListedColormap([SHADES[cell] for cell in Cell])
+    shades = ListedColormap([_SHADES[cell] for cell in Cell])
     axes.imshow(
         grid.cells.T,
         origin="lower",

@@ -1,4 +1,4 @@
-"""Fig. 17: the service as a strip: console and camera side by side at a few moments."""
+"""Fig. 17: the service as a strip, console and camera side by side at a few moments."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from housefly.lab.reproduction.drawing import BLUE, ORANGE, STYLE, write
+from housefly.lab.reproduction.drawing import FIGURE_STYLE, write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.fig15_paths import paint_fine
-from housefly.lab.reproduction.flight import Flight
+from housefly.lab.reproduction.fig15_paths import paint_fine_grid
+from housefly.lab.reproduction.flight import FlightTracks
+from housefly.record.plot_style import BLUE, ORANGE
 from housefly.room.grid import OccupancyGrid
 
-Picture = NDArray[np.uint8]
+RgbImage = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,11 +35,11 @@ class Moment:
 
     title: str
     at: float
-    console: Picture
-    camera: Picture | None
+    console: RgbImage
+    camera: RgbImage | None
 
 
-def draw(
+def draw_fig17(
     folder: Path, moments: tuple[Moment, ...], outcome: str, photographed: bool, *, over_wires: bool
 ) -> Exhibit:
     """Draw the strip.
@@ -50,7 +51,9 @@ def draw(
         photographed: whether the consoles are photographs of the page, or drawn from the recording.
         over_wires: whether it flew over real wires, or on a stepped clock without camera.
     """
-    write(folder, "fig17", (10.0, 2.55 * len(moments)), lambda figure: _paint(figure, moments))
+    write_figure(
+        folder, "fig17", (10.0, 2.55 * len(moments)), lambda figure: _paint(figure, moments)
+    )
     source = (
         "photographs of the page in Chromium"
         if photographed
@@ -80,7 +83,7 @@ def _paint(figure: Figure, moments: tuple[Moment, ...]) -> None:
             _picture(right, moment.camera)
 
 
-def _picture(axes: Any, picture: Picture) -> None:
+def _picture(axes: Any, picture: RgbImage) -> None:
     axes.imshow(picture)
     axes.set_xticks([])
     axes.set_yticks([])
@@ -89,15 +92,13 @@ def _picture(axes: Any, picture: Picture) -> None:
         spine.set_color("#999999")
 
 
-def drawn_console(grid: OccupancyGrid, flight: Flight, until: float) -> Picture:
-    """Return the console's map as the recording tells it: the way, what was flown until a time [s],
-    and the drone.
-    """
-    with rc_context(STYLE):
+def drawn_console(grid: OccupancyGrid, flight: FlightTracks, until: float) -> RgbImage:
+    """Return the console's map from the recording: path, what was flown until a time [s], drone."""
+    with rc_context(FIGURE_STYLE):
         figure = Figure(figsize=(8.0, 4.5), dpi=120, layout="constrained", facecolor="white")
         canvas = FigureCanvasAgg(figure)
         axes = figure.subplots()
-        paint_fine(axes, grid)
+        paint_fine_grid(axes, grid)
         path, past = np.array(flight.path), flight.seen_at <= until
         axes.plot(path[:, 0], path[:, 1], color=ORANGE, linestyle="--", linewidth=1.5)
         axes.plot(flight.seen[past, 0], flight.seen[past, 1], color=BLUE, linewidth=1.5)

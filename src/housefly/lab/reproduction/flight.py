@@ -1,4 +1,4 @@
-"""One flight as figures need it: the pilot's steps as columns."""
+"""The pilot's steps of one flight as columns, for the figures."""
 
 from __future__ import annotations
 
@@ -10,13 +10,11 @@ from numpy.typing import NDArray
 
 from housefly.geometry import Vec2, euler_from_quaternion
 from housefly.messages import Action, Phase, PilotStep
-
-Numbers = NDArray[np.float64]
-MOVING = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING})
+from housefly.numeric import FloatArray
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Flight:
+class FlightTracks:
     """The steps of one flight and its columns; times count from the first step [s].
 
     Attributes:
@@ -33,22 +31,18 @@ class Flight:
     """
 
     steps: tuple[PilotStep, ...]
-    at: Numbers
-    estimate: Numbers
-    reference: Numbers
-    asked: Numbers
-    reached: Numbers
-    seen_at: Numbers
-    seen: Numbers
-    seen_tilt: Numbers
-
-    def phase_of(self, index: int) -> Phase:
-        """Return the errand's phase at a step."""
-        return self.steps[index].outputs.phase
+    at: FloatArray
+    estimate: FloatArray
+    reference: FloatArray
+    asked: FloatArray
+    reached: FloatArray
+    seen_at: FloatArray
+    seen: FloatArray
+    seen_tilt: FloatArray
 
     @property
     def path(self) -> tuple[Vec2, ...]:
-        """The way to the goal as planned."""
+        """The planned path to the goal."""
         return next(
             (
                 s.outputs.path.waypoints
@@ -59,22 +53,22 @@ class Flight:
         )
 
     def during(self, *phases: Phase) -> NDArray[np.bool_]:
-        """Return which steps belong to some phases."""
+        """Return which steps belong to these phases."""
         return np.array([step.outputs.phase in phases for step in self.steps])
 
     def seen_during(self, *phases: Phase) -> NDArray[np.bool_]:
-        """Return which frames were taken in some phases."""
+        """Return which frames were taken in these phases."""
         inside = self.during(*phases)
         places = np.clip(np.searchsorted(self.at, self.seen_at), 0, len(self.at) - 1)
         return np.asarray(inside[places])
 
 
-def flight_of(steps: Sequence[PilotStep], body: str) -> Flight:
-    """Return a flight by its steps; ``body`` is the drone's name in the tracking."""
+def flight_tracks(steps: Sequence[PilotStep], body: str) -> FlightTracks:
+    """Return the columns of a flight; ``body`` is the drone's name in the tracking."""
     start = steps[0].now
     sightings = [s for step in steps for s in step.inputs.sightings if s.body == body]
     tilts = np.array([euler_from_quaternion(s.pose.orientation) for s in sightings]).reshape(-1, 3)
-    return Flight(
+    return FlightTracks(
         tuple(steps),
         np.array([step.now - start for step in steps]),
         np.array([_estimate(step) for step in steps]),

@@ -1,4 +1,4 @@
-"""What the paper says about its map and its planner, measured on the site's own room."""
+"""The paper's claims about map and planner, measured in the site's own room."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from scipy.sparse.csgraph import dijkstra
 
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, distance
-from housefly.lab.reproduction.routes import Premises, premises, service_path
+from housefly.lab.reproduction.routes import MappedSite, mapped_site, service_path
 from housefly.pilot.planning.dijkstra import UNREACHED, Free, distances
 from housefly.pilot.planning.planner import path_clearance, path_length, plan
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, build_grid
 from housefly.room.model import Room, Shape, Solid
 
-BOX = 0.3
-"""Edge of the unexpected obstacle, which reaches from the floor to the ceiling [m]."""
-SPACING = 0.25
-"""Between the places on the way where it is put, one after another [m]."""
-MAX_HALF_BAND = 1.0
+_BOX_EDGE = 0.3
+"""Edge of the unexpected obstacle, which reaches from floor to ceiling [m]."""
+_BOX_SPACING = 0.25
+"""Distance between the points of the path where it is placed in turn [m]."""
+_MAX_HALF_BAND = 1.0
 """Most that a site may count below and above the flight height [m]."""
-ENDS = 1.0
-"""No box stands nearer to either end of the way than this [m]: there neither map can help."""
+_END_MARGIN = 1.0
+"""No box stands closer to either end of the path than this [m]: there neither map can help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,11 +76,11 @@ class MapFacts:
 
 def survey(site: Site) -> MapFacts:
     """Return the facts about the site's room."""
-    paper, default = premises(site, "paper"), premises(site, "default")
+    paper, default = mapped_site(site, "paper"), mapped_site(site, "default")
     free: Free = paper.grid.cells == Cell.FREE
-    pairs, wrong = compared(free, free)
+    pairs, wrong = _compared(free, free)
     way = service_path(paper).waypoints
-    boxes, hit_static, hit_updated = unexpected(default)
+    boxes, hit_static, hit_updated = _unexpected(default)
     bare = _without_virtual_obstacles(paper)
     hull = paper.site.drone
     return MapFacts(
@@ -104,9 +104,8 @@ def survey(site: Site) -> MapFacts:
     )
 
 
-def compared(free: Free, believed: Free) -> tuple[int, int]:
-    """Return how many pairs of free cells were compared, and in how many our distance is not that
-    of scipy's Dijkstra.
+def _compared(free: Free, believed: Free) -> tuple[int, int]:
+    """Return how many pairs of free cells were compared, and how many differ from scipy's.
 
     Args:
         free: the grid that scipy sees, shape (nx, ny).
@@ -128,15 +127,16 @@ def compared(free: Free, believed: Free) -> tuple[int, int]:
     return size * size, int((ours != theirs).sum())
 
 
-def unexpected(here: Premises) -> tuple[int, int, int]:
-    """Put a box on the planned way, at one place after another; return boxes, hits of the old way,
-    hits of a new one.
+def _unexpected(here: MappedSite) -> tuple[int, int, int]:
+    """Place a box at points along the planned path in turn.
+
+    Returns the number of boxes, hits of the old path, and hits of a path planned anew.
     """
     before = service_path(here).waypoints
     spots = [
         spot
-        for spot in _along(before, SPACING)
-        if min(distance(spot, before[0]), distance(spot, before[-1])) >= ENDS
+        for spot in _along(before, _BOX_SPACING)
+        if min(distance(spot, before[0]), distance(spot, before[-1])) >= _END_MARGIN
     ]
     hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
     static = updated = 0
@@ -150,15 +150,17 @@ def unexpected(here: Premises) -> tuple[int, int, int]:
 
 def _with_box(room: Room, spot: Vec2) -> Room:
     box = Solid(
-        "unexpected", "unexpected", Shape.BOX, (*spot, 0.5 * room.height), (BOX, BOX, room.height)
+        "unexpected",
+        "unexpected",
+        Shape.BOX,
+        (*spot, 0.5 * room.height),
+        (_BOX_EDGE, _BOX_EDGE, room.height),
     )
     return replace(room, solids=(*room.solids, box))
 
 
-def _detour(paper: Premises) -> float:
-    """Return the mean over all places of the way by four moves over the straightened way on the
-    same grid.
-    """
+def _detour(paper: MappedSite) -> float:
+    """Return the mean ratio of the path by four moves to the straightened path on the same grid."""
     ratios = []
     for place in paper.room.places:
         if distance(place.viewpoint, paper.room.home) < paper.grid.resolution:
@@ -170,21 +172,19 @@ def _detour(paper: Premises) -> float:
     return float(np.mean(ratios))
 
 
-def _without_virtual_obstacles(here: Premises) -> Premises:
+def _without_virtual_obstacles(here: MappedSite) -> MappedSite:
     bare = changed(here.site, map__paper_virtual_obstacles=())
-    return Premises(bare, here.room, build_grid(here.room, bare))
+    return MappedSite(bare, here.room, build_grid(here.room, bare))
 
 
-def _free_at_every_height(here: Premises) -> int:
-    whole = changed(here.site, map__half_band=min(MAX_HALF_BAND, here.site.map.flight_height))
+def _free_at_every_height(here: MappedSite) -> int:
+    whole = changed(here.site, map__half_band=min(_MAX_HALF_BAND, here.site.map.flight_height))
     free = (here.grid.cells == Cell.FREE) & (build_grid(here.room, whole).cells == Cell.FREE)
     return int(free.sum())
 
 
-def _gap(here: Premises) -> float:
-    """Return the smallest clearance of the ways from home to all places, less half the hull's
-    diagonal [m].
-    """
+def _gap(here: MappedSite) -> float:
+    """Return the smallest clearance of the paths from home to all places less half the hull [m]."""
     ways = (service_path(here, place.name) for place in here.room.places)
     hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
     return min(way.clearance for way in ways) - hull

@@ -1,6 +1,4 @@
-"""``reproduction.html``: each figure beside what the paper says there, the verdicts, and the tables
-that the paper lacks.
-"""
+"""``reproduction.html``: the figures beside the paper's words, the verdicts, and the tables."""
 
 from __future__ import annotations
 
@@ -9,17 +7,17 @@ import html
 from dataclasses import dataclass
 from pathlib import Path
 
-from housefly.lab.reproduction.exhibit import Exhibit, Finding, Table, Verdict
-from housefly.record.report_style import STYLE
+from housefly.lab.reproduction.exhibit import ClaimFinding, Exhibit, Table, Verdict
+from housefly.record.report_style import REPORT_CSS
 
-MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "?"}
-CLASSES = {
+_MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "?"}
+_CLASSES = {
     Verdict.HOLDS: "holds",
     Verdict.CONDITION: "condition",
     Verdict.FAILS: "fails",
     Verdict.NOT_TESTABLE: "none",
 }
-OWN_STYLE = """
+_OWN_CSS = """
 .verdict{display:inline-block;white-space:nowrap;font-weight:600}
 .verdict span{display:inline-block;width:1.3em;text-align:center}
 .holds{color:var(--good,#1b7f4b)} .fails{color:var(--bad,#b3392f)} .condition{color:#9a6700} .none{color:var(--muted)}
@@ -41,8 +39,8 @@ code{overflow-wrap:anywhere}
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
-    """How the page was made: lines of a name and words."""
+class RunNotes:
+    """How the page was made: pairs of a name and a text."""
 
     lines: tuple[tuple[str, str], ...]
 
@@ -51,10 +49,10 @@ def write_page(
     folder: Path,
     exhibits: tuple[Exhibit, ...],
     tables: tuple[Table, ...],
-    findings: tuple[Finding, ...],
-    made: Made,
+    findings: tuple[ClaimFinding, ...],
+    made: RunNotes,
 ) -> Path:
-    """Write the page into the folder of the figures and return it; pictures are inside the page."""
+    """Write the page, with the figures embedded, into the folder of the figures and return it."""
     parts = [
         _head(findings, made),
         *(_exhibit(folder, exhibit, findings) for exhibit in exhibits),
@@ -71,7 +69,7 @@ def write_page(
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>The paper, made again</title>
-<style>{STYLE}{OWN_STYLE}</style>
+<style>{REPORT_CSS}{_OWN_CSS}</style>
 </head>
 <body>
 <main>
@@ -85,7 +83,7 @@ def write_page(
     return path
 
 
-def _head(findings: tuple[Finding, ...], made: Made) -> str:
+def _head(findings: tuple[ClaimFinding, ...], made: RunNotes) -> str:
     counts = "".join(
         f"<div>{_verdict(verdict)} {sum(f.verdict is verdict for f in findings)}</div>"
         for verdict in Verdict
@@ -104,7 +102,7 @@ def _head(findings: tuple[Finding, ...], made: Made) -> str:
     )
 
 
-def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[Finding, ...]) -> str:
+def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[ClaimFinding, ...]) -> str:
     picture = base64.b64encode((folder / f"{exhibit.stem}.png").read_bytes()).decode()
     own = "".join(_finding(finding) for finding in findings if exhibit.number in finding.figures)
     number = (
@@ -122,7 +120,7 @@ def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[Finding, ...]) -> s
     )
 
 
-def _finding(finding: Finding) -> str:
+def _finding(finding: ClaimFinding) -> str:
     return (
         f'<div class="finding">{_verdict(finding.verdict)} <span'
         f' class="small">{_text(finding.section)}</span><p'
@@ -131,7 +129,7 @@ def _finding(finding: Finding) -> str:
     )
 
 
-def _claims(findings: tuple[Finding, ...]) -> str:
+def _claims(findings: tuple[ClaimFinding, ...]) -> str:
     rows = "".join(
         '<div class="claim"><span'
         f' class="small">{_text(f.section)}</span><span>{_text(f.claim)}</span>{_verdict(f.verdict)}<span'
@@ -158,7 +156,7 @@ def _table(number: int, table: Table) -> str:
 
 def _verdict(verdict: Verdict) -> str:
     return (
-        f'<span class="verdict {CLASSES[verdict]}"><span aria-hidden="true">{MARKS[verdict]}</span>'
+        f'<span class="verdict {_CLASSES[verdict]}"><span aria-hidden="true">{_MARKS[verdict]}</span>'
         f" {verdict.value}</span>"
     )
 

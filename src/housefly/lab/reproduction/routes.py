@@ -1,4 +1,4 @@
-"""What the drones of the tables fly: the service's own way, and steps of one cell."""
+"""The flight plans of the tables: the service's path, and steps of one cell."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from housefly.config.site import Mode, Site, changed
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
-from housefly.lab.experiments.mission import SETTLE, Mission, Task
+from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
 from housefly.messages import Path
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.files import load_room
@@ -16,33 +16,31 @@ from housefly.room.model import Room
 
 MODES: tuple[Mode, Mode] = ("default", "paper")
 """By the number in the column ``mode``."""
-GOAL = "entrance"
+_GOAL = "entrance"
 """Where the service of the paper goes."""
-PATIENCE = 2.5
-"""A flight lasts this many times the way at cruise speed, so that a slow but steady drone arrives
-and rests.
-"""
-CELL = 0.5
-"""Edge of the paper's cells, and length of the step between two of their middles [m]."""
+_DURATION_FACTOR = 2.5
+"""A flight lasts this many times the path at cruise speed, so that a slow, steady drone arrives."""
+PAPER_CELL = 0.5
+"""Edge of the paper's cells, and length of a step between two of them [m]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Premises:
-    """A site with its room and the map of one mode."""
+class MappedSite:
+    """A site in one mode, with its room and grid."""
 
     site: Site
     room: Room
     grid: OccupancyGrid
 
 
-def premises(site: Site, mode: Mode) -> Premises:
-    """Return the site in a mode, with its room and its map."""
+def mapped_site(site: Site, mode: Mode) -> MappedSite:
+    """Return the site in a mode, with its room and grid."""
     in_mode = changed(site, mode=mode)
     room = load_room(site.room.model)
-    return Premises(in_mode, room, build_grid(room, in_mode))
+    return MappedSite(in_mode, room, build_grid(room, in_mode))
 
 
-def service_path(here: Premises, goal: str = GOAL) -> Path:
+def service_path(here: MappedSite, goal: str = _GOAL) -> Path:
     """Return the planned way from home to a place, as the pilot plans it in the mode.
 
     Raises:
@@ -55,21 +53,21 @@ def service_path(here: Premises, goal: str = GOAL) -> Path:
     return answer.path
 
 
-def service(here: Premises) -> Mission:
+def service_plan(here: MappedSite) -> FlightPlan:
     """Return the outbound flight of the service."""
     path = service_path(here)
-    duration = SETTLE + PATIENCE * path.length / here.site.limits.speed
-    return Mission(
+    duration = SETTLE + _DURATION_FACTOR * path.length / here.site.limits.speed
+    return FlightPlan(
         Task.PATH, path.waypoints, duration, here.site.map.flight_height, here.room.home_yaw
     )
 
 
-def step(site: Site, length: float = CELL, duration: float = 12.0) -> Mission:
+def step_plan(site: Site, length: float = PAPER_CELL, duration: float = 12.0) -> FlightPlan:
     """Return a jump of the reference along x by ``length`` [m]."""
     ends: tuple[Vec2, Vec2] = ((0.0, 0.0), (length, 0.0))
-    return Mission(Task.STEP, ends, SETTLE + duration, site.map.flight_height)
+    return FlightPlan(Task.STEP, ends, SETTLE + duration, site.map.flight_height)
 
 
-def hold(site: Site, duration: float = 30.0) -> Mission:
+def hold_plan(site: Site, duration: float = 30.0) -> FlightPlan:
     """Return a stay at one place."""
-    return Mission(Task.HOLD, ((0.0, 0.0),), SETTLE + duration, site.map.flight_height)
+    return FlightPlan(Task.HOLD, ((0.0, 0.0),), SETTLE + duration, site.map.flight_height)

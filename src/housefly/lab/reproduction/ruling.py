@@ -1,4 +1,4 @@
-"""A claim of the paper, and how the evidence rules on it."""
+"""A claim of the paper, and the ruling on it by the evidence."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from housefly.lab.experiments.intervals import Estimate
 from housefly.lab.reproduction.evidence import Evidence
-from housefly.lab.reproduction.exhibit import Finding, Verdict
+from housefly.lab.reproduction.exhibit import ClaimFinding, Verdict
 
 
 class Ruling(NamedTuple):
@@ -36,24 +36,24 @@ class Claim(NamedTuple):
     figures: tuple[str, ...] = ()
 
 
-def found(claim: Claim, evidence: Evidence) -> Finding:
+def finding_of(claim: Claim, evidence: Evidence) -> ClaimFinding:
     """Return the finding on a claim."""
     verdict, text = claim.judge(evidence)
-    return Finding(claim.key, claim.section, claim.says, verdict, text, claim.figures)
+    return ClaimFinding(claim.key, claim.section, claim.says, verdict, text, claim.figures)
 
 
 def untestable(reason: str) -> Callable[[Evidence], Ruling]:
-    """Return a judge that says why a claim cannot be tested here."""
+    """Return a judge that gives the reason why a claim cannot be tested here."""
     return lambda evidence: Ruling(Verdict.NOT_TESTABLE, reason)
 
 
 def percent(share: float) -> str:
-    """Return a share in words."""
+    """Return a share as a percentage."""
     return f"{100 * share:.0f} %"
 
 
 def percents(share: Estimate) -> str:
-    """Return a share with its interval in words."""
+    """Return a share with its interval as percentages."""
     return f"{percent(share.value)} ({100 * share.low:.0f} to {100 * share.high:.0f})"
 
 

@@ -1,10 +1,7 @@
-"""The service flown on every kind of tracking stream with gains from cautious to the edge, in both
-modes.
-"""
+"""The service flown on every tracking stream with gains from cautious to the edge, in both modes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
@@ -14,10 +11,10 @@ from numpy.typing import NDArray
 
 from housefly.config.site import Mode, Site
 from housefly.lab.experiments.cases import Cases, cases
-from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.engine import Progress, fly_many
 from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction.fleet import fleet
-from housefly.lab.reproduction.routes import MODES, premises, service
+from housefly.lab.reproduction.routes import MODES, mapped_site, service_plan
 
 RATES = (10.0, 20.0, 30.0, 50.0, 100.0)
 """Frames per second of the tracking [Hz]: the paper's range."""
@@ -25,17 +22,12 @@ LATENCIES = (0.0, 0.05, 0.1)
 """From exposure to arrival [s]."""
 LOSSES = (0.0, 0.2)
 """Share of frames lost."""
-FREQUENCIES = (0.9, 1.3, 1.8, 2.5, 3.5, 5.0)
-"""Natural frequencies of the position loop, critically damped, from cautious to beyond the edge
-[rad/s].
-"""
+LOOP_FREQUENCIES = (0.9, 1.3, 1.8, 2.5, 3.5, 5.0)
+"""Natural frequencies of the position loop, critically damped, cautious to unstable [rad/s]."""
 OWN_FREQUENCY = 1.8
-"""The one that a site has by default: alpha 3.6 1/s, beta 3.24 1/s^2."""
+"""The site's default: alpha 3.6 1/s, beta 3.24 1/s^2."""
 TYPICAL_RATE, TYPICAL_LATENCY, TYPICAL_LOSS = 30.0, 0.05, 0.0
-"""The stream that the gains are compared on."""
-
-Landed = Callable[[int], None]
-"""Told how many more flights have ended."""
+"""The stream on which gains are compared."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,30 +57,25 @@ class Streams:
         return found
 
 
-def gains(frequency: float) -> tuple[float, float]:
-    """Return alpha [1/s] and beta [1/s^2] of a double pole at ``frequency`` [rad/s]."""
-    return 2.0 * frequency, frequency * frequency
-
-
-def flights(seeds: int) -> int:
+def stream_flights(seeds: int) -> int:
     """Return how many flights ``fly_streams`` makes."""
-    return len(MODES) * len(RATES) * len(LATENCIES) * len(LOSSES) * len(FREQUENCIES) * seeds
+    return len(MODES) * len(RATES) * len(LATENCIES) * len(LOSSES) * len(LOOP_FREQUENCIES) * seeds
 
 
-def fly_streams(site: Site, seeds: int, on_landed: Landed | None = None) -> Streams:
+def fly_streams(site: Site, seeds: int, on_landed: Progress | None = None) -> Streams:
     """Fly every combination with the same ``seeds`` drones."""
     rows, measured = [], []
     for mode in MODES:
-        here = premises(site, mode)
+        here = mapped_site(site, mode)
         table = _combinations(here.site, seeds)
         rows.append(table)
-        measured.append(fly_many(table, service(here), on_progress=on_landed))
+        measured.append(fly_many(table, service_plan(here), on_progress=on_landed))
     flown = np.concatenate(rows)
     return Streams(flown, np.concatenate(measured), 0.5 * flown["alpha"])
 
 
 def _combinations(site: Site, seeds: int) -> Cases:
-    grid = list(product(RATES, LATENCIES, LOSSES, FREQUENCIES))
+    grid = list(product(RATES, LATENCIES, LOSSES, LOOP_FREQUENCIES))
     drones: dict[str, NDArray[Any]] = {
         name: np.tile(values, len(grid)) for name, values in fleet(site, seeds).items()
     }

@@ -1,12 +1,9 @@
-"""The two most telling tables as pictures: what limits stability, and what tracking does to the
-distance from the path.
-"""
+"""Two tables as plots: what limits stability, and how tracking affects the path error."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from matplotlib import rc_context
@@ -19,27 +16,22 @@ from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.streams import LATENCIES, LOSSES, OWN_FREQUENCY, RATES
-from housefly.lab.reproduction.tables import ORDER
+from housefly.lab.reproduction.tables import MODE_ORDER
+from housefly.record.plot_style import AMBER, BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
 
-COLOURS = ("#D55E00", "#E69F00", "#0072B2", "#009E73")
-"""Told apart by the colour-blind (Okabe and Ito)."""
-MARKERS = ("s", "D", "o", "^")
-STYLE: Any = {
-    "font.size": 9,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
+_COLOURS = (ORANGE, AMBER, BLUE, GREEN)
+_MARKERS = ("s", "D", "o", "^")
+_STYLE = PLOT_STYLE | {
     "axes.grid": True,
     "axes.axisbelow": True,
     "axes.titlesize": 9,
     "grid.color": "#dddddd",
     "legend.frameon": False,
-    "savefig.dpi": 150,
-    "svg.fonttype": "none",
 }
 
 
-def draw(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
-    """Write both pictures as PNG and SVG into a folder that exists, and return what they show."""
+def draw_table_plots(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
+    """Save both plots as PNG and SVG in an existing folder and return what they show."""
     return (
         _drawn(
             evidence,
@@ -75,14 +67,10 @@ def draw(evidence: Evidence, folder: Path) -> tuple[Exhibit, Exhibit]:
 def _drawn(
     evidence: Evidence, folder: Path, draw_on: Callable[[Figure, Evidence], None], exhibit: Exhibit
 ) -> Exhibit:
-    with rc_context(STYLE):
+    with rc_context(_STYLE):
         figure = Figure(figsize=(9.0, 4.0), layout="constrained")
         draw_on(figure, evidence)
-        for kind in ("png", "svg"):
-            figure.savefig(
-                folder / f"{exhibit.stem}.{kind}",
-                metadata={"Date": None} if kind == "svg" else None,
-            )
+        save_figure(figure, folder / exhibit.stem, dpi=150)
     return exhibit
 
 
@@ -90,7 +78,7 @@ def _stability(figure: Figure, evidence: Evidence) -> None:
     panels = figure.subplots(1, len(LATENCIES), sharey=True)
     for axes, latency in zip(panels, LATENCIES, strict=True):
         for (estimator, name), colour, marker in zip(
-            ESTIMATORS.items(), COLOURS, MARKERS, strict=True
+            ESTIMATORS.items(), _COLOURS, _MARKERS, strict=True
         ):
             numbers = [mean(evidence.edges.of(estimator, rate, latency)) for rate in RATES]
             _line(axes, numbers, colour, marker, name)
@@ -112,9 +100,9 @@ def _stability(figure: Figure, evidence: Evidence) -> None:
 
 
 def _distance(figure: Figure, evidence: Evidence) -> None:
-    panels = figure.subplots(1, len(ORDER), sharey=True)
-    for axes, mode in zip(panels, ORDER, strict=True):
-        for latency, colour, marker in zip(LATENCIES, COLOURS[1:], MARKERS[1:], strict=True):
+    panels = figure.subplots(1, len(MODE_ORDER), sharey=True)
+    for axes, mode in zip(panels, MODE_ORDER, strict=True):
+        for latency, colour, marker in zip(LATENCIES, _COLOURS[1:], _MARKERS[1:], strict=True):
             for loss, dashes in zip(LOSSES, ("-", "--"), strict=True):
                 numbers = []
                 for rate in RATES:

@@ -1,6 +1,4 @@
-"""The tables that the paper lacks: one question a table, every number with its 95 % interval over
-drones.
-"""
+"""The tables that the paper lacks: one measure per table, with 95 % intervals over drones."""
 
 from __future__ import annotations
 
@@ -16,8 +14,8 @@ from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Table
 from housefly.lab.reproduction.streams import (
-    FREQUENCIES,
     LATENCIES,
+    LOOP_FREQUENCIES,
     LOSSES,
     OWN_FREQUENCY,
     RATES,
@@ -26,17 +24,15 @@ from housefly.lab.reproduction.streams import (
     TYPICAL_RATE,
 )
 
-ORDER: tuple[Mode, Mode] = ("paper", "default")
-ENOUGH = 0.5
-"""Errors are those of the flights that stayed stable; where a smaller share did, they would say
-nothing.
-"""
-NONE = "-"
+MODE_ORDER: tuple[Mode, Mode] = ("paper", "default")
+_MIN_STABLE_SHARE = 0.5
+"""Errors are means over stable flights; below this share of them the cell stays empty."""
+_NO_NUMBER = "-"
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
-    """One measure of the service.
+class _Measure:
+    """One measure of the service as tables show it.
 
     Attributes:
         title: of its table.
@@ -53,17 +49,17 @@ class Question:
     digits: int = 2
 
 
-STABLE = Question("How many flights stay stable? [%]", "stable", "stable [%]", 100.0, 0)
-QUESTIONS: tuple[Question, ...] = (
-    STABLE,
-    Question(
+_STABLE = _Measure("How many flights stay stable? [%]", "stable", "stable [%]", 100.0, 0)
+_MEASURES: tuple[_Measure, ...] = (
+    _STABLE,
+    _Measure(
         "How far from the planned path? Root mean square [cm]", "rms_error", "RMS [cm]", 100.0, 1
     ),
-    Question("How far from the planned path at worst? [cm]", "max_error", "max. [cm]", 100.0, 1),
-    Question("How far from the goal at the end? [cm]", "arrival_error", "arrival [cm]", 100.0, 1),
-    Question("How far past the goal? [cm]", "overshoot", "overshoot [cm]", 100.0, 1),
-    Question("How long until it is there for good? [s]", "arrival_time", "time [s]", 1.0, 1),
-    Question(
+    _Measure("How far from the planned path at worst? [cm]", "max_error", "max. [cm]", 100.0, 1),
+    _Measure("How far from the goal at the end? [cm]", "arrival_error", "arrival [cm]", 100.0, 1),
+    _Measure("How far past the goal? [cm]", "overshoot", "overshoot [cm]", 100.0, 1),
+    _Measure("How long until it is there for good? [s]", "arrival_time", "time [s]", 1.0, 1),
+    _Measure(
         "How often does the acceptor change its state? [1/s]",
         "switches_per_s",
         "switches [1/s]",
@@ -74,21 +70,19 @@ QUESTIONS: tuple[Question, ...] = (
 
 
 def tables(evidence: Evidence) -> tuple[Table, ...]:
-    """Return all tables: by stream, by gains, by gains on the worst stream, and the edges by
-    estimator.
-    """
+    """Return all tables: by stream, by gains, by gains on the worst stream, edges by estimator."""
     return (
-        *(_by_stream(evidence, question) for question in QUESTIONS),
+        *(_by_stream(evidence, question) for question in _MEASURES),
         _by_gains(evidence),
         _stable_by_gains(evidence),
         _edges(evidence),
     )
 
 
-def _by_stream(evidence: Evidence, question: Question) -> Table:
+def _by_stream(evidence: Evidence, question: _Measure) -> Table:
     streams = list(product(LOSSES, LATENCIES))
     rows = []
-    for mode, rate in product(ORDER, RATES):
+    for mode, rate in product(MODE_ORDER, RATES):
         cells = (
             _cell(
                 evidence.streams.where(
@@ -105,17 +99,17 @@ def _by_stream(evidence: Evidence, question: Question) -> Table:
 
 def _by_gains(evidence: Evidence) -> Table:
     rows = []
-    for mode, frequency in product(ORDER, FREQUENCIES):
+    for mode, frequency in product(MODE_ORDER, LOOP_FREQUENCIES):
         outcomes = _at_gains(evidence, mode, frequency, TYPICAL_RATE, TYPICAL_LATENCY, TYPICAL_LOSS)
         rows.append(
-            (mode, *_gains_cells(frequency), *(_cell(outcomes, question) for question in QUESTIONS))
+            (mode, *_gains_cells(frequency), *(_cell(outcomes, question) for question in _MEASURES))
         )
     headings = (
         "mode",
         "omega [rad/s]",
         "alpha [1/s]",
         "beta [1/s^2]",
-        *(question.heading for question in QUESTIONS),
+        *(question.heading for question in _MEASURES),
     )
     stream = f"{TYPICAL_RATE:.0f} frames/s, {1000 * TYPICAL_LATENCY:.0f} ms late"
     note = (
@@ -130,9 +124,9 @@ def _by_gains(evidence: Evidence) -> Table:
 def _stable_by_gains(evidence: Evidence) -> Table:
     latency, loss = LATENCIES[-1], LOSSES[-1]
     rows = []
-    for mode, frequency in product(ORDER, FREQUENCIES):
+    for mode, frequency in product(MODE_ORDER, LOOP_FREQUENCIES):
         cells = (
-            _cell(_at_gains(evidence, mode, frequency, rate, latency, loss), STABLE)
+            _cell(_at_gains(evidence, mode, frequency, rate, latency, loss), _STABLE)
             for rate in RATES
         )
         rows.append((mode, *_gains_cells(frequency), *cells))
@@ -189,19 +183,19 @@ def _gains_cells(frequency: float) -> tuple[str, str, str]:
     return f"{frequency:.1f}", f"{2 * frequency:.1f}", f"{frequency**2:.2f}"
 
 
-def _cell(outcomes: Outcomes, question: Question) -> str:
+def _cell(outcomes: Outcomes, question: _Measure) -> str:
     stable = outcomes["stable"] == 1.0
-    if question is STABLE:
+    if question is _STABLE:
         part = share(stable)
         return f"{100 * part.value:.0f} ({100 * part.low:.0f}-{100 * part.high:.0f})"
-    if stable.mean() < ENOUGH:
-        return NONE
+    if stable.mean() < _MIN_STABLE_SHARE:
+        return _NO_NUMBER
     return _number(mean(outcomes[question.measure][stable]), question.scale, question.digits)
 
 
 def _number(estimate: Estimate, scale: float, digits: int) -> str:
     if not np.isfinite(estimate.value):
-        return NONE
+        return _NO_NUMBER
     middle = f"{scale * estimate.value:.{digits}f}"
     return (
         f"{middle} ± {scale * estimate.half:.{digits}f}" if np.isfinite(estimate.half) else middle
@@ -215,11 +209,14 @@ def _stream_name(latency: float, loss: float) -> str:
 
 def _note(evidence: Evidence) -> str:
     seeds = evidence.streams.where(
-        mode=ORDER[0], mocap_rate_hz=RATES[0], mocap_latency=LATENCIES[0], mocap_dropout=LOSSES[0]
+        mode=MODE_ORDER[0],
+        mocap_rate_hz=RATES[0],
+        mocap_latency=LATENCIES[0],
+        mocap_dropout=LOSSES[0],
     ).size
     return (
         f"The service's outbound way; {seeds} drones with constants drawn around the identified"
         " ones, the same in every cell. Shares with Wilson's 95 % interval; means ± half of"
-        f" Student's. Errors are of the flights that stayed stable ({NONE}: less than half did, or"
+        f" Student's. Errors are of the flights that stayed stable ({_NO_NUMBER}: less than half did, or"
         " none arrived)."
     )

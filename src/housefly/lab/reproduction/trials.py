@@ -1,6 +1,4 @@
-"""Small experiments, one for each reading of a sentence of the paper: fly it so, and fly it
-otherwise.
-"""
+"""Small experiments: a sentence of the paper flown literally, and flown otherwise."""
 
 from __future__ import annotations
 
@@ -11,22 +9,27 @@ from math import radians
 from typing import Any
 
 from housefly.config.site import Mode, Site
-from housefly.lab.experiments.cases import FINITE_DIFFERENCE, cases
-from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.mission import Mission
+from housefly.lab.experiments.cases import cases
+from housefly.lab.experiments.engine import Progress, fly_many
+from housefly.lab.experiments.flight_plan import FlightPlan
 from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction.edges import TRACKING_ALWAYS
 from housefly.lab.reproduction.fleet import fleet
-from housefly.lab.reproduction.routes import CELL, hold, premises, service, step
-from housefly.lab.reproduction.streams import TYPICAL_LATENCY, TYPICAL_RATE, Landed
-from housefly.pilot.behavior.acceptor import PAPER_EPSILONS
+from housefly.lab.reproduction.routes import (
+    hold_plan,
+    mapped_site,
+    service_plan,
+    step_plan,
+)
+from housefly.lab.reproduction.streams import TYPICAL_LATENCY, TYPICAL_RATE
+from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
+from housefly.pilot.estimation.estimator import EstimatorKind
 
-LONG_STEP = 3.0
-"""A jump that asks for four times the tilt that there is [m]."""
-FIVE_CELLS = 5.0 * CELL
+_LONG_STEP = 3.0
+"""A jump that asks for four times the available tilt [m]."""
 
 
-class Task(Enum):
+class TrialKind(Enum):
     """What a trial flies."""
 
     SERVICE = "service"
@@ -47,60 +50,70 @@ class Trial:
     """
 
     key: str
-    task: Task
+    task: TrialKind
     columns: Mapping[str, Any] = field(default_factory=dict)
     mode: Mode = "paper"
 
 
-NO_DELAYS = {"delay": 0.0, "mocap_latency": 0.0, "mocap_rate_hz": 100.0, "mocap_jitter": 0.0}
-STILL_AIR = {"gust": 0.0, "wind_x": 0.0, "wind_y": 0.0}
-SLOW_LAG = {"lag": 7.0, "alpha": 0.4}
-"""Here eq. (22) is stable only below beta = 2.8 1/s^2."""
+_NO_DELAYS = {"delay": 0.0, "mocap_latency": 0.0, "mocap_rate_hz": 100.0, "mocap_jitter": 0.0}
+_STILL_AIR = {"gust": 0.0, "wind_x": 0.0, "wind_y": 0.0}
+_SLOW_LAG = {"lag": 7.0, "alpha": 0.4}
+"""With this lag eq. (22) is stable only below beta = 2.8 1/s^2."""
 
 TRIALS: tuple[Trial, ...] = (
-    Trial("as printed", Task.SERVICE),
-    Trial("eps2 0.2 rad", Task.SERVICE, {"epsilon_yaw": 0.2}),
-    Trial("always tracking", Task.SERVICE, {"epsilon_height": 2.0, "epsilon_yaw": 3.2}),
-    Trial("no wrap", Task.SERVICE, {"wrap_yaw": 0.0}),
-    Trial("eps3 0.25 m", Task.SERVICE, {"epsilon_yaw": 0.2, "epsilon_position": 0.25}),
-    Trial("eps3 0.4 m", Task.SERVICE, {"epsilon_yaw": 0.2, "epsilon_position": PAPER_EPSILONS[2]}),
-    Trial("eps3 1 m", Task.SERVICE, {"epsilon_yaw": 0.2, "epsilon_position": 1.0}),
-    Trial("literal gain signs", Task.CELL, {"alpha": -3.6, "beta": -3.24, **TRACKING_ALWAYS}),
-    Trial("positive gains", Task.CELL, TRACKING_ALWAYS),
+    Trial("as printed", TrialKind.SERVICE),
+    Trial("eps2 0.2 rad", TrialKind.SERVICE, {"epsilon_yaw": 0.2}),
+    Trial("always tracking", TrialKind.SERVICE, {"epsilon_height": 2.0, "epsilon_yaw": 3.2}),
+    Trial("no wrap", TrialKind.SERVICE, {"wrap_yaw": 0.0}),
+    Trial("eps3 0.25 m", TrialKind.SERVICE, {"epsilon_yaw": 0.2, "epsilon_position": 0.25}),
+    Trial(
+        "eps3 0.4 m",
+        TrialKind.SERVICE,
+        {"epsilon_yaw": 0.2, "epsilon_position": PAPER_TOLERANCES.position},
+    ),
+    Trial("eps3 1 m", TrialKind.SERVICE, {"epsilon_yaw": 0.2, "epsilon_position": 1.0}),
+    Trial("literal gain signs", TrialKind.CELL, {"alpha": -3.6, "beta": -3.24, **TRACKING_ALWAYS}),
+    Trial("positive gains", TrialKind.CELL, TRACKING_ALWAYS),
     Trial(
         "beta below lambda alpha",
-        Task.CELL,
-        {**SLOW_LAG, "beta": 1.4, **NO_DELAYS, **STILL_AIR, **TRACKING_ALWAYS},
+        TrialKind.CELL,
+        {**_SLOW_LAG, "beta": 1.4, **_NO_DELAYS, **_STILL_AIR, **TRACKING_ALWAYS},
     ),
     Trial(
         "beta above lambda alpha",
-        Task.CELL,
-        {**SLOW_LAG, "beta": 5.6, **NO_DELAYS, **STILL_AIR, **TRACKING_ALWAYS},
+        TrialKind.CELL,
+        {**_SLOW_LAG, "beta": 5.6, **_NO_DELAYS, **_STILL_AIR, **TRACKING_ALWAYS},
     ),
     Trial(
         "beta below saturation",
-        Task.CELL,
-        {"alpha": 3.6, "beta": 3.24, **STILL_AIR, **TRACKING_ALWAYS},
+        TrialKind.CELL,
+        {"alpha": 3.6, "beta": 3.24, **_STILL_AIR, **TRACKING_ALWAYS},
     ),
     Trial(
         "beta above saturation",
-        Task.CELL,
-        {"alpha": 4.6, "beta": 5.29, **STILL_AIR, **TRACKING_ALWAYS},
+        TrialKind.CELL,
+        {"alpha": 4.6, "beta": 5.29, **_STILL_AIR, **TRACKING_ALWAYS},
     ),
-    Trial("long step, saturated", Task.LONG, {"tilt_max": 0.21, **STILL_AIR, **TRACKING_ALWAYS}),
-    Trial("long step, free", Task.LONG, {"tilt_max": 0.5, **STILL_AIR, **TRACKING_ALWAYS}),
-    Trial("literal height sign", Task.HOLD, {"height_gain": -1.2}, "default"),
-    Trial("positive height gain", Task.HOLD, {}, "default"),
-    Trial("hover", Task.HOLD),
-    Trial("unfiltered", Task.SERVICE, {"estimator": FINITE_DIFFERENCE, "mocap_noise": 0.005}),
-    Trial("filtered", Task.SERVICE, {"mocap_noise": 0.005}),
-    Trial("lag known", Task.SERVICE, {}, "default"),
-    Trial("lag unknown", Task.SERVICE, {"model_lag": 50.0}, "default"),
+    Trial(
+        "long step, saturated", TrialKind.LONG, {"tilt_max": 0.21, **_STILL_AIR, **TRACKING_ALWAYS}
+    ),
+    Trial("long step, free", TrialKind.LONG, {"tilt_max": 0.5, **_STILL_AIR, **TRACKING_ALWAYS}),
+    Trial("literal height sign", TrialKind.HOLD, {"height_gain": -1.2}, "default"),
+    Trial("positive height gain", TrialKind.HOLD, {}, "default"),
+    Trial("hover", TrialKind.HOLD),
+    Trial(
+        "unfiltered",
+        TrialKind.SERVICE,
+        {"estimator": EstimatorKind.FINITE_DIFFERENCE, "mocap_noise": 0.005},
+    ),
+    Trial("filtered", TrialKind.SERVICE, {"mocap_noise": 0.005}),
+    Trial("lag known", TrialKind.SERVICE, {}, "default"),
+    Trial("lag unknown", TrialKind.SERVICE, {"model_lag": 50.0}, "default"),
 )
 LITERAL_EPS2 = radians(0.2)
 
 
-def flights(seeds: int) -> int:
+def trial_flights(seeds: int) -> int:
     """Return how many flights ``fly_trials`` makes."""
     return len(TRIALS) * seeds
 
@@ -108,7 +121,7 @@ def flights(seeds: int) -> int:
 def fly_trials(
     site: Site,
     seeds: int,
-    on_landed: Landed | None = None,
+    on_landed: Progress | None = None,
     changes: Mapping[str, Mapping[str, Any]] | None = None,
     only: tuple[str, ...] = (),
 ) -> dict[str, Outcomes]:
@@ -125,7 +138,7 @@ def fly_trials(
     drones = fleet(site, seeds)
     results = {}
     for trial in (trial for trial in TRIALS if not only or trial.key in only):
-        here = premises(site, trial.mode)
+        here = mapped_site(site, trial.mode)
         columns = {
             "mocap_rate_hz": TYPICAL_RATE,
             "mocap_latency": TYPICAL_LATENCY,
@@ -139,13 +152,13 @@ def fly_trials(
     return results
 
 
-def _mission(trial: Trial, site: Site) -> Mission:
+def _mission(trial: Trial, site: Site) -> FlightPlan:
     match trial.task:
-        case Task.SERVICE:
-            return service(premises(site, trial.mode))
-        case Task.CELL:
-            return step(site)
-        case Task.LONG:
-            return step(site, LONG_STEP)
-        case Task.HOLD:
-            return hold(site)
+        case TrialKind.SERVICE:
+            return service_plan(mapped_site(site, trial.mode))
+        case TrialKind.CELL:
+            return step_plan(site)
+        case TrialKind.LONG:
+            return step_plan(site, _LONG_STEP)
+        case TrialKind.HOLD:
+            return hold_plan(site)

@@ -1,3 +1,1 @@
-"""Gains, filter and margins for one drone and one tracking system (paper V-C: "simulations are
-running to pick out ...").
-"""
+"""Gains, filter and margins for one drone and one tracking system (paper V-C)."""

@@ -1,9 +1,8 @@
-"""Gains and filter for one drone and one tracking system: the fastest that keep their distance from
-the edge.
+"""The fastest gains and filter that keep their stability margins, for a drone and its tracking.
 
 The paper says that "simulations are running to pick out acceptable coefficients" (V-C) and gives
-none. Here the rule is said: critically damped, as fast as the promises below allow, also for a
-drone whose lag was identified wrongly.
+none. The rule here: critically damped, as fast as the margins below allow, also for a drone whose
+lag was identified wrongly.
 """
 
 from __future__ import annotations
@@ -18,31 +17,27 @@ from housefly.lab.tuning.margins import Margins, is_stable, margins_of
 from housefly.lab.tuning.noise import position_error
 from housefly.lab.tuning.rate_loop import RateLoop, rate_loop
 
-FREQUENCIES = tuple(round(0.3 + 0.05 * step, 2) for step in range(55))
-"""Natural frequencies tried [rad/s]. The highest is 3: beyond it the attitude is no first-order lag
-any more.
-"""
-DAMPING = 1.0
-GAIN, PHASE, DELAY = 2.0, radians(30.0), 0.05
-"""Promises with the drone as identified: margins of gain, phase [rad] and delay [s]; delay also at
-least one frame.
+_FREQUENCIES = tuple(round(0.3 + 0.05 * step, 2) for step in range(55))
+"""Natural frequencies tried [rad/s]. Above 3 the attitude is no longer a first-order lag."""
+_DAMPING = 1.0
+MIN_GAIN_MARGIN, MIN_PHASE_MARGIN, MIN_DELAY_MARGIN = 2.0, radians(30.0), 0.05
+"""Margins required of the identified drone: gain, phase [rad], delay [s] (at least one frame).
 
-A Nyquist curve that keeps a distance of one half from -1 has at least these margins of gain and
-phase.
+A Nyquist curve that stays one half away from -1 has at least these margins of gain and phase.
 """
 WRONG_LAGS = (0.7, 1.4)
-"""Shares of the believed lambda that the true one may have."""
+"""The true lambda may be these multiples of the believed one."""
 WRONG_GAIN, WRONG_PHASE = 1.5, radians(20.0)
-"""Promises that remain then."""
-SMALLEST_NOISE = 0.0005
-"""No tracking is better than this [m]."""
-ACCELERATION_NOISES = (0.1, 0.2, 0.4, 0.8, 1.6)
+"""Margins of gain and phase [rad] required then."""
+_MIN_NOISE = 0.0005
+"""Smallest tracking noise assumed [m]."""
+_ACCELERATION_NOISES = (0.1, 0.2, 0.4, 0.8, 1.6)
 """Values of Q tried, one sigma [m/s^2]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Question:
-    """What gains are wanted for; SI.
+class GainQuestion:
+    """The drone and tracking that gains are wanted for, in SI units.
 
     Attributes:
         loop: drone, tracking and rates; its gains and noises do not count.
@@ -63,7 +58,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Judgement:
-    """What is to be said of a pair (alpha, beta).
+    """The margins of a pair (alpha, beta), and objections to it.
 
     Attributes:
         loop: the pair with everything else.
@@ -92,7 +87,7 @@ class Judgement:
 
 @dataclass(frozen=True, slots=True)
 class Advice:
-    """What is recommended.
+    """The recommended gains.
 
     Attributes:
         judgement: of alpha and beta with the filter's Q and R.
@@ -105,16 +100,18 @@ class Advice:
     height: RateLoop
 
 
-def stiffness_bound(question: Question) -> float:
-    """Return the largest beta [1/s^2] with which the step in use saturates nothing: beta step = g
-    tan(theta_max).
+def stiffness_bound(question: GainQuestion) -> float:
+    """Return the largest beta [1/s^2] at which the step does not saturate the tilt.
+
+    It is g tan(theta_max) / step.
     """
     return GRAVITY * tan(question.tilt_max) / question.step
 
 
 def routh_objection(alpha: float, beta: float, lag: float) -> str:
-    """Return why no tracking can make a pair stable, or "": s^3 + lambda s^2 + lambda alpha s +
-    lambda beta (Routh).
+    """Return why a pair is unstable with any tracking, or "" (Routh).
+
+    The polynomial is s^3 + lambda s^2 + lambda alpha s + lambda beta.
     """
     if alpha <= 0.0 or beta <= 0.0:
         return f"alpha ({alpha:g} 1/s) and beta ({beta:g} 1/s^2) must be positive"
@@ -126,8 +123,8 @@ def routh_objection(alpha: float, beta: float, lag: float) -> str:
     return ""
 
 
-def judge(question: Question, alpha: float, beta: float) -> Judgement:
-    """Return margins and objections of a pair."""
+def judge(question: GainQuestion, alpha: float, beta: float) -> Judgement:
+    """Return the margins of a pair and what speaks against it."""
     loop = replace(question.loop, alpha=alpha, beta=beta)
     margins = margins_of(loop)
     wrong = tuple((share, margins_of(_with_lag(loop, share))) for share in WRONG_LAGS)
@@ -139,15 +136,15 @@ def judge(question: Question, alpha: float, beta: float) -> Judgement:
     return Judgement(loop, margins, wrong, error, tuple(objections))
 
 
-def advise(question: Question) -> Advice | None:
-    """Return the recommendation, or None when even the slowest pair keeps not every promise.
+def advise(question: GainQuestion) -> Advice | None:
+    """Return the recommendation, or None when even the slowest pair misses a required margin.
 
-    A small Q trusts the model and filters noise well, but costs phase; so for each Q the fastest
-    pair is found, and the one of them with the least error in noise and gusts is it.
+    A small Q trusts the model and filters noise well, but costs phase. So the fastest pair is found
+    for each Q, and the one with the smallest error in noise and gusts wins.
     """
-    position_noise = max(question.noise, SMALLEST_NOISE)
+    position_noise = max(question.noise, _MIN_NOISE)
     found = []
-    for noise in ACCELERATION_NOISES:
+    for noise in _ACCELERATION_NOISES:
         loop = replace(question.loop, position_noise=position_noise, acceleration_noise=noise)
         fastest = _fastest(replace(question, loop=loop))
         if fastest is not None:
@@ -160,14 +157,14 @@ def advise(question: Question) -> Advice | None:
     return Advice(judged, rate_loop(question.yaw_lag, delay), rate_loop(question.climb_lag, delay))
 
 
-def _fastest(question: Question) -> Loop | None:
-    """Return the fastest loop that keeps the promises, by bisection: slower is always safer."""
+def _fastest(question: GainQuestion) -> Loop | None:
+    """Return the fastest loop that keeps the margins, by bisection: slower is always safer."""
     keeping: Loop | None = None
-    low, high = 0, len(FREQUENCIES)
+    low, high = 0, len(_FREQUENCIES)
     while low < high:
         middle = (low + high) // 2
-        frequency = FREQUENCIES[middle]
-        loop = replace(question.loop, alpha=2.0 * DAMPING * frequency, beta=frequency**2)
+        frequency = _FREQUENCIES[middle]
+        loop = replace(question.loop, alpha=2.0 * _DAMPING * frequency, beta=frequency**2)
         if _keeps(question, loop):
             keeping, low = loop, middle + 1
         else:
@@ -175,16 +172,18 @@ def _fastest(question: Question) -> Loop | None:
     return keeping
 
 
-def _keeps(question: Question, loop: Loop) -> bool:
-    """Return whether a loop keeps every promise, each looked at where it is given."""
+def _keeps(question: GainQuestion, loop: Loop) -> bool:
+    """Return whether a loop keeps every required margin, each tested at its limit."""
     if loop.beta > stiffness_bound(question) or not is_stable(loop):
         return False
     known = loop.delay if loop.model_delay is None else loop.model_delay
-    later = replace(loop, delay=loop.delay + max(DELAY, 1.0 / loop.tracking_hz), model_delay=known)
+    later = replace(
+        loop, delay=loop.delay + max(MIN_DELAY_MARGIN, 1.0 / loop.tracking_hz), model_delay=known
+    )
     wrong = (_with_lag(loop, share) for share in WRONG_LAGS)
     return (
         is_stable(later)
-        and _has(loop, GAIN, PHASE)
+        and _has(loop, MIN_GAIN_MARGIN, MIN_PHASE_MARGIN)
         and all(is_stable(other) and _has(other, WRONG_GAIN, WRONG_PHASE) for other in wrong)
     )
 
@@ -201,17 +200,17 @@ def _with_lag(loop: Loop, share: float) -> Loop:
 
 
 def _objections(
-    question: Question, loop: Loop, margins: Margins, wrong: tuple[tuple[float, Margins], ...]
+    question: GainQuestion, loop: Loop, margins: Margins, wrong: tuple[tuple[float, Margins], ...]
 ) -> list[str]:
     frame = 1.0 / loop.tracking_hz
-    delay = max(DELAY, frame)
+    delay = max(MIN_DELAY_MARGIN, frame)
     bound = stiffness_bound(question)
     found = []
-    if margins.gain < GAIN:
-        found.append(f"gain margin {margins.gain:.2f} is below {GAIN:g}")
-    if margins.phase < PHASE:
+    if margins.gain < MIN_GAIN_MARGIN:
+        found.append(f"gain margin {margins.gain:.2f} is below {MIN_GAIN_MARGIN:g}")
+    if margins.phase < MIN_PHASE_MARGIN:
         found.append(
-            f"phase margin {degrees(margins.phase):.0f} deg is below {degrees(PHASE):.0f} deg"
+            f"phase margin {degrees(margins.phase):.0f} deg is below {degrees(MIN_PHASE_MARGIN):.0f} deg"
         )
     if margins.delay < delay:
         found.append(f"delay margin {1000 * margins.delay:.0f} ms is below {1000 * delay:.0f} ms")

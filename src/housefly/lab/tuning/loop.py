@@ -1,11 +1,10 @@
-"""One horizontal axis of the closed loop, sampled as it really is, as a linear map over one common
-period.
+"""One horizontal axis of the sampled closed loop as a linear map over one common period.
 
 Control ticks, tracking frames, latency, command delay, attitude lag, drag, zero-order hold and the
-mode's own Kalman filter at its periodic steady state are all in it; saturation and the acceptor are
-not. Every quantity is a row of coefficients on the state at the start of the period, so that
-running the period once gives its matrix exactly. The loop is stable where all eigenvalues of that
-matrix lie inside the unit circle.
+mode's Kalman filter at its periodic steady state are included; saturation and the acceptor are not.
+Every quantity is a row of coefficients on the state at the start of the period, so running the
+period once gives its matrix exactly. The loop is stable when all eigenvalues of that matrix lie
+inside the unit circle.
 """
 
 from __future__ import annotations
@@ -15,25 +14,20 @@ from fractions import Fraction
 from math import ceil, floor
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.errors import ConfigError
-from housefly.lab.tuning.observers import Observer, Timing, observer_of
-from housefly.lab.tuning.plant import moved
+from housefly.lab.tuning.observers import ROUNDING, Observer, Rows, Timing, observer_of
+from housefly.lab.tuning.plant import advanced
 
-Rows = NDArray[np.complex128]
-"""Quantities as coefficients, shape (quantities, state and noises)."""
-TICKS_MAX = 400
-"""Most control ticks in a common period; rates that have no shorter one are rounded by less than
-half a percent.
-"""
-SHORTEST_PERIOD = 0.02
+_MAX_TICKS = 400
+"""Most control ticks in a common period; other rates are rounded by less than half a percent."""
+_MIN_PERIOD = 0.02
 """The common period is repeated until it is this long [s]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Loop:
-    """Everything that the position loop of one axis depends on; SI.
+    """Everything that the position loop of one axis depends on, in SI units.
 
     Attributes:
         alpha: damping gain [1/s].
@@ -73,8 +67,9 @@ class Loop:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Period:
-    """The loop over one common period; the first three states are position, velocity and tilt
-    acceleration.
+    """The loop over one common period.
+
+    The first three states are position, velocity and tilt acceleration.
 
     Attributes:
         seconds: its length [s].
@@ -92,22 +87,22 @@ class Period:
 
     @property
     def growth(self) -> float:
-        """By what the slowest motion grows in a second: below 1 the loop is stable."""
+        """Growth of the slowest mode in one second; below 1 the loop is stable."""
         return float(np.abs(np.linalg.eigvals(self.matrix)).max() ** (1.0 / self.seconds))
 
 
 def timing_of(loop: Loop) -> Timing:
-    """Return ticks and frames of the shortest common period.
+    """Return the ticks and frames of the shortest common period.
 
     Raises:
         ConfigError: tracking is too slow for any.
     """
-    ratio = Fraction(loop.tracking_hz / loop.rate_hz).limit_denominator(TICKS_MAX)
+    ratio = Fraction(loop.tracking_hz / loop.rate_hz).limit_denominator(_MAX_TICKS)
     if ratio <= 0:
         raise ConfigError(
             "--rate", f"is {loop.tracking_hz:g} Hz: too slow beside a loop at {loop.rate_hz:g} Hz"
         )
-    repeats = max(1, ceil(SHORTEST_PERIOD * loop.rate_hz / ratio.denominator))
+    repeats = max(1, ceil(_MIN_PERIOD * loop.rate_hz / ratio.denominator))
     ticks, frames = ratio.denominator * repeats, ratio.numerator * repeats
     return Timing(
         1.0 / loop.rate_hz, ticks / loop.rate_hz / frames, ticks, frames, loop.phase, loop.latency
@@ -134,7 +129,7 @@ def period_of(loop: Loop) -> Period:
 
 
 class _Run:
-    """A period in the making.
+    """A period under construction.
 
     Rows: plant (3); the last commands, newest first; the last frames, newest first; the observer's
         own.
@@ -160,7 +155,7 @@ class _Run:
         self._noises = 0
 
     def control(self, tick: int) -> None:
-        """Take in what has arrived at a tick and give its command."""
+        """Process the frames that have arrived at a tick, and issue its command."""
         now = tick * self._timing.tick
         before, after = (
             self._timing.delivered(now - self._timing.tick),
@@ -172,7 +167,7 @@ class _Run:
             own = self._observer.corrected(
                 own, frame, self.rows[self.frames + newest - frame], tick, self._issued
             )
-        own, position, velocity, push = self._observer.looked(own, tick, self._issued)
+        own, position, velocity, push = self._observer.output(own, tick, self._issued)
         self.rows[self.own] = own
         wanted = -self._loop.beta * position - self._loop.alpha * velocity - push
         self.rows[self.commands + 1 : self.frames] = self.rows[
@@ -181,7 +176,7 @@ class _Run:
         self.rows[self.commands] = wanted
 
     def advance(self, tick: int) -> None:
-        """Move the drone on to the next tick, taking frames on the way."""
+        """Advance the drone to the next tick, exposing frames on the way."""
         timing, loop = self._timing, self._loop
         at, end = tick * timing.tick, (tick + 1) * timing.tick
         self.rows[1, self.size + timing.frames + tick] += 1.0
@@ -192,7 +187,7 @@ class _Run:
             until = min(until, timing.taken_at(frame))
             # The newest command is that of this tick.
             pushed = loop.factor * self.rows[self.commands + tick - index]
-            self.rows[:3] = moved(self.rows[:3], pushed, loop.lag, loop.drag, until - at)
+            self.rows[:3] = advanced(self.rows[:3], pushed, loop.lag, loop.drag, until - at)
             at = until
             if timing.captured(at) > frame:
                 self._expose()
@@ -205,11 +200,9 @@ class _Run:
         self._noises += 1
 
     def _issued(self, index: int, tick: int) -> Rows:
-        """Return the command issued at tick ``index``, asked at ``tick`` before that tick's own
-        command is given.
+        """Return the command issued at tick ``index``.
+
+        It is asked for at ``tick``, before that tick's own command is issued.
         """
         found: Rows = self.rows[self.commands + tick - 1 - index]
         return found
-
-
-ROUNDING = 1e-9

@@ -1,6 +1,4 @@
-"""What tracking noise and moving air leave of the position error, by the loop's own matrices
-(discrete Lyapunov equation).
-"""
+"""The position error left by tracking noise and gusts (discrete Lyapunov equation)."""
 
 from __future__ import annotations
 
@@ -14,10 +12,10 @@ try:
 except ImportError as error:
     raise MissingPartError("scipy (gains)", "pip install 'housefly[lab]'") from error
 
-GUST = 0.1
-"""One sigma of the push by moving air that the advice counts on [m/s^2]."""
-GUST_TIME = 1.0
-"""How long such a push lasts [s]."""
+_GUST = 0.1
+"""One sigma of the push by moving air that the advice assumes [m/s^2]."""
+_GUST_TIME = 1.0
+"""Correlation time of the push [s]."""
 
 
 def position_error(loop: Loop, noise: float) -> float:
@@ -30,7 +28,7 @@ def position_error(loop: Loop, noise: float) -> float:
     period = period_of(loop)
     ticks = period.noise.shape[1] - period.frames
     # White pushes with the gusts' spectral density at rest, 2 sigma^2 T.
-    push = GUST * np.sqrt(2.0 * GUST_TIME / loop.rate_hz)
+    push = _GUST * np.sqrt(2.0 * _GUST_TIME / loop.rate_hz)
     sigmas = np.concatenate((np.full(period.frames, noise), np.full(ticks, push)))
     added = period.noise.real * sigmas
     covariance = solve_discrete_lyapunov(period.matrix.real, added @ added.T)

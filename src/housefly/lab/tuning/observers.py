@@ -1,5 +1,6 @@
-"""The estimators of both modes at their periodic steady state as linear maps, made of the live
-filters' own functions.
+"""The estimators of both modes at periodic steady state, as linear maps.
+
+They are made of the live filters' own functions.
 """
 
 from __future__ import annotations
@@ -13,33 +14,34 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.pilot.estimation.drift_axis import Drift, drifted, seen
-from housefly.pilot.estimation.filter import HOVER_BRAKE, WANDER
-from housefly.pilot.estimation.horizon import LONGEST_STEP
+from housefly.pilot.estimation.constant_velocity import ConstantVelocity, cv_predicted, cv_updated
+from housefly.pilot.estimation.delay_filter import PREDICTION_STEP_MAX
+from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER, HOVER_BRAKING
 from housefly.pilot.estimation.lagged_axis import (
-    Axis,
+    AxisCovariance,
     AxisModel,
-    Spread,
-    first_spread,
-    narrowed,
-    predicted,
-    spread_out,
+    AxisState,
+    initial_covariance,
+    predicted_axis,
+    predicted_covariance,
     transition,
+    updated_covariance,
 )
 
 Rows = NDArray[np.complex128]
-Issued = Callable[[int, int], Rows]
-"""The command issued at a tick, asked at a tick."""
+"""Quantities as coefficients, shape (quantities, state and noises)."""
+_IssuedCommand = Callable[[int, int], Rows]
+"""Returns the command issued at one tick, as asked for at another."""
 ROUNDING = 1e-9
-SETTLED = 1e-9
-"""The covariance counts as periodic when its gains change by less than this share in a period."""
-ROUNDS = 5000
+"""Times that differ by less are the same [ticks or s]."""
+_SETTLED_SHARE = 1e-9
+"""The covariance is periodic once its gains change by less than this share per period."""
+_MAX_ROUNDS = 5000
 
 
 @dataclass(frozen=True, slots=True)
 class Timing:
-    """When ticks and frames happen in a common period, frames counted from the first at or after
-    the period's start.
+    """The ticks and frames of a common period; frame 0 is the first one in it.
 
     Attributes:
         tick: between two control ticks [s].
@@ -62,7 +64,7 @@ class Timing:
         return (frame + self.phase) * self.interval
 
     def captured(self, at: float) -> int:
-        """Return the number of the next frame after a time [s]; one taken at that time is past."""
+        """Return the number of the next frame after a time [s]; a frame at that time has passed."""
         return floor(at / self.interval - self.phase + ROUNDING) + 1
 
     def delivered(self, at: float) -> int:
@@ -76,21 +78,22 @@ class Observer(Protocol):
     size: int
     delay: float
 
-    def corrected(self, own: Rows, frame: int, measured: Rows, tick: int, issued: Issued) -> Rows:
+    def corrected(
+        self, own: Rows, frame: int, measured: Rows, tick: int, issued: _IssuedCommand
+    ) -> Rows:
         """Return the estimator's rows after a frame arrived at a tick."""
         ...
 
-    def looked(self, own: Rows, tick: int, issued: Issued) -> tuple[Rows, Rows, Rows, Rows]:
-        """Return the estimator's rows at a tick, and what control sees: position, velocity, push to
-        be cancelled.
+    def output(self, own: Rows, tick: int, issued: _IssuedCommand) -> tuple[Rows, Rows, Rows, Rows]:
+        """Return the estimator's rows at a tick, and what control sees.
+
+        Control sees position, velocity and the push to be cancelled.
         """
         ...
 
 
-class StampedObserver:
-    """Mode default: frames count when they were taken; rolled forward to when a command given now
-    acts.
-    """
+class _StampedObserver:
+    """Mode default: frames count when captured; predicts to when a command given now acts."""
 
     size = 4
 
@@ -101,63 +104,68 @@ class StampedObserver:
         self._timing, self._model = timing, model
         self._gains = self._steady(position_noise**2)
 
-    def corrected(self, own: Rows, frame: int, measured: Rows, tick: int, issued: Issued) -> Rows:
-        """Roll from the frame before to this one, then correct."""
+    def corrected(
+        self, own: Rows, frame: int, measured: Rows, tick: int, issued: _IssuedCommand
+    ) -> Rows:
+        """Predict from the previous frame to this one, then correct."""
         own = self._rolled(
             own, self._timing.taken_at(frame - 1), self._timing.taken_at(frame), tick, issued
         )
         better: Rows = own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
         return better
 
-    def looked(self, own: Rows, tick: int, issued: Issued) -> tuple[Rows, Rows, Rows, Rows]:
-        """Roll from the last frame to one command delay ahead; the estimator's own rows stay where
-        the frame was taken.
+    def output(self, own: Rows, tick: int, issued: _IssuedCommand) -> tuple[Rows, Rows, Rows, Rows]:
+        """Predict from the last frame to one command delay ahead.
+
+        The estimator's own rows stay at the frame.
         """
         now = tick * self._timing.tick
         last = self._timing.taken_at(self._timing.delivered(now) - 1)
         ahead = self._rolled(own, last, now + self.delay, tick, issued)
         return own, ahead[0], ahead[1], ahead[3]
 
-    def _rolled(self, own: Rows, start: float, end: float, tick: int, issued: Issued) -> Rows:
-        axis: Any = Axis(*own)
+    def _rolled(
+        self, own: Rows, start: float, end: float, tick: int, issued: _IssuedCommand
+    ) -> Rows:
+        axis: Any = AxisState(*own)
         for at, until, index in self._pieces(start, end):
             step = transition(self._model, True, round(until - at, 12))
-            axis = _plain(predicted)(axis, issued(min(index, tick - 1), tick), step)
+            axis = _plain(predicted_axis)(axis, issued(min(index, tick - 1), tick), step)
         return np.array(axis)
 
     def _pieces(self, start: float, end: float) -> Iterator[tuple[float, float, int]]:
-        """Yield from, to [s] and the tick whose command acts."""
+        """Yield start [s], end [s] and the tick whose command acts between them."""
         tick, at = self._timing.tick, start
         while at < end - ROUNDING:
             index = floor((at - self.delay) / tick + ROUNDING)
-            until = min(end, (index + 1) * tick + self.delay, at + LONGEST_STEP)
+            until = min(end, (index + 1) * tick + self.delay, at + PREDICTION_STEP_MAX)
             yield at, until, index
             at = until
 
     def _steady(self, variance: float) -> NDArray[np.float64]:
         """Return the Kalman gains of the frames of a period, shape (frames, 4)."""
         frames = self._timing.frames
-        spread, gains = first_spread(variance, self._model.noise), np.zeros((frames, 4))
-        for _ in range(ROUNDS):
+        spread, gains = initial_covariance(variance, self._model.noise), np.zeros((frames, 4))
+        for _ in range(_MAX_ROUNDS):
             before = gains.copy()
             for frame in range(frames):
                 for at, until, _ in self._pieces(
                     self._timing.taken_at(frame - 1), self._timing.taken_at(frame)
                 ):
-                    spread = Spread(
-                        *spread_out(spread, transition(self._model, True, round(until - at, 12)))
+                    spread = AxisCovariance(
+                        *predicted_covariance(
+                            spread, transition(self._model, True, round(until - at, 12))
+                        )
                     )
                 gains[frame] = np.array(spread[:4]) / (spread.xx + variance)
-                spread = Spread(*narrowed(spread, variance))
-            if np.abs(gains - before).max() <= SETTLED * np.abs(gains).max():
+                spread = AxisCovariance(*updated_covariance(spread, variance))
+            if np.abs(gains - before).max() <= _SETTLED_SHARE * np.abs(gains).max():
                 break
         return gains
 
 
-class PlainObserver:
-    """Mode paper: frames count when they arrive; input is the command; neither lag nor delay nor
-    drag.
-    """
+class _PlainObserver:
+    """Mode paper: frames count at arrival; the input is the command, without lag, delay or drag."""
 
     size = 2
     delay = 0.0
@@ -166,14 +174,16 @@ class PlainObserver:
         self._timing = timing
         self._gains = self._steady(noise, position_noise**2)
 
-    def corrected(self, own: Rows, frame: int, measured: Rows, tick: int, issued: Issued) -> Rows:
-        """Correct at the tick; the prediction of the tick comes first, once."""
+    def corrected(
+        self, own: Rows, frame: int, measured: Rows, tick: int, issued: _IssuedCommand
+    ) -> Rows:
+        """Correct at the tick, after predicting once per tick."""
         if frame == self._timing.delivered((tick - 1) * self._timing.tick):
             own = self._moved(own, tick, issued)
         better: Rows = own + self._gains[frame % self._timing.frames][:, None] * (measured - own[0])
         return better
 
-    def looked(self, own: Rows, tick: int, issued: Issued) -> tuple[Rows, Rows, Rows, Rows]:
+    def output(self, own: Rows, tick: int, issued: _IssuedCommand) -> tuple[Rows, Rows, Rows, Rows]:
         """Return the estimate itself."""
         arrived = self._timing.delivered(tick * self._timing.tick) > self._timing.delivered(
             (tick - 1) * self._timing.tick
@@ -181,26 +191,26 @@ class PlainObserver:
         own = own if arrived else self._moved(own, tick, issued)
         return own, own[0], own[1], np.zeros_like(own[0])
 
-    def _moved(self, own: Rows, tick: int, issued: Issued) -> Rows:
+    def _moved(self, own: Rows, tick: int, issued: _IssuedCommand) -> Rows:
         dt, push = self._timing.tick, issued(tick - 1, tick)
         return np.array([own[0] + dt * own[1] + 0.5 * dt * dt * push, own[1] + dt * push])
 
     def _steady(self, noise: float, variance: float) -> NDArray[np.float64]:
         """Return the Kalman gains of the frames of a period, shape (frames, 2)."""
         timing = self._timing
-        state, gains = Drift(0.0, 0.0, variance, 0.0, 0.1), np.zeros((timing.frames, 2))
-        for _ in range(ROUNDS):
+        state, gains = ConstantVelocity(0.0, 0.0, variance, 0.0, 0.1), np.zeros((timing.frames, 2))
+        for _ in range(_MAX_ROUNDS):
             before = gains.copy()
             for tick in range(timing.ticks):
-                state = Drift(*drifted(state, 0.0, noise, timing.tick))
+                state = ConstantVelocity(*cv_predicted(state, 0.0, noise, timing.tick))
                 for frame in range(
                     timing.delivered((tick - 1) * timing.tick), timing.delivered(tick * timing.tick)
                 ):
                     gains[frame % timing.frames] = np.array([state.xx, state.xv]) / (
                         state.xx + variance
                     )
-                    state = Drift(*seen(state, 0.0, variance))
-            if np.abs(gains - before).max() <= SETTLED * np.abs(gains).max():
+                    state = ConstantVelocity(*cv_updated(state, 0.0, variance))
+            if np.abs(gains - before).max() <= _SETTLED_SHARE * np.abs(gains).max():
                 break
         return gains
 
@@ -227,15 +237,16 @@ def observer_of(
         position_noise: R, one sigma [m].
     """
     if paper:
-        return PlainObserver(timing, noise, position_noise)
-    return StampedObserver(
-        timing, AxisModel(lag, 1.0, drag, drag + HOVER_BRAKE, noise, WANDER), delay, position_noise
+        return _PlainObserver(timing, noise, position_noise)
+    return _StampedObserver(
+        timing,
+        AxisModel(lag, 1.0, drag, drag + HOVER_BRAKING, noise, DISTURBANCE_WANDER),
+        delay,
+        position_noise,
     )
 
 
 def _plain(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return the uncompiled function: it is linear, so rows of coefficients pass through it as
-    numbers do.
-    """
+    """Return the uncompiled function: it is linear, so rows of coefficients pass through it."""
     found: Callable[..., Any] = function.py_func  # type: ignore[attr-defined]
     return found

@@ -20,8 +20,9 @@ except ImportError as error:
 def _discrete(
     lag: float, drag: float, dt: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return matrix and input column of one step of dt [s] of x' = v, v' = a - drag v, a' = lag (u
-    - a).
+    """Return the matrix and input column of one step of dt [s].
+
+    The system is x' = v, v' = a - drag v, a' = lag (u - a).
     """
     system = np.zeros((4, 4))
     system[0, 1] = 1.0
@@ -31,7 +32,7 @@ def _discrete(
     return step[:3, :3], step[:3, 3:]
 
 
-def moved(
+def advanced(
     state: NDArray[Any], command: NDArray[Any], lag: float, drag: float, dt: float
 ) -> NDArray[Any]:
     """Return the rows of the state after dt [s] under a constant command.

@@ -8,10 +8,10 @@ from __future__ import annotations
 from math import atan, inf, pi, radians, sqrt
 from typing import NamedTuple
 
-PHASE, GAIN = radians(60.0), 2.5
-"""Promises of both laws: margins of phase [rad] and gain."""
-GAINS = tuple(round(0.05 * step, 2) for step in range(60, 1, -1))
-"""Gains tried, from the highest, 3 1/s: beyond it pictures blur and ears hurt."""
+_MIN_PHASE_MARGIN, _MIN_GAIN_MARGIN = radians(60.0), 2.5
+"""Margins required of both laws: phase [rad] and gain."""
+_GAINS = tuple(round(0.05 * step, 2) for step in range(60, 1, -1))
+"""Gains tried, highest first [1/s]: above 3 video blurs and motors howl."""
 
 
 class RateLoop(NamedTuple):
@@ -30,9 +30,10 @@ class RateLoop(NamedTuple):
     delay: float
 
 
-def margins(gain: float, pole: float, delay: float) -> RateLoop:
-    """Return a gain [1/s] with its margins, for the pole of the rate [1/s] and the delay of the
-    loop [s].
+def rate_margins(gain: float, pole: float, delay: float) -> RateLoop:
+    """Return a gain [1/s] with its margins.
+
+    The pole of the rate is in 1/s, the delay of the loop in s.
     """
     # |L| = 1: w sqrt(w^2 + p^2) = K p, a quadratic in w^2.
     crossing = sqrt(0.5 * (sqrt(pole**4 + 4.0 * (gain * pole) ** 2) - pole**2))
@@ -43,18 +44,20 @@ def margins(gain: float, pole: float, delay: float) -> RateLoop:
 
 
 def rate_loop(pole: float, delay: float) -> RateLoop:
-    """Return the highest gain that keeps the promises."""
-    found = (margins(gain, pole, delay) for gain in GAINS)
+    """Return the highest gain that keeps the margins."""
+    found = (rate_margins(gain, pole, delay) for gain in _GAINS)
     return next(
-        (loop for loop in found if loop.phase >= PHASE and loop.factor >= GAIN),
-        margins(GAINS[-1], pole, delay),
+        (
+            loop
+            for loop in found
+            if loop.phase >= _MIN_PHASE_MARGIN and loop.factor >= _MIN_GAIN_MARGIN
+        ),
+        rate_margins(_GAINS[-1], pole, delay),
     )
 
 
 def _phase_crossing(pole: float, delay: float) -> float:
-    """Return where the lag and the delay take the last quarter turn [rad/s]: atan(w / p) + w tau =
-    pi / 2.
-    """
+    """Return the frequency [rad/s] where atan(w / p) + w tau = pi / 2."""
     if delay <= 0.0:
         return inf
     low, high = 0.0, pi / (2.0 * delay)

@@ -8,16 +8,33 @@ that equals its epsilon) no transition is taken.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import IntFlag
+from enum import IntEnum, IntFlag
 from itertools import product
 from math import radians
+from typing import NamedTuple
 
 import numpy as np
 
-from housefly.config.site import ControlConfig
 from housefly.messages import Behavior
 from housefly.numeric import compiled
+
+
+class AcceptorState(IntEnum):
+    """The states as compiled code knows them, in the order of ``messages.Behavior``."""
+
+    HOVER = 0
+    ALTITUDE_CONTROL = 1
+    YAW_CONTROL = 2
+    PATH_TRACKING = 3
+
+
+class Tolerances(NamedTuple):
+    """eps1 [m], eps2 [rad], eps3 [m], and the shortest stay in a state [s]."""
+
+    height: float
+    yaw: float
+    position: float
+    dwell: float
 
 
 class Condition(IntFlag):
@@ -30,8 +47,10 @@ class Condition(IntFlag):
     REST = 16
 
 
-PAPER_EPSILONS = (0.2, radians(0.2), 0.4)
-"""eps1 [m], eps2 (printed as 0.2 deg) [rad], eps3 [m]."""
+PAPER_TOLERANCES = Tolerances(height=0.2, yaw=radians(0.2), position=0.4, dwell=0.0)
+"""As printed; eps2 stands there as 0.2 deg."""
+
+REST = int(Condition.REST)
 
 EXECUTION_ORDER: tuple[tuple[Condition, Behavior], ...] = (
     (Condition.REST, Behavior.HOVER),
@@ -91,9 +110,13 @@ def steady_conditions(
     """Return q1..q4 as bits, mended: a state is left at half the tolerance that enters it, and
     exactly one bit is set.
     """
-    q1 = abs(height_error) > (0.5 * eps1 if state == 1 else eps1)
-    q2 = not q1 and abs(yaw_error) > (0.5 * eps2 if state == 2 else eps2)
-    q3 = not q1 and not q2 and distance > (0.5 * eps3 if state == 3 else eps3)
+    q1 = abs(height_error) > (0.5 * eps1 if state == AcceptorState.ALTITUDE_CONTROL else eps1)
+    q2 = not q1 and abs(yaw_error) > (0.5 * eps2 if state == AcceptorState.YAW_CONTROL else eps2)
+    q3 = (
+        not q1
+        and not q2
+        and distance > (0.5 * eps3 if state == AcceptorState.PATH_TRACKING else eps3)
+    )
     q4 = not q1 and not q2 and not q3
     return 1 * q1 + 2 * q2 + 4 * q3 + 8 * q4
 
@@ -110,45 +133,23 @@ def next_state(state: int, since: float, conditions: int, now: float, dwell: flo
         now: [s].
         dwell: shortest stay in a state [s].
     """
-    if now - since < dwell and not conditions & 16:
+    if now - since < dwell and not conditions & REST:
         return state
     return int(TABLE[state, conditions])
 
 
-@dataclass(frozen=True, slots=True)
-class Acceptor:
-    """The acceptor in one state.
+class Acceptor(NamedTuple):
+    """The acceptor in one state: an ``AcceptorState``, and when it was entered [s]."""
 
-    Attributes:
-        state: present behavior.
-        since: when it was entered [s].
-        switches: how often the state changed since the start.
-    """
-
-    state: Behavior = Behavior.HOVER
-    since: float = 0.0
-    switches: int = 0
-
-    def after(self, conditions: int, now: float, dwell: float = 0.0) -> Acceptor:
-        """Return the acceptor after one look at the conditions; REST counts at once, the rest after
-        ``dwell`` [s].
-        """
-        target = STATES[
-            next_state(STATES.index(self.state), self.since, int(conditions), now, dwell)
-        ]
-        return self if target is self.state else Acceptor(target, now, self.switches + 1)
+    state: int
+    since: float
 
 
-def conditions_of(
-    acceptor: Acceptor, errors: tuple[float, float, float], control: ControlConfig, paper: bool
-) -> int:
-    """Return the condition bits for errors of height [m], yaw [rad, wrapped] and place [m], by the
-    mode's tolerances.
-    """
-    if paper:
-        return int(printed_conditions(*errors, *PAPER_EPSILONS))
-    tolerances = (control.epsilon_height, control.epsilon_yaw, control.epsilon_position)
-    return int(steady_conditions(STATES.index(acceptor.state), *errors, *tolerances))
+@compiled
+def acceptor_advanced(acceptor: Acceptor, conditions: int, now: float, dwell: float) -> Acceptor:
+    """Return the acceptor after one look at the conditions, as ``next_state`` has it."""
+    state = next_state(acceptor.state, acceptor.since, conditions, now, dwell)
+    return acceptor if state == acceptor.state else Acceptor(state, now)
 
 
 def describe() -> str:

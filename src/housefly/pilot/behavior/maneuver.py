@@ -1,23 +1,15 @@
-"""What may take the place of holding: a test, flown by whoever knows what it needs, behind the same
-last gate.
-"""
+"""What may take the place of holding: a test, flown behind the same last gate."""
 
 from __future__ import annotations
 
 from typing import Protocol
 
-from housefly.messages import Command, Estimate
+from housefly.messages import Estimate, Setpoint
 
 
 class Maneuver(Protocol):
-    """Asked once a step while the pilot holds a place, nothing is stopped, and the drone is seen."""
+    """Asked once a step while the pilot holds a place and the drone is seen."""
 
-    def propose(self, now: float, estimate: Estimate, otherwise: Command) -> Command:
-        """Return the command to be judged by the last gate.
-
-        Args:
-            now: time [s].
-            estimate: where the drone is.
-            otherwise: the command that holds the place.
-        """
+    def propose(self, now: float, estimate: Estimate) -> Setpoint | None:
+        """Return the setpoint to fly now [s], or None to hold the place."""
         ...

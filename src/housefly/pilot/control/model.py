@@ -16,7 +16,7 @@ HOVER_BRAKE = 1.5
 """How quickly the drone's own hover stops it, on top of drag [1/s]."""
 
 
-class Body(NamedTuple):
+class DroneState(NamedTuple):
     """State of the reduced-order drone: world position [m], heading [rad], rates [m/s, rad/s],
     attitude [rad].
     """
@@ -81,7 +81,7 @@ def beat_of(constants: Constants, dt: float) -> Beat:
 
 @compiled
 def moved(
-    body: Body,
+    body: DroneState,
     theta_des: float,
     phi_des: float,
     vz_des: float,
@@ -89,7 +89,7 @@ def moved(
     wind: tuple[float, float],
     constants: Constants,
     beat: Beat,
-) -> Body:
+) -> DroneState:
     """Return the drone after one step; arguments as in ``body_step``."""
     dt = beat.dt
     theta_end, phi_end = constants.gain * theta_des, constants.gain * phi_des
@@ -107,11 +107,13 @@ def moved(
     x = body.x + 0.5 * dt * (body.vx + vx)
     y = body.y + 0.5 * dt * (body.vy + vy)
     z = body.z + 0.5 * dt * (body.vz + vz)
-    return Body(x, y, z, wrapped(body.psi + turn), vx, vy, vz, rate, theta, phi)
+    return DroneState(x, y, z, wrapped(body.psi + turn), vx, vy, vz, rate, theta, phi)
 
 
 @compiled
-def between(before: Body, after: Body, dt: float, part: float) -> tuple[float, float, float, float]:
+def between(
+    before: DroneState, after: DroneState, dt: float, part: float
+) -> tuple[float, float, float, float]:
     """Return position [m] and heading [rad] ``part`` [s] after the beginning of a step of dt [s];
     speeds change evenly.
     """
@@ -128,7 +130,7 @@ def between(before: Body, after: Body, dt: float, part: float) -> tuple[float, f
 
 
 @compiled
-def hover_tilt(body: Body, wind: tuple[float, float], tilt_max: float) -> tuple[float, float]:
+def hover_tilt(body: DroneState, wind: tuple[float, float], tilt_max: float) -> tuple[float, float]:
     """Return pitch and roll [rad] that the drone gives itself when it hovers: it brakes, and leans
     against what pushes it.
     """
@@ -139,8 +141,8 @@ def hover_tilt(body: Body, wind: tuple[float, float], tilt_max: float) -> tuple[
 
 
 @compiled
-def body_step(
-    body: Body,
+def drone_step(
+    body: DroneState,
     theta_des: float,
     phi_des: float,
     vz_des: float,
@@ -148,7 +150,7 @@ def body_step(
     wind: tuple[float, float],
     constants: Constants,
     dt: float,
-) -> Body:
+) -> DroneState:
     """Return the drone after one short step.
 
     Args:

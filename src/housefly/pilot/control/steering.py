@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from housefly.geometry import Vec2
 from housefly.numeric import clipped, compiled
+from housefly.pilot.behavior.acceptor import AcceptorState
 from housefly.pilot.control.laws import (
     climb_rate,
     clipped_per_axis,
@@ -16,14 +17,10 @@ from housefly.pilot.control.laws import (
     tilt,
     yaw_rate,
 )
-
-ALTITUDE_CONTROL, YAW_CONTROL, PATH_TRACKING = 1, 2, 3
-"""States of the acceptor that command something in mode paper; in state 0 the drone hovers by its
-own means.
-"""
+from housefly.pilot.estimation.estimator import ControlState
 
 
-class Aim(NamedTuple):
+class ControlReference(NamedTuple):
     """Where the drone should be.
 
     Attributes:
@@ -35,23 +32,6 @@ class Aim(NamedTuple):
     position: Vec2
     velocity: Vec2
     acceleration: Vec2
-    height: float
-    yaw: float
-
-
-class Where(NamedTuple):
-    """Where the drone is.
-
-    Attributes:
-        position, velocity: in the plane, at the moment when a command given now acts [m, m/s].
-        disturbance: steady push to be cancelled [m/s^2].
-        height: [m].
-        yaw: [rad].
-    """
-
-    position: Vec2
-    velocity: Vec2
-    disturbance: Vec2
     height: float
     yaw: float
 
@@ -82,7 +62,7 @@ class Gains(NamedTuple):
     wraps: bool = True
 
 
-class Asked(NamedTuple):
+class ControlOutput(NamedTuple):
     """What the inner loops are asked.
 
     Attributes:
@@ -99,7 +79,7 @@ class Asked(NamedTuple):
 
 
 @compiled
-def steered(aim: Aim, where: Where, gains: Gains) -> Asked:
+def control_output(aim: ControlReference, where: ControlState, gains: Gains) -> ControlOutput:
     """Return what mode default asks: all four axes at once, in every state of the acceptor.
 
     The reference is looked up where it will be when the command acts; drag and disturbance are
@@ -109,20 +89,22 @@ def steered(aim: Aim, where: Where, gains: Gains) -> Asked:
     theta, phi = tilt(ax, ay, where.yaw, gains.gain)
     wish = sqrt(theta * theta + phi * phi)
     theta, phi = saturated_jointly(theta, phi, gains.tilt_max)
-    return Asked(theta, phi, _climb(aim, where, gains), _turn(aim, where, gains), wish)
+    return ControlOutput(theta, phi, _climb(aim, where, gains), _turn(aim, where, gains), wish)
 
 
 @compiled
-def steered_by_paper(state: int, aim: Aim, where: Where, gains: Gains) -> Asked:
+def paper_control_output(
+    state: int, aim: ControlReference, where: ControlState, gains: Gains
+) -> ControlOutput:
     """Return what mode paper asks in a state of the acceptor: only its own axis, the others are
     level or still.
     """
-    if state == ALTITUDE_CONTROL:
-        return Asked(0.0, 0.0, _climb(aim, where, gains), 0.0, 0.0)
-    if state == YAW_CONTROL:
-        return Asked(0.0, 0.0, 0.0, _turn(aim, where, gains), 0.0)
-    if state != PATH_TRACKING:
-        return Asked(0.0, 0.0, 0.0, 0.0, 0.0)
+    if state == AcceptorState.ALTITUDE_CONTROL:
+        return ControlOutput(0.0, 0.0, _climb(aim, where, gains), 0.0, 0.0)
+    if state == AcceptorState.YAW_CONTROL:
+        return ControlOutput(0.0, 0.0, 0.0, _turn(aim, where, gains), 0.0)
+    if state != AcceptorState.PATH_TRACKING:
+        return ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
     ax = demand(
         aim.position[0] - where.position[0], -where.velocity[0], 0.0, gains.alpha, gains.beta
     )
@@ -133,11 +115,11 @@ def steered_by_paper(state: int, aim: Aim, where: Where, gains: Gains) -> Asked:
     theta, phi = paper_tilt(ax, ay, facing, gains.gain)
     wish = max(abs(theta), abs(phi))
     theta, phi = clipped_per_axis(theta, phi, gains.tilt_max)
-    return Asked(theta, phi, 0.0, 0.0, wish)
+    return ControlOutput(theta, phi, 0.0, 0.0, wish)
 
 
 @compiled
-def _wanted(aim: Aim, where: Where, gains: Gains, axis: int) -> float:
+def _wanted(aim: ControlReference, where: ControlState, gains: Gains, axis: int) -> float:
     return demand(
         aim.position[axis] + gains.delay * aim.velocity[axis] - where.position[axis],
         aim.velocity[axis] - where.velocity[axis],
@@ -148,12 +130,12 @@ def _wanted(aim: Aim, where: Where, gains: Gains, axis: int) -> float:
 
 
 @compiled
-def _climb(aim: Aim, where: Where, gains: Gains) -> float:
+def _climb(aim: ControlReference, where: ControlState, gains: Gains) -> float:
     return climb_rate(aim.height, where.height, gains.height, gains.climb_max)
 
 
 @compiled
-def _turn(aim: Aim, where: Where, gains: Gains) -> float:
+def _turn(aim: ControlReference, where: ControlState, gains: Gains) -> float:
     if gains.wraps:
         return yaw_rate(aim.yaw, where.yaw, gains.yaw, gains.turn_max)
     return clipped(gains.yaw * (aim.yaw - where.yaw), gains.turn_max)

@@ -16,19 +16,19 @@ from typing import NamedTuple
 
 from housefly.numeric import clipped, compiled
 
-HOVER_DOUBT = 4.0
+HOVER_VARIANCE_FACTOR = 4.0
 """Variance of the unmodelled acceleration while the drone flies itself, as a multiple of that under
 our command.
 """
-DISTURBANCE_MAX = 1.0
+DISTURBANCE_LIMIT = 1.0
 """Largest disturbance believed [m/s^2]."""
-FIRST_VELOCITY_VARIANCE = 0.05
+INITIAL_VELOCITY_VARIANCE = 0.05
 """Variance of the velocity before anything was seen [m^2/s^2]."""
-FIRST_DISTURBANCE = 0.2
+INITIAL_DISTURBANCE = 0.2
 """One-sigma disturbance before anything was seen [m/s^2]."""
 
 
-class Axis(NamedTuple):
+class AxisState(NamedTuple):
     """State of one world axis: position [m], velocity [m/s], tilt acceleration [m/s^2], disturbance
     [m/s^2].
     """
@@ -39,7 +39,7 @@ class Axis(NamedTuple):
     d: float
 
 
-class Spread(NamedTuple):
+class AxisCovariance(NamedTuple):
     """Upper triangle of the covariance, rows and columns in the order of ``Axis``."""
 
     xx: float
@@ -115,7 +115,7 @@ def transition(model: AxisModel, flown: bool, dt: float) -> Transition:
     vd = heeded * reach
     au = heeded * model.gain * (1.0 - decay)
     vu = half * (1.0 - half * drag) * au
-    variance = model.noise * model.noise * (1.0 if flown else HOVER_DOUBT)
+    variance = model.noise * model.noise * (1.0 if flown else HOVER_VARIANCE_FACTOR)
     return Transition(
         xv=half * (1.0 + vv),
         xa=half * va,
@@ -133,20 +133,29 @@ def transition(model: AxisModel, flown: bool, dt: float) -> Transition:
 
 
 @compiled
-def first_spread(variance: float, noise: float) -> Spread:
+def initial_covariance(variance: float, noise: float) -> AxisCovariance:
     """Return the covariance at the first sighting: its variance [m^2], the unmodelled acceleration,
     one sigma [m/s^2].
     """
-    disturbance = FIRST_DISTURBANCE * FIRST_DISTURBANCE
-    return Spread(
-        variance, 0.0, 0.0, 0.0, FIRST_VELOCITY_VARIANCE, 0.0, 0.0, noise * noise, 0.0, disturbance
+    disturbance = INITIAL_DISTURBANCE * INITIAL_DISTURBANCE
+    return AxisCovariance(
+        variance,
+        0.0,
+        0.0,
+        0.0,
+        INITIAL_VELOCITY_VARIANCE,
+        0.0,
+        0.0,
+        noise * noise,
+        0.0,
+        disturbance,
     )
 
 
 @compiled
-def predicted(axis: Axis, u: float, step: Transition) -> Axis:
+def predicted_axis(axis: AxisState, u: float, step: Transition) -> AxisState:
     """Return the axis after one step with the commanded acceleration u [m/s^2] in force."""
-    return Axis(
+    return AxisState(
         axis.x + step.xv * axis.v + step.xa * axis.a + step.xd * axis.d + step.xu * u,
         step.vv * axis.v + step.va * axis.a + step.vd * axis.d + step.vu * u,
         step.aa * axis.a + step.au * u,
@@ -155,7 +164,7 @@ def predicted(axis: Axis, u: float, step: Transition) -> Axis:
 
 
 @compiled
-def spread_out(p: Spread, step: Transition) -> Spread:
+def predicted_covariance(p: AxisCovariance, step: Transition) -> AxisCovariance:
     """Return the covariance after one step: F P F' + Q."""
     fxx = p.xx + step.xv * p.xv + step.xa * p.xa + step.xd * p.xd
     fxv = p.xv + step.xv * p.vv + step.xa * p.va + step.xd * p.vd
@@ -164,7 +173,7 @@ def spread_out(p: Spread, step: Transition) -> Spread:
     fvv = step.vv * p.vv + step.va * p.va + step.vd * p.vd
     fva = step.vv * p.va + step.va * p.aa + step.vd * p.ad
     fvd = step.vv * p.vd + step.va * p.ad + step.vd * p.dd
-    return Spread(
+    return AxisCovariance(
         fxx + step.xv * fxv + step.xa * fxa + step.xd * fxd,
         step.vv * fxv + step.va * fxa + step.vd * fxd,
         step.aa * fxa,
@@ -179,23 +188,23 @@ def spread_out(p: Spread, step: Transition) -> Spread:
 
 
 @compiled
-def corrected(axis: Axis, p: Spread, seen: float, r: float) -> Axis:
+def updated_axis(axis: AxisState, p: AxisCovariance, seen: float, r: float) -> AxisState:
     """Return the axis after a position measurement ``seen`` [m] of variance r [m^2]."""
     innovation = (seen - axis.x) / (p.xx + r)
-    return Axis(
+    return AxisState(
         axis.x + p.xx * innovation,
         axis.v + p.xv * innovation,
         axis.a + p.xa * innovation,
-        clipped(axis.d + p.xd * innovation, DISTURBANCE_MAX),
+        clipped(axis.d + p.xd * innovation, DISTURBANCE_LIMIT),
     )
 
 
 @compiled
-def narrowed(p: Spread, r: float) -> Spread:
+def updated_covariance(p: AxisCovariance, r: float) -> AxisCovariance:
     """Return the covariance after a position measurement of variance r [m^2]."""
     shrink = 1.0 / (p.xx + r)
     kx, kv, ka, kd = p.xx * shrink, p.xv * shrink, p.xa * shrink, p.xd * shrink
-    return Spread(
+    return AxisCovariance(
         r * kx,
         r * kv,
         r * ka,

@@ -1,81 +1,106 @@
-"""Mode paper's estimator: the paper's Kalman filter behind the common door.
-
-It knows neither latency nor the attitude lag nor drag: the baseline that mode default is measured
-    against.
+"""The Kalman filter as the paper describes it (V-D), compiled: state (x, x', y, y'), input =
+commands, measurement on arrival.
 """
 
 from __future__ import annotations
 
-from math import sqrt
+from typing import NamedTuple
 
-from housefly.config.site import ControlConfig
-from housefly.geometry import Vec2
-from housefly.messages import Estimate, Sighting
-from housefly.pilot.estimation.contracts import Forecast
-from housefly.pilot.estimation.door import Door
-from housefly.pilot.estimation.drift_axis import Drift
-from housefly.pilot.estimation.height_yaw import upright_at
-from housefly.pilot.estimation.plain import (
-    Plain,
-    plain_advanced,
-    plain_begun,
-    plain_commanded,
-    plain_judged,
-    plain_measured,
-)
+from housefly.numeric import compiled
+from housefly.pilot.estimation.constant_velocity import ConstantVelocity, cv_predicted, cv_updated
+from housefly.pilot.estimation.height_yaw import POSITION_GATE_FLOOR, within_gate
 
-NOTHING = Drift(0.0, 0.0, 0.0, 0.0, 0.0)
+PAPER_INITIAL_VELOCITY_VARIANCE = 0.1
+"""Variance of the unknown velocity at the first sighting [m^2/s^2]."""
 
 
-class PaperFilter(Door):
-    """Position and velocity in x and y; height and yaw beside them."""
+class PaperFilterState(NamedTuple):
+    """Where the filter stands.
 
-    def __init__(self, control: ControlConfig, body: str) -> None:
-        super().__init__(body, control.position_noise)
-        self._noise = control.acceleration_noise
-        self._variance = control.position_noise**2
-        self._state = Plain(NOTHING, NOTHING, 0.0, 0.0, 0.0, self._variance)
+    Attributes:
+        x, y: states of both axes now.
+        ux, uy: commanded acceleration in force [m/s^2].
+        at: now [s].
+        doubt: variance by which the next sighting is judged [m^2].
+    """
 
-    def sent(self, now: float, acceleration: Vec2, flown: bool) -> None:
-        """Note the world acceleration [m/s^2] commanded from now on; zero when the drone flies
-        itself.
-        """
-        self._state = plain_commanded(self._now(now), *acceleration, flown)
+    x: ConstantVelocity
+    y: ConstantVelocity
+    ux: float
+    uy: float
+    at: float
+    doubt: float
 
-    def estimate(self, now: float) -> Estimate | None:
-        """Return where the drone is now, or None before the first sighting."""
-        if self._upright is None:
-            return None
-        self._state = p = self._now(now)
-        z, climb, yaw = upright_at(self._upright, now)
-        return Estimate(
-            now,
-            (p.x.x, p.y.x, z),
-            (p.x.v, p.y.v, climb),
-            yaw,
-            now - self._last_capture,
-            sqrt(p.x.xx),
-        )
 
-    def forecast(self, now: float) -> Forecast | None:
-        """Return the estimate itself: the paper compensates no delay and no disturbance."""
-        if self._upright is None:
-            return None
-        self._state = p = self._now(now)
-        return Forecast((p.x.x, p.y.x), (p.x.v, p.y.v), (0.0, 0.0))
+@compiled
+def paper_filter_initialized(
+    p: PaperFilterState, x: float, y: float, now: float, variance: float
+) -> PaperFilterState:
+    """Return the filter of a drone first seen at rest at (x, y) [m]; the command in force stays."""
+    return PaperFilterState(
+        ConstantVelocity(x, 0.0, variance, 0.0, PAPER_INITIAL_VELOCITY_VARIANCE),
+        ConstantVelocity(y, 0.0, variance, 0.0, PAPER_INITIAL_VELOCITY_VARIANCE),
+        p.ux,
+        p.uy,
+        now,
+        p.doubt,
+    )
 
-    def _start(self, sighting: Sighting, now: float) -> None:
-        x, y, _ = sighting.pose.position
-        self._state = plain_begun(self._state, x, y, now, self._variance)
 
-    def _believes(self, sighting: Sighting, now: float, refusing: bool) -> bool:
-        x, y, _ = sighting.pose.position
-        believed, self._state = plain_judged(self._now(now), x, y, refusing, self._variance)
-        return believed
+@compiled
+def paper_filter_advanced(p: PaperFilterState, noise: float, now: float) -> PaperFilterState:
+    """Return the filter now [s]; ``noise`` is the acceleration that the model misses, as a spectral
+    density [m/s^1.5].
+    """
+    dt = now - p.at
+    if dt <= 0.0:
+        return p
+    return PaperFilterState(
+        cv_predicted(p.x, p.ux, noise, dt),
+        cv_predicted(p.y, p.uy, noise, dt),
+        p.ux,
+        p.uy,
+        now,
+        p.doubt,
+    )
 
-    def _take(self, sighting: Sighting, now: float) -> None:
-        x, y, _ = sighting.pose.position
-        self._state = plain_measured(self._state, x, y, self._variance)
 
-    def _now(self, now: float) -> Plain:
-        return plain_advanced(self._state, self._noise, now)
+@compiled
+def paper_filter_commanded(
+    p: PaperFilterState, ux: float, uy: float, flown: bool
+) -> PaperFilterState:
+    """Return the filter under a new command: world acceleration [m/s^2], none when the drone flies
+    itself.
+    """
+    return PaperFilterState(p.x, p.y, ux if flown else 0.0, uy if flown else 0.0, p.at, p.doubt)
+
+
+@compiled
+def paper_filter_gated(
+    p: PaperFilterState, x: float, y: float, refusing: bool, variance: float
+) -> tuple[bool, PaperFilterState]:
+    """Return whether the drone can be at (x, y) [m], and the filter with its doubt; while refusing,
+    the doubt does not grow.
+    """
+    doubt = p.doubt if refusing else p.x.xx + variance
+    dx, dy = x - p.x.x, y - p.y.x
+    return within_gate(dx * dx + dy * dy, doubt, POSITION_GATE_FLOOR), PaperFilterState(
+        p.x, p.y, p.ux, p.uy, p.at, doubt
+    )
+
+
+@compiled
+def paper_filter_updated(
+    p: PaperFilterState, x: float, y: float, variance: float
+) -> PaperFilterState:
+    """Return the filter after a measurement (x, y) [m] of a variance [m^2], counted as being from
+    now.
+    """
+    return PaperFilterState(
+        cv_updated(p.x, x - p.x.x, variance),
+        cv_updated(p.y, y - p.y.x, variance),
+        p.ux,
+        p.uy,
+        p.at,
+        p.doubt,
+    )

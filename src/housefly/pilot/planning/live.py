@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from housefly.geometry import Vec2
-from housefly.numeric import compiled
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray, compiled
 from housefly.room.grid import Cell, OccupancyGrid
 
 SAMPLE = 0.05
@@ -154,7 +153,7 @@ def _first_block(
     return np.inf, -1
 
 
-def live_grid(static: OccupancyGrid, rows: Floats, reach: float) -> OccupancyGrid:
+def live_grid(static: OccupancyGrid, rows: FloatArray, reach: float) -> OccupancyGrid:
     """Return the grid with obstacles on top; the very same grid when there are none.
 
     A cell that an obstacle touches is OCCUPIED, one whose middle is closer than ``reach`` [m]
@@ -175,7 +174,7 @@ def live_grid(static: OccupancyGrid, rows: Floats, reach: float) -> OccupancyGri
     return OccupancyGrid(static.origin, static.resolution, cells, clearance)
 
 
-def first_block(rows: Floats, points: tuple[Vec2, ...], tight: float) -> tuple[float, int]:
+def first_block(rows: FloatArray, points: tuple[Vec2, ...], tight: float) -> tuple[float, int]:
     """Return how far along a path [m] an obstacle blocks it, and which row that is; (inf, -1) when
     the path is free.
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.messages import Obstacle
-from housefly.room.distance import Floats
+from housefly.numeric import FloatArray
 
 HALF_LIFE = 1.0
 """An obstacle that is not seen is half as believable after this [s]."""
@@ -102,7 +102,7 @@ class Memory:
 
 def rows_of(
     obstacles: Iterable[Obstacle], now: float, horizon: float, band: Vec2
-) -> tuple[Floats, tuple[str, ...]]:
+) -> tuple[FloatArray, tuple[str, ...]]:
     """Return the ground that obstacles may cover until a time ahead, one row each, and the names
     that belong to the rows.
 

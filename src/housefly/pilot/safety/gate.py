@@ -8,13 +8,12 @@ it stands; then nothing moves without a fresh order.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 
-from housefly.config.site import LimitsConfig
-from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
-from housefly.pilot.safety.facts import Facts, Fence
-from housefly.pilot.safety.limits import limited
-from housefly.pilot.safety.rules import RULES, SEVERITY, Rule
+from housefly.config.limits import LimitsConfig
+from housefly.messages import Action, Command, DroneStatus, SafetyMode, Setpoint
+from housefly.pilot.safety.gate_inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.limits import GatedCommand
+from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES, SafetyRule
 
 A, M = Action, SafetyMode
 
@@ -40,7 +39,28 @@ state, and RESET only there.
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class GateAssessment:
+    """What the rules found in one step, before any command is looked at.
+
+    Attributes:
+        mode: the worst that was found.
+        code, reason: of the deciding rule, "" when nothing is wrong.
+        status: the drone's own status.
+    """
+
+    mode: SafetyMode
+    code: str
+    reason: str
+    status: DroneStatus
+
+    @property
+    def airborne(self) -> bool:
+        """Whether the propellers carry the drone, by its last word."""
+        return self.status in AIRBORNE_STATUSES
+
+
+@dataclass(frozen=True, slots=True)
+class GateVerdict:
     """What leaves the gate.
 
     Attributes:
@@ -56,78 +76,68 @@ class Verdict:
 
 
 class Gate:
-    """Judges every command; remembers only how long each rule is broken, and a landing that it
-    began.
-    """
+    """Judges every step; remembers how long each rule is broken, and a landing that it began."""
 
-    def __init__(self, limits: LimitsConfig, fence: Fence) -> None:
+    def __init__(self, limits: LimitsConfig, fence: Geofence) -> None:
         self._limits = limits
         self._fence = fence
         self._broken_since: dict[str, float] = {}
-        self._landing: Rule | None = None
-        self._landing_words = ""
+        self._landing: SafetyRule | None = None
+        self._landing_reason = ""
 
     @property
     def landing(self) -> bool:
         """Whether a forced landing is under way."""
         return self._landing is not None
 
-    def judge(self, command: Command, facts: Facts) -> Verdict:
-        """Return the command made safe, and why."""
-        rule, words = self._worst(facts)
-        mode = rule.mode if rule else SafetyMode.NOMINAL
-        code = rule.code if rule else ""
-        if not _finite(command.setpoint):
-            command = (
-                Command(command.action, LEVEL)
-                if command.action is not Action.FLY
-                else Command(Action.HOVER)
-            )
-            if mode is SafetyMode.NOMINAL:
-                mode, code, words = (
-                    SafetyMode.LEVEL,
-                    "not_finite",
-                    "the command was not a number: the drone holds itself",
-                )
-        return Verdict(self._restrained(command, mode, facts), mode, code, words)
+    def assess(self, inputs: GateInputs) -> GateAssessment:
+        """Return what the rules find now."""
+        rule, reason = self._worst(inputs)
+        if rule is None:
+            return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
+        return GateAssessment(rule.mode, rule.code, reason, inputs.status)
 
-    def _worst(self, facts: Facts) -> tuple[Rule | None, str]:
-        if facts.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
+    def _worst(self, inputs: GateInputs) -> tuple[SafetyRule | None, str]:
+        if inputs.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
             self._landing = None
-        broken = [rule for rule in RULES if self._counts(rule, facts)]
-        worst = max(broken, key=lambda rule: SEVERITY[rule.mode], default=None)
+        broken = [rule for rule in SAFETY_RULES if self._is_broken(rule, inputs)]
+        worst = max(broken, key=lambda rule: MODE_SEVERITY[rule.mode], default=None)
         if worst is not None and worst.mode is SafetyMode.LAND:
-            self._landing, self._landing_words = worst, worst.words(facts, self._limits)
+            self._landing, self._landing_reason = worst, worst.words(inputs, self._limits)
         if self._landing is not None and (
-            worst is None or SEVERITY[worst.mode] <= SEVERITY[SafetyMode.LAND]
+            worst is None or MODE_SEVERITY[worst.mode] <= MODE_SEVERITY[SafetyMode.LAND]
         ):
-            return self._landing, self._landing_words
-        return worst, worst.words(facts, self._limits) if worst else ""
+            return self._landing, self._landing_reason
+        return worst, worst.words(inputs, self._limits) if worst else ""
 
-    def _counts(self, rule: Rule, facts: Facts) -> bool:
-        if not rule.broken(facts, self._limits, self._fence):
+    def _is_broken(self, rule: SafetyRule, inputs: GateInputs) -> bool:
+        if not rule.broken(inputs, self._limits, self._fence):
             self._broken_since.pop(rule.code, None)
             return False
-        return facts.now - self._broken_since.setdefault(rule.code, facts.now) >= rule.after
-
-    def _restrained(self, command: Command, mode: SafetyMode, facts: Facts) -> Command:
-        if facts.status is DroneStatus.EMERGENCY:
-            return Command(Action.RESET if command.action is Action.RESET else Action.IDLE)
-        table = AIRBORNE_ACTIONS if facts.airborne else GROUND_ACTIONS
-        action = table[mode].get(command.action, command.action)
-        if action is Action.FLY:
-            return Command(action, self._limited(command.setpoint))
-        return Command(action)
-
-    def _limited(self, setpoint: Setpoint) -> Setpoint:
-        limits = self._limits
-        asked = (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
-        return Setpoint(
-            *limited(*asked, limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
-        )
+        return inputs.now - self._broken_since.setdefault(rule.code, inputs.now) >= rule.after
 
 
-def _finite(setpoint: Setpoint) -> bool:
-    return all(
-        isfinite(value) for value in (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
-    )
+def released(action: Action, gated: GatedCommand, assessment: GateAssessment) -> GateVerdict:
+    """Return the verdict on one step.
+
+    Args:
+        action: what the pilot wants.
+        gated: the numbers that left the compiled gate.
+        assessment: what the rules found in this step.
+    """
+    mode, code, reason = assessment.mode, assessment.code, assessment.reason
+    if gated.mode != MODE_SEVERITY[mode]:
+        mode, code = SafetyMode.LEVEL, "not_finite"
+        reason = "the command was not a number: the drone holds itself"
+    allowed = _allowed(action, mode, assessment)
+    if allowed is not Action.FLY:
+        return GateVerdict(Command(allowed), mode, code, reason)
+    setpoint = Setpoint(gated.theta, gated.phi, gated.vz, gated.yaw_rate)
+    return GateVerdict(Command(allowed, setpoint), mode, code, reason)
+
+
+def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Action:
+    if assessment.status is DroneStatus.EMERGENCY:
+        return Action.RESET if action is Action.RESET else Action.IDLE
+    table = AIRBORNE_ACTIONS if assessment.airborne else GROUND_ACTIONS
+    return table[mode].get(action, action)

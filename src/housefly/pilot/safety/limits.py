@@ -1,30 +1,90 @@
-"""The numbers of the last gate, compiled: how old is too old, how far is too far."""
+"""The numbers of the last gate, compiled: how old is too old, and what may leave."""
 
 from __future__ import annotations
 
+from enum import IntEnum
+from math import isfinite
+from typing import NamedTuple
+
 from housefly.numeric import clipped, compiled
+from housefly.pilot.control.steering import ControlOutput
+
+
+class SafetyCode(IntEnum):
+    """The modes as compiled code knows them, in the order of ``messages.SafetyMode``."""
+
+    NOMINAL = 0
+    LEVEL = 1
+    STOPPED = 2
+    LAND = 3
+    CUT = 4
+
+
+class CommandLimits(NamedTuple):
+    """Largest tilt of an axis [rad], climb rate [m/s] and yaw rate [rad/s]."""
+
+    tilt_max: float
+    vertical_speed_max: float
+    yaw_rate_max: float
+
+
+class GatedCommand(NamedTuple):
+    """What leaves the gate.
+
+    Attributes:
+        mode: a ``SafetyCode``.
+        flown: our setpoint flies the drone; else its own hover does, or it stands.
+        theta, phi, vz, yaw_rate: the setpoint within its limits, zero when it is not flown.
+    """
+
+    mode: int
+    flown: bool
+    theta: float
+    phi: float
+    vz: float
+    yaw_rate: float
 
 
 @compiled
 def too_old(age: float, bound: float) -> bool:
-    """Return whether something is older than it may be [s]; an age that is not a number is too old."""
+    """Return whether something is older than it may be [s]; an age that is not a number is."""
     return not age <= bound
 
 
 @compiled
-def limited(
-    theta: float,
-    phi: float,
-    vz: float,
-    yaw_rate: float,
-    tilt_max: float,
-    climb_max: float,
-    turn_max: float,
-) -> tuple[float, float, float, float]:
-    """Return pitch, roll [rad], climb rate [m/s] and yaw rate [rad/s], each within its limit."""
-    return (
-        clipped(theta, tilt_max),
-        clipped(phi, tilt_max),
-        clipped(vz, climb_max),
-        clipped(yaw_rate, turn_max),
+def pose_age_mode(age: float, level_after: float, land_after: float) -> int:
+    """Return the ``SafetyCode`` that the age of the pose asks for; times in seconds."""
+    if too_old(age, land_after):
+        return SafetyCode.LAND.value
+    if too_old(age, level_after):
+        return SafetyCode.LEVEL.value
+    return SafetyCode.NOMINAL.value
+
+
+@compiled
+def gated(
+    asked: ControlOutput, flying: bool, mode: int, airborne: bool, limits: CommandLimits
+) -> GatedCommand:
+    """Return what may leave the gate.
+
+    Args:
+        asked: by control.
+        flying: control flies; else it leaves the drone to its own hover.
+        mode: the ``SafetyCode`` that the rules found.
+        airborne: the propellers carry the drone.
+        limits: of the command.
+    """
+    tilt_is_finite = isfinite(asked.theta) and isfinite(asked.phi)
+    is_finite = tilt_is_finite and isfinite(asked.vz) and isfinite(asked.yaw_rate)
+    if flying and not is_finite and mode == SafetyCode.NOMINAL:
+        mode = SafetyCode.LEVEL.value
+    if not (flying and airborne and is_finite and mode == SafetyCode.NOMINAL):
+        return GatedCommand(mode, False, 0.0, 0.0, 0.0, 0.0)
+    return GatedCommand(
+        mode=mode,
+        flown=True,
+        theta=clipped(asked.theta, limits.tilt_max),
+        phi=clipped(asked.phi, limits.tilt_max),
+        vz=clipped(asked.vz, limits.vertical_speed_max),
+        yaw_rate=clipped(asked.yaw_rate, limits.yaw_rate_max),
     )

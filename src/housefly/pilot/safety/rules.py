@@ -7,9 +7,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from housefly.config.site import LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, SafetyMode
-from housefly.pilot.safety.facts import Facts, Fence
+from housefly.pilot.safety.gate_inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import too_old
 
 CEILING_SLACK = 0.5
@@ -19,7 +19,7 @@ BATTERY_DEBOUNCE = 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Rule:
+class SafetyRule:
     """One thing that may be wrong.
 
     Attributes:
@@ -32,44 +32,44 @@ class Rule:
 
     code: str
     mode: SafetyMode
-    broken: Callable[[Facts, LimitsConfig, Fence], bool]
-    words: Callable[[Facts, LimitsConfig], str]
+    broken: Callable[[GateInputs, LimitsConfig, Geofence], bool]
+    words: Callable[[GateInputs, LimitsConfig], str]
     after: float = 0.0
 
 
-RULES: tuple[Rule, ...] = (
-    Rule(
+SAFETY_RULES: tuple[SafetyRule, ...] = (
+    SafetyRule(
         "cut",
         SafetyMode.CUT,
         lambda f, _, __: f.cutting,
         lambda _, __: "motors are being cut by order",
     ),
-    Rule(
+    SafetyRule(
         "emergency",
         SafetyMode.CUT,
         lambda f, _, __: f.status is DroneStatus.EMERGENCY,
         lambda _, __: "the motors are cut: reset when nobody is near",
     ),
-    Rule(
+    SafetyRule(
         "telemetry_lost",
         SafetyMode.LAND,
         lambda f, limits, _: f.airborne and too_old(f.telemetry_age, limits.telemetry_age),
         lambda f, _: f"the drone is silent for {f.telemetry_age:.1f} s: landing",
     ),
-    Rule(
+    SafetyRule(
         "battery_low",
         SafetyMode.LAND,
         lambda f, limits, _: f.airborne and not f.battery >= limits.battery_floor,
         lambda f, limits: f"battery {f.battery:.0%} is below {limits.battery_floor:.0%}: landing",
         after=BATTERY_DEBOUNCE,
     ),
-    Rule(
+    SafetyRule(
         "tracking_lost",
         SafetyMode.LAND,
         lambda f, limits, _: f.airborne and too_old(f.pose_age, limits.pose_age_land),
         lambda f, _: f"tracking lost for {f.pose_age:.1f} s: landing",
     ),
-    Rule(
+    SafetyRule(
         "outside_fence",
         SafetyMode.LAND,
         lambda f, limits, fence: (
@@ -79,7 +79,7 @@ RULES: tuple[Rule, ...] = (
         ),
         lambda _, limits: f"more than {limits.fence_margin} m outside the map: landing",
     ),
-    Rule(
+    SafetyRule(
         "too_high",
         SafetyMode.LAND,
         lambda f, _, fence: (
@@ -87,13 +87,13 @@ RULES: tuple[Rule, ...] = (
         ),
         lambda f, limits: f"higher than {limits.height_max + CEILING_SLACK:.1f} m: landing",
     ),
-    Rule(
+    SafetyRule(
         "stopped",
         SafetyMode.STOPPED,
         lambda f, _, __: f.stopped,
         lambda _, __: "STOP: hovering until resumed",
     ),
-    Rule(
+    SafetyRule(
         "tracking_old",
         SafetyMode.LEVEL,
         lambda f, limits, _: (
@@ -104,5 +104,5 @@ RULES: tuple[Rule, ...] = (
 )
 """Worst first."""
 
-SEVERITY = {mode: rank for rank, mode in enumerate(SafetyMode)}
+MODE_SEVERITY = {mode: rank for rank, mode in enumerate(SafetyMode)}
 """Rank of each mode; a higher one wins."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-ENDURANCE = 720.0
+_ENDURANCE = 720.0
 """Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
-IDLE_SHARE = 0.05
+_IDLE_SHARE = 0.05
 """Part of the hovering power that the electronics take with motors off."""
 LOW_VOLTAGE = 9.7
 FORCED_LANDING_VOLTAGE = 9.3
@@ -39,5 +39,5 @@ class Battery:
             load: thrust over weight; rotor power grows with its power 3/2 (momentum theory).
         """
         rotors = load**1.5 if load > 0.0 else 0.0
-        used = seconds / ENDURANCE * (IDLE_SHARE + (1.0 - IDLE_SHARE) * rotors)
+        used = seconds / _ENDURANCE * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)
         self.charge = max(0.0, self.charge - used)

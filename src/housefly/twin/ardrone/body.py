@@ -14,7 +14,7 @@ from math import atan, degrees, radians, tan
 from housefly.config.site import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 
-MASS = 0.436
+DRONE_MASS = 0.436
 """With indoor hull [kg]."""
 INERTIA: Vec3 = (0.0068, 0.0068, 0.0136)
 """Principal moments [kg m^2]. They are those of a flat body with all its mass at the motors'
@@ -22,12 +22,12 @@ radius: an upper bound.
 """
 MOTOR_ARM = 0.1237
 """Distance of each motor from the x and y axes [m]."""
-ROTOR_RADIUS = 0.1
+_ROTOR_RADIUS = 0.1
 STANDING_HEIGHT = 0.05
 """Height of the origin above the floor when the drone stands on its belly [m]."""
 
 BODY = "drone"
-MARKERS: tuple[Vec3, ...] = (
+DRONE_MARKERS: tuple[Vec3, ...] = (
     (0.16, 0.02, 0.05),
     (0.05, 0.20, 0.04),
     (-0.17, 0.11, 0.04),
@@ -39,13 +39,13 @@ MARKERS: tuple[Vec3, ...] = (
 unique.
 """
 
-FRONT_CAMERA_X = 0.21
-FRONT_VIEW = radians(69.0)
-BOTTOM_VIEW = radians(49.0)
+_FRONT_CAMERA_X = 0.21
+FRONT_FIELD_OF_VIEW = radians(69.0)
+_BOTTOM_FIELD_OF_VIEW = radians(49.0)
 """Horizontal angle of the cameras [rad]; their height follows from square pixels, for there is no
 lens distortion here.
 """
-PICTURE: tuple[int, int] = (640, 360)
+PICTURE_SIZE: tuple[int, int] = (640, 360)
 """Width and height of both cameras' pictures [px]."""
 
 VISUAL_GROUP = 2
@@ -74,14 +74,14 @@ def drone_body(config: DroneConfig, home: Vec2, home_yaw: float) -> str:
     orientation = quaternion_from_euler(0.0, 0.0, home_yaw)
     parts = [
         "<freejoint/>",
-        f'<inertial pos="0 0 0" mass="{MASS}" diaginertia="{_numbers(*INERTIA)}"/>',
+        f'<inertial pos="0 0 0" mass="{DRONE_MASS}" diaginertia="{_numbers(*INERTIA)}"/>',
         *_hull(config.hull_length, config.hull_width),
         *_looks(),
         *_cameras(),
         *(
             f'<site name="drone_marker_{n}" pos="{_numbers(*at)}" size="0.007" rgba="0.9 0.9 0.9'
             ' 1"/>'
-            for n, at in enumerate(MARKERS)
+            for n, at in enumerate(DRONE_MARKERS)
         ),
     ]
     start = _numbers(home[0], home[1], STANDING_HEIGHT)
@@ -131,7 +131,7 @@ def _looks() -> list[str]:
     for sx in (1, -1):
         for sy in (1, -1):
             centre = (sx * MOTOR_ARM, sy * MOTOR_ARM, 0.03)
-            shapes.append(_shape("cylinder", centre, (ROTOR_RADIUS, 0.002), _BLADE))
+            shapes.append(_shape("cylinder", centre, (_ROTOR_RADIUS, 0.002), _BLADE))
             shapes.append(_shape("cylinder", (centre[0], centre[1], 0.012), (0.014, 0.02), _DARK))
             shapes.append(_rod((0.0, 0.0, 0.0), (centre[0], centre[1], 0.0), 0.008, _DARK))
             shapes.extend(_foam_arc(sx, sy))
@@ -140,7 +140,7 @@ def _looks() -> list[str]:
 
 def _foam_arc(sx: int, sy: int) -> list[str]:
     """Return the quarter of the foam ring that shields one rotor from outside."""
-    radius, thickness = ROTOR_RADIUS + 0.004, 0.012
+    radius, thickness = _ROTOR_RADIUS + 0.004, 0.012
     points = [
         (sx * (MOTOR_ARM + radius * dx), sy * (MOTOR_ARM + radius * dy))
         for dx, dy in ((-0.5, 0.87), (0.0, 1.0), (0.5, 0.87), (0.87, 0.5), (1.0, 0.0), (0.87, -0.5))
@@ -168,18 +168,18 @@ def _rod(start: Vec3, end: Vec3, radius: float, colour: str) -> str:
 def _cameras() -> list[str]:
     return [
         (
-            f'<camera name="front" pos="{FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
-            f' fovy="{_vertical_degrees(FRONT_VIEW):.6g}"/>'
+            f'<camera name="front" pos="{_FRONT_CAMERA_X} 0 0" xyaxes="0 -1 0 0 0 1"'
+            f' fovy="{_vertical_degrees(FRONT_FIELD_OF_VIEW):.6g}"/>'
         ),
         (
             f'<camera name="bottom" pos="0 0 -{STANDING_HEIGHT}" xyaxes="0 -1 0 1 0 0"'
-            f' fovy="{_vertical_degrees(BOTTOM_VIEW):.6g}"/>'
+            f' fovy="{_vertical_degrees(_BOTTOM_FIELD_OF_VIEW):.6g}"/>'
         ),
     ]
 
 
 def _vertical_degrees(horizontal: float) -> float:
-    return degrees(2 * atan(tan(horizontal / 2) * PICTURE[1] / PICTURE[0]))
+    return degrees(2 * atan(tan(horizontal / 2) * PICTURE_SIZE[1] / PICTURE_SIZE[0]))
 
 
 def _numbers(*values: float) -> str:

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-Address = tuple[str, int]
-"""IP address and port of a peer."""
+from housefly.twin.address import PeerAddress
 
 LINK_LOST_AFTER = 2.0
 """Silence on the AT port [s] after which the firmware forgets the sequence and stops navdata
@@ -44,7 +43,7 @@ class Link:
 
     acknowledged: bool = False
     bootstrap: bool = True
-    client: Address | None = None
+    client: PeerAddress | None = None
     last_command_at: float | None = None
     counters: Counters = field(default_factory=Counters)
 

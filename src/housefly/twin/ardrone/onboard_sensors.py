@@ -17,26 +17,26 @@ import numpy as np
 from housefly.geometry import GRAVITY, Quaternion, Vec3, euler_from_quaternion, rotate, wrap_angle
 from housefly.twin.ardrone.body import STANDING_HEIGHT
 
-PERIOD = 0.005
+CONTROL_PERIOD = 0.005
 """The firmware's control period [s] (200 Hz)."""
 FLOW_DELAY = 0.04
-SONAR_EVERY = 8
+_SONAR_DIVIDER = 8
 """Control periods between two pings: 25 Hz."""
 
-ATTITUDE_NOISE = 0.0005
-GYRO_NOISE = 0.004
-GYRO_BIAS = 0.0005
+_ATTITUDE_NOISE = 0.0005
+_GYRO_NOISE = 0.004
+_GYRO_BIAS = 0.0005
 """Yaw drift, one sigma of one flight [rad/s]."""
-ATTITUDE_OFFSET = 0.0035
-TRIMMED_OFFSET = 0.0009
+_ATTITUDE_OFFSET = 0.0035
+_TRIMMED_OFFSET = 0.0009
 """What the drone takes for level, one sigma at power-on and after a flat trim [rad]."""
-FLOW_NOISE = 0.02
-FLOW_BIAS = 0.003
-FLOW_BIAS_TIME = 10.0
+_FLOW_NOISE = 0.02
+_FLOW_BIAS = 0.003
+_FLOW_BIAS_TIME = 10.0
 """Optical flow: white noise and slowly wandering bias [m/s], correlation time of the bias [s]."""
-CLIMB_NOISE = 0.01
-SONAR_NOISE = 0.01
-ACCELERATION_NOISE = 0.1
+_CLIMB_NOISE = 0.01
+_SONAR_NOISE = 0.01
+_ACCELERATION_NOISE = 0.1
 
 _BLOCK = 512
 _CHANNELS = 14
@@ -54,7 +54,7 @@ class BodyState(NamedTuple):
     rate: Vec3
 
 
-class Measured(NamedTuple):
+class SensorReading(NamedTuple):
     """One reading of all onboard sensors; attitude [rad], rates [rad/s], height [m], speeds [m/s],
     acceleration [m/s^2].
     """
@@ -70,7 +70,7 @@ class Measured(NamedTuple):
     acceleration: Vec3
 
 
-class Sensors:
+class OnboardSensors:
     """The sensors of one drone; every reading draws the same amount of noise, so observers cannot
     change a flight.
     """
@@ -78,47 +78,49 @@ class Sensors:
     def __init__(self, rng: np.random.Generator) -> None:
         self._rng = rng
         self._noise = _rows(rng)
-        self._offset_phi, self._offset_theta = rng.normal(0.0, ATTITUDE_OFFSET, 2).tolist()
-        self._gyro_bias = float(rng.normal(0.0, GYRO_BIAS))
+        self._offset_phi, self._offset_theta = rng.normal(0.0, _ATTITUDE_OFFSET, 2).tolist()
+        self._gyro_bias = float(rng.normal(0.0, _GYRO_BIAS))
         self._psi = 0.0
         self._psi_before: float | None = None
         self._flow_bias = (0.0, 0.0)
-        self._late: deque[tuple[float, float, float]] = deque(maxlen=round(FLOW_DELAY / PERIOD) + 1)
+        self._late: deque[tuple[float, float, float]] = deque(
+            maxlen=round(FLOW_DELAY / CONTROL_PERIOD) + 1
+        )
         self._height = 0.0
         self._count = 0
 
     def flat_trim(self) -> None:
         """Take the present attitude for level, as well as the drone can."""
-        self._offset_phi, self._offset_theta = self._rng.normal(0.0, TRIMMED_OFFSET, 2).tolist()
+        self._offset_phi, self._offset_theta = self._rng.normal(0.0, _TRIMMED_OFFSET, 2).tolist()
 
-    def read(self, body: BodyState) -> Measured:
-        """Return what the sensors say; call once every ``PERIOD``."""
+    def read(self, body: BodyState) -> SensorReading:
+        """Return what the sensors say; call once every ``CONTROL_PERIOD``."""
         n = next(self._noise)
         phi, theta, yaw = euler_from_quaternion(body.orientation)
         self._follow_heading(yaw)
         self._wander(n[0], n[1])
         forward, left, height = self._flow_and_sonar(body, n[2])
         p, q, r = body.rate
-        return Measured(
-            phi=phi + self._offset_phi + ATTITUDE_NOISE * n[3],
-            theta=theta + self._offset_theta + ATTITUDE_NOISE * n[4],
+        return SensorReading(
+            phi=phi + self._offset_phi + _ATTITUDE_NOISE * n[3],
+            theta=theta + self._offset_theta + _ATTITUDE_NOISE * n[4],
             psi=self._psi,
             rate=(
-                p + GYRO_NOISE * n[5],
-                q + GYRO_NOISE * n[6],
-                r + self._gyro_bias + GYRO_NOISE * n[7],
+                p + _GYRO_NOISE * n[5],
+                q + _GYRO_NOISE * n[6],
+                r + self._gyro_bias + _GYRO_NOISE * n[7],
             ),
             height=height,
-            climb=body.velocity[2] + CLIMB_NOISE * n[8],
-            forward=forward + self._flow_bias[0] + FLOW_NOISE * n[9],
-            left=left + self._flow_bias[1] + FLOW_NOISE * n[10],
+            climb=body.velocity[2] + _CLIMB_NOISE * n[8],
+            forward=forward + self._flow_bias[0] + _FLOW_NOISE * n[9],
+            left=left + self._flow_bias[1] + _FLOW_NOISE * n[10],
             acceleration=_specific_force(body, n[11], n[12], n[13]),
         )
 
     def _follow_heading(self, yaw: float) -> None:
         """Integrate the turn since power-on, with the gyro's drift."""
         before = yaw if self._psi_before is None else self._psi_before
-        self._psi = wrap_angle(self._psi + yaw - before + self._gyro_bias * PERIOD)
+        self._psi = wrap_angle(self._psi + yaw - before + self._gyro_bias * CONTROL_PERIOD)
         self._psi_before = yaw
 
     def _wander(self, drive_forward: float, drive_left: float) -> None:
@@ -133,14 +135,14 @@ class Sensors:
         vx, vy, _ = rotate((w, -x, -y, -z), body.velocity)
         self._late.append((vx, vy, body.position[2] - STANDING_HEIGHT))
         forward, left, height = self._late[0]
-        if self._count % SONAR_EVERY == 0:
-            self._height = max(0.0, height + SONAR_NOISE * noise)
+        if self._count % _SONAR_DIVIDER == 0:
+            self._height = max(0.0, height + _SONAR_NOISE * noise)
         self._count += 1
         return forward, left, self._height
 
 
-_KEEP = exp(-PERIOD / FLOW_BIAS_TIME)
-_DRIVE = FLOW_BIAS * sqrt(1.0 - _KEEP * _KEEP)
+_KEEP = exp(-CONTROL_PERIOD / _FLOW_BIAS_TIME)
+_DRIVE = _FLOW_BIAS * sqrt(1.0 - _KEEP * _KEEP)
 
 
 def _rows(rng: np.random.Generator) -> Iterator[list[float]]:
@@ -153,4 +155,8 @@ def _specific_force(body: BodyState, nx: float, ny: float, nz: float) -> Vec3:
     w, x, y, z = body.orientation
     ax, ay, az = body.acceleration
     fx, fy, fz = rotate((w, -x, -y, -z), (ax, ay, az + GRAVITY))
-    return fx + ACCELERATION_NOISE * nx, fy + ACCELERATION_NOISE * ny, fz + ACCELERATION_NOISE * nz
+    return (
+        fx + _ACCELERATION_NOISE * nx,
+        fy + _ACCELERATION_NOISE * ny,
+        fz + _ACCELERATION_NOISE * nz,
+    )

@@ -8,14 +8,14 @@ from __future__ import annotations
 
 from housefly.errors import LinkError
 from housefly.twin.address import check_address
-from housefly.twin.ardrone.commands import CommandPort
-from housefly.twin.ardrone.config import ConfigStore
-from housefly.twin.ardrone.control import ControlPort
+from housefly.twin.ardrone.command_server import CommandServer
+from housefly.twin.ardrone.config_store import ConfigStore
+from housefly.twin.ardrone.control_server import ControlServer
 from housefly.twin.ardrone.link import Counters, Link
-from housefly.twin.ardrone.navdata import NavdataWriter
-from housefly.twin.ardrone.reports import NavdataPort
-from housefly.twin.ardrone.video import HEADER_SIZE, Picture, VideoPort
-from housefly.twin.contracts import Camera, World
+from housefly.twin.ardrone.navdata_server import NavdataServer
+from housefly.twin.ardrone.navdata_writer import NavdataWriter
+from housefly.twin.ardrone.video_server import PAVE_HEADER_SIZE, VideoServer
+from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinWorld
 
 
 class ArDroneServer:
@@ -34,10 +34,10 @@ class ArDroneServer:
 
     def __init__(
         self,
-        world: World,
+        world: TwinWorld,
         address: str = "127.0.0.1",
         *,
-        pave_header_size: int = HEADER_SIZE,
+        pave_header_size: int = PAVE_HEADER_SIZE,
         tells_vertical_speed: bool = False,
         beyond_loopback: bool = False,
     ) -> None:
@@ -47,10 +47,10 @@ class ArDroneServer:
         self._link = Link()
         self._writer = NavdataWriter(self._link, tells_vertical_speed)
         self._config = ConfigStore(self._apply)
-        self._control = ControlPort(self._config.describe, self._link.counters)
-        self._commands = CommandPort(world, self._link, self._config, self._control.answer)
-        self._navdata = NavdataPort(world, self._link, self._writer)
-        self._video = VideoPort(self._link.counters, pave_header_size)
+        self._control = ControlServer(self._config.describe, self._link.counters)
+        self._commands = CommandServer(world, self._link, self._config, self._control.answer)
+        self._navdata = NavdataServer(world, self._link, self._writer)
+        self._video = VideoServer(self._link.counters, pave_header_size)
 
     @property
     def counters(self) -> Counters:
@@ -63,7 +63,7 @@ class ArDroneServer:
         return self._config
 
     @property
-    def camera(self) -> Camera:
+    def camera(self) -> DroneCamera:
         """The camera whose pictures the client wants."""
         return self._config.camera
 
@@ -91,7 +91,7 @@ class ArDroneServer:
         for port in (self._control, self._video, self._navdata, self._commands):
             await port.stop()
 
-    def publish(self, picture: Picture) -> None:
+    def publish(self, picture: EncodedPicture) -> None:
         """Send a picture to the clients of the video port."""
         if self._config.video_enabled:
             self._video.publish(picture)

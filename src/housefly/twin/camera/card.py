@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-REMEDY = "apt-get install libosmesa6"
+_REMEDY = "apt-get install libosmesa6"
 _BACKGROUND, _TITLE, _TEXT = (32, 36, 42), (245, 246, 248), (178, 184, 192)
 _LEFT = 48
 _EXPLANATION = (
@@ -25,7 +25,7 @@ def draw_card(reasons: tuple[str, ...], width: int, height: int) -> NDArray[np.u
     pen = ImageDraw.Draw(image)
     pen.text((_LEFT, 56), "No camera picture", _TITLE, ImageFont.load_default(34))
     pen.multiline_text((_LEFT, 110), _EXPLANATION, _TEXT, ImageFont.load_default(18), spacing=6)
-    pen.text((_LEFT, 174), REMEDY, _TITLE, ImageFont.load_default(22))
+    pen.text((_LEFT, 174), _REMEDY, _TITLE, ImageFont.load_default(22))
     small = "\n".join(line for reason in reasons for line in textwrap.wrap(reason, 84)[:3])
     pen.multiline_text((_LEFT, 226), small, _TEXT, ImageFont.load_default(13), spacing=4)
     return np.asarray(image, dtype=np.uint8)

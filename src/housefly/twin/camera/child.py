@@ -17,12 +17,20 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.twin.ardrone.body import PICTURE
+from housefly.twin.ardrone.body import PICTURE_SIZE
 from housefly.twin.camera.card import draw_card
 from housefly.twin.camera.encoder import Encoder
-from housefly.twin.camera.link import Backend, Encoded, Inbox, Kind, Request, Settings, message
+from housefly.twin.camera.messages import (
+    Encoded,
+    Inbox,
+    MessageKind,
+    PictureRequest,
+    RenderBackend,
+    RenderSettings,
+    pack_message,
+)
 
-CARD_RATE_HZ = 2.0
+_CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000
 _NICENESS = 10
 """More than the twin's own: pictures may be late, its physics and the pilot may not.
@@ -34,55 +42,57 @@ a child that starves.
 """
 
 
-def serve(link: socket.socket) -> None:
+def _serve(link: socket.socket) -> None:
     """Read the settings, then answer requests with pictures until the other end closes."""
     inbox = Inbox(link)
-    (_, body), *_ = inbox.receive() or [(Kind.SETTINGS, b"")]
+    (_, body), *_ = inbox.receive() or [(MessageKind.SETTINGS, b"")]
     if not body:
         return
-    settings = Settings.unpack(body)
+    settings = RenderSettings.unpack(body)
     try:
-        if settings.backend is Backend.CARD:
+        if settings.backend is RenderBackend.CARD:
             _send_cards(link, inbox, settings)
         else:
             _send_views(link, inbox, settings)
     except (BrokenPipeError, ConnectionResetError):
         return
     except Exception as error:  # whatever a GL stack raises: the parent tries the next backend
-        link.sendall(message(Kind.FAILED, f"{type(error).__name__}: {error}".encode()))
+        link.sendall(pack_message(MessageKind.FAILED, f"{type(error).__name__}: {error}".encode()))
 
 
-def _send_views(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
-    from housefly.twin.camera.view import View
+def _send_views(link: socket.socket, inbox: Inbox, settings: RenderSettings) -> None:
+    from housefly.twin.camera.view import CameraView
 
-    view = View(settings.scene, *PICTURE)
-    encoder = Encoder(*PICTURE, settings.rate_hz)
-    link.sendall(message(Kind.READY, settings.backend.name.encode()))
+    view = CameraView(settings.scene, *PICTURE_SIZE)
+    encoder = Encoder(*PICTURE_SIZE, settings.rate_hz)
+    link.sendall(pack_message(MessageKind.READY, settings.backend.name.encode()))
     if settings.yields and sys.platform == "linux":
         os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))
     while (request := _newest(inbox)) is not None:
         _send(link, encoder, view.picture(request), request.at)
 
 
-def _send_cards(link: socket.socket, inbox: Inbox, settings: Settings) -> None:
-    card = draw_card(settings.reasons, *PICTURE)
-    encoder = Encoder(*PICTURE, CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
-    link.sendall(message(Kind.READY, settings.backend.name.encode()))
+def _send_cards(link: socket.socket, inbox: Inbox, settings: RenderSettings) -> None:
+    card = draw_card(settings.reasons, *PICTURE_SIZE)
+    encoder = Encoder(*PICTURE_SIZE, _CARD_RATE_HZ, group=1, bit_rate=_CARD_BIT_RATE)
+    link.sendall(pack_message(MessageKind.READY, settings.backend.name.encode()))
     due = 0.0
     while (request := _newest(inbox)) is not None:
         if time.monotonic() >= due:
-            due = time.monotonic() + 1 / CARD_RATE_HZ
+            due = time.monotonic() + 1 / _CARD_RATE_HZ
             _send(link, encoder, card, request.at)
 
 
-def _newest(inbox: Inbox) -> Request | None:
+def _newest(inbox: Inbox) -> PictureRequest | None:
     messages = inbox.receive()
-    return Request.unpack(messages[-1][1]) if messages else None
+    return PictureRequest.unpack(messages[-1][1]) if messages else None
 
 
 def _send(link: socket.socket, encoder: Encoder, picture: NDArray[np.uint8], at: float) -> None:
     data, keyframe = encoder.encode(picture)
-    link.sendall(message(Kind.PICTURE, Encoded(data, keyframe, *PICTURE, at).pack()))
+    link.sendall(
+        pack_message(MessageKind.PICTURE, Encoded(data, keyframe, *PICTURE_SIZE, at).pack())
+    )
 
 
 def main() -> None:
@@ -92,7 +102,7 @@ def main() -> None:
     )  # Ctrl-C is for the parent, whose end this process notices
     os.nice(_NICENESS)
     with socket.socket(fileno=int(sys.argv[1])) as link:
-        serve(link)
+        _serve(link)
         # A half-loaded GL library may crash in its own clean-up; there is nothing left to clean up.
         link.shutdown(socket.SHUT_WR)
         os._exit(0)

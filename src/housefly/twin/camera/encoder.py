@@ -11,9 +11,9 @@ import numpy as np
 from av.video.reformatter import Interpolation, VideoReformatter
 from numpy.typing import NDArray
 
-BIT_RATE = 1_200_000
+_BIT_RATE = 1_200_000
 """Mean bit rate [bit/s]; peaks stay below a quarter more."""
-GROUP_OF_PICTURES = 15
+_GROUP_OF_PICTURES = 15
 
 
 class Encoder:
@@ -32,8 +32,8 @@ class Encoder:
         width: int,
         height: int,
         rate_hz: float,
-        group: int = GROUP_OF_PICTURES,
-        bit_rate: int = BIT_RATE,
+        group: int = _GROUP_OF_PICTURES,
+        bit_rate: int = _BIT_RATE,
     ) -> None:
         self._size = width, height
         self._count = 0

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.twin.ardrone.body import BODY, HULL_GROUP, VISUAL_GROUP
-from housefly.twin.camera.link import Request
-from housefly.twin.contracts import Camera
-from housefly.twin.people.bodies import PREFIX
+from housefly.twin.camera.messages import PictureRequest
+from housefly.twin.contracts import AWAY_Z, DroneCamera
+from housefly.twin.people.bodies import PERSON_PREFIX
 
 SUPERSAMPLING = 1.25
 """Pictures are rendered larger by this and averaged down: smooth edges for less than half the price
@@ -29,11 +29,9 @@ same at this size.
 """
 _OUT_OF_SIGHT = 5
 """A geom group that is never drawn."""
-_AWAY = -30.0
-"""Where along z an absent visitor waits [m]."""
 
 
-class View:
+class CameraView:
     """The room seen from the drone, without the drone itself.
 
     Args:
@@ -66,9 +64,11 @@ class View:
         self._people = tuple(
             int(model.body_mocapid[n])
             for n in range(model.nbody)
-            if model.body(n).name.startswith(PREFIX)
+            if model.body(n).name.startswith(PERSON_PREFIX)
         )
-        self._frusta = {camera: _Frustum(model, camera.value, width / height) for camera in Camera}
+        self._frusta = {
+            camera: _Frustum(model, camera.value, width / height) for camera in DroneCamera
+        }
         self._renderer = mujoco.Renderer(
             model, round(height * supersampling), round(width * supersampling)
         )
@@ -79,7 +79,7 @@ class View:
         self._shown: tuple[object, ...] = ()
         self._last = np.empty((0, 0, 3), dtype=np.uint8)
 
-    def picture(self, request: Request) -> NDArray[np.uint8]:
+    def picture(self, request: PictureRequest) -> NDArray[np.uint8]:
         """Return the RGB picture, shape (rows, columns, 3); the last one again while nothing moved,
         as on the pad.
         """
@@ -88,13 +88,13 @@ class View:
             self._shown, self._last = wanted, self._rendered(request)
         return self._last
 
-    def _rendered(self, request: Request) -> NDArray[np.uint8]:
+    def _rendered(self, request: PictureRequest) -> NDArray[np.uint8]:
         model, data = self._model, self._data
         start = model.jnt_qposadr[self._place]
         data.qpos[start : start + 7] = (*request.pose.position, *request.pose.orientation)
         if self._visitor_at is not None:
             data.mocap_pos[self._visitor] = self._visitor_at
-            data.mocap_pos[self._visitor, 2] += 0.0 if request.visitor_present else _AWAY
+            data.mocap_pos[self._visitor, 2] += 0.0 if request.visitor_present else AWAY_Z
         for number, person in zip(self._people, request.people, strict=False):
             data.mocap_pos[number], data.mocap_quat[number] = person.position, person.orientation
         mujoco.mj_kinematics(model, data)
@@ -129,7 +129,7 @@ class _Frustum:
         return groups
 
 
-def _visible(request: Request) -> tuple[object, ...]:
+def _visible(request: PictureRequest) -> tuple[object, ...]:
     """Return what changes a picture, to a tenth of a millimetre and of a milliradian."""
     poses = (request.pose, *request.people)
     pose = (round(value, 4) for shown in poses for value in (*shown.position, *shown.orientation))

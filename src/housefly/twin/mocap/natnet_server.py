@@ -15,40 +15,39 @@ from dataclasses import dataclass
 
 from housefly.errors import LinkError, WireError
 from housefly.messages import Pose
+from housefly.twin.address import PeerAddress
 from housefly.twin.contracts import MocapFrame
 from housefly.wires.axes import y_up_orientation, y_up_position
 from housefly.wires.natnet import (
+    CommandRequest,
+    CommandResponse,
     Connect,
     Disconnect,
-    Frame,
-    Item,
     KeepAlive,
     ModelDef,
-    Request,
+    NatNetFrame,
+    NatNetMessage,
+    NatNetVersion,
     RequestModelDef,
-    Response,
     RigidBody,
     RigidBodyDescription,
     ServerInfo,
     Unrecognized,
-    Version,
-    decode_message,
-    encode_message,
+    decode_natnet,
+    encode_natnet,
 )
 
-TICKS_PER_SECOND = 10_000_000
-VERSIONS: tuple[Version, ...] = ((3, 0), (3, 1), (4, 0), (4, 1))
-LEASE = 10.0
+_CLOCK_HZ = 10_000_000
+_VERSIONS: tuple[NatNetVersion, ...] = ((3, 0), (3, 1), (4, 0), (4, 1))
+_CLIENT_TIMEOUT = 10.0
 """A unicast client that was silent for this long [s] gets no more frames."""
-_MOST_CLIENTS = 32
+_MAX_CLIENTS = 32
 _APPLICATION = "Housefly twin"
-
-Address = tuple[str, int]
 
 
 @dataclass(slots=True)
 class _Client:
-    version: Version
+    version: NatNetVersion
     heard_at: float
 
 
@@ -76,7 +75,7 @@ class NatNetServer:
         address: str = "127.0.0.1",
         port: int = 1510,
         data_port: int = 1511,
-        version: Version = (3, 1),
+        version: NatNetVersion = (3, 1),
         group: str = "",
         y_up: bool = True,
     ) -> None:
@@ -87,7 +86,7 @@ class NatNetServer:
         self._version = version
         self._y_up = y_up
         self._numbers: dict[str, int] = {}
-        self._clients: dict[Address, _Client] = {}
+        self._clients: dict[PeerAddress, _Client] = {}
         self._socket: socket.socket | None = None
         self._transport: asyncio.DatagramTransport | None = None
 
@@ -107,7 +106,7 @@ class NatNetServer:
             ) from error
         loop = asyncio.get_running_loop()
         self._transport, _ = await loop.create_datagram_endpoint(
-            lambda: _Ear(self.heard), sock=self._socket
+            lambda: _Receiver(self.receive), sock=self._socket
         )
 
     async def stop(self) -> None:
@@ -123,23 +122,23 @@ class NatNetServer:
         fresh = [name for name, _ in frame.bodies if name not in self._numbers]
         for name in fresh:
             self._numbers[name] = len(self._numbers) + 1
-        item = frame_item(frame, self._numbers, self._y_up, changed=bool(fresh))
+        item = natnet_frame(frame, self._numbers, self._y_up, changed=bool(fresh))
         if self._target[0]:
-            self._send(encode_message(item, self._version), self._target)
+            self._send(encode_natnet(item, self._version), self._target)
             return
         self._drop_the_silent()
-        packets: dict[Version, bytes] = {}
+        packets: dict[NatNetVersion, bytes] = {}
         for address, client in self._clients.items():
             if client.version not in packets:
-                packets[client.version] = encode_message(item, client.version)
+                packets[client.version] = encode_natnet(item, client.version)
             self._send(packets[client.version], address)
 
-    def heard(self, datagram: bytes, sender: Address) -> None:
+    def receive(self, datagram: bytes, sender: PeerAddress) -> None:
         """Answer one datagram of a client."""
         client = self._clients.get(sender)
         version = client.version if client is not None else self._version
         try:
-            item = decode_message(datagram, version)
+            item = decode_natnet(datagram, version)
         except WireError:
             self.malformed += 1
             return
@@ -147,9 +146,9 @@ class NatNetServer:
             client.heard_at = time.monotonic()
         answer = self._answer(item, sender)
         if answer is not None:
-            self._send(encode_message(answer, version), sender)
+            self._send(encode_natnet(answer, version), sender)
 
-    def _answer(self, item: Item, sender: Address) -> Item | None:
+    def _answer(self, item: NatNetMessage, sender: PeerAddress) -> NatNetMessage | None:
         match item:
             case Connect(wish):
                 return self._info(self._admit(sender, wish))
@@ -159,7 +158,7 @@ class NatNetServer:
                         RigidBodyDescription(number, name) for name, number in self._numbers.items()
                     )
                 )
-            case Request(command):
+            case CommandRequest(command):
                 return self._obey(command, sender)
             case Disconnect():
                 self._clients.pop(sender, None)
@@ -169,50 +168,50 @@ class NatNetServer:
             case _:
                 return Unrecognized()
 
-    def _admit(self, sender: Address, wish: Version | None) -> Version:
+    def _admit(self, sender: PeerAddress, wish: NatNetVersion | None) -> NatNetVersion:
         """Note a unicast client and return the version that it gets."""
-        if self._target[0] or (sender not in self._clients and len(self._clients) >= _MOST_CLIENTS):
+        if self._target[0] or (sender not in self._clients and len(self._clients) >= _MAX_CLIENTS):
             return self._version
-        version = wish if wish in VERSIONS and self._version >= (4, 0) else self._version
+        version = wish if wish in _VERSIONS and self._version >= (4, 0) else self._version
         self._clients[sender] = _Client(version, time.monotonic())
         return version
 
-    def _obey(self, command: str, sender: Address) -> Item:
+    def _obey(self, command: str, sender: PeerAddress) -> NatNetMessage:
         """Carry out a command in words; the only one is the choice of a version."""
         name, _, value = command.partition(",")
         if name.lower() != "bitstream":
             return Unrecognized()
         wish = next(
-            (version for version in VERSIONS if value.startswith(f"{version[0]}.{version[1]}")),
+            (version for version in _VERSIONS if value.startswith(f"{version[0]}.{version[1]}")),
             None,
         )
         client = self._clients.get(sender)
         if wish is None or client is None or self._version < (4, 0):
-            return Response(1)
+            return CommandResponse(1)
         client.version = wish
-        return Response(0)
+        return CommandResponse(0)
 
-    def _info(self, version: Version) -> ServerInfo:
+    def _info(self, version: NatNetVersion) -> ServerInfo:
         group, data_port = self._target
         where = group or "0.0.0.0"
         return ServerInfo(
             _APPLICATION,
             (1, 0, 0, 0),
             (*version, 0, 0),
-            TICKS_PER_SECOND,
+            _CLOCK_HZ,
             data_port,
             bool(group),
             where,
         )
 
     def _drop_the_silent(self) -> None:
-        oldest = time.monotonic() - LEASE
+        oldest = time.monotonic() - _CLIENT_TIMEOUT
         for address in [
             address for address, client in self._clients.items() if client.heard_at < oldest
         ]:
             del self._clients[address]
 
-    def _send(self, datagram: bytes, target: Address) -> None:
+    def _send(self, datagram: bytes, target: PeerAddress) -> None:
         if self._socket is None:
             return
         try:
@@ -221,15 +220,15 @@ class NatNetServer:
             self.lost += 1  # the network's buffers are full, or it is not there
 
 
-class _Ear(asyncio.DatagramProtocol):
-    def __init__(self, heard: Callable[[bytes, Address], None]) -> None:
-        self._heard = heard
+class _Receiver(asyncio.DatagramProtocol):
+    def __init__(self, on_datagram: Callable[[bytes, PeerAddress], None]) -> None:
+        self._on_datagram = on_datagram
 
-    def datagram_received(self, data: bytes, addr: Address) -> None:
-        self._heard(data, addr)
+    def datagram_received(self, data: bytes, addr: PeerAddress) -> None:
+        self._on_datagram(data, addr)
 
 
-def _socket_at(where: Address) -> socket.socket:
+def _socket_at(where: PeerAddress) -> socket.socket:
     """Return a socket that answers at an address; what it sends to groups leaves there and goes no
     further than its network.
     """
@@ -245,15 +244,13 @@ def _socket_at(where: Address) -> socket.socket:
     return made
 
 
-def frame_item(
+def natnet_frame(
     frame: MocapFrame, numbers: dict[str, int], y_up: bool, changed: bool = False
-) -> Frame:
+) -> NatNetFrame:
     """Return a frame as NatNet tells it; ``numbers`` gives each body's number."""
     bodies = tuple(_body(numbers[name], pose, y_up) for name, pose in frame.bodies)
-    exposed, sent = (
-        max(0, round(at * TICKS_PER_SECOND)) for at in (frame.captured_at, frame.due_at)
-    )
-    return Frame(
+    exposed, sent = (max(0, round(at * _CLOCK_HZ)) for at in (frame.captured_at, frame.due_at))
+    return NatNetFrame(
         frame.number & 0x7FFFFFFF,
         bodies,
         frame.captured_at,

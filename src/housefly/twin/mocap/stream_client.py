@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import socket
 
-BACKLOG = 64 * 1024
+_MAX_BACKLOG = 64 * 1024
 """Bytes that may wait for a slow client before it loses frames; about a hundred frames of two
 bodies.
 """
@@ -19,11 +19,14 @@ class StreamClient:
         connection = writer.get_extra_info("socket")
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         # The kernel would otherwise keep megabytes of frames too old to be of use.
-        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BACKLOG)
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _MAX_BACKLOG)
 
     def offer(self, packet: bytes) -> bool:
         """Send a packet unless too much waits already; returns whether it was taken."""
-        if self._writer.is_closing() or self._writer.transport.get_write_buffer_size() > BACKLOG:
+        if (
+            self._writer.is_closing()
+            or self._writer.transport.get_write_buffer_size() > _MAX_BACKLOG
+        ):
             return False
         self._writer.write(packet)
         return True

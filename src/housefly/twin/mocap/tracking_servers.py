@@ -10,9 +10,9 @@ from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.twin.mocap.vicon_server import ViconServer
 from housefly.twin.mocap.vrpn_server import VrpnServer
-from housefly.wires.natnet import Version
+from housefly.wires.natnet import NatNetVersion
 
-NATNET_VERSIONS: dict[str, Version] = {"3.1": (3, 1), "4.1": (4, 1)}
+NATNET_VERSIONS: dict[str, NatNetVersion] = {"3.1": (3, 1), "4.1": (4, 1)}
 
 
 class TrackingServer(Protocol):

@@ -16,29 +16,29 @@ from housefly.messages import Pose
 from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.stream_client import StreamClient
 from housefly.wires.vicon import (
-    HEADER_SIZE,
     TICKS_PER_SECOND,
+    VICON_HEADER_SIZE,
     ApplicationInfo,
-    Contents,
+    FrameContents,
     FrameInfo,
     GlobalSegments,
-    Item,
     LatencyInfo,
     ObjectEnums,
-    Ping,
     RequestFrame,
     RequestNextFrame,
     Segment,
     SegmentPose,
     StreamInfo,
     SubjectInfo,
+    ViconObject,
+    ViconPing,
     decode_packet,
     encode_packet,
     matrix_from_quaternion,
     packet_length,
 )
 
-OFFERED = frozenset(
+_OFFERED_KINDS = frozenset(
     item.KIND
     for item in (
         StreamInfo,
@@ -47,12 +47,12 @@ OFFERED = frozenset(
         GlobalSegments,
         LatencyInfo,
         ApplicationInfo,
-        Ping,
-        Contents,
+        ViconPing,
+        FrameContents,
     )
 )
 _LARGEST_REQUEST = 64 * 1024
-_MOST_CLIENTS = 32
+_MAX_CLIENTS = 32
 
 
 class ViconServer:
@@ -119,18 +119,20 @@ class ViconServer:
             self.lost += not client.offer(packets[client.kinds])
 
     def _encode(self, frame: MocapFrame, kinds: frozenset[int]) -> bytes:
-        return encode_packet(frame_items(frame, self._period_ticks, kinds))
+        return encode_packet(_frame_items(frame, self._period_ticks, kinds))
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         client = _Client(writer)
-        if len(self._clients) >= _MOST_CLIENTS:
+        if len(self._clients) >= _MAX_CLIENTS:
             client.close()
             return
         self._clients.add(client)
         try:
-            client.offer(encode_packet([ObjectEnums(OFFERED)]))
+            client.offer(encode_packet([ObjectEnums(_OFFERED_KINDS)]))
             while True:
-                length = packet_length(await reader.readexactly(HEADER_SIZE), _LARGEST_REQUEST)
+                length = packet_length(
+                    await reader.readexactly(VICON_HEADER_SIZE), _LARGEST_REQUEST
+                )
                 for item in decode_packet(await reader.readexactly(length)):
                     self._answer(client, item)
         except WireError:
@@ -141,11 +143,11 @@ class ViconServer:
             self._clients.discard(client)
             client.close()
 
-    def _answer(self, client: _Client, item: Item) -> None:
+    def _answer(self, client: _Client, item: ViconObject) -> None:
         match item:
             case ObjectEnums(kinds):
-                client.kinds = kinds & OFFERED
-            case Ping():
+                client.kinds = kinds & _OFFERED_KINDS
+            case ViconPing():
                 client.offer(encode_packet([item]))
             case RequestNextFrame(number):
                 client.expected = number
@@ -160,7 +162,7 @@ class _Client(StreamClient):
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
         super().__init__(writer)
-        self.kinds = OFFERED
+        self.kinds = _OFFERED_KINDS
         self.streaming = False
         self.expected = 0
 
@@ -172,12 +174,12 @@ class _Client(StreamClient):
         return wanted
 
 
-def frame_items(frame: MocapFrame, period_ticks: int, kinds: frozenset[int]) -> list[Item]:
+def _frame_items(frame: MocapFrame, period_ticks: int, kinds: frozenset[int]) -> list[ViconObject]:
     """Return the objects of one frame in a server's order, only of the wanted kinds, table of
     contents first.
     """
     named = list(enumerate(frame.bodies, start=1))
-    objects: list[Item] = [StreamInfo(period_ticks), ApplicationInfo()]
+    objects: list[ViconObject] = [StreamInfo(period_ticks), ApplicationInfo()]
     objects += [SubjectInfo(number, name, (Segment(1, name),)) for number, (name, _) in named]
     objects += [FrameInfo(frame.number & 0xFFFFFFFF)]
     objects += [LatencyInfo((("Exposure to sending", max(0.0, frame.due_at - frame.captured_at)),))]
@@ -185,8 +187,10 @@ def frame_items(frame: MocapFrame, period_ticks: int, kinds: frozenset[int]) -> 
         GlobalSegments(number, (_segment(pose),)) for number, (_, pose) in named if pose is not None
     ]
     wanted = [item for item in objects if item.KIND in kinds]
-    if Contents.KIND in kinds:
-        wanted.insert(0, Contents(tuple(sorted(Counter(item.KIND for item in wanted).items()))))
+    if FrameContents.KIND in kinds:
+        wanted.insert(
+            0, FrameContents(tuple(sorted(Counter(item.KIND for item in wanted).items())))
+        )
     return wanted
 
 

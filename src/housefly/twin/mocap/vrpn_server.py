@@ -11,37 +11,36 @@ import asyncio
 from collections.abc import Callable
 
 from housefly.errors import LinkError, WireError
+from housefly.twin.address import PeerAddress
 from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.stream_client import StreamClient
 from housefly.wires.axes import y_up_orientation, y_up_position
 from housefly.wires.vrpn import (
     COOKIE_SIZE,
-    MAJOR,
-    PING,
-    PONG,
-    POSE,
+    MAJOR_VERSION,
+    PING_TYPE,
+    PONG_TYPE,
+    POSE_TYPE,
     SENDER_DESCRIPTION,
     TYPE_DESCRIPTION,
-    Message,
-    MessageStream,
-    Names,
     TrackerPose,
+    VrpnMessage,
+    VrpnNames,
+    VrpnStream,
     decode_cookie,
     decode_lob,
-    describe,
+    description_message,
     encode_cookie,
     encode_message,
     encode_pose,
 )
 
-TYPES = (POSE, PING, PONG)
+_MESSAGE_TYPES = (POSE_TYPE, PING_TYPE, PONG_TYPE)
 """Message types of this server; their place is their number."""
-_MOST_CLIENTS = 32
-_PATIENCE = 2.0
+_MAX_CLIENTS = 32
+_CONNECT_TIMEOUT = 2.0
 """How long [s] a connection back to a client, and a cookie, may take."""
 _CHUNK = 64 * 1024
-
-Address = tuple[str, int]
 
 
 class VrpnServer:
@@ -68,9 +67,9 @@ class VrpnServer:
         self._numbers: dict[str, int] = {}
         self._links: set[StreamClient] = set()
         self._clients: set[StreamClient] = set()
-        self._calls: dict[Address, asyncio.Task[None]] = {}
+        self._calls: dict[PeerAddress, asyncio.Task[None]] = {}
         self._server: asyncio.Server | None = None
-        self._ear: asyncio.DatagramTransport | None = None
+        self._receiver: asyncio.DatagramTransport | None = None
 
     @property
     def clients(self) -> int:
@@ -82,8 +81,8 @@ class VrpnServer:
         loop = asyncio.get_running_loop()
         try:
             self._server = await asyncio.start_server(self._serve, *self._where)
-            self._ear, _ = await loop.create_datagram_endpoint(
-                lambda: _Ear(self._call_back), local_addr=self._where
+            self._receiver, _ = await loop.create_datagram_endpoint(
+                lambda: _Receiver(self._call_back), local_addr=self._where
             )
         except OSError as error:
             await self.stop()
@@ -93,8 +92,8 @@ class VrpnServer:
 
     async def stop(self) -> None:
         """Close the ports and every connection."""
-        if self._ear is not None:
-            self._ear.abort()
+        if self._receiver is not None:
+            self._receiver.abort()
         if self._server is not None:
             self._server.close()
         for call in tuple(self._calls.values()):
@@ -107,7 +106,7 @@ class VrpnServer:
             )  # each connection's task ends by itself; a loop that closes first would complain
         if self._server is not None:
             await self._server.wait_closed()
-        self._server = self._ear = None
+        self._server = self._receiver = None
 
     def publish(self, frame: MocapFrame) -> None:
         """Hand a frame to every client; returns at once."""
@@ -115,10 +114,12 @@ class VrpnServer:
             if name not in self._numbers:
                 self._numbers[name] = len(self._numbers)
                 self._broadcast(
-                    encode_message(describe(SENDER_DESCRIPTION, self._numbers[name], name))
+                    encode_message(
+                        description_message(SENDER_DESCRIPTION, self._numbers[name], name)
+                    )
                 )
         packet = b"".join(
-            encode_message(message) for message in frame_messages(frame, self._numbers, self._y_up)
+            encode_message(message) for message in _frame_messages(frame, self._numbers, self._y_up)
         )
         if packet:
             self._broadcast(packet)
@@ -127,7 +128,7 @@ class VrpnServer:
         for client in self._clients:
             self.lost += not client.offer(packet)
 
-    def _call_back(self, datagram: bytes, sender: Address) -> None:
+    def _call_back(self, datagram: bytes, sender: PeerAddress) -> None:
         """Connect to a client that asked for it: at its own address, whatever it says, so that
         nobody is called for another.
         """
@@ -139,14 +140,14 @@ class VrpnServer:
         target = sender[0], port
         if (
             target not in self._calls
-            and len(self._links) < _MOST_CLIENTS
-            and len(self._calls) < _MOST_CLIENTS
+            and len(self._links) < _MAX_CLIENTS
+            and len(self._calls) < _MAX_CLIENTS
         ):
             self._calls[target] = asyncio.create_task(self._call(target))
 
-    async def _call(self, target: Address) -> None:
+    async def _call(self, target: PeerAddress) -> None:
         try:
-            async with asyncio.timeout(_PATIENCE):
+            async with asyncio.timeout(_CONNECT_TIMEOUT):
                 reader, writer = await asyncio.open_connection(*target)
             await self._serve(reader, writer)
         except OSError:
@@ -156,13 +157,13 @@ class VrpnServer:
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         client = StreamClient(writer)
-        if len(self._links) >= _MOST_CLIENTS:
+        if len(self._links) >= _MAX_CLIENTS:
             client.close()
             return
         self._links.add(client)
         try:
             client.offer(encode_cookie())
-            async with asyncio.timeout(_PATIENCE):
+            async with asyncio.timeout(_CONNECT_TIMEOUT):
                 _check(await reader.readexactly(COOKIE_SIZE))
             self._introduce(client)
             self._clients.add(client)
@@ -177,52 +178,54 @@ class VrpnServer:
             client.close()
 
     def _introduce(self, client: StreamClient) -> None:
-        for number, name in enumerate(TYPES):
-            client.offer(encode_message(describe(TYPE_DESCRIPTION, number, name)))
+        for number, name in enumerate(_MESSAGE_TYPES):
+            client.offer(encode_message(description_message(TYPE_DESCRIPTION, number, name)))
         for name, number in self._numbers.items():
-            client.offer(encode_message(describe(SENDER_DESCRIPTION, number, name)))
+            client.offer(encode_message(description_message(SENDER_DESCRIPTION, number, name)))
 
     async def _answer(self, client: StreamClient, reader: asyncio.StreamReader) -> None:
         """Answer pings until the client leaves; all else that clients say is of no concern."""
-        stream, names = MessageStream(), Names()
+        stream, names = VrpnStream(), VrpnNames()
         while piece := await reader.read(_CHUNK):
             for message in stream.feed(piece):
                 if (
                     not names.learn(message)
-                    and names.kind(message) == PING
+                    and names.kind(message) == PING_TYPE
                     and names.sender(message) in self._numbers
                 ):
                     number = self._numbers[names.sender(message)]
                     client.offer(
-                        encode_message(Message(TYPES.index(PONG), number, message.stamp, b""))
+                        encode_message(
+                            VrpnMessage(_MESSAGE_TYPES.index(PONG_TYPE), number, message.stamp, b"")
+                        )
                     )
 
 
-class _Ear(asyncio.DatagramProtocol):
-    def __init__(self, heard: Callable[[bytes, Address], None]) -> None:
-        self._heard = heard
+class _Receiver(asyncio.DatagramProtocol):
+    def __init__(self, on_datagram: Callable[[bytes, PeerAddress], None]) -> None:
+        self._on_datagram = on_datagram
 
-    def datagram_received(self, data: bytes, addr: Address) -> None:
-        self._heard(data, addr)
+    def datagram_received(self, data: bytes, addr: PeerAddress) -> None:
+        self._on_datagram(data, addr)
 
 
 def _check(cookie: bytes) -> None:
     version = decode_cookie(cookie)
-    if not version.startswith(MAJOR):
-        raise WireError(f"VRPN cookie: version {version}; allowed: {MAJOR}")
+    if not version.startswith(MAJOR_VERSION):
+        raise WireError(f"VRPN cookie: version {version}; allowed: {MAJOR_VERSION}")
 
 
-def frame_messages(frame: MocapFrame, numbers: dict[str, int], y_up: bool) -> list[Message]:
+def _frame_messages(frame: MocapFrame, numbers: dict[str, int], y_up: bool) -> list[VrpnMessage]:
     """Return the pose messages of a frame's seen bodies, stamped with the time of exposure."""
     stamp = max(0, round(frame.captured_at * 1e6))
-    kind = TYPES.index(POSE)
+    kind = _MESSAGE_TYPES.index(POSE_TYPE)
     messages = []
     for name, pose in frame.bodies:
         if pose is not None:
             position = y_up_position(pose.position) if y_up else pose.position
             orientation = y_up_orientation(pose.orientation) if y_up else pose.orientation
             messages.append(
-                Message(
+                VrpnMessage(
                     kind, numbers[name], stamp, encode_pose(TrackerPose(0, position, orientation))
                 )
             )

@@ -13,15 +13,14 @@ from math import cos, pi, sin
 
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose
+from housefly.twin.contracts import AWAY_Z
 from housefly.twin.people.script import PersonScript
 from housefly.twin.people.state import PersonState, Posture
 
-PREFIX = "person "
+PERSON_PREFIX = "person "
 """How the names of their bodies begin."""
-RADIUS, HEAD = 0.17, 0.11
+_TRUNK_RADIUS, _HEAD_RADIUS = 0.17, 0.11
 """Radius of trunk and head [m]."""
-AWAY = -30.0
-"""Where along z who is not there waits [m]."""
 _HIPS = 0.52
 """Height of the hips over body height."""
 _FOOT = 0.03
@@ -33,10 +32,10 @@ def people_bodies(people: tuple[PersonScript, ...]) -> str:
     """Return the MJCF of the people as mocap bodies, in the order of the script; the room's own
     visitor is not among them.
     """
-    return "".join(_body(person, number) for number, person in enumerate(bodied(people)))
+    return "".join(_body(person, number) for number, person in enumerate(_with_bodies(people)))
 
 
-def bodied(people: tuple[PersonScript, ...]) -> tuple[PersonScript, ...]:
+def _with_bodies(people: tuple[PersonScript, ...]) -> tuple[PersonScript, ...]:
     """Return the people who get a body of ours: all but the visitor, whose body the room has."""
     return tuple(person for person in people if not person.visitor)
 
@@ -52,7 +51,7 @@ def _upright(person: PersonState, height: float) -> Pose:
 
 def _seated(person: PersonState, height: float) -> Pose:
     return Pose(
-        (*person.position, person.support - _HIPS * height + RADIUS),
+        (*person.position, person.support - _HIPS * height + _TRUNK_RADIUS),
         quaternion_from_euler(0.0, 0.0, person.yaw),
     )
 
@@ -62,13 +61,13 @@ def _lying(person: PersonState, height: float) -> Pose:
     feet = (
         x - height / 2 * cos(person.yaw),
         y - height / 2 * sin(person.yaw),
-        person.support + RADIUS,
+        person.support + _TRUNK_RADIUS,
     )
     return Pose(feet, quaternion_from_euler(0.0, pi / 2, person.yaw))
 
 
 def _away(person: PersonState, height: float) -> Pose:
-    return Pose((*person.position, AWAY), quaternion_from_euler(0.0, 0.0, 0.0))
+    return Pose((*person.position, AWAY_Z), quaternion_from_euler(0.0, 0.0, 0.0))
 
 
 _POSES: dict[Posture, Callable[[PersonState, float], Pose]] = {
@@ -80,13 +79,11 @@ _POSES: dict[Posture, Callable[[PersonState, float], Pose]] = {
 
 def _body(person: PersonScript, number: int) -> str:
     top = person.height
-    trunk = (
-        f"0 0 {_FOOT + RADIUS:.9g} 0 0 {max(_FOOT + RADIUS + 0.01, top - 2 * HEAD - RADIUS):.9g}"
-    )
-    name = f"{PREFIX}{person.name}"
+    trunk = f"0 0 {_FOOT + _TRUNK_RADIUS:.9g} 0 0 {max(_FOOT + _TRUNK_RADIUS + 0.01, top - 2 * _HEAD_RADIUS - _TRUNK_RADIUS):.9g}"
+    name = f"{PERSON_PREFIX}{person.name}"
     return (
-        f'<body name="{name}" mocap="true" pos="0 0 {AWAY}"><geom name="{name} trunk"'
-        f' type="capsule" fromto="{trunk}" size="{RADIUS}" rgba="{_COATS[number % len(_COATS)]}"'
-        f' material="cloth"/><geom name="{name} head" type="sphere" pos="0 0 {top - HEAD:.9g}"'
-        f' size="{HEAD}" rgba="{_SKIN}" material="cloth"/></body>'
+        f'<body name="{name}" mocap="true" pos="0 0 {AWAY_Z}"><geom name="{name} trunk"'
+        f' type="capsule" fromto="{trunk}" size="{_TRUNK_RADIUS}" rgba="{_COATS[number % len(_COATS)]}"'
+        f' material="cloth"/><geom name="{name} head" type="sphere" pos="0 0 {top - _HEAD_RADIUS:.9g}"'
+        f' size="{_HEAD_RADIUS}" rgba="{_SKIN}" material="cloth"/></body>'
     )

@@ -4,7 +4,6 @@ the same scene, always.
 
 from __future__ import annotations
 
-import tomllib
 from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import replace
@@ -13,17 +12,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from housefly import sites
-from housefly.config.section import explain
+from housefly.config.toml import read_toml
+from housefly.config.validation import validated
 from housefly.errors import ConfigError
-from housefly.twin.people.chronicle import Chronicle
+from housefly.twin.people.history import SceneHistory
 from housefly.twin.people.script import SceneScript
-from housefly.twin.people.state import Occurrence, PersonState, SceneState, ThingState
+from housefly.twin.people.state import PersonState, SceneEvent, SceneState, ThingState
 from housefly.twin.people.timeline import Timeline
 
-SHIPPED = "_scene.toml"
+_SHIPPED_SUFFIX = "_scene.toml"
 _ARM, _HAND = 0.35, 1.0
 """Where a carried thing is: this far in front [m], at this height [m]."""
 
@@ -51,9 +50,9 @@ class Scene:
         ]
         self._begins = [[leg.begin for leg in line.legs] for line in self._lines]
         acts = sorted(
-            (told for line in self._lines for told in line.occurrences), key=lambda told: told.at
+            (told for line in self._lines for told in line.events), key=lambda told: told.at
         )
-        self._chronicle = Chronicle(script, acts)
+        self._chronicle = SceneHistory(script, acts)
         self.length = max((line.end for line in self._lines), default=0.0) + script.pause
 
     def at(self, time: float) -> SceneState:
@@ -63,13 +62,13 @@ class Scene:
         people = tuple(self._person(number, local) for number in range(len(self._lines)))
         return SceneState(time, people, _carried(snapshot.things, people), snapshot.open)
 
-    def between(self, since: float, until: float) -> tuple[Occurrence, ...]:
+    def between(self, since: float, until: float) -> tuple[SceneEvent, ...]:
         """Return what happened after ``since`` up to and with ``until`` [s], oldest first."""
         rounds = range(self._round(since), self._round(until) + 1) if self.script.loop else range(1)
         told = (
             replace(act, at=act.at + number * self.length)
             for number in rounds
-            for act in self._chronicle.occurrences
+            for act in self._chronicle.events
         )
         return tuple(act for act in told if since < act.at <= until)
 
@@ -94,25 +93,15 @@ def load_scene(name: str, folder: Path = Path()) -> Scene:
     Raises:
         ConfigError: naming the key, the value and what is allowed.
     """
-    shipped = Path(sites.__file__).parent / f"{name}{SHIPPED}"
+    shipped = Path(sites.__file__).parent / f"{name}{_SHIPPED_SUFFIX}"
     path = shipped if shipped.is_file() else folder / name
-    try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError("scene file", f"cannot be read ({error.strerror})", str(path)) from error
-    except ValueError as error:
-        raise ConfigError("scene file", f"cannot be parsed: {error}", str(path)) from error
+    tree = read_toml(path, "scene file")
     return scene_from_tree(tree, str(path))
 
 
 def scene_from_tree(tree: Mapping[str, Any], source: str = "") -> Scene:
     """Check a tree of plain values and return the scene; raises ConfigError for the first bad key."""
-    try:
-        script = SceneScript.model_validate(tree)
-    except ValidationError as error:
-        first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"]) or "scene"
-        raise ConfigError(key, explain(first, SceneScript), source) from error
+    script = validated(SceneScript, tree, "scene", source)
     for key in ("people", "things", "devices"):
         names = [getattr(row, "id", getattr(row, "name", "")) for row in getattr(script, key)]
         if len(set(names)) < len(names):

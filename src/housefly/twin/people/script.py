@@ -10,18 +10,18 @@ from pydantic import Field
 
 from housefly.config.section import Section, quantity
 
-Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
-Point2 = tuple[Coordinate, Coordinate]
-Point3 = tuple[Coordinate, Coordinate, Coordinate]
-Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$")]
-Kind = Literal["floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion"]
+_Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
+_Point2 = tuple[_Coordinate, _Coordinate]
+_Point3 = tuple[_Coordinate, _Coordinate, _Coordinate]
+_Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$")]
+_DeviceKind = Literal["floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion"]
 
 
 class Go(Section):
     """Walk straight to a point."""
 
     do: Literal["go"]
-    to: Point2
+    to: _Point2
     speed: float = quantity(0.8, 0.05, 3.0, "m/s", "walking speed")
 
 
@@ -39,7 +39,7 @@ class Sit(Section):
     """Sit down, and get up again where one stood before."""
 
     do: Literal["sit"]
-    at: Point2
+    at: _Point2
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "where to face")
     seat: float = quantity(0.44, 0.0, 1.5, "m", "height of the seat")
     seconds: float = quantity(10.0, 0.0, 3600.0, "s", "how long")
@@ -49,7 +49,7 @@ class Lie(Section):
     """Lie down, and get up again where one stood before."""
 
     do: Literal["lie"]
-    at: Point2
+    at: _Point2
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "direction from feet to head")
     height: float = quantity(0.46, 0.0, 2.0, "m", "height of the mattress")
     seconds: float = quantity(10.0, 0.0, 3600.0, "s", "how long")
@@ -59,30 +59,30 @@ class Take(Section):
     """Take a thing from where it is."""
 
     do: Literal["take"]
-    thing: Name
+    thing: _Name
 
 
 class Put(Section):
     """Put down a thing that one carries: into a device, or somewhere."""
 
     do: Literal["put"]
-    thing: Name
+    thing: _Name
     into: str = ""
-    at: Point3 | None = None
+    at: _Point3 | None = None
 
 
 class Handle(Section):
     """Open or close a device's door, or press its button."""
 
     do: Literal["open", "close", "press"]
-    what: Name
+    what: _Name
 
 
 class Appear(Section):
     """Come into being at a point."""
 
     do: Literal["appear"]
-    at: Point2
+    at: _Point2
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "where to face")
 
 
@@ -92,7 +92,7 @@ class Vanish(Section):
     do: Literal["vanish"]
 
 
-Step = Annotated[
+_Step = Annotated[
     Go | Wait | Sit | Lie | Take | Put | Handle | Appear | Vanish, Field(discriminator="do")
 ]
 
@@ -100,8 +100,8 @@ Step = Annotated[
 class PersonScript(Section):
     """One person."""
 
-    name: Name
-    start: Point2 | None = Field(
+    name: _Name
+    start: _Point2 | None = Field(
         default=None, description="where they stand at first; away when not given"
     )
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "where they face at first")
@@ -111,27 +111,27 @@ class PersonScript(Section):
         default=False,
         description="whether this is the visitor, whose body the room has and who stands still",
     )
-    steps: tuple[Step, ...] = Field(max_length=1000)
+    steps: tuple[_Step, ...] = Field(max_length=1000)
 
 
 class ThingScript(Section):
     """One thing that can be carried."""
 
-    name: Name
-    tag: Name
+    name: _Name
+    tag: _Name
     weight: float = quantity(0.2, 0.0, 100.0, "kg", "weight")
-    at: Point3 | None = Field(default=None, description="where it is at first")
+    at: _Point3 | None = Field(default=None, description="where it is at first")
     inside: str = Field(default="", description="id of the device that contains it at first")
 
 
 class DeviceScript(Section):
     """One device and where it is; a device with doors is closed at first."""
 
-    kind: Kind
-    id: Name
-    position: Point3 = (0.0, 0.0, 0.0)
+    kind: _DeviceKind
+    id: _Name
+    position: _Point3 = (0.0, 0.0, 0.0)
     yaw: float = quantity(0.0, -6.3, 6.3, "rad", "direction of its x axis")
-    area: tuple[Coordinate, Coordinate, Coordinate, Coordinate] = Field(
+    area: tuple[_Coordinate, _Coordinate, _Coordinate, _Coordinate] = Field(
         default=(-1000.0, -1000.0, 1000.0, 1000.0),
         description="x_min, y_min, x_max, y_max of what it notices [m]",
     )

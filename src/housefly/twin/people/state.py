@@ -71,7 +71,7 @@ class ThingState:
 
 
 @dataclass(frozen=True, slots=True)
-class Occurrence:
+class SceneEvent:
     """Something that somebody did.
 
     Attributes:

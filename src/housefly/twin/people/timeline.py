@@ -22,15 +22,15 @@ from housefly.twin.people.script import (
     Vanish,
     Wait,
 )
-from housefly.twin.people.state import Act, Occurrence, PersonState, Posture
+from housefly.twin.people.state import Act, PersonState, Posture, SceneEvent
 
-REACH = 0.4
+_ACT_DURATION = 0.4
 """Time that a hand needs for one act [s]."""
-NOWHERE: Vec2 = (0.0, 0.0)
+_NOWHERE: Vec2 = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class _Leg:
     """A stretch of a person's time in which they stay, or walk straight at constant speed.
 
     Attributes:
@@ -72,74 +72,74 @@ class Timeline:
 
     Attributes:
         legs: without gaps, from 0 to ``end``.
-        occurrences: in order of time.
+        events: in order of time.
         end: when they are done [s].
     """
 
     def __init__(self, person: PersonScript, rng: np.random.Generator, variation: float) -> None:
-        self.legs: list[Leg] = []
-        self.occurrences: list[Occurrence] = []
+        self.legs: list[_Leg] = []
+        self.events: list[SceneEvent] = []
         self.end = 0.0
         self._name, self._rng, self._variation = person.name, rng, variation
-        self._place, self._yaw = person.start or NOWHERE, person.yaw
+        self._place, self._yaw = person.start or _NOWHERE, person.yaw
         self._posture = Posture.STANDING if person.start is not None else Posture.AWAY
         for step in person.steps:
-            _WORK[type(step)](self, step)
+            _STEP_HANDLERS[type(step)](self, step)
         self._stay(0.0)
 
-    def go(self, step: Go) -> None:
+    def _go(self, step: Go) -> None:
         """Walk."""
         (x, y), (gx, gy) = self._place, step.to
         self._yaw = atan2(gy - y, gx - x) if (x, y) != (gx, gy) else self._yaw
         duration = hypot(gx - x, gy - y) / (step.speed * self._factor())
         self._add(
-            Leg(self.end, self.end + duration, (x, y), step.to, self._yaw, 0.0, Posture.WALKING)
+            _Leg(self.end, self.end + duration, (x, y), step.to, self._yaw, 0.0, Posture.WALKING)
         )
         self._place = step.to
 
-    def wait(self, step: Wait) -> None:
+    def _wait(self, step: Wait) -> None:
         """Stand."""
         self._yaw = self._yaw if step.yaw is None else step.yaw
         self._stay(step.seconds * self._factor())
 
-    def rest(self, step: Sit | Lie) -> None:
+    def _rest(self, step: Sit | Lie) -> None:
         """Sit or lie, then stand again."""
         height, posture = (
             (step.seat, Posture.SITTING) if isinstance(step, Sit) else (step.height, Posture.LYING)
         )
         end = self.end + step.seconds * self._factor()
-        self._add(Leg(self.end, end, step.at, step.at, step.yaw, height, posture))
+        self._add(_Leg(self.end, end, step.at, step.at, step.yaw, height, posture))
 
-    def take(self, step: Take) -> None:
+    def _take(self, step: Take) -> None:
         """Take a thing."""
         self._do(Act.TAKE, step.thing)
 
-    def put(self, step: Put) -> None:
+    def _put(self, step: Put) -> None:
         """Put a thing down."""
-        self._stay(REACH)
-        self.occurrences.append(
-            Occurrence(self.end, Act.PUT, step.thing, self._name, step.into, step.at)
+        self._stay(_ACT_DURATION)
+        self.events.append(
+            SceneEvent(self.end, Act.PUT, step.thing, self._name, step.into, step.at)
         )
 
-    def handle(self, step: Handle) -> None:
+    def _handle(self, step: Handle) -> None:
         """Open, close or press."""
         self._do(Act(step.do), step.what)
 
-    def appear(self, step: Appear) -> None:
+    def _appear(self, step: Appear) -> None:
         """Come."""
         self._place, self._yaw, self._posture = step.at, step.yaw, Posture.STANDING
 
-    def vanish(self, step: Vanish) -> None:
+    def _vanish(self, step: Vanish) -> None:
         """Go."""
         self._posture = Posture.AWAY
 
     def _do(self, act: Act, what: str) -> None:
-        self._stay(REACH)
-        self.occurrences.append(Occurrence(self.end, act, what, self._name))
+        self._stay(_ACT_DURATION)
+        self.events.append(SceneEvent(self.end, act, what, self._name))
 
     def _stay(self, seconds: float) -> None:
         self._add(
-            Leg(
+            _Leg(
                 self.end,
                 self.end + seconds,
                 self._place,
@@ -150,7 +150,7 @@ class Timeline:
             )
         )
 
-    def _add(self, leg: Leg) -> None:
+    def _add(self, leg: _Leg) -> None:
         self.legs.append(leg)
         self.end = leg.end
 
@@ -158,14 +158,14 @@ class Timeline:
         return 1.0 + self._variation * float(self._rng.uniform(-1.0, 1.0))
 
 
-_WORK: dict[type, Callable[[Timeline, Any], None]] = {
-    Go: Timeline.go,
-    Wait: Timeline.wait,
-    Sit: Timeline.rest,
-    Lie: Timeline.rest,
-    Take: Timeline.take,
-    Put: Timeline.put,
-    Handle: Timeline.handle,
-    Appear: Timeline.appear,
-    Vanish: Timeline.vanish,
+_STEP_HANDLERS: dict[type, Callable[[Timeline, Any], None]] = {
+    Go: Timeline._go,
+    Wait: Timeline._wait,
+    Sit: Timeline._rest,
+    Lie: Timeline._rest,
+    Take: Timeline._take,
+    Put: Timeline._put,
+    Handle: Timeline._handle,
+    Appear: Timeline._appear,
+    Vanish: Timeline._vanish,
 }

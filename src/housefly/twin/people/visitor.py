@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from housefly.messages import Pose
 from housefly.twin.ardrone.body import HULL_GROUP, VISUAL_GROUP
-from housefly.twin.mocap.mocap import Cameras
+from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.physics import Physics
 
 
@@ -16,7 +16,7 @@ class Visitor:
     or go, or when asked.
     """
 
-    def __init__(self, physics: Physics, cameras: Cameras) -> None:
+    def __init__(self, physics: Physics, cameras: MocapCameras) -> None:
         self._physics, self._cameras = physics, cameras
         self._seen: Pose | None = None
         self._present = False
@@ -35,9 +35,9 @@ class Visitor:
         """Come to the door, or leave."""
         self._physics.set_visitor(present)
         self._present = present
-        self.look()
+        self.update_visibility()
 
-    def look(self) -> None:
+    def update_visibility(self) -> None:
         """Work out anew whether the cameras see the visitor: somebody may stand between."""
         pose = self._physics.visitor_pose() if self._present else None
         visible = pose is not None and self._cameras.see(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import DEPTH
+from housefly.bus.topics import DEPTH_TOPIC
 from housefly.clock import Clock
 from housefly.config.site import Site
 from housefly.twin.world import SimulatedWorld
@@ -30,4 +30,4 @@ class DepthFeed:
         for name, period in self._periods.items():
             if now >= self._due[name]:
                 self._due[name] = now + period - 1e-3
-                self._bus.publish(DEPTH, self._world.depth_image(name, self._clock.now()))
+                self._bus.publish(DEPTH_TOPIC, self._world.depth_image(name, self._clock.now()))

@@ -10,20 +10,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from housefly.geometry import Vec2
-from housefly.twin.people import Act, Occurrence, Posture, Scene, SceneState
+from housefly.twin.people import Act, Posture, Scene, SceneEvent, SceneState
 from housefly.twin.people.script import DeviceScript, SceneScript
-from housefly.wires.devices import KINDS, Address, Channel, encode
+from housefly.wires.devices import KINDS, Channel, DeviceAddress, encode_payload
 
-FLOOR_PERIOD = 0.1
+_FLOOR_PERIOD = 0.1
 """A floor sensor reports this often [s]."""
-HEARTBEATS = 3.0
+_STATES_PER_HEARTBEAT = 3.0
 """Other devices repeat their state so many times in the time in which they must send one."""
 
-Values = dict[str, object]
+_Values = dict[str, object]
 
 
 @dataclass(frozen=True, slots=True)
-class Message:
+class DeviceMessage:
     """One message on its way to the broker.
 
     Attributes:
@@ -33,13 +33,13 @@ class Message:
         retain: whether the broker keeps it.
     """
 
-    address: Address
+    address: DeviceAddress
     channel: Channel
     payload: bytes
     retain: bool
 
 
-class Devices:
+class SimulatedDevices:
     """All devices of a scene.
 
     Args:
@@ -52,12 +52,12 @@ class Devices:
         self._facts = _Facts(scene.script)
         seeds = np.random.SeedSequence(scene.script.seed + 1).spawn(len(scene.script.devices))
         self._senses = [
-            _Sense(device, np.random.default_rng(seed))
+            _Device(device, np.random.default_rng(seed))
             for device, seed in zip(scene.script.devices, seeds, strict=True)
         ]
         self._heard_until = -1.0
 
-    def messages(self, now: float, unix: float | None = None) -> tuple[Message, ...]:
+    def messages(self, now: float, unix: float | None = None) -> tuple[DeviceMessage, ...]:
         """Return what the devices send since the last call.
 
         Args:
@@ -65,7 +65,7 @@ class Devices:
             unix: the same moment [s, Unix time]; None for devices without a clock.
         """
         state = self._scene.at(now)
-        stamp: Values = {} if unix is None else {"time": round(unix, 3)}
+        stamp: _Values = {} if unix is None else {"time": round(unix, 3)}
         sent = [self._event(told, stamp) for told in self._scene.between(self._heard_until, now)]
         self._heard_until = now
         for sense in self._senses:
@@ -73,28 +73,30 @@ class Devices:
             if values is not None:
                 address = self._address(sense.device)
                 sent.append(
-                    Message(address, Channel.STATE, encode({**values, **stamp}), retain=True)
+                    DeviceMessage(
+                        address, Channel.STATE, encode_payload({**values, **stamp}), retain=True
+                    )
                 )
         return tuple(message for message in sent if message is not None)
 
-    def addresses(self) -> tuple[Address, ...]:
+    def addresses(self) -> tuple[DeviceAddress, ...]:
         """Return where the devices speak."""
         return tuple(self._address(sense.device) for sense in self._senses)
 
-    def _address(self, device: DeviceScript) -> Address:
-        return Address(self._site, device.kind, device.id)
+    def _address(self, device: DeviceScript) -> DeviceAddress:
+        return DeviceAddress(self._site, device.kind, device.id)
 
-    def _event(self, told: Occurrence, stamp: Values) -> Message | None:
+    def _event(self, told: SceneEvent, stamp: _Values) -> DeviceMessage | None:
         """Return the event of an act, None where no device notices it."""
         device = self._facts.devices.get(told.what if told.act in _ON_DEVICES else told.where)
         word = _WORDS.get((device.kind, told.act)) if device is not None else None
         if device is None or word is None:
             return None
-        tagged: Values = {} if told.act in _ON_DEVICES else self._facts.tagged(told.what)
-        return Message(
+        tagged: _Values = {} if told.act in _ON_DEVICES else self._facts.tagged(told.what)
+        return DeviceMessage(
             self._address(device),
             Channel.EVENT,
-            encode({"event": word, **tagged, **stamp}),
+            encode_payload({"event": word, **tagged, **stamp}),
             retain=False,
         )
 
@@ -107,12 +109,12 @@ class _Facts:
         self.weights: Mapping[str, float] = {person.name: person.weight for person in script.people}
         self._things = {thing.name: thing for thing in script.things}
 
-    def tagged(self, thing: str) -> Values:
+    def tagged(self, thing: str) -> _Values:
         """Return tag and weight of a thing."""
         return {"tag": self._things[thing].tag, "weight": self._things[thing].weight}
 
 
-class _Sense:
+class _Device:
     """One device: what it reads, and when it says so."""
 
     def __init__(self, device: DeviceScript, rng: np.random.Generator) -> None:
@@ -120,12 +122,14 @@ class _Sense:
         self._rng = rng
         self._read = _READERS[device.kind]
         self._period = (
-            FLOOR_PERIOD if device.kind == "floor" else KINDS[device.kind].heartbeat / HEARTBEATS
+            _FLOOR_PERIOD
+            if device.kind == "floor"
+            else KINDS[device.kind].heartbeat / _STATES_PER_HEARTBEAT
         )
         self._next = 0.0
-        self._last: Values | None = None
+        self._last: _Values | None = None
 
-    def due(self, state: SceneState, facts: _Facts) -> Values | None:
+    def due(self, state: SceneState, facts: _Facts) -> _Values | None:
         """Return the state when it is time for one, or when it is another; None else. Noise alone
         is no change.
         """
@@ -142,7 +146,7 @@ class _Sense:
         return _noisy(true, self.device, self._rng)
 
 
-def _floor(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _floor(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     standing = (
         p
         for p in state.people
@@ -155,25 +159,25 @@ def _floor(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
     return {"people": people}
 
 
-def _cabinet(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _cabinet(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     items = [facts.tagged(thing.name) for thing in state.inside(device.id)]
     return {"items": items, "open": device.id in state.open}
 
 
-def _bed(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _bed(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     lying = (p for p in state.people if p.posture is Posture.LYING and _covers(device, p.position))
     return {"load": sum(facts.weights[person.name] for person in lying)}
 
 
-def _door(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _door(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     return {"open": device.id in state.open}
 
 
-def _doorbell(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _doorbell(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     return {}
 
 
-def _motion(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
+def _motion(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     return {
         "motion": any(
             p.posture is Posture.WALKING and _covers(device, p.position) for p in state.people
@@ -181,7 +185,7 @@ def _motion(device: DeviceScript, state: SceneState, facts: _Facts) -> Values:
     }
 
 
-_READERS: dict[str, Callable[[DeviceScript, SceneState, _Facts], Values]] = {
+_READERS: dict[str, Callable[[DeviceScript, SceneState, _Facts], _Values]] = {
     "floor": _floor,
     "cabinet": _cabinet,
     "refrigerator": _cabinet,
@@ -211,16 +215,16 @@ def _covers(device: DeviceScript, at: Vec2) -> bool:
     return x_min <= at[0] <= x_max and y_min <= at[1] <= y_max
 
 
-def _local(device: DeviceScript, at: Vec2) -> Values:
+def _local(device: DeviceScript, at: Vec2) -> _Values:
     """Return a point of the world in the device's frame [m]."""
     turn = complex(np.cos(device.yaw), -np.sin(device.yaw))
     point = complex(at[0] - device.position[0], at[1] - device.position[1]) * turn
     return {"x": point.real, "y": point.imag}
 
 
-def _noisy(values: Values, device: DeviceScript, rng: np.random.Generator) -> Values:
+def _noisy(values: _Values, device: DeviceScript, rng: np.random.Generator) -> _Values:
     """Return the values as they are measured, rounded to a tenth of a millimetre or gram."""
-    noisy: Values = {}
+    noisy: _Values = {}
     for key, value in values.items():
         if key in _MEASURED and isinstance(value, int | float):
             noisy[key] = round(value + device.noise * float(rng.standard_normal()), 4)

@@ -12,21 +12,27 @@ from collections.abc import Sequence
 
 from housefly.errors import LinkError, WireError
 from housefly.wires.scip import (
-    Ask,
-    Measure,
-    Parameters,
-    Reply,
+    MeasureRequest,
+    PlainRequest,
+    ScannerParameters,
+    ScipReply,
     decode_request,
     encode_reply,
     measurement_reply,
 )
-from housefly.wires.scip.parameters import told
-from housefly.wires.scip.replies import DONE, remaining
-from housefly.wires.scip.requests import LONGEST
+from housefly.wires.scip.parameters import named_values_reply
+from housefly.wires.scip.replies import STATUS_DONE, remaining
+from housefly.wires.scip.requests import MAX_REQUEST
 
-LASER_IS_ON, BEYOND_LAST, WRONG_ORDER, LASER_IS_OFF, UNKNOWN = "02", "04", "05", "10", "0E"
+_LASER_IS_ON, _BEYOND_LAST_STEP, _WRONG_ORDER, _LASER_IS_OFF, _UNKNOWN_COMMAND = (
+    "02",
+    "04",
+    "05",
+    "10",
+    "0E",
+)
 """Status codes of the manual."""
-_MOST_CLIENTS = 8
+_MAX_CLIENTS = 8
 _BACKLOG = 64 * 1024
 """Bytes that may wait for a slow client before it loses scans; about twenty scans."""
 
@@ -42,7 +48,7 @@ class LaserServer:
 
     def __init__(
         self,
-        parameters: Parameters,
+        parameters: ScannerParameters,
         address: str = "127.0.0.1",
         port: int = 10940,
         serial: str = "H0000001",
@@ -71,7 +77,7 @@ class LaserServer:
         """Listen; raises LinkError when the address cannot be used."""
         try:
             self._server = await asyncio.start_server(
-                self._serve, self._address, self._port, limit=LONGEST
+                self._serve, self._address, self._port, limit=MAX_REQUEST
             )
         except OSError as error:
             raise LinkError(
@@ -104,7 +110,7 @@ class LaserServer:
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         client = _Client(writer)
-        if len(self._clients) >= _MOST_CLIENTS:
+        if len(self._clients) >= _MAX_CLIENTS:
             client.close()
             return
         self._clients.add(client)
@@ -119,47 +125,47 @@ class LaserServer:
             self._clients.discard(client)
             client.close()
 
-    def _answer(self, client: _Client, line: bytes) -> Reply:
+    def _answer(self, client: _Client, line: bytes) -> ScipReply:
         echo = line.decode("ascii", errors="replace").replace("�", "?")
         try:
             request = decode_request(line)
         except WireError:
             self.malformed += 1
-            return Reply(echo, UNKNOWN)
-        if isinstance(request, Ask):
+            return ScipReply(echo, _UNKNOWN_COMMAND)
+        if isinstance(request, PlainRequest):
             return self._asked(client, request, echo)
         problem = self._problem(request)
         if problem:
-            return Reply(echo, problem)
+            return ScipReply(echo, problem)
         if request.code == "GD":
             return self._scan(request)
         self._is_on = True
         client.measure(request)
-        return Reply(echo, DONE)
+        return ScipReply(echo, STATUS_DONE)
 
-    def _asked(self, client: _Client, request: Ask, echo: str) -> Reply:
+    def _asked(self, client: _Client, request: PlainRequest, echo: str) -> ScipReply:
         if request.code in ("QT", "RS"):
             client.wanted, self._is_on = (
                 None,
                 any(other.wanted for other in self._clients if other is not client),
             )
-            return Reply(echo, DONE)
+            return ScipReply(echo, STATUS_DONE)
         if request.code == "BM":
             was_on, self._is_on = self._is_on, True
-            return Reply(echo, LASER_IS_ON if was_on else DONE)
+            return ScipReply(echo, _LASER_IS_ON if was_on else STATUS_DONE)
         lines = {"PP": self._parameters.reply, "VV": self._version, "II": self._state}[
             request.code
         ]().lines
-        return Reply(echo, DONE, lines)
+        return ScipReply(echo, STATUS_DONE, lines)
 
-    def _problem(self, request: Measure) -> str:
+    def _problem(self, request: MeasureRequest) -> str:
         if request.last > self._parameters.last or request.first < self._parameters.first:
-            return BEYOND_LAST
+            return _BEYOND_LAST_STEP
         if request.last < request.first:
-            return WRONG_ORDER
-        return LASER_IS_OFF if request.code == "GD" and not self._is_on else ""
+            return _WRONG_ORDER
+        return _LASER_IS_OFF if request.code == "GD" and not self._is_on else ""
 
-    def _scan(self, request: Measure) -> Reply:
+    def _scan(self, request: MeasureRequest) -> ScipReply:
         asked = self._ranges[
             request.first - self._parameters.first : request.last - self._parameters.first + 1
         ]
@@ -167,7 +173,7 @@ class LaserServer:
         clustered = tuple(min(asked[at : at + width]) for at in range(0, len(asked), width))
         return measurement_reply(request, self._stamp, clustered)
 
-    def _version(self) -> Reply:
+    def _version(self) -> ScipReply:
         product = f"SOKUIKI Sensor {self._parameters.model.partition('(')[0]}"
         pairs = [
             ("VEND", "Hokuyo Automatic Co.,Ltd."),
@@ -175,9 +181,9 @@ class LaserServer:
             ("FIRM", "1.0.0(twin)"),
             ("PROT", "SCIP 2.2"),
         ]
-        return told("VV", [*pairs, ("SERI", self._serial)])
+        return named_values_reply("VV", [*pairs, ("SERI", self._serial)])
 
-    def _state(self) -> Reply:
+    def _state(self) -> ScipReply:
         laser, mode = ("ON", "001 Measuring") if self._is_on else ("OFF", "000 Idle")
         pairs = [
             ("MODL", self._parameters.model),
@@ -190,22 +196,22 @@ class LaserServer:
             ("TIME", f"{self._stamp % (1 << 24):06X}"),
             ("STAT", "Sensor works well."),
         ]
-        return told("II", pairs)
+        return named_values_reply("II", pairs)
 
 
 class _Client:
     """One connection: what it asked for, and how much waits for it."""
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
-        self.wanted: Measure | None = None
+        self.wanted: MeasureRequest | None = None
         self._skipping = 0
         self._writer = writer
 
-    def measure(self, request: Measure) -> None:
+    def measure(self, request: MeasureRequest) -> None:
         """Want scans from now on."""
         self.wanted, self._skipping = request, 0
 
-    def next_scan(self) -> Measure | None:
+    def next_scan(self) -> MeasureRequest | None:
         """Return the request that this scan answers, with what is still to come, or None; and count
         it off.
         """
@@ -220,7 +226,7 @@ class _Client:
         self.wanted = None if request.count == 1 else left
         return left
 
-    def offer(self, reply: Reply) -> bool:
+    def offer(self, reply: ScipReply) -> bool:
         """Send a reply unless too much waits already; returns whether it was taken."""
         if self._writer.is_closing() or self._writer.transport.get_write_buffer_size() > _BACKLOG:
             return False

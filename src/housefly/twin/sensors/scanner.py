@@ -11,7 +11,7 @@ import numpy as np
 
 from housefly.config.laser import LaserConfig
 from housefly.config.site import TwinConfig
-from housefly.twin.engine import mujoco
+from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
 from housefly.wires.scip.parameters import MODELS, NO_ECHO
 
@@ -59,7 +59,7 @@ class Scanner:
             data,
             self._origin,
             self._rays,
-            VISIBLE,
+            VISIBLE_GROUPS,
             1,
             -1,
             self._geoms,
@@ -79,5 +79,5 @@ class Scanner:
         return tuple(np.where(nothing, self._no_echo, np.rint(measured)).astype(int).tolist())
 
 
-VISIBLE = np.array([1, 0, 1, 1, 0, 0], np.uint8)
+VISIBLE_GROUPS = np.array([1, 0, 1, 1, 0, 0], np.uint8)
 """Geom groups that stop a beam: all but lamps, painted shadows and markers."""

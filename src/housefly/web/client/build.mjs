@@ -1,4 +1,5 @@
-// Builds ../static (or the folder given) from src: `npm run build`. The result is committed, so that Housefly needs no node to run.
+// Builds ../static, or the folder given, from src: `npm run build`. The result is committed, so
+// that Housefly needs no node to run.
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
 
@@ -21,6 +22,11 @@ await build({
 await copyFile("src/index.html", `${target}/index.html`);
 await copyFile("src/favicon.svg", `${target}/favicon.svg`);
 const licences = await Promise.all(
-  bundled.map(async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`),
+  bundled.map(
+    async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`,
+  ),
 );
-await writeFile(`${target}/LICENSES.txt`, `app.js contains these libraries.\n\n${licences.join("\n---\n\n")}`);
+await writeFile(
+  `${target}/LICENSES.txt`,
+  `app.js contains these libraries.\n\n${licences.join("\n---\n\n")}`,
+);

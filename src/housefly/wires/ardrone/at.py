@@ -2,7 +2,7 @@
 
 A line is ``AT*NAME=<sequence>[,argument...]`` and a carriage return; several lines may share a
 datagram. Arguments are signed decimal integers, quoted strings, and floats written as the integer
-that has the same 32 bits. ``LAYOUTS`` is the one table of names and argument kinds. Facts: Parrot
+that has the same 32 bits. ``_LAYOUTS`` is the one table of names and argument kinds. Facts: Parrot
 ARDroneLib SDK 2.0.1, at_msgs.h.
 """
 
@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 from housefly.errors import WireError
 from housefly.wires.ardrone.at_commands import (
     Animation,
+    AtCommand,
     Calibrate,
-    Command,
     ComWatchdog,
     Config,
     ConfigIds,
@@ -39,14 +39,10 @@ from housefly.wires.ardrone.at_commands import (
 __all__ = [
     "COMMAND_PORT",
     "KNOWN_BY_NAME",
-    "LAYOUTS",
-    "MAX_LINE",
-    "MAX_SEQUENCE",
-    "REF_BASE",
     "Animation",
+    "AtCommand",
     "Calibrate",
     "ComWatchdog",
-    "Command",
     "Config",
     "ConfigIds",
     "Control",
@@ -54,9 +50,9 @@ __all__ = [
     "FlatTrim",
     "Led",
     "Misc",
-    "Numbered",
+    "NumberedCommand",
     "Other",
-    "Parsed",
+    "ParsedDatagram",
     "Pcmd",
     "PcmdFlag",
     "PcmdMag",
@@ -64,18 +60,17 @@ __all__ = [
     "Ref",
     "RefBits",
     "bits_to_float",
-    "encode",
+    "encode_command",
     "encode_datagram",
     "float_to_bits",
-    "parse",
-    "parse_line",
+    "parse_datagram",
 ]
 
 COMMAND_PORT = 5556
-MAX_LINE = 1024
+_MAX_LINE = 1024
 """Longest line a drone reads, carriage return included [characters]."""
-MAX_SEQUENCE = 2**31 - 1
-REF_BASE = 0x11540000
+_MAX_SEQUENCE = 2**31 - 1
+_REF_BASE = 0x11540000
 """Bits 18, 20, 22, 24, 28 of REF, always set by Parrot's own client."""
 
 _SHOWN = 80
@@ -84,17 +79,17 @@ _ARGUMENT = re.compile(r'\s*(?:"([^"]*)"|([^",]*))\s*(?:,|$)', re.ASCII)
 _INTEGER = re.compile(r"[+-]?\d{1,10}", re.ASCII)
 
 
-class Numbered(NamedTuple):
+class NumberedCommand(NamedTuple):
     """A command with the sequence number that it came with."""
 
     sequence: int
-    command: Command
+    command: AtCommand
 
 
-class Parsed(NamedTuple):
+class ParsedDatagram(NamedTuple):
     """What a datagram held: good commands in order, and a shortened text for each bad one."""
 
-    commands: tuple[Numbered, ...]
+    commands: tuple[NumberedCommand, ...]
     rejects: tuple[str, ...] = ()
 
 
@@ -147,18 +142,18 @@ class _Kind(NamedTuple):
 _INT = _Kind(str, _read_integer)
 _FLOAT = _Kind(lambda value: str(float_to_bits(value)), _read_float)
 _STRING = _Kind(_write_string, str)
-_REF = _Kind(lambda bits: str(REF_BASE | bits), lambda text: RefBits(_read_integer(text) & 0x300))
+_REF = _Kind(lambda bits: str(_REF_BASE | bits), lambda text: RefBits(_read_integer(text) & 0x300))
 _FLAGS = _Kind(lambda flags: str(int(flags)), lambda text: PcmdFlag(_read_integer(text) & 7))
 _MOVE = (_FLAGS, _FLOAT, _FLOAT, _FLOAT, _FLOAT)
 
 
 class _Layout(NamedTuple):
-    build: Callable[..., Command]
+    build: Callable[..., AtCommand]
     kinds: tuple[_Kind, ...]
     required: int
 
 
-LAYOUTS: dict[str, _Layout] = {
+_LAYOUTS: dict[str, _Layout] = {
     "REF": _Layout(Ref, (_REF,), 1),
     "PCMD": _Layout(Pcmd, _MOVE, 5),
     "PCMD_MAG": _Layout(PcmdMag, (*_MOVE, _FLOAT, _FLOAT), 7),
@@ -178,15 +173,15 @@ LAYOUTS: dict[str, _Layout] = {
 KNOWN_BY_NAME = frozenset({"GAIN", "ZAP", "CAD", "MTRIM", "PWM", "AFLIGHT", "VICON"})
 """Commands of Parrot's header that we pass through without reading their arguments."""
 
-_NAMES: dict[object, str] = {layout.build: name for name, layout in LAYOUTS.items()}
+_NAMES: dict[object, str] = {layout.build: name for name, layout in _LAYOUTS.items()}
 
 
-def encode(sequence: int, command: Command) -> bytes:
+def encode_command(sequence: int, command: AtCommand) -> bytes:
     """Return one command as its line, carriage return included.
 
     Raises:
         WireError: when a number or text does not fit the wire, or the line is longer than
-            ``MAX_LINE``.
+            ``_MAX_LINE``.
     """
     if isinstance(command, Other):
         name, arguments = command.name, command.arguments
@@ -194,46 +189,46 @@ def encode(sequence: int, command: Command) -> bytes:
         name = _NAMES[type(command)]
         values = (getattr(command, field) for field in command.__match_args__)
         arguments = tuple(
-            kind.write(value) for kind, value in zip(LAYOUTS[name].kinds, values, strict=True)
+            kind.write(value) for kind, value in zip(_LAYOUTS[name].kinds, values, strict=True)
         )
     line = f"AT*{name}={','.join((str(sequence), *arguments))}\r"
-    if len(line) > MAX_LINE:
+    if len(line) > _MAX_LINE:
         raise WireError(
-            f"AT*{name} would be {len(line)} characters long; at most {MAX_LINE} are allowed"
+            f"AT*{name} would be {len(line)} characters long; at most {_MAX_LINE} are allowed"
         )
     return line.encode("ascii")
 
 
-def encode_datagram(first_sequence: int, commands: Iterable[Command]) -> bytes:
+def encode_datagram(first_sequence: int, commands: Iterable[AtCommand]) -> bytes:
     """Return several commands as one datagram, numbered upwards from ``first_sequence``."""
     return b"".join(
-        encode(first_sequence + offset, command) for offset, command in enumerate(commands)
+        encode_command(first_sequence + offset, command) for offset, command in enumerate(commands)
     )
 
 
-def parse(datagram: bytes) -> Parsed:
+def parse_datagram(datagram: bytes) -> ParsedDatagram:
     """Read all commands of a datagram; never raises.
 
     Tolerates what clients in the field send: line feeds, lone carriage returns, NUL padding, a
         trailing comma without arguments,
     REF without its constant bits.
     """
-    commands: list[Numbered] = []
+    commands: list[NumberedCommand] = []
     rejects: list[str] = []
     for line in re.split(rb"[\r\n\0]+", datagram):
         if not line:
             continue
         try:
-            commands.append(parse_line(line))
+            commands.append(_parse_line(line))
         except WireError as error:
             rejects.append(f"{line[:_SHOWN]!r}: {error}")
-    return Parsed(tuple(commands), tuple(rejects))
+    return ParsedDatagram(tuple(commands), tuple(rejects))
 
 
-def parse_line(line: bytes) -> Numbered:
+def _parse_line(line: bytes) -> NumberedCommand:
     """Read one line without its end; raises WireError saying what is wrong with it."""
-    if len(line) >= MAX_LINE:
-        raise WireError(f"line of {len(line)} characters; at most {MAX_LINE} are allowed")
+    if len(line) >= _MAX_LINE:
+        raise WireError(f"line of {len(line)} characters; at most {_MAX_LINE} are allowed")
     try:
         text = line.decode("ascii")
     except UnicodeDecodeError as error:
@@ -243,16 +238,16 @@ def parse_line(line: bytes) -> Numbered:
         raise WireError("not of the form AT*NAME=sequence,arguments")
     name, number, rest = found.groups()
     sequence = int(number)
-    if sequence > MAX_SEQUENCE:
-        raise WireError(f"sequence number {sequence} is above {MAX_SEQUENCE}")
+    if sequence > _MAX_SEQUENCE:
+        raise WireError(f"sequence number {sequence} is above {_MAX_SEQUENCE}")
     arguments = _split(rest or "")
     if name in KNOWN_BY_NAME:
-        return Numbered(sequence, Other(name, arguments))
-    return Numbered(sequence, _build(name, arguments))
+        return NumberedCommand(sequence, Other(name, arguments))
+    return NumberedCommand(sequence, _build(name, arguments))
 
 
-def _build(name: str, arguments: tuple[str, ...]) -> Command:
-    layout = LAYOUTS.get(name)
+def _build(name: str, arguments: tuple[str, ...]) -> AtCommand:
+    layout = _LAYOUTS.get(name)
     if layout is None:
         raise WireError(f"unknown command {name}")
     if not layout.required <= len(arguments) <= len(layout.kinds):

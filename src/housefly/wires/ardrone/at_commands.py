@@ -152,7 +152,7 @@ class Other:
     arguments: tuple[str, ...] = ()
 
 
-Command = (
+AtCommand = (
     Ref
     | Pcmd
     | PcmdMag

@@ -14,7 +14,7 @@ from math import isfinite
 from typing import NamedTuple
 
 from housefly.errors import WireError
-from housefly.wires.ardrone.config_keys import KEYS, ConfigKey, KeyType
+from housefly.wires.ardrone.config_keys import CONFIG_KEYS, ConfigKey, KeyType
 
 CONTROL_PORT = 5559
 DUMP_END = b"\x00"
@@ -23,10 +23,10 @@ MAX_DUMP = 65_536
 DEFAULT_ID = "00000000"
 """Id of the default session, user and application."""
 
-BY_NAME: dict[str, ConfigKey] = {key.name: key for key in KEYS}
+KEYS_BY_NAME: dict[str, ConfigKey] = {key.name: key for key in CONFIG_KEYS}
 """The keys by their ``section:name``."""
 
-Value = bool | int | float | str | tuple[float, ...]
+ConfigValue = bool | int | float | str | tuple[float, ...]
 
 _COUNTS = {KeyType.PAIR: 2, KeyType.VECTOR: 3, KeyType.MATRIX: 9}
 _BOOLS = {"TRUE": True, "FALSE": False}
@@ -57,12 +57,12 @@ class VideoChannel(IntEnum):
 def key_named(name: str) -> ConfigKey:
     """Return a known key; raises WireError for an unknown one."""
     try:
-        return BY_NAME[name]
+        return KEYS_BY_NAME[name]
     except KeyError:
         raise WireError(f"the drone has no configuration key {name[:80]!r}") from None
 
 
-def format_value(key: ConfigKey, value: Value) -> str:
+def format_value(key: ConfigKey, value: ConfigValue) -> str:
     """Return a value as the drone writes it; raises WireError when it is not of the key's type."""
     match key.type, value:
         case KeyType.BOOL, bool():
@@ -82,7 +82,7 @@ def format_value(key: ConfigKey, value: Value) -> str:
     raise WireError(f"{key.name} takes a {key.type.value}, got {value!r}")
 
 
-def parse_value(key: ConfigKey, text: str) -> Value:
+def parse_value(key: ConfigKey, text: str) -> ConfigValue:
     """Read a value of this key; raises WireError when the text is not of the key's type."""
     text = text.strip()
     if key.type is KeyType.TEXT:
@@ -101,12 +101,12 @@ def parse_value(key: ConfigKey, text: str) -> Value:
     raise WireError(f"{key.name} takes a {key.type.value}, got {text[:80]!r}")
 
 
-def default_values() -> dict[str, Value]:
+def default_values() -> dict[str, ConfigValue]:
     """Return all keys with their defaults."""
-    return {key.name: parse_value(key, key.default) for key in KEYS}
+    return {key.name: parse_value(key, key.default) for key in CONFIG_KEYS}
 
 
-def encode_dump(values: Mapping[str, Value]) -> bytes:
+def encode_dump(values: Mapping[str, ConfigValue]) -> bytes:
     """Return the dump of these values, NUL included; raises WireError for an unknown key or a value
     of another type.
     """
@@ -120,7 +120,7 @@ class Dump(NamedTuple):
     """
 
     texts: dict[str, str]
-    values: dict[str, Value]
+    values: dict[str, ConfigValue]
     rejects: tuple[str, ...]
 
 
@@ -148,7 +148,7 @@ def _read_line(line: str, dump: Dump) -> bool:
     if not equals or not _NAME.fullmatch(name):
         return False
     dump.texts[name] = text
-    key = BY_NAME.get(name)
+    key = KEYS_BY_NAME.get(name)
     if key is None:
         return True
     try:
@@ -158,7 +158,7 @@ def _read_line(line: str, dump: Dump) -> bool:
     return True
 
 
-class Ids(NamedTuple):
+class MulticonfigIds(NamedTuple):
     """The three multiconfig ids, each eight hex digits."""
 
     session: str = DEFAULT_ID
@@ -171,7 +171,7 @@ def config_id(name: str) -> str:
     return f"{zlib.crc32(name.encode('utf-8')):08x}"
 
 
-def is_id(text: str) -> bool:
+def is_config_id(text: str) -> bool:
     """Tell whether a text is a multiconfig id."""
     return _ID.fullmatch(text) is not None
 

@@ -34,7 +34,7 @@ class _Plan(NamedTuple):
 _plans: dict[type, _Plan] = {}
 
 
-def plan(kind: type) -> _Plan:
+def _plan(kind: type) -> _Plan:
     """Return the compiled layout of a structure class, made once."""
     known = _plans.get(kind)
     if known is None:
@@ -62,12 +62,12 @@ class Structure:
     @classmethod
     def size(cls) -> int:
         """Return the number of bytes on the wire."""
-        return plan(cls).codec.size
+        return _plan(cls).codec.size
 
     @classmethod
     def decode(cls, payload: bytes | memoryview) -> Self:
         """Read the structure; raises WireError when the payload has another size."""
-        codec, cuts = plan(cls)
+        codec, cuts = _plan(cls)
         if len(payload) != codec.size:
             raise WireError(f"{cls.__name__} takes {codec.size} bytes, got {len(payload)}")
         flat = codec.unpack(payload)
@@ -75,7 +75,7 @@ class Structure:
 
     def encode(self) -> bytes:
         """Return the structure's bytes; raises WireError when a value does not fit its field."""
-        codec, cuts = plan(type(self))
+        codec, cuts = _plan(type(self))
         flat: list[float] = []
         for name, _, count in cuts:
             value = getattr(self, name)

@@ -18,27 +18,27 @@ import numpy as np
 
 from housefly.errors import WireError
 from housefly.wires.ardrone.layout import Structure
-from housefly.wires.ardrone.navdata_options import OPTIONS, TAGS
+from housefly.wires.ardrone.navdata_options import OPTION_TYPES, TAGS
 
 NAVDATA_PORT = 5554
-MAGIC = 0x55667788
-MAGICS = (MAGIC, 0x55667789)
+_MAGIC = 0x55667788
+_MAGICS = (_MAGIC, 0x55667789)
 """Accepted headers; the second is accepted by other clients as well, why is not said."""
-CHECKSUM_TAG = 0xFFFF
-MAX_PACKET = 8192
+_CHECKSUM_TAG = 0xFFFF
+_MAX_PACKET = 8192
 """Largest packet that we look at [bytes]; the largest known one has 2120."""
 REQUEST_UNICAST = b"\x01\x00\x00\x00"
 """What a client sends to port 5554 to ask for reports; one byte 0x01 is accepted as well."""
 REQUEST_MULTICAST = b"\x02\x00\x00\x00"
 
 _HEADER = struct.Struct("<4I")
-_OPTION = struct.Struct("<2H")
+_OPTION_HEADER = struct.Struct("<2H")
 _CHECKSUM = struct.Struct("<2HI")
 
-S = TypeVar("S", bound=Structure)
+_Option = TypeVar("_Option", bound=Structure)
 
 
-class DroneState(IntFlag):
+class StateBits(IntFlag):
     """The 32 state bits of the header."""
 
     FLYING = 1 << 0
@@ -84,7 +84,7 @@ class RawOption(NamedTuple):
     @property
     def size(self) -> int:
         """Size on the wire [bytes], header included."""
-        return len(self.payload) + _OPTION.size
+        return len(self.payload) + _OPTION_HEADER.size
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,13 +104,13 @@ class NavdataPacket:
     sequence: int
     vision: int = 1
     options: tuple[RawOption, ...] = field(default=())
-    magic: int = MAGIC
+    magic: int = _MAGIC
 
-    def has(self, bits: DroneState) -> bool:
+    def has(self, bits: StateBits) -> bool:
         """Tell whether all these state bits are set."""
         return self.state & bits == bits
 
-    def option(self, kind: type[S]) -> S | None:
+    def option(self, kind: type[_Option]) -> _Option | None:
         """Return the first option of this kind, decoded, or None when the packet has none of its
         size.
         """
@@ -123,7 +123,9 @@ class NavdataPacket:
 
     def decoded(self) -> tuple[Structure, ...]:
         """Return all options that we know by tag and size, decoded, in order."""
-        return tuple(OPTIONS[raw.tag].decode(raw.payload) for raw in self.options if _is_known(raw))
+        return tuple(
+            OPTION_TYPES[raw.tag].decode(raw.payload) for raw in self.options if _is_known(raw)
+        )
 
     @property
     def unknown(self) -> tuple[tuple[int, int], ...]:
@@ -132,10 +134,10 @@ class NavdataPacket:
 
 
 def _is_known(raw: RawOption) -> bool:
-    return raw.tag < len(OPTIONS) and len(raw.payload) == OPTIONS[raw.tag].size()
+    return raw.tag < len(OPTION_TYPES) and len(raw.payload) == OPTION_TYPES[raw.tag].size()
 
 
-def checksum(data: bytes | memoryview) -> int:
+def _checksum(data: bytes | memoryview) -> int:
     """Return the navdata checksum: the sum of the bytes, modulo 2**32."""
     return int(np.frombuffer(data, np.uint8).sum(dtype=np.uint32))
 
@@ -147,14 +149,14 @@ def decode_navdata(data: bytes) -> NavdataPacket:
         WireError: bad length or magic, an option that runs over the end, bytes after the checksum,
             no or a wrong checksum.
     """
-    if not _HEADER.size + _CHECKSUM.size <= len(data) <= MAX_PACKET:
+    if not _HEADER.size + _CHECKSUM.size <= len(data) <= _MAX_PACKET:
         raise WireError(
-            f"navdata of {len(data)} bytes; {_HEADER.size + _CHECKSUM.size} to {MAX_PACKET} are"
+            f"navdata of {len(data)} bytes; {_HEADER.size + _CHECKSUM.size} to {_MAX_PACKET} are"
             " possible"
         )
     magic, state, sequence, vision = _HEADER.unpack_from(data)
-    if magic not in MAGICS:
-        raise WireError(f"navdata starts with {magic:#010x}, expected {MAGIC:#010x}")
+    if magic not in _MAGICS:
+        raise WireError(f"navdata starts with {magic:#010x}, expected {_MAGIC:#010x}")
     _check_sum(data)
     return NavdataPacket(
         state, sequence, vision, _cut_options(data, len(data) - _CHECKSUM.size), magic
@@ -164,9 +166,9 @@ def decode_navdata(data: bytes) -> NavdataPacket:
 def _check_sum(data: bytes) -> None:
     end = len(data) - _CHECKSUM.size
     tag, size, told = _CHECKSUM.unpack_from(data, end)
-    if tag != CHECKSUM_TAG or size != _CHECKSUM.size:
+    if tag != _CHECKSUM_TAG or size != _CHECKSUM.size:
         raise WireError("navdata does not end with a checksum")
-    found = checksum(memoryview(data)[:end])
+    found = _checksum(memoryview(data)[:end])
     if told != found:
         raise WireError(f"navdata checksum is {told:#x}, the bytes give {found:#x}")
 
@@ -175,14 +177,14 @@ def _cut_options(data: bytes, end: int) -> tuple[RawOption, ...]:
     options: list[RawOption] = []
     at = _HEADER.size
     while at < end:
-        if at + _OPTION.size > end:
+        if at + _OPTION_HEADER.size > end:
             raise WireError("navdata ends inside an option header")
-        tag, size = _OPTION.unpack_from(data, at)
-        if size < _OPTION.size or at + size > end:
+        tag, size = _OPTION_HEADER.unpack_from(data, at)
+        if size < _OPTION_HEADER.size or at + size > end:
             raise WireError(f"navdata option {tag} at byte {at} has the impossible size {size}")
-        if tag == CHECKSUM_TAG:
+        if tag == _CHECKSUM_TAG:
             raise WireError(f"navdata has a checksum at byte {at}, before its end")
-        options.append(RawOption(tag, data[at + _OPTION.size : at + size]))
+        options.append(RawOption(tag, data[at + _OPTION_HEADER.size : at + size]))
         at += size
     return tuple(options)
 
@@ -193,7 +195,7 @@ def encode_navdata(
     options: Iterable[Structure | RawOption] = (),
     *,
     vision: int = 1,
-    magic: int = MAGIC,
+    magic: int = _MAGIC,
 ) -> bytes:
     """Return a packet with its checksum; without options it is the bootstrap packet.
 
@@ -217,6 +219,6 @@ def encode_navdata(
             if isinstance(option, RawOption)
             else RawOption(TAGS[type(option)], option.encode())
         )
-        parts += (_OPTION.pack(raw.tag, raw.size), raw.payload)
+        parts += (_OPTION_HEADER.pack(raw.tag, raw.size), raw.payload)
     body = b"".join(parts)
-    return body + _CHECKSUM.pack(CHECKSUM_TAG, _CHECKSUM.size, checksum(body))
+    return body + _CHECKSUM.pack(_CHECKSUM_TAG, _CHECKSUM.size, _checksum(body))

@@ -76,7 +76,7 @@ __all__ = [
     "WindSpeed",
 ]
 
-OPTIONS: tuple[type[Structure], ...] = (
+OPTION_TYPES: tuple[type[Structure], ...] = (
     Demo,
     Time,
     RawMeasures,
@@ -107,7 +107,7 @@ OPTIONS: tuple[type[Structure], ...] = (
 )
 """All known options; the index is the tag."""
 
-TAGS: dict[type[Structure], int] = {option: tag for tag, option in enumerate(OPTIONS)}
+TAGS: dict[type[Structure], int] = {option: tag for tag, option in enumerate(OPTION_TYPES)}
 
 TAG_27_SIZES = (12, 216)
 """Tag 27 with its header: an engineering option in old firmware, GPS from firmware 2.4 on; we only

@@ -16,8 +16,8 @@ from typing import Final
 from housefly.errors import WireError
 
 VIDEO_PORT = 5555
-MAGIC = b"PaVE"
-HEADER_SIZES = (64, 68)
+_MAGIC = b"PaVE"
+_HEADER_SIZES = (64, 68)
 MAX_PAYLOAD = 1_000_000
 """Largest picture that we take [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB.
 """
@@ -81,10 +81,10 @@ class PaveFrame:
         """Whether the payload itself brings SPS, PPS and an IDR slice, so that decoding may start
         here.
         """
-        return {_NAL_SPS, _NAL_PPS, _NAL_IDR} <= nal_types(self.payload)
+        return {_NAL_SPS, _NAL_PPS, _NAL_IDR} <= _nal_types(self.payload)
 
 
-def nal_types(annex_b: bytes) -> frozenset[int]:
+def _nal_types(annex_b: bytes) -> frozenset[int]:
     """Return the NAL unit types of an H.264 Annex B byte string."""
     found, at = set(), annex_b.find(_START_CODE)
     while 0 <= at < len(annex_b) - len(_START_CODE):
@@ -104,11 +104,11 @@ def encode_header(header: PaveHeader) -> bytes:
     not fit.
     """
     h = header
-    if h.header_size not in HEADER_SIZES:
-        raise WireError(f"PaVE header of {h.header_size} bytes; {HEADER_SIZES} are possible")
+    if h.header_size not in _HEADER_SIZES:
+        raise WireError(f"PaVE header of {h.header_size} bytes; {_HEADER_SIZES} are possible")
     try:
         packed = _HEADER.pack(
-            *(MAGIC, h.version, h.codec, h.header_size, h.payload_size),
+            *(_MAGIC, h.version, h.codec, h.header_size, h.payload_size),
             *(
                 h.encoded_width,
                 h.encoded_height,
@@ -150,7 +150,7 @@ def decode_header(data: bytes | bytearray | memoryview) -> PaveHeader:
     chunks, chunk, kind, control, low, high, stream, slices, cut, sps, pps, _, advertised, _ = (
         values[11:]
     )
-    if magic != MAGIC:
+    if magic != _MAGIC:
         raise WireError("picture does not start with PaVE")
     if not _MIN_HEADER <= header_size <= _MAX_HEADER:
         raise WireError(f"PaVE header names its size as {header_size} bytes")
@@ -212,7 +212,7 @@ class VideoReassembler:
                 header = decode_header(self._buffer)
             except WireError:
                 self.bad_headers += 1
-                self._skip(len(MAGIC))
+                self._skip(len(_MAGIC))
                 continue
             end = header.header_size + header.payload_size
             if len(self._buffer) < end:
@@ -223,10 +223,10 @@ class VideoReassembler:
         return None
 
     def _seek_magic(self) -> bool:
-        at = self._buffer.find(MAGIC)
+        at = self._buffer.find(_MAGIC)
         if at < 0:
             # the last three bytes may be the beginning of the next "PaVE"
-            self._skip(max(0, len(self._buffer) - len(MAGIC) + 1))
+            self._skip(max(0, len(self._buffer) - len(_MAGIC) + 1))
             return False
         self._skip(at)
         return True

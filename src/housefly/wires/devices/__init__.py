@@ -4,39 +4,39 @@ both sides of the wire.
 
 from housefly.wires.devices.codec import (
     KINDS,
-    LARGEST,
+    MAX_DEVICE_PAYLOAD,
     ClockBounds,
     Delivered,
     Reading,
-    decode,
-    encode,
-    kind_of,
+    decode_reading,
+    device_kind,
+    encode_payload,
 )
 from housefly.wires.devices.kind import DeviceKind, Placement
 from housefly.wires.devices.topics import (
-    Address,
     Channel,
+    DeviceAddress,
     listener_topic,
     parse_topic,
-    shown,
-    subscription,
+    printable_topic,
+    site_subscription,
 )
 
 __all__ = [
     "KINDS",
-    "LARGEST",
-    "Address",
+    "MAX_DEVICE_PAYLOAD",
     "Channel",
     "ClockBounds",
     "Delivered",
+    "DeviceAddress",
     "DeviceKind",
     "Placement",
     "Reading",
-    "decode",
-    "encode",
-    "kind_of",
+    "decode_reading",
+    "device_kind",
+    "encode_payload",
     "listener_topic",
     "parse_topic",
-    "shown",
-    "subscription",
+    "printable_topic",
+    "site_subscription",
 ]

@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from housefly.messages import Observation
-from housefly.wires.devices.fields import Flag, Number, Record
-from housefly.wires.devices.kind import DeviceKind, Says
+from housefly.wires.devices.fields import FlagField, JsonRecord, NumberField
+from housefly.wires.devices.kind import DeviceKind, DeviceReport
 
-SOMEBODY = 15.0
+_OCCUPIED_LOAD = 15.0
 """Load from which somebody lies there, where the bed does not say it [kg]."""
 
 
-def observe(state: Record, says: Says) -> list[Observation]:
+def _observe(state: JsonRecord, says: DeviceReport) -> list[Observation]:
     """Return what the bed says of itself."""
     load = state.number("load")
-    occupied = state.flag("occupied") if "occupied" in state.values else load >= SOMEBODY
+    occupied = state.flag("occupied") if "occupied" in state.values else load >= _OCCUPIED_LOAD
     return [says.itself(("load", load), ("occupied", occupied))]
 
 
-BED = DeviceKind(
+BED_KIND = DeviceKind(
     "bed",
     "Bed",
-    {"load": Number(-5.0, 500.0, "kg"), "occupied": Flag(required=False)},
+    {"load": NumberField(-5.0, 500.0, "kg"), "occupied": FlagField(required=False)},
     heartbeat=30.0,
-    observe=observe,
+    observe=_observe,
     events={"occupied": "bed occupied", "left": "bed left"},
 )

@@ -2,27 +2,27 @@
 
 from __future__ import annotations
 
-from housefly.wires.devices.contents import ITEMS, MOVED, contents
-from housefly.wires.devices.fields import Flag, Number, Record
+from housefly.wires.devices.container import CONTAINED_ITEMS, TAKEN_OR_PUT, observe_contents
+from housefly.wires.devices.fields import FlagField, JsonRecord, NumberField
 from housefly.wires.devices.kind import DeviceKind
 
-CABINET = DeviceKind(
+CABINET_KIND = DeviceKind(
     "cabinet",
     "Intelligent cabinet",
     {
-        "items": ITEMS,
-        "load": Number(0.0, 500.0, "kg", required=False),
-        "open": Flag(required=False),
+        "items": CONTAINED_ITEMS,
+        "load": NumberField(0.0, 500.0, "kg", required=False),
+        "open": FlagField(required=False),
     },
     heartbeat=30.0,
-    observe=lambda state, says: contents(
-        state, says, ("load", state.number_or_none("load")), ("open", opened(state))
+    observe=lambda state, says: observe_contents(
+        state, says, ("load", state.number_or_none("load")), ("open", _is_open(state))
     ),
     events={"taken": "object taken", "put": "object put"},
-    event=MOVED,
+    event=TAKEN_OR_PUT,
 )
 
 
-def opened(state: Record) -> bool | None:
+def _is_open(state: JsonRecord) -> bool | None:
     """Return whether a door stands open, None when the device has no contact there."""
     return state.flag("open") if "open" in state.values else None

@@ -1,4 +1,4 @@
-"""Bytes of a device to observations and happenings, and back."""
+"""Bytes of a device to observations and events, and back."""
 
 from __future__ import annotations
 
@@ -8,23 +8,32 @@ from dataclasses import dataclass
 from typing import Never
 
 from housefly.errors import WireError
-from housefly.messages import Fact, Happening, Observation
-from housefly.wires.devices.bed import BED
-from housefly.wires.devices.cabinet import CABINET
-from housefly.wires.devices.fields import Record, Spec, read
-from housefly.wires.devices.floor import FLOOR
-from housefly.wires.devices.kind import DeviceKind, Placement, Says
-from housefly.wires.devices.refrigerator import REFRIGERATOR
-from housefly.wires.devices.switches import DOOR, DOORBELL, MOTION
-from housefly.wires.devices.topics import Address, Channel, shown
+from housefly.messages import Fact, Observation, RoomEvent
+from housefly.wires.devices.bed import BED_KIND
+from housefly.wires.devices.cabinet import CABINET_KIND
+from housefly.wires.devices.fields import JsonRecord, JsonSpec, read_record
+from housefly.wires.devices.floor import FLOOR_KIND
+from housefly.wires.devices.kind import DeviceKind, DeviceReport, Placement
+from housefly.wires.devices.refrigerator import REFRIGERATOR_KIND
+from housefly.wires.devices.switches import DOOR_KIND, DOORBELL_KIND, MOTION_KIND
+from housefly.wires.devices.topics import Channel, DeviceAddress, printable_topic
 
 KINDS: dict[str, DeviceKind] = {
-    kind.name: kind for kind in (FLOOR, CABINET, REFRIGERATOR, BED, DOOR, DOORBELL, MOTION)
+    kind.name: kind
+    for kind in (
+        FLOOR_KIND,
+        CABINET_KIND,
+        REFRIGERATOR_KIND,
+        BED_KIND,
+        DOOR_KIND,
+        DOORBELL_KIND,
+        MOTION_KIND,
+    )
 }
 """Every kind of device that we understand, by its name in topics."""
-LARGEST = 16_384
+MAX_DEVICE_PAYLOAD = 16_384
 """Longest payload [bytes]."""
-PRESENCE = {b"online": True, b"offline": False}
+_PRESENCE = {b"online": True, b"offline": False}
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +46,7 @@ class ClockBounds:
     behind: float = 60.0
 
 
-BOUNDS, NOWHERE = ClockBounds(), Placement()
+_DEFAULT_BOUNDS, _NO_PLACEMENT = ClockBounds(), Placement()
 _EARLIEST = 1.6e9
 """Before this Unix time [s], in 2020, a clock was never set."""
 
@@ -54,7 +63,7 @@ class Delivered:
         retained: whether the broker had kept it, so that it is older than its arrival.
     """
 
-    address: Address
+    address: DeviceAddress
     channel: Channel
     payload: bytes
     received_at: float
@@ -67,7 +76,7 @@ class Reading:
 
     Attributes:
         observations: of the device and of what it sees.
-        happenings: what it reports.
+        events: what it reports.
         online: what it says of its presence, None in other messages.
         unknown: keys that we do not know.
         clock_error: how far its time was off [s] when it was refused, positive ahead; None when it
@@ -75,24 +84,24 @@ class Reading:
     """
 
     observations: tuple[Observation, ...] = ()
-    happenings: tuple[Happening, ...] = ()
+    events: tuple[RoomEvent, ...] = ()
     online: bool | None = None
     unknown: tuple[str, ...] = ()
     clock_error: float | None = None
 
 
-def kind_of(address: Address) -> DeviceKind:
+def device_kind(address: DeviceAddress) -> DeviceKind:
     """Return the kind of a device; raises WireError that lists the known kinds."""
     if address.kind not in KINDS:
         raise WireError(
-            f"{shown(address.topic(Channel.STATE))}: unknown kind of device; known:"
+            f"{printable_topic(address.topic(Channel.STATE))}: unknown kind of device; known:"
             f" {', '.join(KINDS)}"
         )
     return KINDS[address.kind]
 
 
-def decode(
-    message: Delivered, placement: Placement = NOWHERE, bounds: ClockBounds = BOUNDS
+def decode_reading(
+    message: Delivered, placement: Placement = _NO_PLACEMENT, bounds: ClockBounds = _DEFAULT_BOUNDS
 ) -> Reading:
     """Return what a message says.
 
@@ -104,47 +113,47 @@ def decode(
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
     """
-    kind, topic = kind_of(message.address), message.address.topic(message.channel)
+    kind, topic = device_kind(message.address), message.address.topic(message.channel)
     if message.channel is Channel.AVAILABILITY:
         return Reading(online=_presence(message.payload, topic))
     is_event = message.channel is Channel.EVENT
-    record = parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
+    record = _parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
     says, clock_error = _says(record, message, placement, bounds)
     if not is_event:
         return Reading(
             tuple(kind.observe(record, says)), unknown=record.unknown, clock_error=clock_error
         )
-    happenings = () if message.retained else (_happening(kind, record, says),)
-    return Reading(happenings=happenings, unknown=record.unknown, clock_error=clock_error)
+    events = () if message.retained else (_event(kind, record, says),)
+    return Reading(events=events, unknown=record.unknown, clock_error=clock_error)
 
 
-def parse(spec: Spec, payload: bytes, topic: str) -> Record:
+def _parse(spec: JsonSpec, payload: bytes, topic: str) -> JsonRecord:
     """Return a payload as a checked record; raises WireError."""
-    if len(payload) > LARGEST:
-        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {LARGEST} bytes")
+    if len(payload) > MAX_DEVICE_PAYLOAD:
+        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {MAX_DEVICE_PAYLOAD} bytes")
     try:
         tree = json.loads(payload.decode(), parse_constant=_no_number)
     except (ValueError, RecursionError) as error:
         raise WireError(f"{topic}: not JSON ({str(error)[:80]})") from error
-    return read(spec, tree, topic)
+    return read_record(spec, tree, topic)
 
 
-def encode(values: Mapping[str, object]) -> bytes:
+def encode_payload(values: Mapping[str, object]) -> bytes:
     """Return a payload."""
     return json.dumps(values, separators=(",", ":"), allow_nan=False).encode()
 
 
 def _presence(payload: bytes, topic: str) -> bool:
-    if payload not in PRESENCE:
+    if payload not in _PRESENCE:
         raise WireError(
             f"{topic} is {ascii(payload[:40])[1:]}; allowed: online or offline, without quotes"
         )
-    return PRESENCE[payload]
+    return _PRESENCE[payload]
 
 
 def _says(
-    record: Record, message: Delivered, placement: Placement, bounds: ClockBounds
-) -> tuple[Says, float | None]:
+    record: JsonRecord, message: Delivered, placement: Placement, bounds: ClockBounds
+) -> tuple[DeviceReport, float | None]:
     """Return who says it and when, and how far the time was off when it is refused."""
     now, told = message.received_at, record.number_or_none("time")
     error = None if told is None or _is_plausible(told, message, bounds) else told - now
@@ -154,7 +163,7 @@ def _says(
     )
     notes += [("retained", True)] if message.retained else []
     notes += [("clock_error", error)] if error is not None else []
-    return Says(message.address.id, captured_at, now, placement, tuple(notes)), error
+    return DeviceReport(message.address.id, captured_at, now, placement, tuple(notes)), error
 
 
 def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
@@ -166,14 +175,14 @@ def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
     )
 
 
-def _happening(kind: DeviceKind, record: Record, says: Says) -> Happening:
+def _event(kind: DeviceKind, record: JsonRecord, says: DeviceReport) -> RoomEvent:
     tag = record.word("tag")
     weight = record.number_or_none("weight")
     facts: tuple[tuple[str, Fact], ...] = (
         (("weight", weight), *says.notes) if weight is not None else says.notes
     )
     thing = says.placement.thing(tag) if tag else says.source
-    return Happening(
+    return RoomEvent(
         kind.events[record.word("event")], thing, says.captured_at, says.source, facts=facts
     )
 

@@ -9,14 +9,14 @@ from typing import Protocol
 
 from housefly.errors import WireError
 
-NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}")
+ID_PATTERN = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}")
 """What ids of devices, things and tags look like."""
 _SHOWN = 60
 
-Value = float | bool | str | tuple["Record", ...]
+_Value = float | bool | str | tuple["JsonRecord", ...]
 
 
-class Field(Protocol):
+class JsonField(Protocol):
     """One key of a table of keys."""
 
     @property
@@ -24,18 +24,18 @@ class Field(Protocol):
         """Whether the key must be there."""
         ...
 
-    def check(self, value: object, where: str) -> Value:
+    def check(self, value: object, where: str) -> _Value:
         """Return the value as we keep it; raises WireError that names ``where``, the value and what
         is allowed.
         """
         ...
 
 
-Spec = Mapping[str, Field]
+JsonSpec = Mapping[str, JsonField]
 
 
 @dataclass(frozen=True, slots=True)
-class Record:
+class JsonRecord:
     """A checked JSON object.
 
     Attributes:
@@ -43,7 +43,7 @@ class Record:
         unknown: the other keys, those of objects inside it too.
     """
 
-    values: Mapping[str, Value] = field(default_factory=dict)
+    values: Mapping[str, _Value] = field(default_factory=dict)
     unknown: tuple[str, ...] = ()
 
     def number(self, key: str) -> float:
@@ -62,14 +62,14 @@ class Record:
         """Return a text; empty when the key is absent."""
         return str(self.values.get(key, ""))
 
-    def rows(self, key: str) -> tuple[Record, ...]:
+    def rows(self, key: str) -> tuple[JsonRecord, ...]:
         """Return a list of objects; empty when the key is absent."""
         value = self.values.get(key, ())
         return value if isinstance(value, tuple) else ()
 
 
 @dataclass(frozen=True, slots=True)
-class Number:
+class NumberField:
     """A finite number in an inclusive range."""
 
     low: float
@@ -84,14 +84,14 @@ class Number:
             or not isinstance(value, int | float)
             or not self.low <= value <= self.high
         ):
-            raise refusal(
+            raise _refusal(
                 where, value, f"a number from {self.low:g} to {self.high:g} {self.unit}".rstrip()
             )
         return float(value)
 
 
 @dataclass(frozen=True, slots=True)
-class Flag:
+class FlagField:
     """A truth value."""
 
     required: bool = True
@@ -99,25 +99,25 @@ class Flag:
     def check(self, value: object, where: str) -> bool:
         """Return the truth value."""
         if not isinstance(value, bool):
-            raise refusal(where, value, "true or false")
+            raise _refusal(where, value, "true or false")
         return value
 
 
 @dataclass(frozen=True, slots=True)
-class Name:
+class IdField:
     """An id of a thing, tag or person."""
 
     required: bool = True
 
     def check(self, value: object, where: str) -> str:
         """Return the id."""
-        if not isinstance(value, str) or not NAME.fullmatch(value):
-            raise refusal(where, value, "an id of 1 to 64 letters, digits and _ . : -")
+        if not isinstance(value, str) or not ID_PATTERN.fullmatch(value):
+            raise _refusal(where, value, "an id of 1 to 64 letters, digits and _ . : -")
         return value
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class ChoiceField:
     """One of a few words."""
 
     words: tuple[str, ...]
@@ -126,28 +126,29 @@ class Choice:
     def check(self, value: object, where: str) -> str:
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise refusal(where, value, "one of " + ", ".join(f'"{word}"' for word in self.words))
+            raise _refusal(where, value, "one of " + ", ".join(f'"{word}"' for word in self.words))
         return value
 
 
 @dataclass(frozen=True, slots=True)
-class Rows:
+class RowsField:
     """A list of objects of one kind."""
 
-    spec: Spec
+    spec: JsonSpec
     most: int = 64
     required: bool = True
 
-    def check(self, value: object, where: str) -> tuple[Record, ...]:
+    def check(self, value: object, where: str) -> tuple[JsonRecord, ...]:
         """Return the objects."""
         if not isinstance(value, list) or len(value) > self.most:
-            raise refusal(where, value, f"a list of up to {self.most} objects")
+            raise _refusal(where, value, f"a list of up to {self.most} objects")
         return tuple(
-            read(self.spec, entry, f"{where}[{number}]") for number, entry in enumerate(value)
+            read_record(self.spec, entry, f"{where}[{number}]")
+            for number, entry in enumerate(value)
         )
 
 
-def read(spec: Spec, tree: object, where: str) -> Record:
+def read_record(spec: JsonSpec, tree: object, where: str) -> JsonRecord:
     """Check a JSON object against a table of keys.
 
     Args:
@@ -159,7 +160,7 @@ def read(spec: Spec, tree: object, where: str) -> Record:
         WireError: naming the place, the value and what is allowed.
     """
     if not isinstance(tree, dict):
-        raise refusal(where, tree, "a JSON object")
+        raise _refusal(where, tree, "a JSON object")
     values = {
         key: row.check(tree[key], f"{where}.{key}")
         for key, row in spec.items()
@@ -175,10 +176,10 @@ def read(spec: Spec, tree: object, where: str) -> Record:
         for record in value
         for name in record.unknown
     ]
-    return Record(values, (*(key for key in tree if key not in spec), *nested))
+    return JsonRecord(values, (*(key for key in tree if key not in spec), *nested))
 
 
-def refusal(where: str, value: object, allowed: str) -> WireError:
+def _refusal(where: str, value: object, allowed: str) -> WireError:
     """Return the complaint about one value."""
     shown = ascii(value)
     return WireError(

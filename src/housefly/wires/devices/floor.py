@@ -6,22 +6,22 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from housefly.messages import Observation
-from housefly.wires.devices.fields import Name, Number, Record, Rows, Spec
-from housefly.wires.devices.kind import DeviceKind, Says
+from housefly.wires.devices.fields import IdField, JsonRecord, JsonSpec, NumberField, RowsField
+from housefly.wires.devices.kind import DeviceKind, DeviceReport
 
-SIGMA = 0.05
+_DEFAULT_SIGMA = 0.05
 """One-sigma error of a position where the sensor does not say it [m]."""
 
-SPOT: Spec = {
-    "id": Name(required=False),
-    "x": Number(-1000.0, 1000.0, "m"),
-    "y": Number(-1000.0, 1000.0, "m"),
-    "sigma": Number(0.001, 10.0, "m", required=False),
-    "weight": Number(0.0, 500.0, "kg", required=False),
+_SPOT: JsonSpec = {
+    "id": IdField(required=False),
+    "x": NumberField(-1000.0, 1000.0, "m"),
+    "y": NumberField(-1000.0, 1000.0, "m"),
+    "sigma": NumberField(0.001, 10.0, "m", required=False),
+    "weight": NumberField(0.0, 500.0, "kg", required=False),
 }
 
 
-def observe(state: Record, says: Says) -> Iterator[Observation]:
+def _observe(state: JsonRecord, says: DeviceReport) -> Iterator[Observation]:
     """Yield one observation for each person and thing, and one of the sensor itself: it sees that
     there is nobody, too.
     """
@@ -33,18 +33,18 @@ def observe(state: Record, says: Says) -> Iterator[Observation]:
             yield _seen(spot, says, what, f"{says.source}-{what}-{number}")
 
 
-def _seen(spot: Record, says: Says, what: str, nameless: str) -> Observation:
+def _seen(spot: JsonRecord, says: DeviceReport, what: str, nameless: str) -> Observation:
     thing = says.placement.thing(spot.word("id")) or nameless
     position = says.placement.world(spot.number("x"), spot.number("y"), 0.0)
     seen = says.of(thing, position, ("kind", what), ("weight", spot.number_or_none("weight")))
-    variance = (spot.number_or_none("sigma") or SIGMA) ** 2
+    variance = (spot.number_or_none("sigma") or _DEFAULT_SIGMA) ** 2
     return replace(seen, covariance=(variance, 0.0, 0.0, variance, 0.0, variance))
 
 
-FLOOR = DeviceKind(
+FLOOR_KIND = DeviceKind(
     "floor",
     "Floor sensing",
-    {"people": Rows(SPOT), "objects": Rows(SPOT, required=False)},
+    {"people": RowsField(_SPOT), "objects": RowsField(_SPOT, required=False)},
     heartbeat=1.0,
-    observe=observe,
+    observe=_observe,
 )

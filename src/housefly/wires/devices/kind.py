@@ -10,14 +10,14 @@ from math import cos, sin
 
 from housefly.geometry import Vec3
 from housefly.messages import Fact, Observation
-from housefly.wires.devices.fields import Choice, Number, Record, Spec
+from housefly.wires.devices.fields import ChoiceField, JsonRecord, JsonSpec, NumberField
 
-UNIX_MAX = 4.0e9
+_UNIX_TIME_MAX = 4.0e9
 """Latest Unix time that is a time at all [s], year 2096."""
 
-COMMON: Spec = {
-    "time": Number(0.0, UNIX_MAX, "s (Unix time)", required=False),
-    "battery": Number(0.0, 1.0, required=False),
+_COMMON_KEYS: JsonSpec = {
+    "time": NumberField(0.0, _UNIX_TIME_MAX, "s (Unix time)", required=False),
+    "battery": NumberField(0.0, 1.0, required=False),
 }
 """Keys that every message may have."""
 
@@ -51,7 +51,7 @@ class Placement:
 
 
 @dataclass(frozen=True, slots=True)
-class Says:
+class DeviceReport:
     """Who says something and when; makes the observations of one message.
 
     Attributes:
@@ -105,16 +105,16 @@ class DeviceKind:
 
     name: str
     title: str
-    state: Spec
+    state: JsonSpec
     heartbeat: float
-    observe: Callable[[Record, Says], Iterable[Observation]]
+    observe: Callable[[JsonRecord, DeviceReport], Iterable[Observation]]
     events: Mapping[str, str] = field(default_factory=dict)
-    event: Spec = field(default_factory=dict)
+    event: JsonSpec = field(default_factory=dict)
 
-    def state_spec(self) -> Spec:
+    def state_spec(self) -> JsonSpec:
         """Return all keys of a state."""
-        return {**COMMON, **self.state}
+        return {**_COMMON_KEYS, **self.state}
 
-    def event_spec(self) -> Spec:
+    def event_spec(self) -> JsonSpec:
         """Return all keys of an event."""
-        return {**COMMON, "event": Choice(tuple(self.events)), **self.event}
+        return {**_COMMON_KEYS, "event": ChoiceField(tuple(self.events)), **self.event}

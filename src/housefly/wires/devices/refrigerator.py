@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from housefly.wires.devices.contents import ITEM, ITEMS, contents
-from housefly.wires.devices.fields import Flag, Name, Number
+from housefly.wires.devices.container import CONTAINED_ITEM, CONTAINED_ITEMS, observe_contents
+from housefly.wires.devices.fields import FlagField, IdField, NumberField
 from housefly.wires.devices.kind import DeviceKind
 
-REFRIGERATOR = DeviceKind(
+REFRIGERATOR_KIND = DeviceKind(
     "refrigerator",
     "Intelligent refrigerator",
     {
-        "open": Flag(),
-        "items": ITEMS,
-        "temperature_c": Number(-60.0, 60.0, "degrees Celsius", required=False),
+        "open": FlagField(),
+        "items": CONTAINED_ITEMS,
+        "temperature_c": NumberField(-60.0, 60.0, "degrees Celsius", required=False),
     },
     heartbeat=30.0,
-    observe=lambda state, says: contents(
+    observe=lambda state, says: observe_contents(
         state,
         says,
         ("open", state.flag("open")),
@@ -27,5 +27,5 @@ REFRIGERATOR = DeviceKind(
         "taken": "object taken",
         "put": "object put",
     },
-    event={"tag": Name(required=False), "weight": ITEM["weight"]},
+    event={"tag": IdField(required=False), "weight": CONTAINED_ITEM["weight"]},
 )

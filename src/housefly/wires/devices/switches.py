@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from housefly.wires.devices.fields import Flag
+from housefly.wires.devices.fields import FlagField
 from housefly.wires.devices.kind import DeviceKind
 
-DOOR = DeviceKind(
+DOOR_KIND = DeviceKind(
     "door",
     "Door contact",
-    {"open": Flag()},
+    {"open": FlagField()},
     heartbeat=60.0,
     observe=lambda state, says: [says.itself(("open", state.flag("open")))],
     events={"opened": "door opened", "closed": "door closed"},
 )
-DOORBELL = DeviceKind(
+DOORBELL_KIND = DeviceKind(
     "doorbell",
     "Doorbell",
     {},
@@ -21,10 +21,10 @@ DOORBELL = DeviceKind(
     observe=lambda state, says: [says.itself()],
     events={"pressed": "bell pressed"},
 )
-MOTION = DeviceKind(
+MOTION_KIND = DeviceKind(
     "motion",
     "Motion detector",
-    {"motion": Flag()},
+    {"motion": FlagField()},
     heartbeat=60.0,
     observe=lambda state, says: [says.itself(("motion", state.flag("motion")))],
     events={"motion": "motion seen"},

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from enum import Enum
 
 from housefly.errors import WireError
-from housefly.wires.devices.fields import NAME
+from housefly.wires.devices.fields import ID_PATTERN
 
-ROOT = "housefly"
-SITE = re.compile(r"[a-z0-9][a-z0-9_-]{0,39}")
+_ROOT = "housefly"
+_SITE_NAME = re.compile(r"[a-z0-9][a-z0-9_-]{0,39}")
 _SHOWN = 100
 
 
@@ -25,7 +25,7 @@ class Channel(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Address:
+class DeviceAddress:
     """One device of one site.
 
     Attributes:
@@ -41,40 +41,42 @@ class Address:
 
     def topic(self, channel: Channel) -> str:
         """Return where the device speaks on this channel."""
-        return f"{ROOT}/{self.site}/{self.kind}/{self.id}/{channel.value}"
+        return f"{_ROOT}/{self.site}/{self.kind}/{self.id}/{channel.value}"
 
 
-def subscription(site: str) -> str:
+def site_subscription(site: str) -> str:
     """Return the filter that hears every device of a site."""
-    return f"{ROOT}/{site}/#"
+    return f"{_ROOT}/{site}/#"
 
 
 def listener_topic(site: str) -> str:
     """Return where Housefly itself says whether it listens: "online" retained, "offline" as its
     last will.
     """
-    return f"{ROOT}/{site}/listener/availability"
+    return f"{_ROOT}/{site}/listener/availability"
 
 
-def parse_topic(topic: str) -> tuple[Address, Channel]:
+def parse_topic(topic: str) -> tuple[DeviceAddress, Channel]:
     """Return who speaks and on which channel; raises WireError that names the topic and its scheme."""
     parts = topic.split("/")
     channels = {channel.value: channel for channel in Channel}
     if (
         len(parts) != 5
-        or parts[0] != ROOT
-        or not SITE.fullmatch(parts[1])
-        or not NAME.fullmatch(parts[3])
+        or parts[0] != _ROOT
+        or not _SITE_NAME.fullmatch(parts[1])
+        or not ID_PATTERN.fullmatch(parts[3])
     ):
         raise WireError(
-            f"{shown(topic)} is not of the form {ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>"
+            f"{printable_topic(topic)} is not of the form {_ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>"
         )
     if parts[4] not in channels:
-        raise WireError(f"{shown(topic)}: unknown channel; allowed: {', '.join(channels)}")
-    return Address(parts[1], parts[2], parts[3]), channels[parts[4]]
+        raise WireError(
+            f"{printable_topic(topic)}: unknown channel; allowed: {', '.join(channels)}"
+        )
+    return DeviceAddress(parts[1], parts[2], parts[3]), channels[parts[4]]
 
 
-def shown(topic: str) -> str:
+def printable_topic(topic: str) -> str:
     """Return a topic in printable characters, cut to a line."""
     text = ascii(topic)[1:-1]
     return text if len(text) <= _SHOWN else text[:_SHOWN] + "..."

@@ -2,39 +2,39 @@
 wire.
 """
 
-from housefly.wires.natnet.buffer import MAX_NAME, Version
-from housefly.wires.natnet.frame import Frame, RigidBody
+from housefly.wires.natnet.buffer import NAME_FIELD_SIZE, NatNetVersion
+from housefly.wires.natnet.frame import NatNetFrame, RigidBody
 from housefly.wires.natnet.handshake import (
+    CommandRequest,
+    CommandResponse,
     Connect,
     Disconnect,
-    Item,
     KeepAlive,
-    Request,
+    NatNetMessage,
     RequestModelDef,
-    Response,
     ServerInfo,
     Unrecognized,
 )
-from housefly.wires.natnet.message import MAX_BODY, decode_message, encode_message
+from housefly.wires.natnet.message import MAX_BODY, decode_natnet, encode_natnet
 from housefly.wires.natnet.model import ModelDef, RigidBodyDescription
 
 __all__ = [
     "MAX_BODY",
-    "MAX_NAME",
+    "NAME_FIELD_SIZE",
+    "CommandRequest",
+    "CommandResponse",
     "Connect",
     "Disconnect",
-    "Frame",
-    "Item",
     "KeepAlive",
     "ModelDef",
-    "Request",
+    "NatNetFrame",
+    "NatNetMessage",
+    "NatNetVersion",
     "RequestModelDef",
-    "Response",
     "RigidBody",
     "RigidBodyDescription",
     "ServerInfo",
     "Unrecognized",
-    "Version",
-    "decode_message",
-    "encode_message",
+    "decode_natnet",
+    "encode_natnet",
 ]

@@ -9,21 +9,18 @@ from typing import Any
 
 from housefly.errors import WireError
 
-U8 = struct.Struct("<B")
-U16 = struct.Struct("<H")
 I32 = struct.Struct("<i")
-U32 = struct.Struct("<I")
 
-MAX_NAME = 256
+NAME_FIELD_SIZE = 256
 """Longest name accepted, with its closing zero [bytes]; the field of the protocol's own headers."""
 
-Version = tuple[int, int]
+NatNetVersion = tuple[int, int]
 """Major and minor number of the protocol."""
-SIZED: Version = (4, 1)
+SIZED_SECTIONS_SINCE: NatNetVersion = (4, 1)
 """From here on every section says how many bytes it has."""
 
 
-class Reader:
+class NatNetReader:
     """Reads one message and never past its end; every WireError names the field.
 
     Args:
@@ -32,7 +29,7 @@ class Reader:
     """
 
     def __init__(
-        self, data: bytes, version: Version, start: int = 0, end: int | None = None
+        self, data: bytes, version: NatNetVersion, start: int = 0, end: int | None = None
     ) -> None:
         self.version = version
         self._data = data
@@ -44,7 +41,7 @@ class Reader:
         """Bytes not read yet."""
         return self._end - self._at
 
-    def take(self, layout: struct.Struct, field: str) -> tuple[Any, ...]:
+    def unpack(self, layout: struct.Struct, field: str) -> tuple[Any, ...]:
         """Read the fields of a fixed layout."""
         start = self._at
         self.skip(layout.size, field)
@@ -52,7 +49,7 @@ class Reader:
 
     def number(self, layout: struct.Struct, field: str) -> int:
         """Read one whole number."""
-        return int(self.take(layout, field)[0])
+        return int(self.unpack(layout, field)[0])
 
     def count(self, smallest: int, field: str) -> int:
         """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
@@ -67,40 +64,40 @@ class Reader:
         """Read a string up to its closing zero; bytes that are not UTF-8 become replacement
         characters.
         """
-        end = self._data.find(b"\0", self._at, min(self._end, self._at + MAX_NAME))
+        end = self._data.find(b"\0", self._at, min(self._end, self._at + NAME_FIELD_SIZE))
         if end < 0:
             raise WireError(
-                f"NatNet {field}: no closing zero within {min(self.left, MAX_NAME)} bytes"
+                f"NatNet {field}: no closing zero within {min(self.left, NAME_FIELD_SIZE)} bytes"
             )
         start, self._at = self._at, end + 1
         return self._data[start:end].decode("utf-8", errors="replace")
 
-    def skip(self, length: int, field: str) -> Reader:
+    def skip(self, length: int, field: str) -> NatNetReader:
         """Return a reader of the next ``length`` bytes and step over them."""
         if not 0 <= length <= self.left:
             raise WireError(f"NatNet {field}: {length} bytes wanted, {self.left} are left")
         start, self._at = self._at, self._at + length
-        return Reader(self._data, self.version, start, self._at)
+        return NatNetReader(self._data, self.version, start, self._at)
 
-    def section(self, field: str) -> Reader:
+    def section(self, field: str) -> NatNetReader:
         """Return a reader of a section: of the length that it says, or of all that is left where
         versions say none.
         """
         return (
             self.skip(self.number(I32, f"size of {field}"), field)
-            if self.version >= SIZED
+            if self.version >= SIZED_SECTIONS_SINCE
             else self
         )
 
 
-class Writer:
+class NatNetWriter:
     """Collects the bytes of one message body.
 
     Args:
         version: protocol version to write.
     """
 
-    def __init__(self, version: Version) -> None:
+    def __init__(self, version: NatNetVersion) -> None:
         self.version = version
         self.data = bytearray()
 
@@ -118,14 +115,14 @@ class Writer:
     def text(self, text: str) -> None:
         """Append a zero-terminated UTF-8 string."""
         encoded = text.encode("utf-8", errors="replace")
-        if len(encoded) >= MAX_NAME or b"\0" in encoded:
+        if len(encoded) >= NAME_FIELD_SIZE or b"\0" in encoded:
             raise WireError(
-                f"a NatNet name has at most {MAX_NAME - 1} bytes and no zero, not {text!r}"
+                f"a NatNet name has at most {NAME_FIELD_SIZE - 1} bytes and no zero, not {text!r}"
             )
         self.data += encoded + b"\0"
 
     def section(self, body: bytes | bytearray) -> None:
         """Append a section, after its length where the version wants it."""
-        if self.version >= SIZED:
+        if self.version >= SIZED_SECTIONS_SINCE:
             self.put(I32, len(body))
         self.data += body

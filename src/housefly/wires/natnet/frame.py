@@ -10,7 +10,7 @@ from typing import ClassVar, Self
 
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, Vec3
-from housefly.wires.natnet.buffer import I32, SIZED, Reader, Writer
+from housefly.wires.natnet.buffer import I32, SIZED_SECTIONS_SINCE, NatNetReader, NatNetWriter
 
 _BODY = struct.Struct("<i3f4ffH")
 _SUFFIX = struct.Struct("<IIdQQQ")
@@ -42,7 +42,7 @@ class RigidBody:
 
 
 @dataclass(frozen=True, slots=True)
-class Frame:
+class NatNetFrame:
     """One frame.
 
     Attributes:
@@ -66,11 +66,11 @@ class Frame:
     recording: bool = False
     changed: bool = False
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the body with all other sections empty."""
         out.put(I32, self.number)
         _empty(out, 2)
-        bodies = Writer(out.version)
+        bodies = NatNetWriter(out.version)
         for body in self.bodies:
             w, x, y, z = body.orientation
             bodies.put(
@@ -86,29 +86,29 @@ class Frame:
             )
         out.put(I32, len(self.bodies))
         out.section(bodies.data)
-        _empty(out, 5 if out.version >= SIZED else 4)
+        _empty(out, 5 if out.version >= SIZED_SECTIONS_SINCE else 4)
         out.put(_SUFFIX, 0, 0, self.timestamp, self.exposed, self.arrived, self.sent)
-        if out.version >= SIZED:
+        if out.version >= SIZED_SECTIONS_SINCE:
             out.put(_PRECISE, 0, 0)
         out.put(_END, _RECORDING * self.recording | _CHANGED * self.changed, 0)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body."""
         number = source.number(I32, "frame number")
         _marker_sets(source)
         _rows(source, _POINT_BYTES, "unlabeled markers")
         bodies = _bodies(source)
         _skeletons(source)
-        if source.version >= SIZED:
+        if source.version >= SIZED_SECTIONS_SINCE:
             source.number(I32, "asset count")
             source.section("assets")
         _rows(source, _LABELED_BYTES, "labeled markers")
         for field in ("force plates", "devices"):
             _channels(source, field)
-        _, _, timestamp, exposed, arrived, sent = source.take(_SUFFIX, "time stamps")
-        if source.version >= SIZED:
-            source.take(_PRECISE, "precision time stamp")
+        _, _, timestamp, exposed, arrived, sent = source.unpack(_SUFFIX, "time stamps")
+        if source.version >= SIZED_SECTIONS_SINCE:
+            source.unpack(_PRECISE, "precision time stamp")
         params = source.number(_PARAMS, "frame parameters")
         return cls(
             number,
@@ -122,13 +122,13 @@ class Frame:
         )
 
 
-def _empty(out: Writer, sections: int) -> None:
+def _empty(out: NatNetWriter, sections: int) -> None:
     for _ in range(sections):
         out.put(I32, 0)
         out.section(b"")
 
 
-def _bodies(source: Reader) -> tuple[RigidBody, ...]:
+def _bodies(source: NatNetReader) -> tuple[RigidBody, ...]:
     number = source.number(I32, "rigid body count")
     part = source.section("rigid bodies")
     if (
@@ -140,19 +140,19 @@ def _bodies(source: Reader) -> tuple[RigidBody, ...]:
     return tuple(_body(part) for _ in range(number))
 
 
-def _body(source: Reader) -> RigidBody:
-    identity, px, py, pz, x, y, z, w, error, params = source.take(_BODY, "rigid body")
+def _body(source: NatNetReader) -> RigidBody:
+    identity, px, py, pz, x, y, z, w, error, params = source.unpack(_BODY, "rigid body")
     return RigidBody(identity, (px, py, pz), (w, x, y, z), error, bool(params & _TRACKED))
 
 
-def _rows(source: Reader, size: int, field: str) -> None:
+def _rows(source: NatNetReader, size: int, field: str) -> None:
     number = source.number(I32, f"{field} count")
     part = source.section(field)
     if part is source:
         source.skip(number * size, field)
 
 
-def _marker_sets(source: Reader) -> None:
+def _marker_sets(source: NatNetReader) -> None:
     number = source.number(I32, "marker set count")
     part = source.section("marker sets")
     if part is source:
@@ -161,7 +161,7 @@ def _marker_sets(source: Reader) -> None:
             _rows(source, _POINT_BYTES, "marker set markers")
 
 
-def _skeletons(source: Reader) -> None:
+def _skeletons(source: NatNetReader) -> None:
     number = source.number(I32, "skeleton count")
     part = source.section("skeletons")
     if part is source:
@@ -170,7 +170,7 @@ def _skeletons(source: Reader) -> None:
             _rows(source, _BODY.size, "skeleton bones")
 
 
-def _channels(source: Reader, field: str) -> None:
+def _channels(source: NatNetReader, field: str) -> None:
     number = source.number(I32, f"{field} count")
     part = source.section(field)
     if part is source:
@@ -180,7 +180,7 @@ def _channels(source: Reader, field: str) -> None:
                 _rows(source, I32.size, f"{field} samples")
 
 
-def _few(number: int, source: Reader, field: str) -> range:
+def _few(number: int, source: NatNetReader, field: str) -> range:
     """Return a range over a list of a length that cannot be true unless each element has four
     bytes.
     """

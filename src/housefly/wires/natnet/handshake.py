@@ -9,26 +9,32 @@ from dataclasses import dataclass
 from typing import ClassVar, Protocol, Self
 
 from housefly.errors import WireError
-from housefly.wires.natnet.buffer import I32, MAX_NAME, Reader, Version, Writer
+from housefly.wires.natnet.buffer import (
+    I32,
+    NAME_FIELD_SIZE,
+    NatNetReader,
+    NatNetVersion,
+    NatNetWriter,
+)
 
-_SENDER = struct.Struct(f"<{MAX_NAME}s4B4B")
+_SENDER = struct.Struct(f"<{NAME_FIELD_SIZE}s4B4B")
 _STREAM = struct.Struct("<QH?4B")
 _OPTIONS = struct.Struct("<?4B")
 
-Four = tuple[int, int, int, int]
+_FourNumbers = tuple[int, int, int, int]
 
 
-class Item(Protocol):
+class NatNetMessage(Protocol):
     """One message."""
 
     KIND: ClassVar[int]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the body, without its header."""
         ...
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body; raises WireError. What follows the known fields is ignored."""
         ...
 
@@ -40,20 +46,20 @@ class Connect:
     """
 
     KIND: ClassVar[int] = 0
-    wish: Version | None = None
+    wish: NatNetVersion | None = None
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the greeting that Motive's own clients send, then the wish."""
         out.put(_SENDER, b"Ping", *[0] * 8)
         out.put(_OPTIONS, False, *(self.wish or (0, 0)), 0, 0)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body; short greetings of older clients wish for nothing."""
         if source.left < _SENDER.size + _OPTIONS.size:
             return cls()
-        source.take(_SENDER, "client")
-        _, major, minor, _, _ = source.take(_OPTIONS, "options")
+        source.unpack(_SENDER, "client")
+        _, major, minor, _, _ = source.unpack(_OPTIONS, "options")
         return cls((major, minor) if major else None)
 
 
@@ -73,24 +79,24 @@ class ServerInfo:
 
     KIND: ClassVar[int] = 1
     application: str
-    application_version: Four
-    version: Four
+    application_version: _FourNumbers
+    version: _FourNumbers
     clock_hz: int
     data_port: int
     multicast: bool
     group: str
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the body."""
-        name = self.application.encode("utf-8", errors="replace")[: MAX_NAME - 1]
+        name = self.application.encode("utf-8", errors="replace")[: NAME_FIELD_SIZE - 1]
         out.put(_SENDER, name, *self.application_version, *self.version)
         out.put(_STREAM, self.clock_hz, self.data_port, self.multicast, *_quad(self.group))
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body."""
-        name, *versions = source.take(_SENDER, "server")
-        clock_hz, data_port, multicast, *quad = source.take(_STREAM, "clock and data port")
+        name, *versions = source.unpack(_SENDER, "server")
+        clock_hz, data_port, multicast, *quad = source.unpack(_STREAM, "clock and data port")
         if clock_hz == 0:
             raise WireError("NatNet clock frequency: is 0")
         a, b, c, d, e, f, g, h = versions
@@ -107,35 +113,35 @@ class ServerInfo:
 
 
 @dataclass(frozen=True, slots=True)
-class Request:
+class CommandRequest:
     """A command in words, for example ``Bitstream,4.1``."""
 
     KIND: ClassVar[int] = 2
     command: str
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the body."""
         out.text(self.command)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body."""
         return cls(source.text("command"))
 
 
 @dataclass(frozen=True, slots=True)
-class Response:
+class CommandResponse:
     """The answer to a command: 0 is success."""
 
     KIND: ClassVar[int] = 3
     code: int
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append the body."""
         out.put(I32, self.code)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read the body."""
         return cls(source.number(I32, "response"))
 
@@ -144,11 +150,11 @@ class Response:
 class _Bare:
     """A message that is its kind alone."""
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: NatNetWriter) -> None:
         """Append nothing."""
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: NatNetReader) -> Self:
         """Read nothing."""
         return cls()
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 import struct
 
 from housefly.errors import WireError
-from housefly.wires.natnet.buffer import Reader, Version, Writer
-from housefly.wires.natnet.frame import Frame
+from housefly.wires.natnet.buffer import NatNetReader, NatNetVersion, NatNetWriter
+from housefly.wires.natnet.frame import NatNetFrame
 from housefly.wires.natnet.handshake import (
+    CommandRequest,
+    CommandResponse,
     Connect,
     Disconnect,
-    Item,
     KeepAlive,
-    Request,
+    NatNetMessage,
     RequestModelDef,
-    Response,
     ServerInfo,
     Unrecognized,
 )
@@ -24,16 +24,16 @@ _HEADER = struct.Struct("<HH")
 MAX_BODY = 65535 - 28 - _HEADER.size
 """Longest body that fits into a datagram [bytes]."""
 
-ITEMS: dict[int, type[Item]] = {
+_MESSAGES: dict[int, type[NatNetMessage]] = {
     item.KIND: item
     for item in (
         Connect,
         ServerInfo,
-        Request,
-        Response,
+        CommandRequest,
+        CommandResponse,
         RequestModelDef,
         ModelDef,
-        Frame,
+        NatNetFrame,
         Disconnect,
         KeepAlive,
         Unrecognized,
@@ -42,16 +42,16 @@ ITEMS: dict[int, type[Item]] = {
 """Every kind that the codec reads."""
 
 
-def encode_message(item: Item, version: Version) -> bytes:
+def encode_natnet(item: NatNetMessage, version: NatNetVersion) -> bytes:
     """Return a datagram; raises WireError when a value does not fit its field."""
-    body = Writer(version)
+    body = NatNetWriter(version)
     item.write(body)
     if len(body.data) > MAX_BODY:
         raise WireError(f"NatNet message of {len(body.data)} bytes; a datagram holds {MAX_BODY}")
     return _HEADER.pack(item.KIND, len(body.data)) + body.data
 
 
-def decode_message(datagram: bytes, version: Version) -> Item:
+def decode_natnet(datagram: bytes, version: NatNetVersion) -> NatNetMessage:
     """Return the message of a datagram.
 
     Bytes after the message are ignored: some clients send a zero that their header does not count.
@@ -66,7 +66,7 @@ def decode_message(datagram: bytes, version: Version) -> Item:
         raise WireError(
             f"NatNet length: the header says {length} bytes, {len(datagram) - _HEADER.size} came"
         )
-    item = ITEMS.get(kind)
+    item = _MESSAGES.get(kind)
     if item is None:
         raise WireError(f"NatNet kind: {kind} is unknown")
-    return item.read(Reader(datagram, version, _HEADER.size, _HEADER.size + length))
+    return item.read(NatNetReader(datagram, version, _HEADER.size, _HEADER.size + length))

@@ -4,30 +4,36 @@ Requests are lines of text, replies are blocks of checked lines that end with an
 and sources: docs/wires.md.
 """
 
-from housefly.wires.scip.parameters import URG_04LX, UST_10LX, Parameters
+from housefly.wires.scip.parameters import URG_04LX, UST_10LX, ScannerParameters
 from housefly.wires.scip.replies import (
-    Measurement,
-    Reply,
+    ScipScan,
+    ScipReply,
+    decode_measurement,
     decode_reply,
     encode_reply,
-    measurement_of,
     measurement_reply,
 )
-from housefly.wires.scip.requests import Ask, Measure, Request, decode_request, encode_request
+from housefly.wires.scip.requests import (
+    MeasureRequest,
+    PlainRequest,
+    ScipRequest,
+    decode_request,
+    encode_request,
+)
 
 __all__ = [
     "URG_04LX",
     "UST_10LX",
-    "Ask",
-    "Measure",
-    "Measurement",
-    "Parameters",
-    "Reply",
-    "Request",
+    "MeasureRequest",
+    "ScipScan",
+    "PlainRequest",
+    "ScannerParameters",
+    "ScipReply",
+    "ScipRequest",
+    "decode_measurement",
     "decode_reply",
     "decode_request",
     "encode_reply",
     "encode_request",
-    "measurement_of",
     "measurement_reply",
 ]

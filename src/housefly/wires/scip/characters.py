@@ -9,29 +9,29 @@ from collections.abc import Iterable, Sequence
 
 from housefly.errors import WireError
 
-BASE = 0x30
-BLOCK = 64
+_BASE = 0x30
+_BLOCK = 64
 """Data characters a line carries."""
 
 
-def encoded(value: int, width: int) -> str:
+def encode_number(value: int, width: int) -> str:
     """Return a number in ``width`` characters, most significant first; raises WireError when it
     does not fit.
     """
     if not 0 <= value < 1 << (6 * width):
         raise WireError(f"{value} does not fit into {width} characters")
     return "".join(
-        chr(BASE + ((value >> shift) & 0x3F)) for shift in range(6 * (width - 1), -1, -6)
+        chr(_BASE + ((value >> shift) & 0x3F)) for shift in range(6 * (width - 1), -1, -6)
     )
 
 
-def decoded(text: str) -> int:
+def decode_number(text: str) -> int:
     """Return the number that characters stand for; raises WireError for a character outside "0" to
     "o".
     """
     value = 0
     for character in text:
-        six = ord(character) - BASE
+        six = ord(character) - _BASE
         if not 0 <= six < 64:
             raise WireError(f"{character!r} is no SCIP digit")
         value = value << 6 | six
@@ -40,10 +40,10 @@ def decoded(text: str) -> int:
 
 def checksum(text: str) -> str:
     """Return the character that checks a text: the lower six bits of the sum of its bytes."""
-    return chr(BASE + (sum(text.encode("ascii")) & 0x3F))
+    return chr(_BASE + (sum(text.encode("ascii")) & 0x3F))
 
 
-def checked(line: str) -> str:
+def strip_checksum(line: str) -> str:
     """Return a line without its last character, the checksum; raises WireError when it does not
     match.
     """
@@ -52,17 +52,18 @@ def checked(line: str) -> str:
     return line[:-1]
 
 
-def data_lines(values: Iterable[int], width: int) -> list[str]:
+def encode_lines(values: Iterable[int], width: int) -> list[str]:
     """Return numbers as lines of at most 64 characters with a checksum each."""
-    text = "".join(encoded(value, width) for value in values)
+    text = "".join(encode_number(value, width) for value in values)
     return [
-        text[at : at + BLOCK] + checksum(text[at : at + BLOCK]) for at in range(0, len(text), BLOCK)
+        text[at : at + _BLOCK] + checksum(text[at : at + _BLOCK])
+        for at in range(0, len(text), _BLOCK)
     ]
 
 
-def values_of(lines: Sequence[str], width: int) -> tuple[int, ...]:
+def decode_lines(lines: Sequence[str], width: int) -> tuple[int, ...]:
     """Return the numbers in checked lines of data; raises WireError."""
-    text = "".join(checked(line) for line in lines)
+    text = "".join(strip_checksum(line) for line in lines)
     if len(text) % width:
         raise WireError(f"{len(text)} characters of data are no multiple of {width}")
-    return tuple(decoded(text[at : at + width]) for at in range(0, len(text), width))
+    return tuple(decode_number(text[at : at + width]) for at in range(0, len(text), width))

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from math import pi
 
 from housefly.errors import WireError
-from housefly.wires.scip.characters import checked, checksum
-from housefly.wires.scip.replies import DONE, Reply
+from housefly.wires.scip.characters import checksum, strip_checksum
+from housefly.wires.scip.replies import STATUS_DONE, ScipReply
 
 _NUMBERS = ("DMIN", "DMAX", "ARES", "AMIN", "AMAX", "AFRT", "SCAN")
-_MOST_STEPS = 10_000
+_MAX_STEPS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
-class Parameters:
+class ScannerParameters:
     """The reply to PP.
 
     Attributes:
@@ -55,7 +55,7 @@ class Parameters:
         """Time of one scan [s]."""
         return 60.0 / self.rpm
 
-    def reply(self) -> Reply:
+    def reply(self) -> ScipReply:
         """Return the reply to PP."""
         numbers = (
             self.shortest,
@@ -66,7 +66,7 @@ class Parameters:
             self.front,
             self.rpm,
         )
-        return told(
+        return named_values_reply(
             "PP",
             [
                 ("MODL", self.model),
@@ -75,47 +75,51 @@ class Parameters:
         )
 
     @staticmethod
-    def of(reply: Reply) -> Parameters:
+    def of(reply: ScipReply) -> ScannerParameters:
         """Return what a reply to PP says; raises WireError when it lacks something or makes no
         sense.
         """
-        values = told_by(reply)
+        values = named_values(reply)
         try:
             numbers = [int(values[name]) for name in _NUMBERS]
-            found = Parameters(values["MODL"], *numbers)
+            found = ScannerParameters(values["MODL"], *numbers)
         except (KeyError, ValueError) as error:
             raise WireError(f"the sensor does not tell its parameters: {error}") from error
         if not (
-            0 <= found.first <= found.last < _MOST_STEPS
-            and 0 < found.resolution < _MOST_STEPS
+            0 <= found.first <= found.last < _MAX_STEPS
+            and 0 < found.resolution < _MAX_STEPS
             and 0 < found.rpm < 100_000
         ):
             raise WireError(f"the parameters of {found.model[:40]!r} make no sense")
-        if not (0 <= found.shortest < found.longest < 1 << 18 and 0 <= found.front < _MOST_STEPS):
+        if not (0 <= found.shortest < found.longest < 1 << 18 and 0 <= found.front < _MAX_STEPS):
             raise WireError(f"the parameters of {found.model[:40]!r} make no sense")
         return found
 
 
-URG_04LX = Parameters("URG-04LX(Hokuyo Automatic Co.,Ltd.)", 20, 5600, 1024, 44, 725, 384, 600)
-UST_10LX = Parameters("UST-10LX", 20, 30000, 1440, 0, 1080, 540, 2400)
+URG_04LX = ScannerParameters(
+    "URG-04LX(Hokuyo Automatic Co.,Ltd.)", 20, 5600, 1024, 44, 725, 384, 600
+)
+UST_10LX = ScannerParameters("UST-10LX", 20, 30000, 1440, 0, 1080, 540, 2400)
 MODELS = {"urg-04lx": URG_04LX, "ust-10lx": UST_10LX}
 NO_ECHO = {"urg-04lx": 0, "ust-10lx": 65533}
 """What each model says where nothing comes back [mm]."""
 
 
-def told(code: str, pairs: list[tuple[str, str]]) -> Reply:
+def named_values_reply(code: str, pairs: list[tuple[str, str]]) -> ScipReply:
     """Return a reply of named values, "NAME:value;" and a checksum each."""
-    return Reply(
-        code, DONE, tuple(f"{name}:{value};{checksum(f'{name}:{value}')}" for name, value in pairs)
+    return ScipReply(
+        code,
+        STATUS_DONE,
+        tuple(f"{name}:{value};{checksum(f'{name}:{value}')}" for name, value in pairs),
     )
 
 
-def told_by(reply: Reply) -> dict[str, str]:
+def named_values(reply: ScipReply) -> dict[str, str]:
     """Return the named values of a reply to VV, PP or II; raises WireError for a wrong checksum."""
     values = {}
     for line in reply.lines:
         text, semicolon, check = line.rpartition(";")
-        if not semicolon or checked(text + check) != text:
+        if not semicolon or strip_checksum(text + check) != text:
             raise WireError(f"{line[:40]!r} is no named value")
         name, _, value = text.partition(":")
         values[name] = value.strip()

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 from housefly.errors import WireError
 
-ASKS = frozenset({"VV", "PP", "II", "BM", "QT", "RS"})
+PLAIN_REQUESTS = frozenset({"VV", "PP", "II", "BM", "QT", "RS"})
 """Version, parameters, state, laser on, laser off, reset."""
-LONGEST = 64
+MAX_REQUEST = 64
 """No request is longer [bytes]; a stranger must not fill the memory."""
 _NOTE = re.compile(r"[A-Za-z0-9 ._+@]{0,16}")
 _ASK = re.compile(r"([A-Z]{2})(?:;(.*))?")
@@ -17,11 +17,11 @@ _MEASURE = re.compile(r"(MD|GD)(\d{4})(\d{4})(\d{2})(?:(\d)(\d{2}))?(?:;(.*))?")
 
 
 @dataclass(frozen=True, slots=True)
-class Ask:
+class PlainRequest:
     """A request without numbers.
 
     Attributes:
-        code: one of ``ASKS``.
+        code: one of ``PLAIN_REQUESTS``.
         note: up to 16 characters that come back in the echo.
     """
 
@@ -30,7 +30,7 @@ class Ask:
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class MeasureRequest:
     """A request for distances in three characters each.
 
     Attributes:
@@ -52,21 +52,21 @@ class Measure:
     note: str = ""
 
 
-Request = Ask | Measure
+ScipRequest = PlainRequest | MeasureRequest
 
 
-def encode_request(request: Request) -> bytes:
+def encode_request(request: ScipRequest) -> bytes:
     """Return the line of a request, line feed included; raises WireError for what does not fit."""
     if not _NOTE.fullmatch(request.note):
         raise WireError(
             f"{request.note!r} is no note: at most 16 letters, digits, spaces and . _ + @"
         )
     note = f";{request.note}" if request.note else ""
-    text = request.code if isinstance(request, Ask) else _numbers(request)
+    text = request.code if isinstance(request, PlainRequest) else _numbers(request)
     return f"{text}{note}\n".encode("ascii")
 
 
-def decode_request(line: bytes) -> Request:
+def decode_request(line: bytes) -> ScipRequest:
     """Return the request in a line without its line end; raises WireError for anything else."""
     try:
         text = line.decode("ascii")
@@ -77,7 +77,7 @@ def decode_request(line: bytes) -> Request:
         code, first, last, cluster, skip, count, note = found.groups(default="")
         if (code == "MD") != bool(skip):
             raise WireError(f"{code} with the wrong number of digits")
-        return Measure(
+        return MeasureRequest(
             code,
             int(first),
             int(last),
@@ -87,12 +87,12 @@ def decode_request(line: bytes) -> Request:
             _checked(note),
         )
     found = _ASK.fullmatch(text)
-    if not found or found[1] not in ASKS:
+    if not found or found[1] not in PLAIN_REQUESTS:
         raise WireError(f"{text[:20]!r} is no request")
-    return Ask(found[1], _checked(found[2] or ""))
+    return PlainRequest(found[1], _checked(found[2] or ""))
 
 
-def _numbers(request: Measure) -> str:
+def _numbers(request: MeasureRequest) -> str:
     ranges = (
         (request.first, 9999),
         (request.last, 9999),

@@ -1,9 +1,9 @@
 """Vicon DataStream (the CGStream protocol of Vicon Tracker): pure codec, both sides of the wire."""
 
 from housefly.wires.vicon.frame import (
-    ROOT,
+    ROOT_SEGMENT,
     ApplicationInfo,
-    Contents,
+    FrameContents,
     FrameInfo,
     GlobalSegments,
     LatencyInfo,
@@ -12,10 +12,16 @@ from housefly.wires.vicon.frame import (
     StreamInfo,
     SubjectInfo,
 )
-from housefly.wires.vicon.handshake import Item, ObjectEnums, Ping, RequestFrame, RequestNextFrame
+from housefly.wires.vicon.handshake import (
+    ObjectEnums,
+    RequestFrame,
+    RequestNextFrame,
+    ViconObject,
+    ViconPing,
+)
 from housefly.wires.vicon.packet import (
-    HEADER_SIZE,
     MAX_PACKET,
+    VICON_HEADER_SIZE,
     decode_packet,
     encode_packet,
     packet_length,
@@ -26,24 +32,24 @@ TICKS_PER_SECOND = 135_000_000
 """Unit of ``StreamInfo.period_ticks``."""
 
 __all__ = [
-    "HEADER_SIZE",
     "MAX_PACKET",
-    "ROOT",
+    "ROOT_SEGMENT",
     "TICKS_PER_SECOND",
+    "VICON_HEADER_SIZE",
     "ApplicationInfo",
-    "Contents",
+    "FrameContents",
     "FrameInfo",
     "GlobalSegments",
-    "Item",
     "LatencyInfo",
     "ObjectEnums",
-    "Ping",
     "RequestFrame",
     "RequestNextFrame",
     "Segment",
     "SegmentPose",
     "StreamInfo",
     "SubjectInfo",
+    "ViconObject",
+    "ViconPing",
     "decode_packet",
     "encode_packet",
     "matrix_from_quaternion",

@@ -13,11 +13,11 @@ U64 = struct.Struct("<Q")
 I64 = struct.Struct("<q")
 F64 = struct.Struct("<d")
 
-MAX_NAME = 256
+_MAX_NAME = 256
 """Longest name accepted [bytes]; Vicon Tracker itself stops far earlier."""
 
 
-class Reader:
+class ViconReader:
     """Reads one block and never past its end; every short read is a WireError."""
 
     def __init__(self, data: bytes, start: int = 0, end: int | None = None) -> None:
@@ -30,7 +30,7 @@ class Reader:
         """Bytes not read yet."""
         return self._end - self._at
 
-    def take(self, layout: struct.Struct) -> tuple[Any, ...]:
+    def unpack(self, layout: struct.Struct) -> tuple[Any, ...]:
         """Read the fields of a fixed layout."""
         start = self._at
         if start + layout.size > self._end:
@@ -40,7 +40,7 @@ class Reader:
 
     def u32(self) -> int:
         """Read an unsigned 32-bit number."""
-        return int(self.take(U32)[0])
+        return int(self.unpack(U32)[0])
 
     def count(self, smallest: int) -> int:
         """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
@@ -56,9 +56,9 @@ class Reader:
     def text(self) -> str:
         """Read a counted string; bytes that are not UTF-8 become replacement characters."""
         length = self.u32()
-        if length > MAX_NAME or length > self.left:
+        if length > _MAX_NAME or length > self.left:
             raise WireError(
-                f"Vicon name of {length} bytes; at most {min(MAX_NAME, self.left)} are possible"
+                f"Vicon name of {length} bytes; at most {min(_MAX_NAME, self.left)} are possible"
                 " here"
             )
         start, self._at = self._at, self._at + length
@@ -68,17 +68,17 @@ class Reader:
         """Read a counted set of unsigned 32-bit numbers."""
         return frozenset(self.u32() for _ in range(self.count(U32.size)))
 
-    def skip(self, length: int) -> Reader:
+    def skip(self, length: int) -> ViconReader:
         """Return a reader of the next ``length`` bytes and step over them."""
         if length > self.left:
             raise WireError(
                 f"Vicon block of {length} bytes in a packet with {self.left} bytes left"
             )
         start, self._at = self._at, self._at + length
-        return Reader(self._data, start, self._at)
+        return ViconReader(self._data, start, self._at)
 
 
-class Writer:
+class ViconWriter:
     """Collects the bytes of one block."""
 
     def __init__(self) -> None:
@@ -102,8 +102,8 @@ class Writer:
     def text(self, text: str) -> None:
         """Append a counted UTF-8 string."""
         encoded = text.encode("utf-8", errors="replace")
-        if len(encoded) > MAX_NAME:
-            raise WireError(f"a Vicon name has at most {MAX_NAME} bytes, not {len(encoded)}")
+        if len(encoded) > _MAX_NAME:
+            raise WireError(f"a Vicon name has at most {_MAX_NAME} bytes, not {len(encoded)}")
         self.u32(len(encoded))
         self.data += encoded
 

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from housefly.geometry import Vec3
-from housefly.wires.vicon.buffer import F64, I64, U8, U32, Reader, Writer
+from housefly.wires.vicon.buffer import F64, I64, U8, U32, ViconReader, ViconWriter
 
-ROOT = 0xFFFFFFFF
+ROOT_SEGMENT = 0xFFFFFFFF
 """Parent of a subject's root segment."""
 
-Matrix = tuple[float, float, float, float, float, float, float, float, float]
+RotationMatrix = tuple[float, float, float, float, float, float, float, float, float]
 
 _SEGMENT_HEAD = struct.Struct("<II6f")
 _SEGMENT_POSE = struct.Struct("<I12d")
@@ -24,7 +24,7 @@ _PAIR = struct.Struct("<II")
 
 
 @dataclass(frozen=True, slots=True)
-class Contents:
+class FrameContents:
     """What a frame holds: (kind, number of objects), and the kinds left out because they did not
     change.
     """
@@ -33,7 +33,7 @@ class Contents:
     numbers: tuple[tuple[int, int], ...]
     unchanged: frozenset[int] = frozenset()
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.u32(len(self.numbers))
         for kind, number in self.numbers:
@@ -41,9 +41,9 @@ class Contents:
         out.numbers(self.unchanged)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
-        pairs = [source.take(_PAIR) for _ in range(source.count(_PAIR.size))]
+        pairs = [source.unpack(_PAIR) for _ in range(source.count(_PAIR.size))]
         return cls(tuple((int(kind), int(number)) for kind, number in pairs), source.numbers())
 
 
@@ -54,14 +54,14 @@ class StreamInfo:
     KIND: ClassVar[int] = 1
     period_ticks: int
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.put(I64, self.period_ticks)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
-        return cls(int(source.take(I64)[0]))
+        return cls(int(source.unpack(I64)[0]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,14 +71,14 @@ class ApplicationInfo:
     KIND: ClassVar[int] = 37
     y_up: bool = False
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.put(U8, self.y_up)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
-        return cls(source.take(U8)[0] != 0)
+        return cls(source.unpack(U8)[0] != 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ class Segment:
 
     identity: int
     name: str
-    parent: int = ROOT
+    parent: int = ROOT_SEGMENT
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +99,7 @@ class SubjectInfo:
     name: str
     segments: tuple[Segment, ...]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body, with empty bounds and without markers and attachments."""
         out.u32(self.identity)
         out.text(self.name)
@@ -111,12 +111,12 @@ class SubjectInfo:
         out.u32(0)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body up to the segments."""
         identity, name = source.u32(), source.text()
         segments = []
         for _ in range(source.count(_SEGMENT_HEAD.size + U32.size)):
-            parent, segment, *_bounds = source.take(_SEGMENT_HEAD)
+            parent, segment, *_bounds = source.unpack(_SEGMENT_HEAD)
             segments.append(Segment(int(segment), source.text(), int(parent)))
         return cls(identity, name, tuple(segments))
 
@@ -128,12 +128,12 @@ class FrameInfo:
     KIND: ClassVar[int] = 5
     number: int
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.u32(self.number)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
         return cls(source.u32())
 
@@ -147,7 +147,7 @@ class LatencyInfo:
     KIND: ClassVar[int] = 26
     samples: tuple[tuple[str, float], ...]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.u32(len(self.samples))
         for name, duration in self.samples:
@@ -155,10 +155,10 @@ class LatencyInfo:
             out.put(F64, duration)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
         number = source.count(U32.size + F64.size)
-        return cls(tuple((source.text(), float(source.take(F64)[0])) for _ in range(number)))
+        return cls(tuple((source.text(), float(source.unpack(F64)[0])) for _ in range(number)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,7 +167,7 @@ class SegmentPose:
 
     identity: int
     translation_mm: Vec3
-    rotation: Matrix
+    rotation: RotationMatrix
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,7 +178,7 @@ class GlobalSegments:
     subject: int
     segments: tuple[SegmentPose, ...]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.u32(self.subject)
         out.u32(len(self.segments))
@@ -186,12 +186,12 @@ class GlobalSegments:
             out.put(_SEGMENT_POSE, segment.identity, *segment.translation_mm, *segment.rotation)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
         subject = source.u32()
         segments = []
         for _ in range(source.count(_SEGMENT_POSE.size)):
-            identity, x, y, z, *rotation = source.take(_SEGMENT_POSE)
+            identity, x, y, z, *rotation = source.unpack(_SEGMENT_POSE)
             a, b, c, d, e, f, g, h, i = rotation
             segments.append(SegmentPose(int(identity), (x, y, z), (a, b, c, d, e, f, g, h, i)))
         return cls(subject, tuple(segments))

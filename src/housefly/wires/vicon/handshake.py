@@ -5,20 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, Protocol, Self
 
-from housefly.wires.vicon.buffer import U8, U64, Reader, Writer
+from housefly.wires.vicon.buffer import U8, U64, ViconReader, ViconWriter
 
 
-class Item(Protocol):
+class ViconObject(Protocol):
     """One object of a packet."""
 
     KIND: ClassVar[int]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body, without its header."""
         ...
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body; raises WireError. What follows the known fields is ignored, as newer
         servers append fields.
         """
@@ -32,12 +32,12 @@ class ObjectEnums:
     KIND: ClassVar[int] = 100001
     kinds: frozenset[int]
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.numbers(self.kinds)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
         return cls(source.numbers())
 
@@ -49,14 +49,14 @@ class RequestFrame:
     KIND: ClassVar[int] = 100002
     streaming: bool
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.put(U8, self.streaming)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
-        return cls(source.take(U8)[0] != 0)
+        return cls(source.unpack(U8)[0] != 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,28 +66,28 @@ class RequestNextFrame:
     KIND: ClassVar[int] = 100008
     number: int = 1
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.u32(self.number)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
         return cls(source.u32())
 
 
 @dataclass(frozen=True, slots=True)
-class Ping:
+class ViconPing:
     """Echoed by the server as it came."""
 
     KIND: ClassVar[int] = 42
     identity: int
 
-    def write(self, out: Writer) -> None:
+    def write(self, out: ViconWriter) -> None:
         """Append the body."""
         out.put(U64, self.identity)
 
     @classmethod
-    def read(cls, source: Reader) -> Self:
+    def read(cls, source: ViconReader) -> Self:
         """Read the body."""
-        return cls(int(source.take(U64)[0]))
+        return cls(int(source.unpack(U64)[0]))

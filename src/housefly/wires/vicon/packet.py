@@ -6,34 +6,40 @@ import struct
 from collections.abc import Iterable
 
 from housefly.errors import WireError
-from housefly.wires.vicon.buffer import Reader, Writer
+from housefly.wires.vicon.buffer import ViconReader, ViconWriter
 from housefly.wires.vicon.frame import (
     ApplicationInfo,
-    Contents,
+    FrameContents,
     FrameInfo,
     GlobalSegments,
     LatencyInfo,
     StreamInfo,
     SubjectInfo,
 )
-from housefly.wires.vicon.handshake import Item, ObjectEnums, Ping, RequestFrame, RequestNextFrame
+from housefly.wires.vicon.handshake import (
+    ObjectEnums,
+    RequestFrame,
+    RequestNextFrame,
+    ViconObject,
+    ViconPing,
+)
 
 _HEADER = struct.Struct("<II")
 _OBJECTS = 0x1A2B0001
 
-HEADER_SIZE = _HEADER.size
+VICON_HEADER_SIZE = _HEADER.size
 MAX_PACKET = 4 * 1024 * 1024
 """Largest packet body accepted [bytes]; a frame of a hundred subjects has about 60 kB."""
 _MAX_BLOCKS = 4096
 
-ITEMS: dict[int, type[Item]] = {
+_OBJECT_TYPES: dict[int, type[ViconObject]] = {
     item.KIND: item
     for item in (
         ObjectEnums,
         RequestFrame,
         RequestNextFrame,
-        Ping,
-        Contents,
+        ViconPing,
+        FrameContents,
         StreamInfo,
         ApplicationInfo,
         SubjectInfo,
@@ -51,8 +57,8 @@ def packet_length(header: bytes, largest: int = MAX_PACKET) -> int:
     Raises:
         WireError: not a CGStream packet, or larger than ``largest``.
     """
-    if len(header) != HEADER_SIZE:
-        raise WireError(f"a Vicon packet header has {HEADER_SIZE} bytes, not {len(header)}")
+    if len(header) != VICON_HEADER_SIZE:
+        raise WireError(f"a Vicon packet header has {VICON_HEADER_SIZE} bytes, not {len(header)}")
     kind, length = _HEADER.unpack(header)
     if kind != _OBJECTS:
         raise WireError(
@@ -63,28 +69,28 @@ def packet_length(header: bytes, largest: int = MAX_PACKET) -> int:
     return int(length)
 
 
-def decode_packet(body: bytes) -> tuple[Item, ...]:
+def decode_packet(body: bytes) -> tuple[ViconObject, ...]:
     """Return the known objects of a packet body, in order; raises WireError."""
-    source = Reader(body)
-    items: list[Item] = []
+    source = ViconReader(body)
+    items: list[ViconObject] = []
     blocks = 0
     while source.left:
         blocks += 1
         if blocks > _MAX_BLOCKS:
             raise WireError(f"Vicon packet with more than {_MAX_BLOCKS} blocks")
-        kind, length = source.take(_HEADER)
+        kind, length = source.unpack(_HEADER)
         block = source.skip(length)
-        item = ITEMS.get(kind)
+        item = _OBJECT_TYPES.get(kind)
         if item is not None:
             items.append(item.read(block))
     return tuple(items)
 
 
-def encode_packet(items: Iterable[Item]) -> bytes:
+def encode_packet(items: Iterable[ViconObject]) -> bytes:
     """Return a whole packet, header included; raises WireError when a value does not fit its field."""
-    packet = Writer()
+    packet = ViconWriter()
     for item in items:
-        block = Writer()
+        block = ViconWriter()
         item.write(block)
         packet.put(_HEADER, item.KIND, len(block.data))
         packet.data += block.data

@@ -6,13 +6,13 @@ from math import isfinite, sqrt
 
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, normalized
-from housefly.wires.vicon.frame import Matrix
+from housefly.wires.vicon.frame import RotationMatrix
 
-TOLERANCE = 1e-3
+_ROTATION_TOLERANCE = 1e-3
 """How far a matrix may be from orthonormal, per element of R R^T - 1 and of the determinant."""
 
 
-def matrix_from_quaternion(q: Quaternion) -> Matrix:
+def matrix_from_quaternion(q: Quaternion) -> RotationMatrix:
     """Return the rotation matrix of a unit quaternion (w, x, y, z)."""
     w, x, y, z = q
     return (
@@ -22,7 +22,7 @@ def matrix_from_quaternion(q: Quaternion) -> Matrix:
     )  # fmt: skip
 
 
-def quaternion_from_matrix(m: Matrix) -> Quaternion:
+def quaternion_from_matrix(m: RotationMatrix) -> Quaternion:
     """Return the unit quaternion (w >= 0) of a rotation matrix, by the largest of its four squares
     (Shepperd 1978).
 
@@ -44,12 +44,15 @@ def quaternion_from_matrix(m: Matrix) -> Quaternion:
     return normalized((w, x, y, z) if w >= 0 else (-w, -x, -y, -z))
 
 
-def _is_rotation(m: Matrix) -> bool:
+def _is_rotation(m: RotationMatrix) -> bool:
     rows = (m[0:3], m[3:6], m[6:9])
     for i, row in enumerate(rows):
         for j in range(i, 3):
             dot = sum(p * q for p, q in zip(row, rows[j], strict=True))
-            if abs(dot - (i == j)) > TOLERANCE:
+            if abs(dot - (i == j)) > _ROTATION_TOLERANCE:
                 return False
     a, b, c, d, e, f, g, h, k = m
-    return abs(a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g) - 1) <= 3 * TOLERANCE
+    return (
+        abs(a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g) - 1)
+        <= 3 * _ROTATION_TOLERANCE
+    )

@@ -6,11 +6,11 @@ from __future__ import annotations
 
 from housefly.errors import WireError
 
-MAJOR = "07"
+MAJOR_VERSION = "07"
 """Major version; servers and clients of the same one understand each other."""
 COOKIE_SIZE = 24
 _MAGIC = "vrpn: ver. "
-_COOKIE = f"{_MAGIC}{MAJOR}.35  0"
+_COOKIE = f"{_MAGIC}{MAJOR_VERSION}.35  0"
 _LONGEST_LOB = 256
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from housefly.errors import WireError
 
 _HEADER = struct.Struct(">IiiiiI")
-HEADER_SIZE = _HEADER.size
+VRPN_HEADER_SIZE = _HEADER.size
 MAX_MESSAGE = 64 * 1024
 """Longest message accepted [bytes]; VRPN's own buffers are as long."""
 _ALIGN = 8
@@ -24,7 +24,7 @@ DISCONNECT = -5
 
 
 @dataclass(frozen=True, slots=True)
-class Message:
+class VrpnMessage:
     """One message.
 
     Attributes:
@@ -40,10 +40,10 @@ class Message:
     body: bytes
 
 
-def encode_message(message: Message, sequence: int = 0) -> bytes:
+def encode_message(message: VrpnMessage, sequence: int = 0) -> bytes:
     """Return the bytes of a message; raises WireError when a value does not fit its field."""
     seconds, microseconds = divmod(message.stamp, _MILLION)
-    length = HEADER_SIZE + len(message.body)
+    length = VRPN_HEADER_SIZE + len(message.body)
     if length > MAX_MESSAGE:
         raise WireError(f"VRPN length: {length} bytes; at most {MAX_MESSAGE}")
     try:
@@ -55,32 +55,32 @@ def encode_message(message: Message, sequence: int = 0) -> bytes:
     return header + message.body + bytes(-len(message.body) % _ALIGN)
 
 
-class MessageStream:
+class VrpnStream:
     """Puts messages together from whatever pieces a connection delivers."""
 
     def __init__(self) -> None:
         self._data = bytearray()
 
-    def feed(self, piece: bytes) -> tuple[Message, ...]:
+    def feed(self, piece: bytes) -> tuple[VrpnMessage, ...]:
         """Return the messages that are complete now; raises WireError, after which the stream is of
         no use.
         """
         self._data += piece
         messages = []
         start = 0
-        while len(self._data) - start >= HEADER_SIZE:
+        while len(self._data) - start >= VRPN_HEADER_SIZE:
             length, seconds, microseconds, sender, kind, _ = _HEADER.unpack_from(self._data, start)
-            if not HEADER_SIZE <= length <= MAX_MESSAGE:
+            if not VRPN_HEADER_SIZE <= length <= MAX_MESSAGE:
                 raise WireError(
-                    f"VRPN length: {length} bytes; allowed: {HEADER_SIZE} to {MAX_MESSAGE}"
+                    f"VRPN length: {length} bytes; allowed: {VRPN_HEADER_SIZE} to {MAX_MESSAGE}"
                 )
             if not (seconds >= 0 and 0 <= microseconds < _MILLION):
                 raise WireError(f"VRPN time: {seconds} s and {microseconds} us is none")
             end = start + length + -length % _ALIGN
             if end > len(self._data):
                 break
-            body = bytes(self._data[start + HEADER_SIZE : start + length])
-            messages.append(Message(kind, sender, seconds * _MILLION + microseconds, body))
+            body = bytes(self._data[start + VRPN_HEADER_SIZE : start + length])
+            messages.append(VrpnMessage(kind, sender, seconds * _MILLION + microseconds, body))
             start = end
         del self._data[:start]
         return tuple(messages)

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from housefly.errors import WireError
 from housefly.geometry import Quaternion, Vec3
-from housefly.wires.vrpn.message import SENDER_DESCRIPTION, TYPE_DESCRIPTION, Message
+from housefly.wires.vrpn.message import SENDER_DESCRIPTION, TYPE_DESCRIPTION, VrpnMessage
 
-POSE = "vrpn_Tracker Pos_Quat"
-PING = "vrpn_Base ping_message"
-PONG = "vrpn_Base pong_message"
+POSE_TYPE = "vrpn_Tracker Pos_Quat"
+PING_TYPE = "vrpn_Base ping_message"
+PONG_TYPE = "vrpn_Base pong_message"
 MAX_NAME = 100
 """Longest name, with its closing zero [bytes], as in VRPN."""
 MAX_NUMBERS = 2000
@@ -47,7 +47,7 @@ def decode_pose(body: bytes) -> TrackerPose:
     return TrackerPose(sensor, (px, py, pz), (w, x, y, z))
 
 
-def describe(kind: int, number: int, name: str) -> Message:
+def description_message(kind: int, number: int, name: str) -> VrpnMessage:
     """Return the message that gives a sender or a type its number.
 
     Args:
@@ -61,16 +61,16 @@ def describe(kind: int, number: int, name: str) -> Message:
     encoded = name.encode("utf-8", errors="replace")
     if len(encoded) >= MAX_NAME or b"\0" in encoded:
         raise WireError(f"a VRPN name has at most {MAX_NAME - 1} bytes and no zero, not {name!r}")
-    return Message(kind, number, 0, _LENGTH.pack(len(encoded) + 1) + encoded + b"\0")
+    return VrpnMessage(kind, number, 0, _LENGTH.pack(len(encoded) + 1) + encoded + b"\0")
 
 
-class Names:
+class VrpnNames:
     """What the numbers of the other side stand for."""
 
     def __init__(self) -> None:
         self._names: dict[tuple[int, int], str] = {}
 
-    def learn(self, message: Message) -> bool:
+    def learn(self, message: VrpnMessage) -> bool:
         """Take in a description; tells whether the message was one. Raises WireError."""
         if message.kind not in (SENDER_DESCRIPTION, TYPE_DESCRIPTION):
             return False
@@ -81,11 +81,11 @@ class Names:
         self._names[message.kind, message.sender] = _name(message.body)
         return True
 
-    def sender(self, message: Message) -> str:
+    def sender(self, message: VrpnMessage) -> str:
         """Return the name of a message's sender, or ""."""
         return self._names.get((SENDER_DESCRIPTION, message.sender), "")
 
-    def kind(self, message: Message) -> str:
+    def kind(self, message: VrpnMessage) -> str:
         """Return the name of a message's type, or ""."""
         return self._names.get((TYPE_DESCRIPTION, message.kind), "")
 

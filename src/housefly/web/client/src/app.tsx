@@ -1,5 +1,5 @@
 import { Actions } from "./controls/actions";
-import { Errand } from "./controls/errand";
+import { Mission } from "./controls/mission";
 import { StopBar } from "./controls/stop";
 import { RoomScreen } from "./live/screen";
 import { MapView } from "./map/map";
@@ -34,7 +34,7 @@ function FlyScreen() {
       <MapView />
       <VideoView />
       <section class="command" aria-label="Orders">
-        <Errand />
+        <Mission />
         <Actions />
       </section>
       <section class="side" aria-label="Drone and links">

@@ -2,7 +2,19 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { goal, forgetGoal, planned } from "./goal";
 import { createHold } from "./hold";
-import { contact, cut, flying, iFly, inContact, nameOf, notice, room, state, stopped, viewers } from "./store";
+import {
+  contact,
+  cut,
+  flying,
+  iFly,
+  inContact,
+  nameOf,
+  notice,
+  room,
+  state,
+  stopped,
+  viewers,
+} from "./store";
 import type { OrderKind } from "./wire/messages";
 import { ask, stop as sendStop } from "./wire/socket";
 
@@ -19,19 +31,45 @@ function unless(condition: () => boolean, words: () => string): Reason {
   return computed(() => (condition() ? "" : words()));
 }
 
-const hasLine = unless(() => contact.value === "open", () => "No contact with the server.");
-const hasPilot = unless(() => inContact.value, () => "No contact with the pilot.");
+const hasLine = unless(
+  () => contact.value === "open",
+  () => "No contact with the server.",
+);
+const hasPilot = unless(
+  () => inContact.value,
+  () => "No contact with the pilot.",
+);
 const mayFly = unless(
   () => iFly.value,
   () =>
-    viewers.value.pilot === null ? "Nobody has control: take it first." : `${nameOf(viewers.value.pilot)} has control. You watch.`,
+    viewers.value.pilot === null
+      ? "Nobody has control: take it first."
+      : `${nameOf(viewers.value.pilot)} has control. You watch.`,
 );
-const notStopped = unless(() => !stopped.value, () => "Stopped: hold Resume first.");
-const notCut = unless(() => !cut.value, () => "Motors are cut: hold Reset first.");
-const inTheAir = unless(() => flying.value, () => "The drone is on the ground.");
-const onTheGround = unless(() => !flying.value, () => "The drone is already flying.");
-const droneHeard = unless(() => state.value?.status != null && state.value.status !== "unknown", () => "The drone does not answer yet.");
-const hasGoal = unless(() => goal.value !== null, () => "Choose a place, or point on the map.");
+const notStopped = unless(
+  () => !stopped.value,
+  () => "Stopped: hold Resume first.",
+);
+const notCut = unless(
+  () => !cut.value,
+  () => "Motors are cut: hold Reset first.",
+);
+const inTheAir = unless(
+  () => flying.value,
+  () => "The drone is on the ground.",
+);
+const onTheGround = unless(
+  () => !flying.value,
+  () => "The drone is already flying.",
+);
+const droneHeard = unless(
+  () => state.value?.status != null && state.value.status !== "unknown",
+  () => "The drone does not answer yet.",
+);
+const hasGoal = unless(
+  () => goal.value !== null,
+  () => "Choose a place, or point on the map.",
+);
 const hasPath = unless(
   () => goal.value === null || planned.value !== null,
   () => goal.value?.note || (goal.value?.plan ? goal.value.plan.reason : "Looking for a path …"),
@@ -52,11 +90,23 @@ export async function stop(): Promise<void> {
 }
 
 export const takeOff = createHold(HOLD, firstOf(ready, onTheGround), () => void send("take_off"));
-export const service = createHold(HOLD, firstOf(ready, hasGoal, hasPath), () => void send("service", true));
+export const service = createHold(
+  HOLD,
+  firstOf(ready, hasGoal, hasPath),
+  () => void send("service", true),
+);
 export const go = createHold(HOLD, firstOf(ready, hasGoal, hasPath), () => void send("go", true));
 export const resume = createHold(
   HOLD,
-  firstOf(hasLine, hasPilot, mayFly, unless(() => stopped.value, () => "Only after STOP.")),
+  firstOf(
+    hasLine,
+    hasPilot,
+    mayFly,
+    unless(
+      () => stopped.value,
+      () => "Only after STOP.",
+    ),
+  ),
   () => void send("resume"),
 );
 export const reset = createHold(HOLD, firstOf(hasLine, hasPilot, mayFly), () => void send("reset"));

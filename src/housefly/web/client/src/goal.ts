@@ -24,7 +24,14 @@ export const planned = computed(() => goal.value?.plan?.path ?? null);
 let newest = 0;
 
 export function choosePlace(place: PlaceView): void {
-  goal.value = { place: place.name, title: place.title, point: place.viewpoint, asked: null, note: "", plan: null };
+  goal.value = {
+    place: place.name,
+    title: place.title,
+    point: place.viewpoint,
+    asked: null,
+    note: "",
+    plan: null,
+  };
   void preview();
 }
 
@@ -32,7 +39,14 @@ export function choosePoint(point: Point): void {
   const view = room.value;
   if (!view) return;
   const snapped = centreOf(view.grid, cellOf(view.grid, point));
-  goal.value = { place: "", title: "this point", point: snapped, asked: null, note: "", plan: null };
+  goal.value = {
+    place: "",
+    title: "this point",
+    point: snapped,
+    asked: null,
+    note: "",
+    plan: null,
+  };
   void preview();
 }
 
@@ -46,7 +60,9 @@ export async function preview(): Promise<void> {
   const asked = goal.value;
   if (!asked) return;
   const turn = ++newest;
-  const answer = await ask(asked.place ? { type: "plan", place: asked.place } : { type: "plan", goal: asked.point });
+  const answer = await ask(
+    asked.place ? { type: "plan", place: asked.place } : { type: "plan", goal: asked.point },
+  );
   if (turn !== newest) return;
   if (answer.type === "plan") settle(asked, answer.answer);
   else if (answer.type === "refused") goal.value = { ...asked, note: answer.reason };
@@ -58,8 +74,16 @@ function settle(asked: Goal, plan: PlanAnswer): void {
     return;
   }
   const away = Math.hypot(plan.suggestion[0] - asked.point[0], plan.suggestion[1] - asked.point[1]);
-  const note = `${sentence(plan.reason)} The goal was moved ${away.toFixed(1)} m, to the nearest free point.`;
-  goal.value = { place: "", title: "this point", point: plan.suggestion, asked: asked.point, note, plan: null };
+  const moved = `The goal was moved ${away.toFixed(1)} m, to the nearest free point.`;
+  const note = `${sentence(plan.reason)} ${moved}`;
+  goal.value = {
+    place: "",
+    title: "this point",
+    point: plan.suggestion,
+    asked: asked.point,
+    note,
+    plan: null,
+  };
   void preview();
 }
 
@@ -78,6 +102,12 @@ export function nudge(x: number, y: number): void {
   do {
     i += x;
     j += y;
-  } while (letterAt(view.grid, i, j) !== "." && i >= 0 && j >= 0 && i < view.grid.width && j < view.grid.height);
+  } while (
+    letterAt(view.grid, i, j) !== "." &&
+    i >= 0 &&
+    j >= 0 &&
+    i < view.grid.width &&
+    j < view.grid.height
+  );
   if (letterAt(view.grid, i, j) === ".") choosePoint(centreOf(view.grid, [i, j]));
 }

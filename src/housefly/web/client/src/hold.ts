@@ -1,4 +1,4 @@
-// Holding instead of clicking: the action runs when the hold was long enough, and not when its ground vanished meanwhile.
+// Hold instead of click: the action runs after a long enough hold that stays allowed throughout.
 import { effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 
 export interface Hold {
@@ -10,7 +10,11 @@ export interface Hold {
   cancel(): void;
 }
 
-export function createHold(seconds: number, objection: ReadonlySignal<string>, action: () => void): Hold {
+export function createHold(
+  seconds: number,
+  objection: ReadonlySignal<string>,
+  action: () => void,
+): Hold {
   const held = signal(false);
   let timer = 0;
   const cancel = (): void => {

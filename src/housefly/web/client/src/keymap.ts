@@ -14,19 +14,51 @@ export interface Key {
   hold?: Hold;
 }
 
-const ARROWS: Record<string, [number, number]> = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
+const ARROWS: Record<string, [number, number]> = {
+  arrowleft: [-1, 0],
+  arrowright: [1, 0],
+  arrowup: [0, 1],
+  arrowdown: [0, -1],
+};
 
 export const SPACE = " ";
 
+const toggleScreen = (): void => open(screen.value === "fly" ? "room" : "fly");
+const toggleHelp = (): void => void (panel.value = panel.value === "help" ? "" : "help");
+const swapViews = (): void => void (swapped.value = !swapped.value);
+const closePanel = (): void => void (panel.value = "");
+const nudgeGoal = (key: string): void => nudge(...ARROWS[key]!);
+
 export const KEYS: Key[] = [
-  { keys: [SPACE], shown: "Space", does: "STOP: hover at once, whatever has the focus", press: () => void stop() },
-  { keys: ["escape"], shift: true, shown: "Shift + Esc, held 1 s", does: "Cut motors: the drone falls", hold: cutMotors },
+  {
+    keys: [SPACE],
+    shown: "Space",
+    does: "STOP: hover at once, whatever has the focus",
+    press: () => void stop(),
+  },
+  {
+    keys: ["escape"],
+    shift: true,
+    shown: "Shift + Esc, held 1 s",
+    does: "Cut motors: the drone falls",
+    hold: cutMotors,
+  },
   { keys: ["l"], shown: "L", does: "Land here", press: land },
   { keys: ["h"], shown: "H", does: "Fly home and land", press: home },
-  { keys: Object.keys(ARROWS), shown: "Arrow keys", does: "Move the goal by one cell", press: (key) => nudge(...ARROWS[key]!) },
-  { keys: ["enter"], shown: "Enter, held", does: "Send the drone to look and come back", hold: service },
-  { keys: ["m"], shown: "M", does: "Swap map and picture", press: () => (swapped.value = !swapped.value) },
-  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: () => open(screen.value === "fly" ? "room" : "fly") },
-  { keys: ["?"], shown: "?", does: "Show or hide this list", press: () => (panel.value = panel.value === "help" ? "" : "help") },
-  { keys: ["escape"], shown: "Esc", does: "Close a panel", press: () => (panel.value = "") },
+  {
+    keys: Object.keys(ARROWS),
+    shown: "Arrow keys",
+    does: "Move the goal by one cell",
+    press: nudgeGoal,
+  },
+  {
+    keys: ["enter"],
+    shown: "Enter, held",
+    does: "Send the drone to look and come back",
+    hold: service,
+  },
+  { keys: ["m"], shown: "M", does: "Swap map and picture", press: swapViews },
+  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: toggleScreen },
+  { keys: ["?"], shown: "?", does: "Show or hide this list", press: toggleHelp },
+  { keys: ["escape"], shown: "Esc", does: "Close a panel", press: closePanel },
 ];

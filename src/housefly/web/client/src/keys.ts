@@ -10,7 +10,7 @@ function inTextField(target: EventTarget | null): boolean {
   return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
-/** Buttons and links use Enter themselves; a chosen place does not any more, so Enter can go on to send the drone there. */
+/** Whether the focus uses Enter itself, as buttons and links do; a chosen place no longer does. */
 function usesEnter(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
   const control = target.closest("button, a");
@@ -25,10 +25,12 @@ function find(event: KeyboardEvent): Key | undefined {
 
 function belongsToFocus(event: KeyboardEvent): boolean {
   // No goal moves and no flight begins where the goal is not on the screen.
-  if (screen.peek() === "room" && (event.key === "Enter" || event.key.startsWith("Arrow"))) return true;
+  if (screen.peek() === "room" && (event.key === "Enter" || event.key.startsWith("Arrow")))
+    return true;
   // Someone who types a name while the drone flies can still stop it with Space.
   if (inTextField(event.target)) return event.key !== SPACE || !flying.peek();
-  if (event.key.startsWith("Arrow")) return event.target instanceof Element && event.target.closest("[data-scrolls]") !== null;
+  if (event.key.startsWith("Arrow"))
+    return event.target instanceof Element && event.target.closest("[data-scrolls]") !== null;
   return event.key === "Enter" && usesEnter(event.target);
 }
 

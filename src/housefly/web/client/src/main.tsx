@@ -3,9 +3,17 @@ import { App } from "./app";
 import { listenToKeys } from "./keys";
 import "./theme.css";
 import "./layout.css";
+import "./panels/panels.css";
+import "./controls/controls.css";
+import "./panels/sheets.css";
+import "./narrow.css";
 import "./map/map.css";
 import "./live/live.css";
-import { keepAwake } from "./wake";
+import "./live/history.css";
+import "./live/live-map.css";
+import "./live/editing.css";
+import "./live/live-narrow.css";
+import { keepAwake } from "./wake-lock";
 import { connect } from "./wire/socket";
 
 render(<App />, document.getElementById("app")!);

@@ -1,18 +1,26 @@
 // What this console knows, as signals. Only wire/socket.ts writes the first block.
 import { computed, signal } from "@preact/signals";
 import { now } from "./wire/clock";
-import type { DroneStatus, EventView, LinkNews, PathNews, RoomView, State, ViewersNews } from "./wire/messages";
+import type {
+  DroneStatus,
+  EventView,
+  LinkMessage,
+  PathMessage,
+  RoomView,
+  StateMessage,
+  ViewersMessage,
+} from "./wire/messages";
 
 export type Contact = "connecting" | "open" | "lost" | "elsewhere" | "shut out";
 export type Point = [number, number];
 
 export const contact = signal<Contact>("connecting");
 export const me = signal(0);
-export const state = signal<State | null>(null);
+export const state = signal<StateMessage | null>(null);
 export const room = signal<RoomView | null>(null);
-export const path = signal<PathNews | null>(null);
-export const link = signal<LinkNews | null>(null);
-export const viewers = signal<ViewersNews>({ pilot: null, viewers: [], type: "viewers" });
+export const path = signal<PathMessage | null>(null);
+export const link = signal<LinkMessage | null>(null);
+export const viewers = signal<ViewersMessage>({ pilot: null, viewers: [], type: "viewers" });
 export const events = signal<EventView[]>([]);
 export const trail = signal<Point[]>([]);
 export const notice = signal("");
@@ -34,7 +42,9 @@ const DEAD = 2;
 export type Freshness = "fresh" | "old" | "dead";
 
 /** Time since the server heard of the newest state [s]. */
-export const stateAge = computed(() => (state.value ? Math.max(0, now.value - state.value.heard_at) : Infinity));
+export const stateAge = computed(() =>
+  state.value ? Math.max(0, now.value - state.value.heard_at) : Infinity,
+);
 
 export function freshness(age: number): Freshness {
   return age < OLD ? "fresh" : age < DEAD ? "old" : "dead";
@@ -44,9 +54,13 @@ export function freshness(age: number): Freshness {
 export const inContact = computed(() => contact.value === "open" && stateAge.value < DEAD);
 
 const ON_THE_GROUND: (DroneStatus | null)[] = [null, "unknown", "landed", "emergency"];
-export const flying = computed(() => state.value !== null && !ON_THE_GROUND.includes(state.value.status));
+export const flying = computed(
+  () => state.value !== null && !ON_THE_GROUND.includes(state.value.status),
+);
 export const stopped = computed(() => state.value?.safety === "stopped");
-export const cut = computed(() => state.value?.status === "emergency" || state.value?.safety === "cut");
+export const cut = computed(
+  () => state.value?.status === "emergency" || state.value?.safety === "cut",
+);
 
 export const iFly = computed(() => me.value !== 0 && viewers.value.pilot === me.value);
 

@@ -1,4 +1,14 @@
-import { hover, hoverObjection, home, homeObjection, land, landObjection, reset, resume, takeOff } from "../commands";
+import {
+  hover,
+  hoverObjection,
+  home,
+  homeObjection,
+  land,
+  landObjection,
+  reset,
+  resume,
+  takeOff,
+} from "../commands";
 import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { cut } from "../store";
@@ -14,7 +24,14 @@ interface Press {
 
 function PressButton({ label, objection, action, children }: Press) {
   return (
-    <button type="button" class="action" title={objection.value || label} aria-description={objection.value} aria-disabled={objection.value !== ""} onClick={action}>
+    <button
+      type="button"
+      class="action"
+      title={objection.value || label}
+      aria-description={objection.value}
+      aria-disabled={objection.value !== ""}
+      onClick={action}
+    >
       {children}
     </button>
   );

@@ -1,33 +1,66 @@
 // Small drawings, all in a 24 x 24 field and in the colour of the text around them.
 import type { ComponentChildren } from "preact";
-import type { Shape } from "../words";
+import type { Shape } from "../headline";
 
 function Icon({ children }: { children: ComponentChildren }) {
   return (
-    <svg class="icon" viewBox="0 0 24 24" width="20" height="20" aria-hidden="true" focusable="false">
+    <svg
+      class="icon"
+      viewBox="0 0 24 24"
+      width="20"
+      height="20"
+      aria-hidden="true"
+      focusable="false"
+    >
       {children}
     </svg>
   );
 }
 
-const stroke = { fill: "none", stroke: "currentColor", "stroke-width": 2, "stroke-linecap": "round", "stroke-linejoin": "round" } as const;
+const stroke = {
+  "fill": "none",
+  "stroke": "currentColor",
+  "stroke-width": 2,
+  "stroke-linecap": "round",
+  "stroke-linejoin": "round",
+} as const;
 
-export const TakeOffIcon = () => <Icon><path d="M12 16V4M7 9l5-5 5 5M5 20h14" {...stroke} /></Icon>;
-export const LandIcon = () => <Icon><path d="M12 4v12M7 11l5 5 5-5M5 20h14" {...stroke} /></Icon>;
-export const HoverIcon = () => <Icon><path d="M12 7v10M7 12h10" {...stroke} /><circle cx="12" cy="12" r="9" {...stroke} /></Icon>;
-export const HomeIcon = () => <Icon><path d="M4 11l8-7 8 7v9H4zM10 20v-6h4v6" {...stroke} /></Icon>;
-export const ResumeIcon = () => <Icon><path d="M7 5l12 7-12 7z" {...stroke} /></Icon>;
-export const ResetIcon = () => <Icon><path d="M5 12a7 7 0 1 0 2-5M5 4v4h4" {...stroke} /></Icon>;
-export const SwapIcon = () => <Icon><path d="M4 9h14l-4-4M20 15H6l4 4" {...stroke} /></Icon>;
-export const CutIcon = () => <Icon><path d="M13 3L6 13h6l-1 8 7-11h-6z" {...stroke} /></Icon>;
-export const StopIcon = () => <Icon><path d="M8 2h8l6 6v8l-6 6H8l-6-6V8z" fill="currentColor" /></Icon>;
+const OCTAGON = "M8 2h8l6 6v8l-6 6H8l-6-6V8z";
+
+/** An icon of one stroked path. */
+const outline = (d: string) => () => <Icon><path d={d} {...stroke} /></Icon>;
+
+export const TakeOffIcon = outline("M12 16V4M7 9l5-5 5 5M5 20h14");
+export const LandIcon = outline("M12 4v12M7 11l5 5 5-5M5 20h14");
+export const HomeIcon = outline("M4 11l8-7 8 7v9H4zM10 20v-6h4v6");
+export const ResumeIcon = outline("M7 5l12 7-12 7z");
+export const ResetIcon = outline("M5 12a7 7 0 1 0 2-5M5 4v4h4");
+export const SwapIcon = outline("M4 9h14l-4-4M20 15H6l4 4");
+export const CutIcon = outline("M13 3L6 13h6l-1 8 7-11h-6z");
+export const StopIcon = () => <Icon><path d={OCTAGON} fill="currentColor" /></Icon>;
+export const HoverIcon = () => (
+  <Icon>
+    <path d="M12 7v10M7 12h10" {...stroke} />
+    <circle cx="12" cy="12" r="9" {...stroke} />
+  </Icon>
+);
 
 const SHAPES: Record<Shape, ComponentChildren> = {
   ready: <circle cx="12" cy="12" r="8" {...stroke} />,
   moving: <path d="M12 3l8 17-8-4-8 4z" fill="currentColor" />,
-  holding: <><circle cx="12" cy="12" r="8" {...stroke} /><circle cx="12" cy="12" r="3.5" fill="currentColor" /></>,
-  stopped: <path d="M8 2h8l6 6v8l-6 6H8l-6-6V8z" fill="currentColor" />,
-  warning: <><path d="M12 3l10 18H2z" {...stroke} /><path d="M12 10v5M12 18v.01" {...stroke} /></>,
+  holding: (
+    <>
+      <circle cx="12" cy="12" r="8" {...stroke} />
+      <circle cx="12" cy="12" r="3.5" fill="currentColor" />
+    </>
+  ),
+  stopped: <path d={OCTAGON} fill="currentColor" />,
+  warning: (
+    <>
+      <path d="M12 3l10 18H2z" {...stroke} />
+      <path d="M12 10v5M12 18v.01" {...stroke} />
+    </>
+  ),
   lost: <path d="M5 5l14 14M19 5L5 19" {...stroke} />,
 };
 

@@ -12,7 +12,13 @@ export function StopBar() {
     : "hover at once and stay";
   return (
     <footer class="stopbar">
-      <button type="button" class="stop" data-latched={latched} onPointerDown={press} onClick={click}>
+      <button
+        type="button"
+        class="stop"
+        data-latched={latched}
+        onPointerDown={press}
+        onClick={click}
+      >
         <StopIcon />
         <strong>{latched ? "STOPPED" : "STOP"}</strong>
         <span class="then">{then}</span>

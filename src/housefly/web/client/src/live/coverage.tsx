@@ -11,7 +11,7 @@ const SOME = 4;
 const MANY = 7;
 const NUMBER_EVERY = 4;
 
-/** How many tracking cameras see each part of the room at flight height: by tint, by hatching where too few do, and in numbers. */
+/** How many tracking cameras see each part of the room at flight height, as tints and numbers. */
 export function CoverageLayer({ to }: { to: Projection }) {
   const view = coverage.value;
   const grid = room.value?.grid;
@@ -21,14 +21,23 @@ export function CoverageLayer({ to }: { to: Projection }) {
   const numbers: { u: number; v: number; count: number }[] = [];
   view.rows.forEach((row, j) =>
     [...row].forEach((digit, i) => {
-      const corner: [number, number] = [view.origin[0] + i * view.resolution, view.origin[1] + j * view.resolution];
-      const middle: [number, number] = [corner[0] + view.resolution / 2, corner[1] + view.resolution / 2];
+      const corner: [number, number] = [
+        view.origin[0] + i * view.resolution,
+        view.origin[1] + j * view.resolution,
+      ];
+      const middle: [number, number] = [
+        corner[0] + view.resolution / 2,
+        corner[1] + view.resolution / 2,
+      ];
       if (!FLYABLE.includes(letterAt(grid, ...cellOf(grid, middle)))) return;
       const count = parseInt(digit, 36);
       const [u, v] = to.at(corner);
       const level = levelOf(count, view);
-      paths[level] = `${paths[level] ?? ""}M${u.toFixed(1)} ${v.toFixed(1)}h${side.toFixed(1)}v${(-side).toFixed(1)}h${(-side).toFixed(1)}z`;
-      if (i % NUMBER_EVERY === 2 && j % NUMBER_EVERY === 2) numbers.push({ u: u + side / 2, v: v - side / 2 + 4, count });
+      const edge = side.toFixed(1);
+      const cell = `M${u.toFixed(1)} ${v.toFixed(1)}h${edge}v-${edge}h-${edge}z`;
+      paths[level] = (paths[level] ?? "") + cell;
+      if (i % NUMBER_EVERY === 2 && j % NUMBER_EVERY === 2)
+        numbers.push({ u: u + side / 2, v: v - side / 2 + 4, count });
     }),
   );
   return (
@@ -55,7 +64,8 @@ export function CoverageLegend() {
   if (!view || !showsCoverage.value) return null;
   return (
     <li class="seen">
-      number: how many of {view.cameras} cameras see {view.height.toFixed(1)} m above the floor; hatched: fewer than {view.enough}, no tracking
+      number: how many of {view.cameras} cameras see {view.height.toFixed(1)} m above the floor;
+      hatched: fewer than {view.enough}, no tracking
     </li>
   );
 }

@@ -2,7 +2,18 @@ import { signal } from "@preact/signals";
 import type { Projection } from "../map/projection";
 import { room, type Point } from "../store";
 import type { PlaceView, ZoneView } from "../wire/room-messages";
-import { addPlace, addZone, aim, aims, choose, chosen, places, rectangle, setZone, zones } from "./edits";
+import {
+  addPlace,
+  addZone,
+  aim,
+  aims,
+  choose,
+  chosen,
+  places,
+  rectangle,
+  setZone,
+  zones,
+} from "./edits";
 
 /** A touch that moves less is a tap [px]. */
 const STILL = 8;
@@ -18,7 +29,7 @@ interface Pull {
 
 const pull = signal<Pull | null>(null);
 
-/** Places and zones as edited. A tap makes a place, a drag a zone; what is open follows the pointer. */
+/** Places and zones as edited. A tap adds a place, a drag a zone; the open item follows. */
 export function EditLayer({ to }: { to: Projection }) {
   const at = (event: PointerEvent): Point => {
     const box = (event.currentTarget as Element).getBoundingClientRect();
@@ -28,13 +39,20 @@ export function EditLayer({ to }: { to: Projection }) {
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
     const here = at(event);
     const touched = nearest(to, here);
-    if (touched >= 0 && chosen.value?.kind !== "zones" && places.value[touched]!.name !== "home" && aims.value === "viewpoint") choose({ kind: "places", index: touched });
+    if (
+      touched >= 0 &&
+      chosen.value?.kind !== "zones" &&
+      places.value[touched]!.name !== "home" &&
+      aims.value === "viewpoint"
+    )
+      choose({ kind: "places", index: touched });
     pull.value = { from: here, to: here, moved: false };
   };
   const move = (event: PointerEvent): void => {
     if (!pull.value) return;
     const here = at(event);
-    const far = to.scale * Math.hypot(here[0] - pull.value.from[0], here[1] - pull.value.from[1]) > STILL;
+    const far =
+      to.scale * Math.hypot(here[0] - pull.value.from[0], here[1] - pull.value.from[1]) > STILL;
     pull.value = { ...pull.value, to: here, moved: pull.value.moved || far };
     if (pull.value.moved && chosen.value?.kind === "places") aim(chosen.value.index, here);
   };
@@ -49,7 +67,13 @@ export function EditLayer({ to }: { to: Projection }) {
       {zones.value.map((zone, k) => (
         <Zone key={k} to={to} zone={zone} open={open?.kind === "zones" && open.index === k} />
       ))}
-      {pull.value?.moved && open?.kind !== "places" && <Zone to={to} zone={{ rectangle: rectangle(pull.value.from, pull.value.to), reason: "" }} open />}
+      {pull.value?.moved && open?.kind !== "places" && (
+        <Zone
+          to={to}
+          zone={{ rectangle: rectangle(pull.value.from, pull.value.to), reason: "" }}
+          open
+        />
+      )}
       {places.value.map((place, k) => (
         <Place key={k} to={to} place={place} open={open?.kind === "places" && open.index === k} />
       ))}
@@ -61,7 +85,9 @@ export function EditLayer({ to }: { to: Projection }) {
         onPointerMove={move}
         onPointerUp={up}
         onPointerCancel={() => (pull.value = null)}
-        onMouseDown={(event) => event.preventDefault() /* the form that a touch opens keeps the focus */}
+        onMouseDown={
+          (event) => event.preventDefault() /* the form that a touch opens keeps the focus */
+        }
       />
     </g>
   );
@@ -78,7 +104,9 @@ function finish({ from, to, moved }: Pull, onPlace: boolean): void {
 
 /** The place under the finger, or -1. */
 function nearest(to: Projection, point: Point): number {
-  const away = places.value.map((place) => to.scale * Math.hypot(place.viewpoint[0] - point[0], place.viewpoint[1] - point[1]));
+  const away = places.value.map(
+    (place) => to.scale * Math.hypot(place.viewpoint[0] - point[0], place.viewpoint[1] - point[1]),
+  );
   const least = Math.min(...away);
   return least < NEAR ? away.indexOf(least) : -1;
 }

@@ -1,6 +1,26 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { addInTheMiddle, aims, busy, changed, choose, chosen, load, places, remove, save, saved, setPlace, setZone, said, toggleEditing, trouble, undo, zones, type Chosen } from "./edits";
+import {
+  addInTheMiddle,
+  aims,
+  busy,
+  changed,
+  choose,
+  chosen,
+  load,
+  places,
+  remove,
+  save,
+  saved,
+  setPlace,
+  setZone,
+  said,
+  toggleEditing,
+  trouble,
+  undo,
+  zones,
+  type Chosen,
+} from "./edits";
 
 const HINTS = {
   none: "Tap the map for a new place, drag on it for a new zone, or:",
@@ -16,11 +36,21 @@ export function EditPanel() {
   return (
     <section class="card edit" aria-label="Edit places and zones">
       <h2>
-        Places and no-fly zones <small class="quiet">{view && (view.version ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}` : "never edited")}</small>
+        Places and no-fly zones{" "}
+        <small class="quiet">
+          {view &&
+            (view.version
+              ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}`
+              : "never edited")}
+        </small>
       </h2>
       <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
       <p class="chips">
-        <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("places")}>
+        <button
+          type="button"
+          aria-disabled={!view}
+          onClick={() => view && addInTheMiddle("places")}
+        >
           Add a place
         </button>
         <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("zones")}>
@@ -29,12 +59,22 @@ export function EditPanel() {
       </p>
       <ul class="items" data-scrolls aria-label="Places and zones">
         {places.value.map((place, index) => (
-          <Item key={`p${index}`} item={{ kind: "places", index }} name={place.title || "new place"} fixed={place.name === "home" ? "where it starts and lands" : ""}>
+          <Item
+            key={`p${index}`}
+            item={{ kind: "places", index }}
+            name={place.title || "new place"}
+            fixed={place.name === "home" ? "where it starts and lands" : ""}
+          >
             <PlaceForm index={index} />
           </Item>
         ))}
         {zones.value.map((zone, index) => (
-          <Item key={`z${index}`} item={{ kind: "zones", index }} name={zone.reason || "new zone"} fixed="">
+          <Item
+            key={`z${index}`}
+            item={{ kind: "zones", index }}
+            name={zone.reason || "new zone"}
+            fixed=""
+          >
             <ZoneForm index={index} />
           </Item>
         ))}
@@ -48,7 +88,12 @@ export function EditPanel() {
       <div class="chips">
         <Button words="Save" strong ready={changed.value} press={save} />
         <Button words="Discard" ready={changed.value || wrong !== null} press={load} />
-        <Button words="Undo" title="Go back to the version before" ready={!changed.value && (view?.undoable ?? false)} press={undo} />
+        <Button
+          words="Undo"
+          title="Go back to the version before"
+          ready={!changed.value && (view?.undoable ?? false)}
+          press={undo}
+        />
         <button type="button" onClick={toggleEditing}>
           Close
         </button>
@@ -68,7 +113,13 @@ interface ButtonProps {
 function Button({ words, title, strong = false, ready, press }: ButtonProps) {
   const possible = ready && !busy.value;
   return (
-    <button type="button" title={title} class={strong && possible ? "strong" : ""} aria-disabled={!possible} onClick={() => possible && void press()}>
+    <button
+      type="button"
+      title={title}
+      class={strong && possible ? "strong" : ""}
+      aria-disabled={!possible}
+      onClick={() => possible && void press()}
+    >
       {words}
     </button>
   );
@@ -102,7 +153,12 @@ function Item({ item, name, fixed, children }: ItemProps) {
   return (
     <li ref={row} data-kind={item.kind}>
       <div class="head">
-        <button type="button" class="name" aria-expanded={open} onClick={() => choose(open ? null : item)}>
+        <button
+          type="button"
+          class="name"
+          aria-expanded={open}
+          onClick={() => choose(open ? null : item)}
+        >
           {name}
         </button>
         <button type="button" aria-label={`Remove ${name}`} onClick={() => remove(item)}>
@@ -156,9 +212,21 @@ function PlaceForm({ index }: { index: number }) {
       </fieldset>
       <fieldset>
         <legend>Looks at [m]</legend>
-        <Metres name="x" value={u} set={(value) => setPlace(index, { look_at: [value, v, height] })} />
-        <Metres name="y" value={v} set={(value) => setPlace(index, { look_at: [u, value, height] })} />
-        <Metres name="height" value={height} set={(value) => setPlace(index, { look_at: [u, v, value] })} />
+        <Metres
+          name="x"
+          value={u}
+          set={(value) => setPlace(index, { look_at: [value, v, height] })}
+        />
+        <Metres
+          name="y"
+          value={v}
+          set={(value) => setPlace(index, { look_at: [u, value, height] })}
+        />
+        <Metres
+          name="height"
+          value={height}
+          set={(value) => setPlace(index, { look_at: [u, v, value] })}
+        />
         <Aim at="look_at" />
       </fieldset>
     </>
@@ -182,7 +250,14 @@ function ZoneForm({ index }: { index: number }) {
     <>
       <label>
         Reason
-        <input value={zone.reason} maxLength={60} required autocomplete="off" placeholder="Wet floor" onInput={(event) => setZone(index, { reason: event.currentTarget.value })} />
+        <input
+          value={zone.reason}
+          maxLength={60}
+          required
+          autocomplete="off"
+          placeholder="Wet floor"
+          onInput={(event) => setZone(index, { reason: event.currentTarget.value })}
+        />
       </label>
       <fieldset class="two">
         <legend>Kept free [m]</legend>
@@ -203,8 +278,16 @@ function ZoneForm({ index }: { index: number }) {
   );
 }
 
-/** A number that may be half typed ("4." on the way to "4.25") without being put right under the fingers. */
-function Metres({ name, value, set }: { name: string; value: number; set: (value: number) => void }) {
+/** A number field that leaves half-typed input such as "4." alone. */
+function Metres({
+  name,
+  value,
+  set,
+}: {
+  name: string;
+  value: number;
+  set: (value: number) => void;
+}) {
   const field = useRef<HTMLInputElement>(null);
   const show = (): void => {
     // Blur comes also when the form goes away.
@@ -222,7 +305,10 @@ function Metres({ name, value, set }: { name: string; value: number; set: (value
         type="number"
         step="0.05"
         onBlur={show}
-        onInput={(event) => Number.isFinite(event.currentTarget.valueAsNumber) && set(event.currentTarget.valueAsNumber)}
+        onInput={(event) =>
+          Number.isFinite(event.currentTarget.valueAsNumber) &&
+          set(event.currentTarget.valueAsNumber)
+        }
       />
     </label>
   );

@@ -3,7 +3,7 @@ import { batch, computed, signal } from "@preact/signals";
 import { room } from "../store";
 import { tab } from "../wire/socket";
 import type { EditsView, PlaceView, ZoneView } from "../wire/room-messages";
-import { showAt } from "./line";
+import { showAt } from "./room-client";
 import type { Point } from "../store";
 
 export interface Chosen {
@@ -32,7 +32,12 @@ export const said = signal("");
 export const aims = signal<"viewpoint" | "look_at">("viewpoint");
 export const busy = signal(false);
 
-export const changed = computed(() => saved.value !== null && JSON.stringify([places.value, zones.value]) !== JSON.stringify([saved.value.places, saved.value.zones]));
+export const changed = computed(
+  () =>
+    saved.value !== null &&
+    JSON.stringify([places.value, zones.value]) !==
+      JSON.stringify([saved.value.places, saved.value.zones]),
+);
 
 export function toggleEditing(): void {
   editing.value = !editing.value;
@@ -50,31 +55,51 @@ export function save(): Promise<void> {
   const view = saved.value;
   if (!view) return Promise.resolve();
   const nameless = places.value.findIndex((place) => !place.title.trim());
-  if (nameless >= 0) return Promise.resolve(complain("Give this place a name.", { kind: "places", index: nameless }));
+  if (nameless >= 0)
+    return Promise.resolve(
+      complain("Give this place a name.", { kind: "places", index: nameless }),
+    );
   const own = new Map(view.own.map((place) => [place.name, JSON.stringify(place)]));
   const named = withNames(places.value);
   const sent = named.filter((place) => own.get(place.name) !== JSON.stringify(place));
-  const removed = view.own.map((place) => place.name).filter((name) => !named.some((place) => place.name === name));
+  const removed = view.own
+    .map((place) => place.name)
+    .filter((name) => !named.some((place) => place.name === name));
   const item = (words: string): Chosen | null => {
     const [kind, index] = words.split(".");
     if (kind === "zones") return { kind, index: Number(index) };
-    return kind === "places" && sent[Number(index)] ? { kind, index: named.indexOf(sent[Number(index)]!) } : null;
+    return kind === "places" && sent[Number(index)]
+      ? { kind, index: named.indexOf(sent[Number(index)]!) }
+      : null;
   };
-  const body = { based_on: view.version, tab: tab(), edits: { places: sent, removed, zones: zones.value } };
+  const body = {
+    based_on: view.version,
+    tab: tab(),
+    edits: { places: sent, removed, zones: zones.value },
+  };
   return ask("/edits", body, (fresh) => `Saved as version ${fresh.version}.`, item);
 }
 
 export function undo(): Promise<void> {
-  return ask("/edits/undo", { based_on: saved.value?.version ?? 0, tab: tab() }, (fresh) => `Undone; this is version ${fresh.version}.`);
+  return ask(
+    "/edits/undo",
+    { based_on: saved.value?.version ?? 0, tab: tab() },
+    (fresh) => `Undone; this is version ${fresh.version}.`,
+  );
 }
 
-async function ask(path: string, body: unknown, done: (fresh: EditsView) => string, item: (words: string) => Chosen | null = () => null): Promise<void> {
+async function ask(
+  path: string,
+  body: unknown,
+  done: (fresh: EditsView) => string,
+  item: (words: string) => Chosen | null = () => null,
+): Promise<void> {
   if (busy.value) return;
   busy.value = true;
   try {
     const answer = await fetch(path, body ? { method: "POST", body: JSON.stringify(body) } : {});
     const tree = (await answer.json()) as EditsView & { error?: string; item?: string };
-    if (answer.ok) take(tree, done(tree));
+    if (answer.ok) accept(tree, done(tree));
     else complain(tree.error ?? answer.statusText, item(tree.item ?? ""));
   } catch {
     complain("No contact with the server.", null);
@@ -82,7 +107,7 @@ async function ask(path: string, body: unknown, done: (fresh: EditsView) => stri
   busy.value = false;
 }
 
-function take(fresh: EditsView, words: string): void {
+function accept(fresh: EditsView, words: string): void {
   batch(() => {
     saved.value = fresh;
     places.value = fresh.places;
@@ -103,10 +128,19 @@ function complain(words: string, item: Chosen | null): void {
 
 /** New places get the name that commands know them by from what people call them. */
 function withNames(all: PlaceView[]): PlaceView[] {
-  const taken = new Set([...all.map((place) => place.name), ...saved.value!.own.map((place) => place.name)]);
+  const taken = new Set([
+    ...all.map((place) => place.name),
+    ...saved.value!.own.map((place) => place.name),
+  ]);
   return all.map((place) => {
     if (place.name) return place;
-    const plain = place.title.normalize("NFKD").toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "").slice(0, 36) || "place";
+    const plain =
+      place.title
+        .normalize("NFKD")
+        .toLowerCase()
+        .replace(/[^a-z0-9]+/g, "-")
+        .replace(/^-+|-+$/g, "")
+        .slice(0, 36) || "place";
     let name = plain;
     for (let k = 2; taken.has(name); k++) name = `${plain}-${k}`;
     taken.add(name);
@@ -114,7 +148,7 @@ function withNames(all: PlaceView[]): PlaceView[] {
   });
 }
 
-// --- changing the draft -----------------------------------------------------------------------------
+// --- changing the draft
 
 function rounded(value: number): number {
   return Math.round(value * STEP) / STEP;
@@ -139,7 +173,10 @@ export function addPlace(at: Point): void {
   const [dx, dy] = [viewpoint[0] - (x0 + x1) / 2, viewpoint[1] - (y0 + y1) / 2];
   const scale = AHEAD / (Math.hypot(dx, dy) || 1);
   const [u, v] = inside([viewpoint[0] + scale * (dx || 1), viewpoint[1] + scale * dy]);
-  places.value = [...places.value, { name: "", title: "", viewpoint, look_at: [u, v, room.value!.flight_height] }];
+  places.value = [
+    ...places.value,
+    { name: "", title: "", viewpoint, look_at: [u, v, room.value!.flight_height] },
+  ];
   choose({ kind: "places", index: places.value.length - 1 });
 }
 

@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { find } from "./line";
+import { find } from "./room-client";
 import { at, catalogue, found, nameOf } from "./store";
 import { clock } from "./words";
 
@@ -8,7 +8,9 @@ const QUIET_KINDS = ["sensor", "structure"];
 /** Where is it? The answer in words, and around what it is on the map. */
 export function Find() {
   const field = useRef<HTMLInputElement>(null);
-  const names = catalogue.value.filter((one) => !QUIET_KINDS.includes(one.kind)).flatMap((one) => [one.name, ...one.aliases]);
+  const names = catalogue.value
+    .filter((one) => !QUIET_KINDS.includes(one.kind))
+    .flatMap((one) => [one.name, ...one.aliases]);
   const go = (words: string): void => {
     if (field.current) field.current.value = words;
     void find(words);
@@ -22,7 +24,16 @@ export function Find() {
           go(field.current!.value);
         }}
       >
-        <input ref={field} type="search" aria-label="Where is" placeholder="Where is …" list="names" maxLength={200} autocomplete="off" onInput={(event) => event.currentTarget.value === "" && go("")} />
+        <input
+          ref={field}
+          type="search"
+          aria-label="Where is"
+          placeholder="Where is …"
+          list="names"
+          maxLength={200}
+          autocomplete="off"
+          onInput={(event) => event.currentTarget.value === "" && go("")}
+        />
         <button type="submit">Find</button>
         <datalist id="names">
           {[...new Set(names)].map((name) => (

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { askEvents, keyOf, showAt } from "./line";
+import { askEvents, keyOf, showAt } from "./room-client";
 import { at, events, hubNow, moment, only, picture, span, things, trouble } from "./store";
 import { ago, clock, happened, kindOf } from "./words";
 
@@ -17,11 +17,12 @@ const LISTED = 200;
 /** An event is shown with what it brought about [s]. */
 const AFTER = 0.5;
 
-/** The right end of the slider while the past is shown: it must not run away from under the finger. */
+/** The right end of the slider, fixed while the past is shown. */
 const end = signal(0);
 
 function go(time: number | null): void {
-  if (time !== null && (at.value === null || time > end.value)) end.value = Math.max(hubNow.value, time);
+  if (time !== null && (at.value === null || time > end.value))
+    end.value = Math.max(hubNow.value, time);
   showAt(time);
 }
 
@@ -55,7 +56,10 @@ export function History() {
       <div class="slider">
         <div class="marks" aria-hidden="true">
           {marks.map((event) => (
-            <i key={keyOf(event)} style={{ left: `${100 * (1 - (right - event.at) / span.value)}%` }} />
+            <i
+              key={keyOf(event)}
+              style={{ left: `${100 * (1 - (right - event.at) / span.value)}%` }}
+            />
           ))}
         </div>
         <input
@@ -94,7 +98,9 @@ export function PastBanner() {
 
 /** What happened, newest first; a press shows the room as it was then. */
 export function Events({ children }: { children: ComponentChildren }) {
-  const whose = [...things.value.values()].filter((one) => ["person", "robot", "object"].includes(kindOf(one)) || one.age !== null);
+  const whose = [...things.value.values()].filter(
+    (one) => ["person", "robot", "object"].includes(kindOf(one)) || one.age !== null,
+  );
   const shown = events.value.slice(-LISTED).reverse();
   return (
     <section class="card happened" aria-label="What happened">
@@ -120,7 +126,12 @@ export function Events({ children }: { children: ComponentChildren }) {
       <ol tabIndex={0} data-scrolls>
         {shown.map((event) => (
           <li key={keyOf(event)}>
-            <button type="button" aria-current={at.value === event.at + AFTER} title="Show the room as it was then" onClick={() => go(event.at + AFTER)}>
+            <button
+              type="button"
+              aria-current={at.value === event.at + AFTER}
+              title="Show the room as it was then"
+              onClick={() => go(event.at + AFTER)}
+            >
               <time>{clock(event.at)}</time>
               <span>{happened(event)}</span>
             </button>

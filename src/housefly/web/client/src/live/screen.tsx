@@ -7,11 +7,12 @@ import { EditPanel } from "./edit-panel";
 import { changed, editing, toggleEditing } from "./edits";
 import { Find } from "./find";
 import { Events, History, PastBanner } from "./history";
-import { listen, toggleCoverage } from "./line";
+import { listen, toggleCoverage } from "./room-client";
 import { Sensors } from "./sensors";
 import { at, nameOf, hindering, showsCoverage, situations, trouble } from "./store";
 import { ObstacleLayer, placeless, ThingsLayer } from "./things";
-import { isWorry, percent, worthSaying } from "./words";
+import { percent } from "../format";
+import { isWorry, worthSaying } from "./words";
 
 /** The room: where everything is, how we know, and how it was before. */
 export function RoomScreen() {
@@ -20,8 +21,20 @@ export function RoomScreen() {
   return (
     <main class="room-deck" data-editing={edits}>
       {!edits && <Find />}
-      <section class="view map live" aria-label="Live map of the room" data-past={at.value !== null} data-coverage={showsCoverage.value} data-editing={edits}>
-        <PlanFrame label={edits ? "Floor plan being edited. The list of places and zones follows." : "Floor plan with people and things. Each can be reached with Tab."}>
+      <section
+        class="view map live"
+        aria-label="Live map of the room"
+        data-past={at.value !== null}
+        data-coverage={showsCoverage.value}
+        data-editing={edits}
+      >
+        <PlanFrame
+          label={
+            edits
+              ? "Floor plan being edited. The list of places and zones follows."
+              : "Floor plan with people and things. Each can be reached with Tab."
+          }
+        >
           {(to) => (
             <>
               <RoomLayer to={to} visitors={false} />
@@ -60,7 +73,11 @@ function Notes() {
   return (
     <ul class="legend" aria-label="Legend">
       <li class="plain">
-        <button type="button" aria-pressed={showsCoverage.value} onClick={() => void toggleCoverage()}>
+        <button
+          type="button"
+          aria-pressed={showsCoverage.value}
+          onClick={() => void toggleCoverage()}
+        >
           Tracking coverage
         </button>
       </li>
@@ -72,7 +89,11 @@ function Notes() {
       <CoverageLegend />
       {editing.value && <li class="virtual">kept free by order</li>}
       {editing.value && <li class="inflated">too close</li>}
-      {!editing.value && lost.length > 0 && <li class="plain">Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}</li>}
+      {!editing.value && lost.length > 0 && (
+        <li class="plain">
+          Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}
+        </li>
+      )}
       {trouble.value && (
         <li class="trouble" role="alert">
           △ {trouble.value}

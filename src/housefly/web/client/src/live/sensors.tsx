@@ -1,4 +1,4 @@
-import { milliseconds } from "../words";
+import { milliseconds } from "../format";
 import type { SensorAnswer } from "../wire/room-messages";
 import { sensors, trouble } from "./store";
 import { ago } from "./words";
@@ -18,12 +18,21 @@ export function Sensors() {
   return (
     <section class="card sensors" aria-label="Sensors">
       <h2>
-        Sensors <small class="quiet">{all.length === 0 ? "none heard yet" : wrong ? `${wrong} of ${all.length} need a look` : `all ${all.length} are well`}</small>
+        Sensors{" "}
+        <small class="quiet">
+          {all.length === 0
+            ? "none heard yet"
+            : wrong
+              ? `${wrong} of ${all.length} need a look`
+              : `all ${all.length} are well`}
+        </small>
       </h2>
       <ul tabIndex={0} data-scrolls data-old={trouble.value !== ""}>
-        {[...all].sort((a, b) => Number(health(a) === "well") - Number(health(b) === "well")).map((one) => (
-          <Row key={one.sensor} one={one} />
-        ))}
+        {[...all]
+          .sort((a, b) => Number(health(a) === "well") - Number(health(b) === "well"))
+          .map((one) => (
+            <Row key={one.sensor} one={one} />
+          ))}
         {memory && (
           <li data-health={memory === ALL_KEPT ? "well" : "warning"}>
             <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>

@@ -1,10 +1,20 @@
 // What this console knows of the room, as signals; live/line.ts writes most of them.
 import { computed, signal } from "@preact/signals";
 import { now } from "../wire/clock";
-import type { CoverageView, Hindrance, Holding, Occurrence, PictureAnswer, Placed, SensorsAnswer, ThingAnswer, WhereAnswer } from "../wire/room-messages";
+import type {
+  CoverageView,
+  ObstacleAnswer,
+  SituationAnswer,
+  EventAnswer,
+  PictureAnswer,
+  PlacedThing,
+  SensorsAnswer,
+  ThingAnswer,
+  WhereAnswer,
+} from "../wire/room-messages";
 
 /** A thing with the Unix time at which it was seen and at which we were told [s]. */
-export interface Seen extends Placed {
+export interface Seen extends PlacedThing {
   seenAt: number | null;
   toldAt: number;
 }
@@ -19,13 +29,15 @@ export interface Found {
 export const NOTHING: Found = { answer: null, problem: "", meant: [] };
 
 export const things = signal<ReadonlyMap<string, Seen>>(new Map());
-export const situations = signal<Holding[]>([]);
-export const obstacles = signal<Hindrance[]>([]);
+export const situations = signal<SituationAnswer[]>([]);
+export const obstacles = signal<ObstacleAnswer[]>([]);
 /** Source of furniture that the tracking system sees. */
 export const TRACKED = "tracking";
 /** How many things are in the way that nobody put there on purpose. */
-export const hindering = computed(() => obstacles.value.filter((one) => one.source !== TRACKED).length);
-export const events = signal<Occurrence[]>([]);
+export const hindering = computed(
+  () => obstacles.value.filter((one) => one.source !== TRACKED).length,
+);
+export const events = signal<EventAnswer[]>([]);
 export const sensors = signal<SensorsAnswer | null>(null);
 export const catalogue = signal<ThingAnswer[]>([]);
 export const coverage = signal<CoverageView | null>(null);
@@ -58,7 +70,7 @@ export const hubNow = computed(() => {
 /** The moment that is shown, live or past. */
 export const moment = computed(() => at.value ?? hubNow.value);
 
-export function seen(placed: Placed, toldAt: number): Seen {
+export function seen(placed: PlacedThing, toldAt: number): Seen {
   return { ...placed, toldAt, seenAt: placed.age === null ? null : toldAt - placed.age };
 }
 

@@ -2,7 +2,8 @@
 import { blockOf, overlap, type Box } from "../map/labels";
 import type { Projection } from "../map/projection";
 import { at, moment, situations, type Seen } from "./store";
-import { ago, isWorry, kindOf, percent, worthSaying } from "./words";
+import { percent } from "../format";
+import { ago, isWorry, kindOf, worthSaying } from "./words";
 
 export const LINE = 13;
 export const MOVES = ["person", "robot", "object"];
@@ -25,7 +26,11 @@ export interface Words {
 }
 
 /** Words for each thing, placed in turn: what moves chooses first, what stands still gives way. */
-export function wordsOf(drawn: Seen[], inside: Map<string, Seen[]>, to: Projection): Map<string, Words> {
+export function wordsOf(
+  drawn: Seen[],
+  inside: Map<string, Seen[]>,
+  to: Projection,
+): Map<string, Words> {
   const taken: Box[] = [];
   const still = (one: Seen): number => (MOVES.includes(kindOf(one)) ? 0 : 1);
   const words = new Map<string, Words>();
@@ -43,7 +48,12 @@ export function personRadius(scale: number): number {
   return Math.max(9, 0.24 * scale);
 }
 
-function spotOf(thing: Seen, lines: Line[], to: Projection, taken: Box[]): { x: number; y: number } {
+function spotOf(
+  thing: Seen,
+  lines: Line[],
+  to: Projection,
+  taken: Box[],
+): { x: number; y: number } {
   const [u, v] = to.at([thing.position![0], thing.position![1]]);
   const reach = kindOf(thing) === "person" ? personRadius(to.scale) : 11;
   const texts = lines.map((line) => line.text);
@@ -57,10 +67,20 @@ function spotOf(thing: Seen, lines: Line[], to: Projection, taken: Box[]): { x: 
   ];
   const costs = spots.map(({ x, y }) => {
     const block = blockOf(texts, u + x, v + y);
-    return overlap(block, taken) + (block.x0 < 0 || block.x1 > to.width || block.y0 < 0 || block.y1 > to.height ? OUTSIDE_COST : 0);
+    return (
+      overlap(block, taken) +
+      (block.x0 < 0 || block.x1 > to.width || block.y0 < 0 || block.y1 > to.height
+        ? OUTSIDE_COST
+        : 0)
+    );
   });
   const best = spots[costs.indexOf(Math.min(...costs))]!;
-  taken.push(blockOf(texts, u + best.x, v + best.y), { x0: u - reach, y0: v - reach, x1: u + reach, y1: v + reach });
+  taken.push(blockOf(texts, u + best.x, v + best.y), {
+    x0: u - reach,
+    y0: v - reach,
+    x1: u + reach,
+    y1: v + reach,
+  });
   return best;
 }
 
@@ -70,10 +90,19 @@ function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line[] {
   for (const held of at.value === null ? worthSaying(situations.value) : []) {
     if (held.thing !== thing.thing || held.kind === "person present") continue;
     const words = `${held.kind.replace(/^person /, "")}, ${percent(held.confidence)}`;
-    lines.push(isWorry(held.kind) ? { kind: "worry", text: `△ ${words}` } : { kind: "situation", text: words });
+    lines.push(
+      isWorry(held.kind)
+        ? { kind: "worry", text: `△ ${words}` }
+        : { kind: "situation", text: words },
+    );
   }
-  if (contents.length) lines.push({ kind: "content", text: `${kind === "person" ? "has" : "in it:"} ${contents.map((one) => one.name).join(", ")}` });
+  if (contents.length)
+    lines.push({
+      kind: "content",
+      text: `${kind === "person" ? "has" : "in it:"} ${contents.map((one) => one.name).join(", ")}`,
+    });
   if (age === null && MOVES.includes(kind)) lines.push({ kind: "age", text: "never seen" });
-  if (age !== null && age > OLD && MOVES.includes(kind)) lines.push({ kind: "age", text: ago(age) });
+  if (age !== null && age > OLD && MOVES.includes(kind))
+    lines.push({ kind: "age", text: ago(age) });
   return lines;
 }

@@ -1,9 +1,10 @@
 import { TRACKED, at, found, obstacles, shown, type Seen } from "./store";
-import type { Hindrance } from "../wire/room-messages";
+import type { ObstacleAnswer } from "../wire/room-messages";
 import { turn, type Projection } from "../map/projection";
-import { find } from "./line";
+import { find } from "./room-client";
 import { LINE, MOVES, personRadius, wordsOf, type Words } from "./thing-labels";
-import { kindOf, percent } from "./words";
+import { percent } from "../format";
+import { kindOf } from "./words";
 
 const FADES: [number, number][] = [
   [2, 1],
@@ -12,13 +13,18 @@ const FADES: [number, number][] = [
 ];
 const FAINTEST = 0.45;
 
-/** What moves, where it is; what is in something, beside it; faded by age, with the age in words. */
+/** What moves, at its place; what is inside something, beside it; faded by age. */
 export function ThingsLayer({ to }: { to: Projection }) {
   const all = shown.value;
   const byId = new Map(all.map((one) => [one.thing, one]));
   const inside = new Map<string, Seen[]>();
-  for (const one of all) if (byId.has(one.inside)) inside.set(one.inside, [...(inside.get(one.inside) ?? []), one]);
-  const drawn = all.filter((one) => one.position && (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)));
+  for (const one of all)
+    if (byId.has(one.inside)) inside.set(one.inside, [...(inside.get(one.inside) ?? []), one]);
+  const drawn = all.filter(
+    (one) =>
+      one.position &&
+      (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)),
+  );
   const words = wordsOf(drawn, inside, to);
   return (
     <g class="things">
@@ -34,7 +40,10 @@ export function ThingsLayer({ to }: { to: Projection }) {
 function Rings({ to, byId }: { to: Projection; byId: Map<string, Seen> }) {
   const answer = found.value.answer;
   if (!answer) return null;
-  const known = [answer.position, ...[answer.thing, ...answer.inside].map((id) => byId.get(id)?.position)].find((position) => position != null);
+  const known = [
+    answer.position,
+    ...[answer.thing, ...answer.inside].map((id) => byId.get(id)?.position),
+  ].find((position) => position != null);
   if (!known) return null;
   const [u, v] = to.at([known[0], known[1]]);
   return (
@@ -68,7 +77,10 @@ function Mark({ to, thing, words }: MarkProps) {
       role="button"
       tabindex={0}
       aria-label={words.said}
-      style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`, opacity: MOVES.includes(kind) ? fade(age) : 1 }}
+      style={{
+        transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)`,
+        opacity: MOVES.includes(kind) ? fade(age) : 1,
+      }}
       onClick={press}
       onKeyDown={(event) => event.key === "Enter" && press(event)}
     >
@@ -101,7 +113,11 @@ function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: 
       </g>
     );
   }
-  return kind === "object" ? <path class="object" d="M0 -7L7 0L0 7L-7 0z" /> : <rect class="holder" x="-6" y="-6" width="12" height="12" rx="2" />;
+  return kind === "object" ? (
+    <path class="object" d="M0 -7L7 0L0 7L-7 0z" />
+  ) : (
+    <rect class="holder" x="-6" y="-6" width="12" height="12" rx="2" />
+  );
 }
 
 function fade(age: number | null): number {
@@ -120,20 +136,35 @@ export function ObstacleLayer({ to }: { to: Projection }) {
   );
 }
 
-function Obstacle({ to, one }: { to: Projection; one: Hindrance }) {
+function Obstacle({ to, one }: { to: Projection; one: ObstacleAnswer }) {
   const [u, v] = to.at([one.x, one.y]);
   const speed = Math.hypot(one.vx, one.vy);
   const radius = Math.max(6, one.radius * to.scale);
   const [length, width] = [one.length * to.scale, one.width * to.scale];
   const tracked = one.source === TRACKED;
   return (
-    <g class={tracked ? "obstacle tracked" : "obstacle"} transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`} opacity={Math.max(FAINTEST, 1 - one.age)}>
+    <g
+      class={tracked ? "obstacle tracked" : "obstacle"}
+      transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`}
+      opacity={Math.max(FAINTEST, 1 - one.age)}
+    >
       {length ? (
-        <rect x={-length / 2} y={-width / 2} width={length} height={width} transform={turn(one.yaw)} />
+        <rect
+          x={-length / 2}
+          y={-width / 2}
+          width={length}
+          height={width}
+          transform={turn(one.yaw)}
+        />
       ) : (
         <circle r={radius} />
       )}
-      {speed > 0.05 && <path d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`} transform={turn(Math.atan2(one.vy, one.vx))} />}
+      {speed > 0.05 && (
+        <path
+          d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`}
+          transform={turn(Math.atan2(one.vy, one.vx))}
+        />
+      )}
       <text y={tracked ? 4 : -radius - 5}>
         {tracked && one.obstacle.slice(TRACKED.length + 1)}
         {speed > 0.05 && ` ${speed.toFixed(1)} m/s,`}
@@ -147,5 +178,7 @@ function Obstacle({ to, one }: { to: Projection; one: Hindrance }) {
 export function placeless(): Seen[] {
   const all = shown.value;
   const placed = new Set(all.filter((one) => one.position).map((one) => one.thing));
-  return all.filter((one) => MOVES.includes(kindOf(one)) && !one.position && one.inside && !placed.has(one.inside));
+  return all.filter(
+    (one) => MOVES.includes(kindOf(one)) && !one.position && one.inside && !placed.has(one.inside),
+  );
 }

@@ -1,5 +1,5 @@
 // Times and ages as people say them, and what sort of thing something is.
-import type { Holding, Occurrence } from "../wire/room-messages";
+import type { SituationAnswer, EventAnswer } from "../wire/room-messages";
 import { nameOf, things, type Seen } from "./store";
 
 const NOW = 2;
@@ -20,23 +20,26 @@ export function ago(age: number): string {
 export function clock(unix: number): string {
   const date = new Date(1000 * unix);
   const time = date.toTimeString().slice(0, 8);
-  return date.toDateString() === new Date().toDateString() ? time : `${date.toDateString().slice(4, 10)} ${time}`;
+  return date.toDateString() === new Date().toDateString()
+    ? time
+    : `${date.toDateString().slice(4, 10)} ${time}`;
 }
 
-/** Floors call the people that they feel by number, and nobody may have told the catalogue of them. */
+/** Sensor floors number the people on them; the catalogue may not know those. */
 export function kindOf(thing: Seen): string {
   return thing.kind === "object" && thing.thing.startsWith("person-") ? "person" : thing.kind;
 }
 
-export function happened(event: Occurrence): string {
+export function happened(event: EventAnswer): string {
   const words = event.kind.charAt(0).toUpperCase() + event.kind.slice(1);
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
   const by = event.cause ? ` by ${nameOf(event.cause)}` : "";
-  const said = event.source !== event.thing && things.value.has(event.source) ? ` (${nameOf(event.source)})` : "";
+  const said =
+    event.source !== event.thing && things.value.has(event.source)
+      ? ` (${nameOf(event.source)})`
+      : "";
   return words + whose + by + said;
 }
-
-export const percent = (share: number): string => `${Math.round(100 * share)} %`;
 
 const ORDINARY = /^(person (present|walking|standing|sitting|lying)|bed occupied)$/;
 
@@ -44,7 +47,11 @@ const ORDINARY = /^(person (present|walking|standing|sitting|lying)|bed occupied
 export const isWorry = (kind: string): boolean => !ORDINARY.test(kind);
 
 /** Worries first; that a person is there goes without saying where more is known of them. */
-export function worthSaying(held: Holding[]): Holding[] {
-  const known = held.filter((one) => one.kind !== "person present" || !held.some((other) => other !== one && other.thing === one.thing));
+export function worthSaying(held: SituationAnswer[]): SituationAnswer[] {
+  const known = held.filter(
+    (one) =>
+      one.kind !== "person present" ||
+      !held.some((other) => other !== one && other.thing === one.thing),
+  );
   return [...known].sort((a, b) => Number(isWorry(b.kind)) - Number(isWorry(a.kind)));
 }

@@ -6,9 +6,10 @@ const FADES = 4;
 
 let lastYaw = 0;
 
-/** The same heading without the jump at 180 degrees, so that the arrow never spins the long way round. */
+/** The same heading without the jump at 180 degrees, so that the arrow never spins round. */
 function unwrapped(yaw: number): number {
-  const step = ((yaw - lastYaw + Math.PI) % (2 * Math.PI) + 2 * Math.PI) % (2 * Math.PI) - Math.PI;
+  const step =
+    ((((yaw - lastYaw + Math.PI) % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI)) - Math.PI;
   lastYaw += step;
   return lastYaw;
 }
@@ -30,10 +31,19 @@ function Trail({ to }: { to: Projection }) {
   return (
     <g class="trail">
       {Array.from({ length: FADES }, (_, k) => (
-        <path key={k} d={polyline(to, points.slice(k * part, (k + 1) * part + 1))} opacity={(k + 1) / FADES} />
+        <path
+          key={k}
+          d={polyline(to, points.slice(k * part, (k + 1) * part + 1))}
+          opacity={(k + 1) / FADES}
+        />
       ))}
     </g>
   );
+}
+
+function arrow(radius: number): string {
+  const [nose, back, notch, side] = [0.72, -0.5, -0.22, 0.52].map((share) => share * radius);
+  return `M${nose} 0L${back} ${side}L${notch} 0L${back} ${-side!}z`;
 }
 
 function Drone({ to }: { to: Projection }) {
@@ -43,11 +53,20 @@ function Drone({ to }: { to: Projection }) {
   const radius = Math.max(9, HULL * to.scale);
   const sigma = (now.position_std ?? 0) * to.scale;
   return (
-    <g class="drone" data-age={freshness(stateAge.value)} style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)` }}>
+    <g
+      class="drone"
+      data-age={freshness(stateAge.value)}
+      style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)` }}
+    >
       <circle class="sigma" r={sigma.toFixed(1)} />
-      <g class="body" style={{ transform: `rotate(${((-unwrapped(now.yaw ?? 0) * 180) / Math.PI).toFixed(1)}deg)` }}>
+      <g
+        class="body"
+        style={{
+          transform: `rotate(${((-unwrapped(now.yaw ?? 0) * 180) / Math.PI).toFixed(1)}deg)`,
+        }}
+      >
         <circle class="hull" r={radius} />
-        <path class="arrow" d={`M${radius * 0.72} 0L${-radius * 0.5} ${radius * 0.52}L${-radius * 0.22} 0L${-radius * 0.5} ${-radius * 0.52}z`} />
+        <path class="arrow" d={arrow(radius)} />
       </g>
     </g>
   );

@@ -3,7 +3,7 @@ import { path, state, type Point } from "../store";
 import { polyline, type Projection } from "./projection";
 
 /** The path that is being flown: what is left of it strong, what is done faint. */
-export function WayLayer({ to }: { to: Projection }) {
+export function PathLayer({ to }: { to: Projection }) {
   const way = path.value?.waypoints ?? [];
   const now = state.value;
   if (way.length < 2) return null;
@@ -38,7 +38,13 @@ export function GoalLayer({ to }: { to: Projection }) {
         <circle class="ring" r="11" />
         <path class="cross" d="M-16 0h8M8 0h8M0 -16v8M0 8v8" />
       </g>
-      {words && <Tag x={Math.min(to.width - TAG.width / 2 - 4, Math.max(TAG.width / 2 + 4, u))} y={v > 60 ? v - 34 : v + 34} words={words} />}
+      {words && (
+        <Tag
+          x={Math.min(to.width - TAG.width / 2 - 4, Math.max(TAG.width / 2 + 4, u))}
+          y={v > 60 ? v - 34 : v + 34}
+          words={words}
+        />
+      )}
     </g>
   );
 }

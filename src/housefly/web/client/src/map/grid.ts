@@ -5,11 +5,17 @@ import type { GridView } from "../wire/messages";
 export type Cell = [number, number];
 
 export function cellOf(grid: GridView, point: Point): Cell {
-  return [Math.floor((point[0] - grid.origin[0]) / grid.resolution), Math.floor((point[1] - grid.origin[1]) / grid.resolution)];
+  return [
+    Math.floor((point[0] - grid.origin[0]) / grid.resolution),
+    Math.floor((point[1] - grid.origin[1]) / grid.resolution),
+  ];
 }
 
 export function centreOf(grid: GridView, cell: Cell): Point {
-  return [grid.origin[0] + (cell[0] + 0.5) * grid.resolution, grid.origin[1] + (cell[1] + 0.5) * grid.resolution];
+  return [
+    grid.origin[0] + (cell[0] + 0.5) * grid.resolution,
+    grid.origin[1] + (cell[1] + 0.5) * grid.resolution,
+  ];
 }
 
 /** The letter of a cell; "x" outside. */
@@ -23,7 +29,7 @@ export interface Run {
   width: number;
 }
 
-/** Cells of some kinds, joined along x, so that a fine grid is a few hundred shapes and not ten thousand. */
+/** Cells of some kinds, joined along x: a fine grid becomes a few hundred shapes. */
 export function runs(grid: GridView, letters: string): Run[] {
   const found: Run[] = [];
   grid.rows.forEach((row, j) => {

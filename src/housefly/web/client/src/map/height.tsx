@@ -7,10 +7,16 @@ export function HeightStrip() {
   const top = room.value?.limits.height_max ?? 2;
   const height = state.value?.position?.[2] ?? null;
   const wanted = room.value?.flight_height ?? null;
-  const share = (metres: number): string => `${(100 * Math.min(1, Math.max(0, metres / top))).toFixed(1)}%`;
+  const share = (metres: number): string =>
+    `${(100 * Math.min(1, Math.max(0, metres / top))).toFixed(1)}%`;
   const ticks = Array.from({ length: Math.floor(top / TICK) + 1 }, (_, k) => k * TICK);
   return (
-    <div class="height" role="img" aria-label={height === null ? "Height unknown" : `Height ${height.toFixed(1)} metres`} data-age={freshness(stateAge.value)}>
+    <div
+      class="height"
+      role="img"
+      aria-label={height === null ? "Height unknown" : `Height ${height.toFixed(1)} metres`}
+      data-age={freshness(stateAge.value)}
+    >
       <span class="value">{height === null ? "–" : height.toFixed(2)}</span>
       <div class="tube">
         {ticks.map((tick) => (
@@ -19,7 +25,9 @@ export function HeightStrip() {
           </span>
         ))}
         <span class="column" style={{ height: share(height ?? 0) }} />
-        {wanted !== null && <span class="wanted" style={{ bottom: share(wanted) }} title="Flight height" />}
+        {wanted !== null && (
+          <span class="wanted" style={{ bottom: share(wanted) }} title="Flight height" />
+        )}
       </div>
       <span class="unit">m</span>
     </div>

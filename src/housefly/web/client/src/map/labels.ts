@@ -1,4 +1,4 @@
-// Where names go on the map: places always get one, things only where it covers nothing else.
+// Where names go on the map: places always get one, things only where there is room for it.
 import type { PlaceView, RoomView } from "../wire/messages";
 import type { Projection } from "./projection";
 
@@ -25,7 +25,9 @@ export const WALLS = /wall|partition|pillar|column/;
 
 export function labels(view: RoomView, to: Projection): Label[] {
   const taken: Box[] = marks(view, to);
-  const places = view.places.filter((place) => place.name !== "home").map((place) => besideMark(place, to, taken));
+  const places = view.places
+    .filter((place) => place.name !== "home")
+    .map((place) => besideMark(place, to, taken));
   const things = thingBoxes(view, to).flatMap(({ text, box }) => inside(text, box, taken));
   return [...places, ...things];
 }
@@ -53,12 +55,17 @@ function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
 function inside(text: string, box: Box, taken: Box[]): Label[] {
   const [x, y] = [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2 + 4];
   const own = boxOf(text, x, y);
-  if (own.x1 - own.x0 > box.x1 - box.x0 + 8 || box.y1 - box.y0 < LINE - 2 || overlap(own, taken) > 0) return [];
+  if (
+    own.x1 - own.x0 > box.x1 - box.x0 + 8 ||
+    box.y1 - box.y0 < LINE - 2 ||
+    overlap(own, taken) > 0
+  )
+    return [];
   taken.push(own);
   return [{ kind: "thing", text, x, y }];
 }
 
-/** Boxes [px] of things that are one piece; things that stand in several spots, such as chairs, get no name. */
+/** Boxes [px] of things in one piece; things in several spots, such as chairs, get no name. */
 function thingBoxes(view: RoomView, to: Projection): { text: string; box: Box }[] {
   const found = new Map<string, { box: Box; area: number }>();
   for (const outline of view.outlines) {
@@ -66,7 +73,14 @@ function thingBoxes(view: RoomView, to: Projection): { text: string; box: Box }[
     if (WALLS.test(outline.thing) || outline.top < 0.05) continue;
     const box = around(outline.corners.map((corner) => to.at(corner)));
     const known = found.get(outline.thing);
-    const joined = known ? around([[known.box.x0, known.box.y0], [known.box.x1, known.box.y1], [box.x0, box.y0], [box.x1, box.y1]]) : box;
+    const joined = known
+      ? around([
+          [known.box.x0, known.box.y0],
+          [known.box.x1, known.box.y1],
+          [box.x0, box.y0],
+          [box.x1, box.y1],
+        ])
+      : box;
     found.set(outline.thing, { box: joined, area: (known?.area ?? 0) + area(box) });
   }
   return [...found]
@@ -97,7 +111,12 @@ function boxOf(text: string, x: number, y: number): Box {
 /** The box [px] of lines under each other, the first at (x, y), each centred on x. */
 export function blockOf(texts: string[], x: number, y: number): Box {
   const boxes = texts.map((text, line) => boxOf(text, x, y + line * LINE));
-  return around(boxes.flatMap((box): [number, number][] => [[box.x0, box.y0], [box.x1, box.y1]]));
+  return around(
+    boxes.flatMap((box): [number, number][] => [
+      [box.x0, box.y0],
+      [box.x1, box.y1],
+    ]),
+  );
 }
 
 function area(box: Box): number {

@@ -5,7 +5,7 @@ import { choosePoint } from "../goal";
 import { SwapButton } from "../panels/video";
 import { room } from "../store";
 import { DroneLayer } from "./drone";
-import { GoalLayer, WayLayer } from "./goal-layer";
+import { GoalLayer, PathLayer } from "./goal-layer";
 import { insideOf } from "./grid";
 import { HeightStrip } from "./height";
 import { fit, type Projection } from "./projection";
@@ -17,7 +17,9 @@ const size = signal<[number, number]>([0, 0]);
 export const projection = computed(() => {
   const view = room.value;
   const [width, height] = size.value;
-  return view && width > 0 && height > 0 ? fit(insideOf(view.grid) ?? view.bounds, width, height, MARGIN) : null;
+  return view && width > 0 && height > 0
+    ? fit(insideOf(view.grid) ?? view.bounds, width, height, MARGIN)
+    : null;
 });
 
 interface FrameProps {
@@ -44,7 +46,15 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
   return (
     <div class="plan-view" ref={frame}>
       {to ? (
-        <svg width={to.width} height={to.height} tabindex={onPoint ? 0 : -1} role={onPoint ? "img" : "group"} aria-label={label} data-scale={to.scale} onClick={click}>
+        <svg
+          width={to.width}
+          height={to.height}
+          tabindex={onPoint ? 0 : -1}
+          role={onPoint ? "img" : "group"}
+          aria-label={label}
+          data-scale={to.scale}
+          onClick={click}
+        >
           {children(to)}
         </svg>
       ) : (
@@ -58,11 +68,14 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
 export function MapView() {
   return (
     <section class="view map" aria-label="Map of the room">
-      <PlanFrame label="Floor plan with the drone. Arrow keys move the goal; a list of places follows." onPoint={choosePoint}>
+      <PlanFrame
+        label="Floor plan with the drone. Arrow keys move the goal; a list of places follows."
+        onPoint={choosePoint}
+      >
         {(to) => (
           <>
             <RoomLayer to={to} />
-            <WayLayer to={to} />
+            <PathLayer to={to} />
             <GoalLayer to={to} />
             <DroneLayer to={to} />
           </>

@@ -10,9 +10,17 @@ export interface Projection {
 }
 
 /** Fit bounds (x_min, y_min, x_max, y_max) [m] into width x height [px] with a margin [px]. */
-export function fit(bounds: [number, number, number, number], width: number, height: number, margin: number): Projection {
+export function fit(
+  bounds: [number, number, number, number],
+  width: number,
+  height: number,
+  margin: number,
+): Projection {
   const [x0, y0, x1, y1] = bounds;
-  const scale = Math.max(1, Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0)));
+  const scale = Math.max(
+    1,
+    Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0)),
+  );
   const left = (width - scale * (x1 - x0)) / 2;
   const top = (height - scale * (y1 - y0)) / 2;
   return {

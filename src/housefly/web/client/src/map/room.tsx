@@ -17,7 +17,9 @@ export function RoomLayer({ to, visitors = true }: { to: Projection; visitors?: 
       <Furniture view={view} to={to} />
       <Cells grid={view.grid} to={to} />
       <HomePad view={view} to={to} />
-      {view.places.map((place) => place.name !== "home" && <Place key={place.name} place={place} to={to} />)}
+      {view.places.map(
+        (place) => place.name !== "home" && <Place key={place.name} place={place} to={to} />,
+      )}
       <Names view={view} to={to} />
       {visitors && <Visitors to={to} />}
       <Scale to={to} />
@@ -35,8 +37,12 @@ function cells(grid: GridView, to: Projection, letters: string): string {
   const cell = to.scale * grid.resolution;
   return runs(grid, letters)
     .map(({ i, j, width }) => {
-      const [u, v] = to.at([grid.origin[0] + i * grid.resolution, grid.origin[1] + (j + 1) * grid.resolution]);
-      return `M${u.toFixed(2)} ${v.toFixed(2)}h${(width * cell).toFixed(2)}v${cell.toFixed(2)}h${(-width * cell).toFixed(2)}z`;
+      const [u, v] = to.at([
+        grid.origin[0] + i * grid.resolution,
+        grid.origin[1] + (j + 1) * grid.resolution,
+      ]);
+      const [across, up] = [(width * cell).toFixed(2), cell.toFixed(2)];
+      return `M${u.toFixed(2)} ${v.toFixed(2)}h${across}v${up}h-${across}z`;
     })
     .join("");
 }
@@ -50,7 +56,13 @@ function Cells({ grid, to }: { grid: GridView; to: Projection }) {
   return (
     <g class="cells">
       <defs>
-        <pattern id="hatch" width="7" height="7" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+        <pattern
+          id="hatch"
+          width="7"
+          height="7"
+          patternUnits="userSpaceOnUse"
+          patternTransform="rotate(45)"
+        >
           <line class="hatch" x1="0" y1="0" x2="0" y2="7" />
         </pattern>
       </defs>
@@ -64,9 +76,18 @@ function Cells({ grid, to }: { grid: GridView; to: Projection }) {
 
 function lines(grid: GridView, to: Projection): string {
   const at = (i: number, j: number): string =>
-    to.at([grid.origin[0] + i * grid.resolution, grid.origin[1] + j * grid.resolution]).map((value) => value.toFixed(1)).join(" ");
-  const along = Array.from({ length: grid.width + 1 }, (_, i) => `M${at(i, 0)}L${at(i, grid.height)}`);
-  const across = Array.from({ length: grid.height + 1 }, (_, j) => `M${at(0, j)}L${at(grid.width, j)}`);
+    to
+      .at([grid.origin[0] + i * grid.resolution, grid.origin[1] + j * grid.resolution])
+      .map((value) => value.toFixed(1))
+      .join(" ");
+  const along = Array.from(
+    { length: grid.width + 1 },
+    (_, i) => `M${at(i, 0)}L${at(i, grid.height)}`,
+  );
+  const across = Array.from(
+    { length: grid.height + 1 },
+    (_, j) => `M${at(0, j)}L${at(grid.width, j)}`,
+  );
   return [...along, ...across].join("");
 }
 
@@ -86,7 +107,7 @@ function Furniture({ view, to }: RoomProps) {
   );
 }
 
-/** Walls, what may stand elsewhere now, things lower than the drone flies, and things that stand in its way look different. */
+/** Walls, tracked furniture, and things below or at the drone's flight height look different. */
 function kind(outline: OutlineView, view: RoomView): string {
   if (WALLS.test(outline.thing)) return "wall";
   if (outline.tracked) return "tracked";
@@ -109,10 +130,11 @@ function Names({ view, to }: RoomProps) {
 function HomePad({ view, to }: RoomProps) {
   const [u, v] = to.at(view.home);
   const radius = Math.max(9, 0.35 * to.scale);
+  const [u0, v0] = [0.3 * radius, 0.42 * radius];
   return (
     <g class="home" transform={`translate(${u} ${v})`}>
       <circle r={radius} />
-      <path d={`M${-radius * 0.3} ${-radius * 0.42}v${radius * 0.84}M${radius * 0.3} ${-radius * 0.42}v${radius * 0.84}M${-radius * 0.3} 0h${radius * 0.6}`} />
+      <path d={`M${-u0} ${-v0}v${2 * v0}M${u0} ${-v0}v${2 * v0}M${-u0} 0h${2 * u0}`} />
     </g>
   );
 }
@@ -121,7 +143,8 @@ function Place({ place, to }: { place: PlaceView; to: Projection }) {
   const [u, v] = to.at(place.viewpoint);
   const [a, b] = to.at([place.look_at[0], place.look_at[1]]);
   const away = Math.hypot(a - u, b - v) || 1;
-  const tick = (px: number): string => `${(((a - u) / away) * px).toFixed(1)} ${(((b - v) / away) * px).toFixed(1)}`;
+  const tick = (px: number): string =>
+    `${(((a - u) / away) * px).toFixed(1)} ${(((b - v) / away) * px).toFixed(1)}`;
   return (
     <g class="place-mark" transform={`translate(${u} ${v})`}>
       <path d={`M${tick(4)}L${tick(11)}`} />
@@ -143,7 +166,9 @@ function Visitors({ to }: { to: Projection }) {
           <g key={one.name} class="person" transform={`translate(${u} ${v})`}>
             <ellipse rx={0.24 * to.scale} ry={0.24 * to.scale} />
             <circle r={0.1 * to.scale} />
-            <text y={-0.24 * to.scale - 4}>{one.name.charAt(0).toUpperCase() + one.name.slice(1)}</text>
+            <text y={-0.24 * to.scale - 4}>
+              {one.name.charAt(0).toUpperCase() + one.name.slice(1)}
+            </text>
           </g>
         );
       })}
@@ -157,7 +182,13 @@ function Piece({ to, one }: { to: Projection; one: OtherBody }) {
   const [length, width] = [one.size[0] * to.scale, one.size[1] * to.scale];
   return (
     <g class="piece" transform={`translate(${u} ${v})`}>
-      <rect x={-length / 2} y={-width / 2} width={length} height={width} transform={turn(one.yaw)} />
+      <rect
+        x={-length / 2}
+        y={-width / 2}
+        width={length}
+        height={width}
+        transform={turn(one.yaw)}
+      />
       <text y="4">{one.name}</text>
     </g>
   );
@@ -167,7 +198,9 @@ function Scale({ to }: { to: Projection }) {
   return (
     <g class="scale" transform={`translate(14 ${to.height - 8})`} aria-hidden="true">
       <path d={`M0 -5v5h${to.scale}v-5`} />
-      <text x={to.scale / 2} y="-4">1 m</text>
+      <text x={to.scale / 2} y="-4">
+        1 m
+      </text>
     </g>
   );
 }

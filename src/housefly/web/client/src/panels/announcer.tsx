@@ -1,7 +1,7 @@
-// For those who listen: the state politely and at most once a second, faults and lost contact at once.
+// For screen readers: the state politely, at most once a second; faults and lost contact at once.
 import { computed, effect, signal } from "@preact/signals";
 import { contact, events, flying, inContact, state } from "../store";
-import { headline } from "../words";
+import { headline } from "../headline";
 
 const PERIOD = 1000;
 const polite = signal("");
@@ -21,13 +21,18 @@ effect(() => {
   );
 });
 
-const lastFault = computed(() => events.value.filter((event) => event.severity === "fault").at(-1)?.text ?? "");
+const lastFault = computed(
+  () => events.value.filter((event) => event.severity === "fault").at(-1)?.text ?? "",
+);
 
 const LOST = "No contact: a drone that is flying hovers or lands by itself.";
 
 /** The warning across the screen when what it shows is the past. */
 export function Announcer() {
-  const lost = !inContact.value && contact.value !== "connecting" && (state.value !== null || contact.value === "lost");
+  const lost =
+    !inContact.value &&
+    contact.value !== "connecting" &&
+    (state.value !== null || contact.value === "lost");
   return (
     <>
       <p class="spoken" role="status">
@@ -44,7 +49,9 @@ export function Announcer() {
 }
 
 function words(): string {
-  if (contact.value === "elsewhere") return "This console was opened in another tab; that one is live.";
-  if (contact.value === "shut out") return "This browser's session has ended. Ask for a fresh link.";
+  if (contact.value === "elsewhere")
+    return "This console was opened in another tab; that one is live.";
+  if (contact.value === "shut out")
+    return "This browser's session has ended. Ask for a fresh link.";
   return LOST;
 }

@@ -1,7 +1,5 @@
 import { room, state, stateAge, freshness } from "../store";
-import { minutes } from "../words";
-
-const percent = (share: number): string => `${Math.round(100 * share)} %`;
+import { minutes, percent } from "../format";
 
 /** Charge in three parts: what is free to use, what the way home costs, what landing needs. */
 export function Battery() {
@@ -22,9 +20,15 @@ export function Battery() {
       <div class="row">
         <h2>Battery</h2>
         <span class="number">{known ? percent(charge) : "–"}</span>
-        <span class="quiet">{known && seconds != null ? `about ${minutes(seconds)} of flight` : ""}</span>
+        <span class="quiet">
+          {known && seconds != null ? `about ${minutes(seconds)} of flight` : ""}
+        </span>
       </div>
-      <div class="bar" role="img" aria-label={known ? `Battery ${percent(charge)}: ${spoken}` : "Battery unknown"}>
+      <div
+        class="bar"
+        role="img"
+        aria-label={known ? `Battery ${percent(charge)}: ${spoken}` : "Battery unknown"}
+      >
         {parts.map((part) => (
           <span key={part.kind} class={part.kind} style={{ width: `${100 * part.share}%` }} />
         ))}

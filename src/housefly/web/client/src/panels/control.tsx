@@ -12,10 +12,18 @@ export function Control() {
   return (
     <section class="sheet" role="dialog" aria-label="Control">
       <h2>Control</h2>
-      <p class="quiet">One person has control. Everybody else watches, and can still stop or land the drone.</p>
+      <p class="quiet">
+        One person has control. Everybody else watches, and can still stop or land the drone.
+      </p>
       <label class="field">
         Your name
-        <input type="text" maxLength={24} value={myName()} placeholder={`Viewer ${me.value}`} onChange={(event) => rename(event.currentTarget.value.trim())} />
+        <input
+          type="text"
+          maxLength={24}
+          value={myName()}
+          placeholder={`Viewer ${me.value}`}
+          onChange={(event) => rename(event.currentTarget.value.trim())}
+        />
       </label>
       <ul class="people">
         {viewers.value.viewers.map((one) => (
@@ -77,5 +85,6 @@ async function lease(action: "release" | "give", to: number): Promise<void> {
 
 async function invite(): Promise<void> {
   const answer = await ask({ type: "invite" });
-  invitation.value = answer.type === "invite" ? `${location.origin}${answer.path}` : "No link could be made.";
+  invitation.value =
+    answer.type === "invite" ? `${location.origin}${answer.path}` : "No link could be made.";
 }

@@ -19,7 +19,10 @@ export function Help() {
           ))}
         </tbody>
       </table>
-      <p class="quiet">Space stops the drone even while you type, as long as it flies. On the ground it types a space.</p>
+      <p class="quiet">
+        Space stops the drone even while you type, as long as it flies. On the ground it types a
+        space.
+      </p>
       <button type="button" class="quiet-button" onClick={() => (panel.value = "")}>
         Close
       </button>

@@ -7,7 +7,10 @@ const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕
 const SHOWN = 100;
 
 /** What is wrong at this moment: complaints of the drone, notes of the pilot's wires. */
-const standing = computed(() => [...(link.value?.link.notes ?? []), ...(state.value?.faults ?? [])]);
+const standing = computed(() => [
+  ...(link.value?.link.notes ?? []),
+  ...(state.value?.faults ?? []),
+]);
 
 /** What happened, newest first; every line arrives, whatever the line is like. */
 export function Log() {

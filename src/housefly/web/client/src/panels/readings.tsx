@@ -2,7 +2,7 @@ import type { ComponentChildren } from "preact";
 import { freshness, link, state, stateAge } from "../store";
 import { now } from "../wire/clock";
 import { picture } from "../wire/video";
-import { milliseconds } from "../words";
+import { milliseconds } from "../format";
 
 const LINK_PERIOD = 0.5;
 
@@ -31,7 +31,9 @@ export function Readings() {
   const s = state.value;
   const wires = link.value?.link;
   // The link is told twice a second: its age counts from when the next one was due.
-  const linkAge = link.value ? Math.max(0, now.value - link.value.heard_at - LINK_PERIOD) : Infinity;
+  const linkAge = link.value
+    ? Math.max(0, now.value - link.value.heard_at - LINK_PERIOD)
+    : Infinity;
   const poseAge = (s?.pose_age ?? Infinity) + age;
   const telemetryAge = (s?.telemetry_age ?? Infinity) + age;
   const shown = picture.value;
@@ -40,24 +42,35 @@ export function Readings() {
   const speed = s?.velocity ? Math.hypot(s.velocity[0], s.velocity[1]) : null;
   return (
     <dl class="card readings">
-      <Reading name="Tracking" age={Math.max(linkAge, age)} problem={poseAge > POSE_OLD || wires?.tracking_connected === false}>
+      <Reading
+        name="Tracking"
+        age={Math.max(linkAge, age)}
+        problem={poseAge > POSE_OLD || wires?.tracking_connected === false}
+      >
         {rate(wires?.tracking_rate_hz)} · {ageWords(poseAge)}
       </Reading>
-      <Reading name="Drone" age={Math.max(linkAge, age)} problem={telemetryAge > TELEMETRY_OLD || wires?.drone_connected === false}>
+      <Reading
+        name="Drone"
+        age={Math.max(linkAge, age)}
+        problem={telemetryAge > TELEMETRY_OLD || wires?.drone_connected === false}
+      >
         {rate(wires?.telemetry_rate_hz)} · {ageWords(telemetryAge)}
       </Reading>
       <Reading name="Picture" age={linkAge} problem={wires?.video_connected === false}>
         {rate(wires?.video_rate_hz)} · {ageWords(pictureAge)}
       </Reading>
       <Reading name="Pilot loop" age={linkAge}>
-        {wires ? `p99 ${(1000 * wires.loop_p99_s).toFixed(1)} ms late · ${wires.missed_ticks} missed` : "–"}
+        {wires
+          ? `p99 ${(1000 * wires.loop_p99_s).toFixed(1)} ms late · ${wires.missed_ticks} missed`
+          : "–"}
       </Reading>
       <Reading name="Position" age={age}>
         {s?.position ? `${s.position.map((value) => value.toFixed(2)).join("  ")} m` : "–"}
         {s?.position_std != null && <small> ± {milli(s.position_std)}</small>}
       </Reading>
       <Reading name="Motion" age={age}>
-        {speed === null ? "–" : `${speed.toFixed(2)} m/s`} · {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
+        {speed === null ? "–" : `${speed.toFixed(2)} m/s`} ·{" "}
+        {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
       </Reading>
       <Reading name="State" age={age} problem={s !== null && s.safety !== "nominal"}>
         {s ? `${s.behavior} · safety ${s.safety}` : "–"}

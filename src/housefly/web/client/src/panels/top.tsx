@@ -3,7 +3,8 @@ import { HoldButton } from "../controls/hold-button";
 import { CutIcon, ShapeIcon } from "../controls/icons";
 import { iFly, nameOf, open, panel, room, screen, state, viewers } from "../store";
 import { lag } from "../wire/clock";
-import { headline, milliseconds } from "../words";
+import { milliseconds } from "../format";
+import { headline } from "../headline";
 
 const SCREENS = [
   ["fly", "Fly"],
@@ -30,19 +31,37 @@ export function Top() {
       <div class="who">
         <nav class="screens" aria-label="Screens">
           {SCREENS.map(([name, title]) => (
-            <button type="button" key={name} aria-current={screen.value === name ? "page" : undefined} onClick={() => open(name)}>
+            <button
+              type="button"
+              key={name}
+              aria-current={screen.value === name ? "page" : undefined}
+              onClick={() => open(name)}
+            >
               {title}
             </button>
           ))}
         </nav>
-        <span class="charge">{state.value?.battery == null ? "" : `battery ${Math.round(100 * state.value.battery)} %`}</span>
+        <span class="charge">
+          {state.value?.battery == null ? "" : `battery ${Math.round(100 * state.value.battery)} %`}
+        </span>
         <span class="lag" title="Round trip between this browser and the server">
           lag {lag.value === null ? "–" : milliseconds(lag.value)}
         </span>
-        <button type="button" class="quiet-button" aria-expanded={panel.value === "control"} onClick={() => toggle("control")}>
+        <button
+          type="button"
+          class="quiet-button"
+          aria-expanded={panel.value === "control"}
+          onClick={() => toggle("control")}
+        >
           {who()}
         </button>
-        <button type="button" class="quiet-button key" aria-label="Keys" aria-expanded={panel.value === "help"} onClick={() => toggle("help")}>
+        <button
+          type="button"
+          class="quiet-button key"
+          aria-label="Keys"
+          aria-expanded={panel.value === "help"}
+          onClick={() => toggle("help")}
+        >
           ?
         </button>
       </div>
@@ -58,12 +77,16 @@ export function Top() {
 /** The site's name, and its mode when it is not the usual one. */
 function site(): string {
   if (!room.value) return " ";
-  return room.value.mode === "default" ? room.value.site : `${room.value.site} · mode ${room.value.mode}`;
+  return room.value.mode === "default"
+    ? room.value.site
+    : `${room.value.site} · mode ${room.value.mode}`;
 }
 
 function who(): string {
   if (iFly.value) return "You have control";
-  return viewers.value.pilot === null ? "Take control" : `${nameOf(viewers.value.pilot)} has control`;
+  return viewers.value.pilot === null
+    ? "Take control"
+    : `${nameOf(viewers.value.pilot)} has control`;
 }
 
 function toggle(name: "help" | "control"): void {

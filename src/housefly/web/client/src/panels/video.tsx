@@ -3,7 +3,7 @@ import { SwapIcon } from "../controls/icons";
 import { freshness, swapped } from "../store";
 import { now } from "../wire/clock";
 import { decodesVideo, picture, watch } from "../wire/video";
-import { milliseconds } from "../words";
+import { milliseconds } from "../format";
 
 /** The drone's picture. */
 export function VideoView() {
@@ -40,7 +40,13 @@ function veil(age: number): string {
 /** Makes the small view large. */
 export function SwapButton({ to }: { to: "map" | "picture" }) {
   return (
-    <button type="button" class="swap" aria-label={`Make the ${to} large, or small again`} title="Swap (M)" onClick={() => (swapped.value = !swapped.value)}>
+    <button
+      type="button"
+      class="swap"
+      aria-label={`Make the ${to} large, or small again`}
+      title="Swap (M)"
+      onClick={() => (swapped.value = !swapped.value)}
+    >
       <SwapIcon />
     </button>
   );

@@ -1,4 +1,4 @@
-// Generated from housefly/web/vocabulary.py by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/web/protocol.py by `python -m housefly.web.typescript`. Do not edit.
 
 export interface Hello {
   type: "hello";
@@ -6,7 +6,7 @@ export interface Hello {
   name?: string;
 }
 
-export interface Ping {
+export interface PingRequest {
   type: "ping";
   sent: number;
 }
@@ -16,7 +16,17 @@ export interface StopRequest {
   id?: number;
 }
 
-export type OrderKind = "take_off" | "land" | "hover" | "go" | "service" | "home" | "stop" | "resume" | "cut" | "reset";
+export type OrderKind =
+  | "take_off"
+  | "land"
+  | "hover"
+  | "go"
+  | "service"
+  | "home"
+  | "stop"
+  | "resume"
+  | "cut"
+  | "reset";
 
 export interface OrderRequest {
   type: "order";
@@ -101,7 +111,7 @@ export interface RoomView {
   limits: Record<string, number>;
 }
 
-export interface RoomNews {
+export interface RoomMessage {
   room: RoomView;
   type: "room";
 }
@@ -110,11 +120,25 @@ export type DroneStatus = "unknown" | "landed" | "taking off" | "flying" | "land
 
 export type Behavior = "hover" | "altitudeControl" | "yawControl" | "pathTracking";
 
-export type Phase = "idle" | "taking off" | "flying to goal" | "looking" | "holding" | "returning" | "landing";
+export type Phase =
+  | "idle"
+  | "taking off"
+  | "flying to goal"
+  | "looking"
+  | "holding"
+  | "returning"
+  | "landing";
 
 export type SafetyMode = "nominal" | "level" | "stopped" | "land" | "cut";
 
-export type Action = "idle" | "take off" | "fly" | "hover" | "land" | "cut motors" | "reset emergency";
+export type Action =
+  | "idle"
+  | "take off"
+  | "fly"
+  | "hover"
+  | "land"
+  | "cut motors"
+  | "reset emergency";
 
 export interface OtherBody {
   name: string;
@@ -123,7 +147,7 @@ export interface OtherBody {
   yaw: number;
 }
 
-export interface State {
+export interface StateMessage {
   sequence: number;
   heard_at: number;
   status: DroneStatus | null;
@@ -151,7 +175,7 @@ export interface State {
   type: "state";
 }
 
-export interface PathNews {
+export interface PathMessage {
   number: number;
   waypoints: [number, number][];
   length: number;
@@ -173,13 +197,13 @@ export interface LinkStatus {
   notes: string[];
 }
 
-export interface LinkNews {
+export interface LinkMessage {
   heard_at: number;
   link: LinkStatus;
   type: "link";
 }
 
-export interface EventNews {
+export interface EventsMessage {
   events: EventView[];
   type: "events";
 }
@@ -189,7 +213,7 @@ export interface ViewerView {
   name: string;
 }
 
-export interface ViewersNews {
+export interface ViewersMessage {
   pilot: number | null;
   viewers: ViewerView[];
   type: "viewers";
@@ -210,35 +234,54 @@ export interface PlanAnswer {
   duration: number;
 }
 
-export interface PlanNews {
+export interface PlanReply {
   id: number;
   answer: PlanAnswer;
   type: "plan";
 }
 
-export interface Accepted {
+export interface AcceptedReply {
   id: number;
   type: "accepted";
 }
 
-export interface Refused {
+export interface RefusedReply {
   id: number;
   reason: string;
   type: "refused";
 }
 
-export interface Pong {
+export interface PongReply {
   sent: number;
   now: number;
   type: "pong";
 }
 
-export interface InviteNews {
+export interface InviteReply {
   id: number;
   path: string;
   type: "invite";
 }
 
-export type ClientMessage = Hello | Ping | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest;
+export type ClientMessage =
+  | Hello
+  | PingRequest
+  | StopRequest
+  | OrderRequest
+  | PlanQuestion
+  | LeaseRequest
+  | InviteRequest;
 
-export type ServerMessage = Welcome | RoomNews | State | PathNews | LinkNews | EventNews | ViewersNews | PlanNews | Accepted | Refused | Pong | InviteNews;
+export type ServerMessage =
+  | Welcome
+  | RoomMessage
+  | StateMessage
+  | PathMessage
+  | LinkMessage
+  | EventsMessage
+  | ViewersMessage
+  | PlanReply
+  | AcceptedReply
+  | RefusedReply
+  | PongReply
+  | InviteReply;

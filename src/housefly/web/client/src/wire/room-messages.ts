@@ -1,6 +1,6 @@
-// Generated from housefly/bus/room_answers.py by `python -m housefly.web.typescript`. Do not edit.
+// Generated from housefly/hub/api/answers.py by `python -m housefly.web.typescript`. Do not edit.
 
-export interface Said {
+export interface SourceAnswer {
   source: string;
   age: number;
   position: [number, number, number] | null;
@@ -22,10 +22,10 @@ export interface WhereAnswer {
   seen_at: number | null;
   age: number | null;
   sources: string[];
-  said: Said[];
+  said: SourceAnswer[];
 }
 
-export interface View {
+export interface ViewpointAnswer {
   name: string;
   position: [number, number, number];
   yaw: number;
@@ -39,14 +39,14 @@ export interface ThingAnswer {
   aliases: string[];
   position: [number, number, number] | null;
   inside: string;
-  viewpoints: View[];
+  viewpoints: ViewpointAnswer[];
 }
 
 export interface ThingsAnswer {
   things: ThingAnswer[];
 }
 
-export interface Placed {
+export interface PlacedThing {
   thing: string;
   name: string;
   kind: string;
@@ -58,7 +58,7 @@ export interface Placed {
 }
 
 export interface PlacedAnswer {
-  things: Placed[];
+  things: PlacedThing[];
 }
 
 export interface TrajectoryAnswer {
@@ -66,7 +66,7 @@ export interface TrajectoryAnswer {
   rows: [number, number, number, number][];
 }
 
-export interface Occurrence {
+export interface EventAnswer {
   kind: string;
   thing: string;
   at: number;
@@ -77,7 +77,7 @@ export interface Occurrence {
 }
 
 export interface EventsAnswer {
-  events: Occurrence[];
+  events: EventAnswer[];
 }
 
 export interface SensorAnswer {
@@ -96,7 +96,7 @@ export interface SensorsAnswer {
   memory: string;
 }
 
-export interface Holding {
+export interface SituationAnswer {
   kind: string;
   thing: string;
   since: number;
@@ -104,7 +104,7 @@ export interface Holding {
   evidence: string;
 }
 
-export interface Hindrance {
+export interface ObstacleAnswer {
   obstacle: string;
   x: number;
   y: number;
@@ -121,9 +121,9 @@ export interface Hindrance {
 
 export interface PictureAnswer {
   at: number;
-  things: Placed[];
-  situations: Holding[];
-  obstacles: Hindrance[];
+  things: PlacedThing[];
+  situations: SituationAnswer[];
+  obstacles: ObstacleAnswer[];
 }
 
 export interface CoverageView {
@@ -160,12 +160,21 @@ export interface EditsView {
 
 export interface News {
   at: number;
-  things: Placed[];
-  events: Occurrence[];
-  situations: Holding[];
-  obstacles: Hindrance[];
+  things: PlacedThing[];
+  events: EventAnswer[];
+  situations: SituationAnswer[];
+  obstacles: ObstacleAnswer[];
 }
 
-export type RoomAnswer = WhereAnswer | ThingsAnswer | PlacedAnswer | TrajectoryAnswer | EventsAnswer | SensorsAnswer | PictureAnswer | CoverageView | EditsView;
+export type RoomAnswer =
+  | WhereAnswer
+  | ThingsAnswer
+  | PlacedAnswer
+  | TrajectoryAnswer
+  | EventsAnswer
+  | SensorsAnswer
+  | PictureAnswer
+  | CoverageView
+  | EditsView;
 
 export type RoomNews = News;

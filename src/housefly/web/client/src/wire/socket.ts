@@ -1,12 +1,20 @@
-// The line to the server: comes back by itself, answers requests, and puts what it hears into the store.
+// The connection to the server: reconnects, resolves requests, and writes messages to the store.
 import { batch } from "@preact/signals";
 import * as store from "../store";
 import { assume, learn, localNow } from "./clock";
-import type { Accepted, ClientMessage, InviteNews, PlanNews, Refused, ServerMessage } from "./messages";
+import type {
+  AcceptedReply,
+  ClientMessage,
+  InviteReply,
+  PlanReply,
+  RefusedReply,
+  ServerMessage,
+} from "./messages";
+import { openSocket } from "./open-socket";
 
 type Request = Exclude<ClientMessage, { type: "hello" | "ping" }>;
 type Unnumbered<T> = T extends Request ? Omit<T, "id"> : never;
-type Answer = Accepted | Refused | PlanNews | InviteNews;
+type Answer = AcceptedReply | RefusedReply | PlanReply | InviteReply;
 
 const OPENED_ELSEWHERE = 4001;
 const PING_PERIOD = 1000;
@@ -21,11 +29,13 @@ let pause = 250;
 let lastId = 0;
 const waiting = new Map<number, (answer: Answer) => void>();
 
-/** Which tab this is; the server knows again by it who sits here. */
+/** This tab's id; the server recognizes the viewer by it after a reconnect. */
 export function tab(): string {
   const known = sessionStorage.getItem(TAB_KEY);
   if (known) return known;
-  const fresh = Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+  const fresh = Array.from(crypto.getRandomValues(new Uint8Array(12)), (byte) =>
+    byte.toString(16).padStart(2, "0"),
+  ).join("");
   sessionStorage.setItem(TAB_KEY, fresh);
   return fresh;
 }
@@ -37,27 +47,27 @@ export function myName(): string {
 /** Change the name that others see. */
 export function rename(name: string): void {
   localStorage.setItem(NAME_KEY, name);
-  tell({ type: "hello", tab: tab(), name });
+  transmit({ type: "hello", tab: tab(), name });
 }
 
-function tell(message: ClientMessage): boolean {
+function transmit(message: ClientMessage): boolean {
   if (socket?.readyState !== WebSocket.OPEN) return false;
   socket.send(JSON.stringify(message));
   return true;
 }
 
-/** Send a request; resolves with the server's answer, or with a refusal when there is no line to the server. */
+/** Send a request; resolves with the server's answer, or with a refusal when disconnected. */
 export function ask(request: Unnumbered<Request>): Promise<Answer> {
   const id = ++lastId;
   return new Promise((resolve) => {
-    if (tell({ ...request, id } as ClientMessage)) waiting.set(id, resolve);
+    if (transmit({ ...request, id } as ClientMessage)) waiting.set(id, resolve);
     else resolve({ type: "refused", id, reason: "no contact with the server" });
   });
 }
 
 /** STOP: over the socket, or by a plain request when the socket is down. */
 export async function stop(): Promise<string> {
-  if (tell({ type: "stop" })) return "";
+  if (transmit({ type: "stop" })) return "";
   try {
     const answer = await fetch("/stop", { method: "POST", keepalive: true });
     return answer.ok ? "" : "STOP was not accepted";
@@ -66,19 +76,19 @@ export async function stop(): Promise<string> {
   }
 }
 
-/** Open the line and keep it open. */
+/** Connect and stay connected. */
 export function connect(): void {
-  const scheme = location.protocol === "https:" ? "wss" : "ws";
-  const line = new WebSocket(`${scheme}://${location.host}/socket`);
+  const line = openSocket("/socket");
   socket = line;
   let wasOpen = false;
   line.onopen = () => {
     wasOpen = true;
     pause = 250;
-    tell({ type: "hello", tab: tab(), name: myName() });
+    transmit({ type: "hello", tab: tab(), name: myName() });
     ping();
   };
-  line.onmessage = (event: MessageEvent<string>) => hear(JSON.parse(event.data) as ServerMessage);
+  line.onmessage = (event: MessageEvent<string>) =>
+    receive(JSON.parse(event.data) as ServerMessage);
   line.onclose = (event) => {
     forgetRequests();
     if (event.code === OPENED_ELSEWHERE) {
@@ -96,20 +106,21 @@ async function checkSession(): Promise<void> {
   try {
     if ((await fetch("/", { method: "HEAD" })).status === 403) store.contact.value = "shut out";
   } catch {
-    // The server is away; the next attempt to connect will tell.
+    // The server is away; the next attempt to connect will show it.
   }
 }
 
 function forgetRequests(): void {
-  for (const [id, resolve] of waiting) resolve({ type: "refused", id, reason: "the line to the server broke" });
+  for (const [id, resolve] of waiting)
+    resolve({ type: "refused", id, reason: "the line to the server broke" });
   waiting.clear();
 }
 
 function ping(): void {
-  if (tell({ type: "ping", sent: localNow() })) setTimeout(ping, PING_PERIOD);
+  if (transmit({ type: "ping", sent: localNow() })) setTimeout(ping, PING_PERIOD);
 }
 
-function hear(message: ServerMessage): void {
+function receive(message: ServerMessage): void {
   batch(() => {
     switch (message.type) {
       case "welcome":

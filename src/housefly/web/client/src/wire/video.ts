@@ -1,7 +1,9 @@
-// Live pictures: H.264 over a WebSocket, decoded by WebCodecs, drawn on a canvas. Every picture is answered with one byte,
-// late when the decoder is behind, so that the server skips to a key frame instead of letting the picture lag.
+// Live pictures: H.264 over a WebSocket, decoded by WebCodecs, drawn on a canvas. Every picture is
+// acknowledged with one byte, late when the decoder is behind, so that the server skips to a key
+// frame instead of letting the picture lag.
 import { signal } from "@preact/signals";
 import { serverNow } from "./clock";
+import { openSocket } from "./open-socket";
 
 const HEADER = 24;
 const KEY_FRAME = 1;
@@ -19,7 +21,7 @@ export interface Picture {
 
 /** The newest picture on the screen, or null before the first. */
 export const picture = signal<Picture | null>(null);
-/** WebCodecs exists on secure addresses only (loopback is one); elsewhere the server sends JPEG pictures instead. */
+/** WebCodecs needs a secure address, such as loopback; elsewhere the server sends JPEG pictures. */
 export const decodesVideo = "VideoDecoder" in window;
 
 interface Message extends Picture {
@@ -40,7 +42,7 @@ function parse(buffer: ArrayBuffer): Message {
   };
 }
 
-/** The codec string, from profile, constraints and level in the sequence parameter set of a key frame. */
+/** The codec string from profile, constraints and level in a key frame's parameter set. */
 export function codecOf(data: Uint8Array): string | null {
   for (let i = 0; i + 6 < data.length; i++) {
     if (data[i] === 0 && data[i + 1] === 0 && data[i + 2] === 1 && (data[i + 3]! & 0x1f) === 7) {
@@ -51,7 +53,7 @@ export function codecOf(data: Uint8Array): string | null {
   return null;
 }
 
-/** Show the drone's pictures on a canvas; returns what ends it. */
+/** Show the drone's pictures on a canvas; returns a function that stops it. */
 export function watch(canvas: HTMLCanvasElement): () => void {
   const screen = canvas.getContext("2d", { alpha: false })!;
   const shown = new Map<number, Picture>();
@@ -93,7 +95,7 @@ export function watch(canvas: HTMLCanvasElement): () => void {
     answer();
   };
 
-  const take = (message: Message): void => {
+  const receive = (message: Message): void => {
     owed += 1;
     if (message.keyframe) {
       const found = codecOf(message.data);
@@ -108,16 +110,21 @@ export function watch(canvas: HTMLCanvasElement): () => void {
     if (decoder?.state === "configured") {
       const timestamp = Math.round(message.receivedAt * MICRO);
       shown.set(timestamp, message);
-      decoder.decode(new EncodedVideoChunk({ type: message.keyframe ? "key" : "delta", timestamp, data: message.data }));
+      decoder.decode(
+        new EncodedVideoChunk({
+          type: message.keyframe ? "key" : "delta",
+          timestamp,
+          data: message.data,
+        }),
+      );
     }
     answer();
   };
 
   const connect = (): void => {
-    const scheme = location.protocol === "https:" ? "wss" : "ws";
-    socket = new WebSocket(`${scheme}://${location.host}/video`);
+    socket = openSocket("/video");
     socket.binaryType = "arraybuffer";
-    socket.onmessage = (event: MessageEvent<ArrayBuffer>) => take(parse(event.data));
+    socket.onmessage = (event: MessageEvent<ArrayBuffer>) => receive(parse(event.data));
     socket.onclose = () => {
       owed = 0;
       restart();

@@ -1,0 +1,199 @@
+"""``housefly where``, ``history``, ``watch``, ``sensors``: ask the room, running or not."""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Protocol
+
+from housefly.app.commands.subcommand import Subcommand
+from housefly.app.parse_time import TIME_FORMS, parse_time
+from housefly.app.room_words import clock_time, event_line, moved_line, said_line, sensor_row
+from housefly.app.terminal import console, new_table
+from housefly.errors import LinkError
+
+if TYPE_CHECKING:
+    from housefly.hub.api.answers import News
+    from housefly.hub.api.questions import Question
+
+
+class _Answering(Protocol):
+    """A running room or its memory."""
+
+    def ask(self, question: Question) -> Any:
+        """Return the answer."""
+        ...
+
+
+def _add_site(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="asked when no room is running (default: bsen)",
+    )
+
+
+def _add_where_arguments(parser: ArgumentParser) -> None:
+    _add_site(parser)
+    parser.add_argument("thing", help="id, name or alias; the beginning is enough")
+    parser.add_argument("--at", metavar="TIME", help=f"where it was then: {TIME_FORMS}")
+
+
+def _add_history_arguments(parser: ArgumentParser) -> None:
+    _add_site(parser)
+    parser.add_argument(
+        "thing", nargs="?", default="", help="id, name or alias (default: everything)"
+    )
+    parser.add_argument(
+        "--since", default="1d", metavar="TIME", help=f"from then on: {TIME_FORMS} (default: 1d)"
+    )
+    parser.add_argument("--until", metavar="TIME", help="up to then (default: now)")
+    parser.add_argument("--kind", default="", help='only this, for example "door opened"')
+    parser.add_argument(
+        "--limit", type=int, default=200, metavar="N", help="the newest N (default: 200)"
+    )
+    parser.add_argument(
+        "--way", action="store_true", help="where the thing was, not what happened to it"
+    )
+
+
+def _add_watch_arguments(parser: ArgumentParser) -> None:
+    _add_site(parser)
+    parser.add_argument(
+        "--moves", action="store_true", help="also where things are, whenever that changes"
+    )
+
+
+def _where(options: Namespace) -> int:
+    """Say where a thing is."""
+    from housefly.hub.api.json import checked_question
+    from housefly.hub.api.questions import WhereQuestion
+
+    at = parse_time(options.at, time.time(), "--at") if options.at else None
+    with _room(options.site) as room:
+        answer = room.ask(checked_question(WhereQuestion(options.thing, at)))
+    console.print(answer.words, soft_wrap=True)
+    for said in answer.said:
+        console.print(said_line(said), soft_wrap=True)
+    return 0
+
+
+def _history(options: Namespace) -> int:
+    """List what happened, or where a thing was."""
+    from housefly.hub.api.json import checked_question
+    from housefly.hub.api.questions import EventsQuestion, TrajectoryQuestion
+
+    now = time.time()
+    since = parse_time(options.since, now, "--since")
+    until = parse_time(options.until, now, "--until") if options.until else None
+    with _room(options.site) as room:
+        if options.way:
+            track = TrajectoryQuestion(options.thing, since, until, every=1.0)
+            rows = room.ask(checked_question(track)).rows[-options.limit :]
+            for at, x, y, z in rows:
+                console.print(f"{clock_time(at, now)}  ({x:.2f}, {y:.2f}, {z:.2f}) m")
+            return 0
+        question = EventsQuestion(since, until, options.thing, options.kind, limit=options.limit)
+        events = room.ask(checked_question(question)).events
+    for event in events:
+        console.print(event_line(event, now), soft_wrap=True)
+    if not events:
+        console.print(f"nothing happened since {clock_time(since, now)}")
+    return 0
+
+
+def _watch(options: Namespace) -> int:
+    """Print what happens until Ctrl-C."""
+    from housefly.hub.client.discovery import find
+    from housefly.hub.client.room_client import RoomClient
+
+    place = find()
+    console.print(f"watching {place.site}; Ctrl-C ends")
+    try:
+        with RoomClient(place.address, place.key, port=place.port) as room:
+            for news in room.watch():
+                _print_news(news, options.moves)
+    except KeyboardInterrupt:
+        return 0
+    return 0
+
+
+def _print_news(news: News, moves: bool) -> None:
+    for event in news.events:
+        console.print(event_line(event, news.at), soft_wrap=True)
+    for thing in news.things if moves else ():
+        console.print(moved_line(thing, news.at), style="dim", soft_wrap=True)
+
+
+def _sensors(options: Namespace) -> int:
+    """List the sensors; 0 only when all of them do well."""
+    from housefly.hub.api.questions import SensorsQuestion
+
+    with _room(options.site) as room:
+        answer = room.ask(SensorsQuestion())
+    headings = ("", "sensor", "kind", "rate", "last heard", "what is wrong")
+    table = new_table(headings, overflow="fold")
+    for sensor in answer.sensors:
+        table.add_row(*sensor_row(sensor))
+    if answer.sensors:
+        console.print(table)
+    else:
+        console.print("no sensor is running")
+    console.print(f"memory: {answer.memory}")
+    return 0 if answer.sensors and all(sensor.connected for sensor in answer.sensors) else 1
+
+
+@contextmanager
+def _room(site: str) -> Iterator[_Answering]:
+    """Yield the room that runs, or its memory when none does."""
+    from housefly.hub.client.discovery import find
+    from housefly.hub.client.room_client import RoomClient
+
+    try:
+        place = find()
+    except LinkError:
+        from housefly.app.loaded_site import read_site, site_file
+        from housefly.hub.offline import OfflineRoom
+
+        console.print("no room is running: this is what its memory holds", style="dim")
+        with OfflineRoom(read_site(site), site_file(site).parent) as memory:
+            yield memory
+    else:
+        with RoomClient(place.address, place.key, port=place.port) as client:
+            yield client
+
+
+WHERE_COMMAND = Subcommand(
+    name="where",
+    help="where is a thing",
+    description="Say where a thing is, who saw it and how long ago.",
+    add_arguments=_add_where_arguments,
+    run=_where,
+)
+
+HISTORY_COMMAND = Subcommand(
+    name="history",
+    help="what happened",
+    description="List what happened, to one thing or at all; oldest first.",
+    add_arguments=_add_history_arguments,
+    run=_history,
+)
+
+WATCH_COMMAND = Subcommand(
+    name="watch",
+    help="what happens now",
+    description="Print what happens as it does, until Ctrl-C.",
+    add_arguments=_add_watch_arguments,
+    run=_watch,
+)
+
+SENSORS_COMMAND = Subcommand(
+    name="sensors",
+    help="how every sensor does",
+    description="List sensors with rate, age and what is wrong.",
+    add_arguments=_add_site,
+    run=_sensors,
+)

@@ -1,0 +1,76 @@
+"""Arguments that several commands have, and the site that they name."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from housefly import sites
+from housefly.app.terminal import console
+
+if TYPE_CHECKING:
+    from housefly.app.loaded_site import LoadedSite
+
+
+def add_site_arguments(parser: ArgumentParser) -> None:
+    """Add ``--site`` and ``--mode``."""
+    parser.add_argument(
+        "--site",
+        default="bsen",
+        metavar="SITE",
+        help="site file, folder, or shipped site (default: bsen)",
+    )
+    parser.add_argument(
+        "--mode", choices=("default", "paper"), help="fly the paper's own chain, or the mended one"
+    )
+
+
+def add_console_arguments(parser: ArgumentParser) -> None:
+    """Add ``--port`` and ``--record``."""
+    parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
+    parser.add_argument(
+        "--record", metavar="DIR", help="record everything that is flown into this folder"
+    )
+
+
+def add_simulation_arguments(parser: ArgumentParser) -> None:
+    """Add ``--seed`` and ``--mocap-rate``."""
+    parser.add_argument("--seed", type=int, help="seed of all simulated noise")
+    parser.add_argument(
+        "--mocap-rate",
+        type=float,
+        metavar="HZ",
+        help="frames per second of the simulated tracking (default: 100)",
+    )
+
+
+def given(changes: dict[str, Any]) -> dict[str, Any]:
+    """Return the changes of a site that the options ask for: those that are not None."""
+    return {key: value for key, value in changes.items() if value is not None}
+
+
+def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
+    """Load the site that the options name, optionally with the newest edits of the ROOM screen."""
+    from housefly.app.loaded_site import open_site, read_site, with_newest_edits
+
+    changes: dict[str, Any] = {
+        "mode": options.mode,
+        "web__port": getattr(options, "port", None),
+        "twin__seed": getattr(options, "seed", None),
+        "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
+    }
+    if getattr(options, "lively", False):
+        changes |= {
+            "hub__things": str(Path(sites.__file__).with_name("bsen_things.toml")),
+            "twin__scene": "bsen",
+            "mqtt__broker": "127.0.0.1",
+            "mqtt__start": True,
+            "mqtt__port": 0,
+        }
+    site = read_site(options.site, **given(changes))
+    if with_edits:
+        site, words = with_newest_edits(site)
+        if words:
+            console.print(f"map:      {words}", markup=False)
+    return open_site(site)

@@ -1,0 +1,90 @@
+"""Depth images from the bus to obstacles on the bus; works on the bus's own thread, so that no
+scanner waits for a picture.
+"""
+
+from __future__ import annotations
+
+import threading
+from math import inf
+
+from housefly.app.loaded_site import LoadedSite
+from housefly.bus.bus import Bus
+from housefly.bus.topics import DEPTH_TOPIC, OBSTACLE_TOPIC
+from housefly.clock import Clock
+from housefly.messages import DepthImage, SensorReport
+from housefly.perception.depth_tracker import DepthTracker
+from housefly.perception.laser_tracker import OwnFootprint
+from housefly.room.tracked import untracked
+from housefly.sensors.message_rate import MessageRate
+
+CAMERA_SILENT_AFTER = 2.0
+"""A camera that sends nothing for this long is told [s]."""
+REFUSED_IMAGE_SHOWN_FOR = 5.0
+"""A refusal of an image is told for this long [s]."""
+
+
+class DepthService:
+    """Takes in the images of a site's depth cameras, until closed.
+
+    Attributes:
+        own: where the drone is, None when it is not in the air or not known.
+    """
+
+    def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
+        site = loaded.site
+        height, half = site.map.flight_height, site.map.half_band
+        self.own: OwnFootprint | None = None
+        self._bus, self._clock = bus, clock
+        self._tracker = DepthTracker(
+            untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)
+        )
+        names = [camera.name for camera in site.depth_cameras]
+        self._lock = threading.Lock()
+        self._rates = {name: MessageRate() for name in names}
+        self._refused = dict.fromkeys(["", *names], ("", -inf))
+        self._subscription = bus.subscribe(DEPTH_TOPIC, self._on_image) if names else None
+
+    def reports(self) -> tuple[SensorReport, ...]:
+        """Return how each camera does, and one more line when somebody who is no camera of this
+        site sends images.
+        """
+        with self._lock:
+            told = [
+                self._report(name, rate, self._clock.now()) for name, rate in self._rates.items()
+            ]
+            return (*told, *self._strangers(self._clock.now()))
+
+    def _report(self, name: str, rate: MessageRate, now: float) -> SensorReport:
+        age = rate.age(now)
+        is_heard = age <= CAMERA_SILENT_AFTER
+        problem = self._refusal(name, now) or ("" if is_heard else f"{name}: no depth images")
+        return SensorReport(name, "depth camera", is_heard, rate.rate_hz(now), age, problem)
+
+    def _strangers(self, now: float) -> tuple[SensorReport, ...]:
+        problem = self._refusal("", now)
+        return (
+            (SensorReport("other images", "depth camera", False, 0.0, inf, problem),)
+            if problem
+            else ()
+        )
+
+    def _refusal(self, name: str, now: float) -> str:
+        words, at = self._refused[name]
+        return words if now - at < REFUSED_IMAGE_SHOWN_FOR else ""
+
+    def close(self) -> None:
+        """Stop listening."""
+        if self._subscription is not None:
+            self._subscription.close()
+
+    def _on_image(self, image: DepthImage) -> None:
+        now = self._clock.now()
+        name = image.source if image.source in self._rates else ""
+        seen = self._tracker.update(image, now, self.own)
+        with self._lock:
+            if name:
+                self._rates[name].add(now)
+            if seen.problem:
+                self._refused[name] = seen.problem, now
+        for obstacle in seen.obstacles:
+            self._bus.publish(OBSTACLE_TOPIC, obstacle)

@@ -1,0 +1,223 @@
+"""An identification flight, on a stepped clock or over real wires: take off, go to the box, fly the
+blocks, come home, land.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import os
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from math import inf
+from pathlib import Path
+
+from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.loaded_site import LoadedSite
+from housefly.app.pilot_shell import PilotShell
+from housefly.app.runtime import new_runtime
+from housefly.app.trackers import tracker_of
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
+from housefly.clock import RealClock
+from housefly.config.drone import DroneConfig
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.geometry import Vec2, Vec3, distance
+from housefly.lab.identification.box import Box
+from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationManeuver
+from housefly.lab.identification.pattern import Block, largest_excursion
+from housefly.messages import DroneStatus, Inputs, Order, OrderKind, Phase, PilotStep, SafetyMode
+from housefly.pilot.assembly import make_pilot, warm_up
+from housefly.twin.contracts import TwinWorld
+from housefly.twin.lockstep import LockstepRoom
+
+_START_TIMEOUT = 30.0
+"""How long drone and tracking may take to answer [s]."""
+BLOCK_TIMEOUT = 30.0
+"""Longest time for one block with the rest before it [s]."""
+_BOX_MARGIN = 0.3
+"""Room in the box beyond the predicted excursion [m]."""
+_INTERRUPTED = "interrupted"
+_SENDER = "identification"
+_REPEAT_ORDER_AFTER = 1.0
+"""An order that was not followed is given again after this [s]."""
+URGENCY = -10
+"""Nice value that the flight takes where the system lets it."""
+
+
+def box_reach(plan: tuple[Block, ...], drone: DroneConfig) -> float:
+    """Return how far [m] the box must reach from its centre for the blocks of a plan."""
+    return _BOX_MARGIN + largest_excursion(
+        plan, drone.attitude_lag, drone.attitude_gain, drone.drag, drone.command_delay
+    )
+
+
+@dataclass(slots=True)
+class IdentificationFlight:
+    """Leads one flight by orders, step by step, as a person would.
+
+    Attributes:
+        box: where the blocks are flown.
+        maneuver: the blocks.
+        patience: longest time in the air [s].
+        outcome: "" while it flies, then "completed" or the reason.
+    """
+
+    box: Box
+    maneuver: IdentificationManeuver
+    patience: float
+    outcome: str = ""
+    _asked_at: float = -inf
+    _began: float | None = None
+    _flown: bool = False
+    _arrived: bool = False
+    _problem: str = ""
+
+    def next_order(self, step: PilotStep) -> Order | None:
+        """Return the next order, if one is due."""
+        now, outputs, telemetry = step.now, step.outputs, step.inputs.telemetry
+        self._began = now if self._began is None else self._began
+        if telemetry is None or outputs.estimate is None:
+            waited = now - self._began > _START_TIMEOUT
+            self.outcome = "no word from the drone or from tracking" if waited else ""
+            return None
+        self._flown = self._flown or outputs.phase is Phase.HOLDING
+        if outputs.safety in (SafetyMode.LAND, SafetyMode.CUT) and not self._problem:
+            self._problem = outputs.reason
+        if telemetry.status is DroneStatus.LANDED and outputs.phase is Phase.IDLE and self._flown:
+            self.outcome = self._problem or self.maneuver.problem or "completed"
+            return None
+        if now - self._began > self.patience:
+            self._problem = self._problem or f"not done within {self.patience:.0f} s"
+            return self._asking(OrderKind.LAND, now)
+        return self._next(outputs.phase, outputs.estimate.position, now)
+
+    def _next(self, phase: Phase, position: Vec3, now: float) -> Order | None:
+        if phase is Phase.IDLE:
+            return self._asking(OrderKind.TAKE_OFF, now)
+        if phase is not Phase.HOLDING:
+            return None
+        if self.maneuver.finished:
+            return self._asking(OrderKind.HOME, now)
+        # The blocks begin in the middle: anywhere else in the box they would wait for ever.
+        self._arrived = self._arrived or distance(position[:2], self.box.centre) < REST_DISTANCE
+        return None if self._arrived else self._asking(OrderKind.GO, now, self.box.centre)
+
+    def _asking(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
+        """Return the order, again after a while: the pilot refuses orders while it does not see the
+        drone.
+        """
+        if now - self._asked_at < _REPEAT_ORDER_AFTER:
+            return None
+        self._asked_at = now
+        return Order(kind, goal=goal, issued_at=now, sender=_SENDER)
+
+
+def fly_identification_lockstep(
+    loaded: LoadedSite,
+    world: TwinWorld,
+    flight: IdentificationFlight,
+    on_step: Callable[[PilotStep], None],
+) -> str:
+    """Fly on a stepped clock and return the outcome; the world may hold another drone than the
+    pilot believes.
+    """
+    room = LockstepRoom(world, loaded.site)
+    pilot = make_pilot(loaded.site, loaded.room, loaded.grid, flight.maneuver)
+    period = 1.0 / loaded.site.control.rate_hz
+    sequence, order = 0, None
+    while not flight.outcome:
+        room.advance(period)
+        issued = (
+            (Order(order.kind, goal=order.goal, issued_at=room.now, sender=_SENDER),)
+            if order
+            else ()
+        )
+        inputs = Inputs(room.sightings(), room.telemetry(), issued)
+        outputs = pilot.step(room.now, inputs)
+        room.send(outputs.command)
+        step = PilotStep(sequence, room.now, inputs, outputs)
+        on_step(step)
+        order = flight.next_order(step)
+        sequence += 1
+    return flight.outcome
+
+
+def fly_identification_over_wires(
+    loaded: LoadedSite,
+    flight: IdentificationFlight,
+    folder: Path,
+    on_step: Callable[[PilotStep], None],
+) -> str:
+    """Fly whatever drone the site names and return the outcome; Ctrl-C lands it first.
+
+    The pilot runs in this process, at the head of its own loop; the twin, where the site has one,
+    in a process of its own.
+    """
+    runtime = new_runtime(loaded.site, folder)
+    site = runtime.site()
+    parts = (
+        (ProcessSpec("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
+        if site.twin.enabled
+        else ()
+    )
+    warm_up(loaded.site, loaded.room, loaded.grid)
+    with Launcher(runtime, folder, parts), _undisturbed():
+        return asyncio.run(_fly(loaded, flight, on_step))
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Keep the loop on time: every step is kept, and a garbage collector that walks them all would
+    stop it for half a second.
+    """
+    with suppress(PermissionError):
+        os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
+    gc.collect()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.enable()
+
+
+async def _fly(
+    loaded: LoadedSite, flight: IdentificationFlight, on_step: Callable[[PilotStep], None]
+) -> str:
+    site, clock, bus = loaded.site, RealClock(), LocalBus()
+    shell = PilotShell(
+        loaded,
+        bus,
+        tracker_of(site.tracking, clock),
+        ArDrone(site.drone, site.limits, clock),
+        flight.maneuver,
+    )
+    interrupted = threading.Event()
+
+    def heard(step: PilotStep) -> None:
+        on_step(step)
+        if flight.outcome or interrupted.is_set():
+            return
+        order = flight.next_order(step)
+        if flight.outcome:
+            shell.leave()
+        elif order is not None:
+            bus.publish(ORDER_TOPIC, order)
+
+    def interrupt() -> None:
+        interrupted.set()
+        shell.leave()
+
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        loop.add_signal_handler(number, interrupt)
+    subscription = bus.subscribe(STEP_TOPIC, heard)
+    try:
+        await shell.run()
+    finally:
+        subscription.close()
+        bus.close()
+    return _INTERRUPTED if interrupted.is_set() else flight.outcome

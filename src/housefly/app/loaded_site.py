@@ -1,0 +1,100 @@
+"""A site with its room and its map: what every process starts from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from housefly import sites
+from housefly.config.site import Site, changed, load_site
+from housefly.config.state import edits_folder
+from housefly.errors import ConfigError, EditsError
+from housefly.room.edit_versions import EditVersions
+from housefly.room.edits import edited, room_of
+from housefly.room.files import load_room
+from housefly.room.grid import OccupancyGrid, build_grid
+from housefly.room.model import Room
+from housefly.room.tracked import untracked
+
+
+@dataclass(frozen=True, slots=True)
+class LoadedSite:
+    """A checked site, the room it names, and the occupancy grid of its mode."""
+
+    site: Site
+    room: Room
+    grid: OccupancyGrid
+
+
+def site_file(name: str) -> Path:
+    """Return the path of a site: a file, a folder that holds ``site.toml``, or the name of a site
+    shipped with Housefly.
+
+    Raises:
+        ConfigError: naming the sites that are shipped.
+    """
+    path = Path(name)
+    if path.is_dir():
+        path = path / "site.toml"
+    if path.is_file():
+        return path
+    shipped = Path(sites.__file__).parent
+    if (shipped / f"{name}.toml").is_file():
+        return shipped / f"{name}.toml"
+    known = ", ".join(
+        sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things")))
+    )
+    raise ConfigError(
+        "--site", f"no file {name!r}, and no site of that name is shipped (shipped: {known})"
+    )
+
+
+def read_site(name: str, **changes: Any) -> Site:
+    """Read a site and apply dotted changes (``twin__seed=3``); paths of room, scene and catalogue
+    become absolute.
+    """
+    path = site_file(name)
+    site = load_site(path)
+    model = site.room.model
+    if (path.parent / model / "room.toml").is_file():
+        changes.setdefault("room__model", str((path.parent / model).resolve()))
+    if site.twin.scene and (path.parent / site.twin.scene).is_file():
+        changes.setdefault("twin__scene", str((path.parent / site.twin.scene).resolve()))
+    if site.hub.things:
+        changes.setdefault("hub__things", str((path.parent / site.hub.things).resolve()))
+    return changed(site, **changes) if changes else site
+
+
+def open_site(site: Site) -> LoadedSite:
+    """Load the room of a site and build its map; raises RoomError or ConfigError."""
+    room = room_of(site)
+    untracked(room, site)  # furniture that the room does not have is refused before anything starts
+    return LoadedSite(site, room, build_grid(room, site))
+
+
+def with_newest_edits(site: Site) -> tuple[Site, str]:
+    """Return a site with the newest edits that were saved on the ROOM screen, and a line that says
+    so ("" when there are none).
+
+    Raises:
+        ConfigError: the edits do not fit the room any more; nobody may fly where a zone was meant
+            to be.
+    """
+    if not site.hub.edits or site.mode == "paper":
+        return site, ""
+    versions = EditVersions(edits_folder(site))
+    try:
+        newest = versions.newest()
+        if newest.number == 0:
+            return site, versions.problem
+        _, site = edited(load_room(site.room.model), site, newest.edits)
+    except EditsError as error:
+        raise ConfigError(
+            "edits",
+            f"{error}; mend the room, or start without edits: hub.edits = false in the site file",
+            str(versions.folder),
+        ) from error
+    return site, "; ".join(
+        filter(None, (f"places and zones as edited, version {newest.number}", versions.problem))
+    )

@@ -1,0 +1,76 @@
+"""The scanners and depth cameras of a site and what is made of what they see, on a stepped clock,
+the wires cut out.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+
+from housefly.app.loaded_site import LoadedSite
+from housefly.config.site import Site
+from housefly.messages import Estimate, Obstacle, Scan
+from housefly.perception.depth_tracker import DepthTracker
+from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
+from housefly.room.distance import half_diagonal
+from housefly.room.tracked import untracked
+from housefly.sensors.laser import scan_of
+from housefly.twin.world import SimulatedWorld
+from housefly.wires.scip.parameters import MODELS
+
+_OWN_MARGIN = 0.25
+"""What is nearer to the drone's hull than this is taken for the drone [m]."""
+
+
+class LockstepPerception:
+    """Takes a scan or an image whenever one is due, and hands scans to perception after their
+    latency, images at once.
+    """
+
+    def __init__(self, loaded: LoadedSite, world: SimulatedWorld) -> None:
+        self._site, self._world = loaded.site, world
+        site, known = loaded.site, untracked(loaded.room, loaded.site)
+        self._tracker = LaserTracker(known, site.lasers)
+        height, half = site.map.flight_height, site.map.half_band
+        self._depth = DepthTracker(known, site.depth_cameras, (height - half, height + half))
+        self._due = {laser.name: 0.0 for laser in site.lasers}
+        self._image_due = {camera.name: 0.0 for camera in site.depth_cameras}
+        self._under_way: deque[Scan] = deque()
+
+    def update(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
+        """Return what is new of obstacles at a time [s], given where the pilot believes the drone
+        to be.
+        """
+        for laser in self._site.lasers:
+            if now >= self._due[laser.name]:
+                parameters = MODELS[laser.model]
+                self._due[laser.name] = now + parameters.period - 1e-6
+                self._under_way.append(
+                    scan_of(self._world.scan(laser.name), parameters, laser, now + laser.latency)
+                )
+        obstacles: list[Obstacle] = []
+        while self._under_way and self._under_way[0].received_at <= now:
+            seen = self._tracker.update(
+                self._under_way.popleft(), now, own_footprint(self._site, estimate)
+            )
+            obstacles.extend(seen.obstacles)
+        for camera in self._site.depth_cameras:
+            if now >= self._image_due[camera.name]:
+                self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
+                obstacles.extend(
+                    self._depth.update(
+                        self._world.depth_image(camera.name, now),
+                        now,
+                        own_footprint(self._site, estimate),
+                    ).obstacles
+                )
+        return tuple(obstacles)
+
+
+def own_footprint(site: Site, estimate: Estimate | None) -> OwnFootprint | None:
+    """Return the ground that is taken for the drone itself; None while nobody knows where it is."""
+    if estimate is None:
+        return None
+    return OwnFootprint(
+        estimate.position[:2],
+        half_diagonal(site.drone.hull_length, site.drone.hull_width) + _OWN_MARGIN,
+    )

@@ -1,0 +1,118 @@
+"""The process that looks: reads scanners and depth images, follows what no map shows, and tells the
+pilot over the bus.
+
+``python -m housefly.app.perception_main``, started by the launcher where the site has scanners or depth
+cameras. When it dies, the pilot forgets what it was told within two seconds and flies by the map
+alone, as without it; the launcher starts it again.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import signal
+
+from housefly.app.depth_service import DepthService
+from housefly.app.loaded_site import LoadedSite, open_site
+from housefly.app.lockstep_perception import own_footprint
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.bus.bus import Bus
+from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, STEP_TOPIC
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import Clock, RealClock
+from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport
+from housefly.perception.laser_tracker import LaserTracker
+from housefly.room.tracked import untracked
+from housefly.sensors.laser import LaserClient
+from housefly.sensors.message_rate import MessageRate
+
+_REPORT_PERIOD = 1.0
+"""How often the bus is told how the sensors do, and changed problems are printed [s]."""
+
+
+class PerceptionProcess:
+    """All scanners of a site on one asyncio loop, and its depth cameras."""
+
+    def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
+        self._site, self._bus, self._clock = loaded.site, bus, clock
+        self._tracker = LaserTracker(untracked(loaded.room, loaded.site), loaded.site.lasers)
+        self._clients = {laser.name: LaserClient(laser, clock) for laser in loaded.site.lasers}
+        self._rates = {name: MessageRate() for name in self._clients}
+        self._depth = DepthService(loaded, bus, clock)
+        self._estimate: Estimate | None = None
+        self._doubts: dict[str, str] = {}
+
+    async def run(self) -> None:
+        """Look until cancelled."""
+        steps = self._bus.subscribe(STEP_TOPIC, self._on_step)
+        try:
+            await asyncio.gather(
+                *(client.run(self._on_scan) for client in self._clients.values()), self._tell()
+            )
+        finally:
+            steps.close()
+            self._depth.close()
+
+    def _on_step(self, step: PilotStep) -> None:
+        telemetry = step.inputs.telemetry
+        on_the_ground = telemetry is not None and telemetry.status is DroneStatus.LANDED
+        self._estimate = None if on_the_ground else step.outputs.estimate
+        self._depth.own = own_footprint(self._site, self._estimate)
+
+    def _on_scan(self, scan: Scan) -> None:
+        seen = self._tracker.update(
+            scan, self._clock.now(), own_footprint(self._site, self._estimate)
+        )
+        self._rates[scan.source].add(scan.received_at)
+        self._doubts[scan.source] = seen.problem
+        for obstacle in seen.obstacles:
+            self._bus.publish(OBSTACLE_TOPIC, obstacle)
+
+    def _reports(self) -> tuple[SensorReport, ...]:
+        return (
+            *(self._laser(name, client) for name, client in self._clients.items()),
+            *self._depth.reports(),
+        )
+
+    def _laser(self, name: str, client: LaserClient) -> SensorReport:
+        now, rate = self._clock.now(), self._rates[name]
+        problem = client.problem or self._doubts.get(name, "")
+        return SensorReport(
+            name, "laser scanner", client.connected, rate.rate_hz(now), rate.age(now), problem
+        )
+
+    async def _tell(self) -> None:
+        told: tuple[str, ...] = ()
+        while True:
+            await asyncio.sleep(_REPORT_PERIOD)
+            reports = self._reports()
+            for report in reports:
+                self._bus.publish(SENSOR_TOPIC, report)
+            problems = tuple(report.problem for report in reports if report.problem)
+            if problems != told:
+                print(
+                    f"perception: {'; '.join(problems) or 'everything that looks is heard'}",
+                    flush=True,
+                )
+                told = problems
+
+
+async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
+    with ZenohBus(connect=runtime.bus) as bus:
+        looking = asyncio.create_task(PerceptionProcess(loaded, bus, RealClock()).run())
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, looking.cancel)
+        print("perception ready", flush=True)
+        with contextlib.suppress(asyncio.CancelledError):
+            await looking
+
+
+def main() -> None:
+    """Look until told to leave."""
+    runtime = runtime_from_environment()
+    asyncio.run(_run(runtime, open_site(runtime.site())))
+
+
+if __name__ == "__main__":
+    main()

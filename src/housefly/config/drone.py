@@ -1,0 +1,37 @@
+"""The drone: driver, address, and the constants of its airframe."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from housefly.config.section import Section, quantity
+
+
+class DroneConfig(Section):
+    """The drone and where it answers."""
+
+    kind: Literal["ardrone"] = Field(default="ardrone", description="driver")
+    address: str = Field(
+        default="127.0.0.1", description="IP address; a real AR.Drone 2.0 is 192.168.1.1"
+    )
+    hull_length: float = quantity(0.517, 0.05, 2.0, "m", "longer side of the hull")
+    hull_width: float = quantity(0.451, 0.05, 2.0, "m", "shorter side of the hull")
+    attitude_lag: float = quantity(
+        7.0, 0.5, 50.0, "1/s", "lambda of paper eq. (22): pole of the attitude response"
+    )
+    attitude_gain: float = quantity(
+        1.0, 0.2, 2.0, "1", "c / lambda of paper eq. (22): achieved over commanded angle"
+    )
+    drag: float = quantity(0.58, 0.0, 5.0, "1/s", "linear drag over mass")
+    command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction")
+    climb_lag: float = quantity(1.4, 0.2, 50.0, "1/s", "pole of the climb rate response")
+    yaw_lag: float = quantity(25.0, 0.2, 50.0, "1/s", "pole of the yaw rate response")
+    profile: str = Field(
+        default="",
+        description=(
+            "drone profile of housefly identify, relative to this file; gives the constants"
+        ),
+    )
+    has_video: bool = Field(default=True, description="whether to open the camera stream")

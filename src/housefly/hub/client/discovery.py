@@ -1,0 +1,109 @@
+"""How a run announces its room to other programs of the same user: a file only they can read."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from housefly.errors import LinkError
+
+ROOM_KEY = "HOUSEFLY_ROOM_KEY"
+"""Environment variable with the key of the run: other users can read command lines."""
+
+
+@dataclass(frozen=True, slots=True)
+class RoomAddress:
+    """How to reach the room of one run.
+
+    Attributes:
+        site: name of the site.
+        address: of its HTTP API, without a path.
+        key: bearer token.
+        pid: of the launcher.
+        port: loopback TCP port of the hub's query server; 0 for none.
+    """
+
+    site: str
+    address: str
+    key: str
+    pid: int
+    port: int = 0
+
+
+@contextmanager
+def announced(place: RoomAddress) -> Iterator[None]:
+    """Announce a run until the block ends."""
+    file = folder() / f"{place.pid}.json"
+    file.touch(mode=0o600)
+    file.write_text(json.dumps(asdict(place)), encoding="utf-8")
+    try:
+        yield
+    finally:
+        file.unlink(missing_ok=True)
+
+
+def running() -> tuple[RoomAddress, ...]:
+    """Return the runs of this user, the newest first; removes files of runs that are gone."""
+    found = []
+    for file in sorted(
+        folder().glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True
+    ):
+        place = _read(file)
+        if place is None or not _lives(place.pid):
+            file.unlink(missing_ok=True)
+        else:
+            found.append(place)
+    return tuple(found)
+
+
+def find(site: str = "") -> RoomAddress:
+    """Return the newest run, of one site or of any; raises LinkError that says what to do."""
+    places = running()
+    for place in places:
+        if not site or place.site.lower() == site.lower():
+            return place
+    others = f"; running: {', '.join(place.site for place in places)}" if places else ""
+    which = f" called {site!r}" if site else ""
+    raise LinkError(
+        f"no room{which} is running here{others}: start one with `housefly demo` or `housefly run`"
+    )
+
+
+def folder() -> Path:
+    """Return the folder of the announcements; created if missing, readable by this user only."""
+    base = (
+        os.environ.get("XDG_RUNTIME_DIR")
+        or os.environ.get("XDG_STATE_HOME")
+        or str(Path.home() / ".local" / "state")
+    )
+    path = Path(base) / "housefly" / "running"
+    path.mkdir(parents=True, exist_ok=True, mode=0o700)
+    return path
+
+
+def _read(file: Path) -> RoomAddress | None:
+    try:
+        tree = json.loads(file.read_text(encoding="utf-8"))
+        return RoomAddress(
+            str(tree["site"]),
+            str(tree["address"]),
+            str(tree["key"]),
+            int(tree["pid"]),
+            int(tree.get("port", 0)),
+        )
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def _lives(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except PermissionError:
+        return True
+    return True

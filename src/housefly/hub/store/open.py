@@ -1,0 +1,53 @@
+"""Opens a store by its address: a file path or ``postgresql://user@host/database``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from housefly.config.site import Site
+from housefly.config.state import database_file
+from housefly.hub.store.database import Database
+from housefly.hub.store.sql_store import SqlStore
+from housefly.hub.store.sqlite import SqliteDatabase
+from housefly.hub.store.store import DEFAULT_KEEP_DAYS
+
+_SERVER_SCHEMES = ("postgresql://", "postgres://")
+
+
+def open_store(address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS) -> SqlStore:
+    """Open a store, create it if missing, migrate an older one.
+
+    Args:
+        address: the path of an SQLite file, or the URL of a PostgreSQL database.
+        keep_days: how long samples are kept [days].
+
+    Raises:
+        StoreError: it cannot be opened, or a newer version made it.
+        MissingPartError: PostgreSQL is asked for and its driver is not installed.
+    """
+    return SqlStore(_database(address), keep_days=keep_days)
+
+
+def open_site_store(site: Site) -> SqlStore:
+    """Open the store of a site; raises as ``open_store`` does."""
+    return open_store(store_address(site), keep_days=site.hub.keep_days)
+
+
+def store_address(site: Site) -> str:
+    """Return the address of a site's store: its setting, or a file in the user's state folder.
+
+    The folder is created.
+    """
+    if site.hub.store.startswith(_SERVER_SCHEMES):
+        return site.hub.store
+    path = database_file(site)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return str(path)
+
+
+def _database(address: str | Path) -> Database:
+    if not str(address).startswith(_SERVER_SCHEMES):
+        return SqliteDatabase(Path(address))
+    from housefly.hub.store.postgres import PostgresDatabase  # an optional part
+
+    return PostgresDatabase(str(address))

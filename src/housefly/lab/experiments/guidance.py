@@ -1,0 +1,133 @@
+"""What a mission is to the live pilot: which place to hold, when to follow the path."""
+
+from __future__ import annotations
+
+from math import isnan, nan
+from typing import Any, NamedTuple
+
+from housefly.lab.experiments.route import PATH, STEP, Route
+from housefly.numeric import compiled
+from housefly.pilot.behavior.acceptor import Tolerances
+from housefly.pilot.behavior.path_progress import PathProgress
+from housefly.pilot.control.steering import Gains
+from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
+from housefly.pilot.estimation.estimator import EstimatorParameters, PoseEstimate, axis_model
+from housefly.pilot.parameters import PilotParameters
+from housefly.pilot.safety.limits import CommandLimits
+from housefly.pilot.step import Guidance, StepState, progress_started
+
+
+class TaskState(NamedTuple):
+    """How far one drone has come with its task.
+
+    Attributes:
+        begun: the task has begun.
+        x, y, yaw: where it waits before [m, rad]; the heading is nan before anything was seen.
+    """
+
+    begun: bool
+    x: float
+    y: float
+    yaw: float
+
+
+@compiled
+def parameters_of_case(case: Any) -> PilotParameters:
+    """Return the parameters of the pilot of one case."""
+    noise, limits = case.acceleration_noise, (case.tilt_max, case.vertical_speed_max)
+    return PilotParameters(
+        is_paper=case.mode > 0,
+        estimator=EstimatorParameters(
+            kind=case.estimator,
+            model=axis_model(case.model_lag, case.model_gain, case.model_drag, noise),
+            delay=case.model_delay,
+            acceleration_noise=noise,
+            position_noise=case.position_noise,
+        ),
+        tolerances=Tolerances(
+            height=case.epsilon_height,
+            yaw=case.epsilon_yaw,
+            position=case.epsilon_position,
+            dwell=case.dwell,
+        ),
+        gains=Gains(
+            alpha=case.alpha,
+            beta=case.beta,
+            height=case.height_gain,
+            yaw=case.yaw_gain,
+            tilt_max=limits[0],
+            climb_max=limits[1],
+            turn_max=case.yaw_rate_max,
+            gain=case.model_gain,
+            drag=case.model_drag,
+            delay=case.model_delay,
+            wraps=case.wrap_yaw > 0.5,
+        ),
+        limits=CommandLimits(
+            tilt_max=limits[0], vertical_speed_max=limits[1], yaw_rate_max=case.yaw_rate_max
+        ),
+        speed=case.speed,
+    )
+
+
+@compiled
+def task_created(route: Route) -> TaskState:
+    """Return the task before anything was seen."""
+    start = route.path.waypoints
+    return TaskState(False, start[0, 0], start[0, 1], nan)
+
+
+@compiled
+def guided(
+    task: TaskState,
+    state: StepState,
+    route: Route,
+    params: PilotParameters,
+    here: PoseEstimate,
+    active: bool,
+    now: float,
+) -> tuple[TaskState, PathProgress, Guidance]:
+    """Return the task and the progress of one tick, and what the pilot is to track.
+
+    Args:
+        task: before.
+        state: of the pilot's step.
+        route: of the experiment.
+        params: of the pilot.
+        here: the estimate.
+        active: something was seen.
+        now: [s].
+    """
+    progress = state.progress
+    if active:
+        if isnan(task.yaw):
+            task = _found(route, here)
+        if not task.begun and now >= route.settle - TIME_TOLERANCE:
+            task = TaskState(True, task.x, task.y, task.yaw)
+            progress = progress_started(params, here.yaw)
+    x, y, yaw = task.x, task.y, route.yaw if isnan(task.yaw) else task.yaw
+    if task.begun and route.task != PATH:
+        at = len(route.path.waypoints) - 1 if route.task == STEP else 0
+        x, y, yaw = route.path.waypoints[at, 0], route.path.waypoints[at, 1], route.yaw
+    guidance = Guidance(
+        active=active,
+        following=task.begun and route.task == PATH,
+        x=x,
+        y=y,
+        yaw=yaw,
+        arrival_yaw=route.arrival_yaw,
+        height=route.height,
+    )
+    return task, progress, guidance
+
+
+@compiled
+def _found(route: Route, here: PoseEstimate) -> TaskState:
+    """Return the task of a drone just found in the air.
+
+    On a path it waits right there, as the live pilot does.
+    """
+    if route.task == PATH:
+        return TaskState(False, here.x, here.y, here.yaw)
+    start = route.path.waypoints
+    return TaskState(False, start[0, 0], start[0, 1], route.yaw)

@@ -1,0 +1,139 @@
+"""The depth cameras of a room: an image in, obstacles out. Pure: no clock, no wire."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, sqrt
+
+import numpy as np
+
+from housefly.config.depth import DepthCameraConfig
+from housefly.geometry import Vec2, normalized, rotate
+from housefly.messages import DepthImage, Obstacle, Pose
+from housefly.numeric import FloatArray
+from housefly.perception.depth import MIN_DEPTH, Intrinsics, points_of
+from housefly.perception.depth_checks import DepthChecks
+from housefly.perception.depth_clusters import known_room, unexplained
+from housefly.perception.laser_tracker import (
+    SEE_THROUGH_MARGIN,
+    OwnFootprint,
+    TrackingResult,
+    obstacle_of,
+)
+from housefly.perception.tracker import ObstacleTrack, TrackSet
+from housefly.room.model import Room
+
+_SOURCE = "depth"
+"""Source of what the depth cameras see."""
+MAX_SAMPLED_PIXELS = 80_000
+"""Of larger images only every second, third ... row and column is looked at [px]."""
+_SEE_THROUGH_SHARE = 0.7
+"""A camera looks through a place when this share of the pixels there ends behind it."""
+
+
+@dataclass(frozen=True, slots=True)
+class _DepthView:
+    """A believed image.
+
+    Attributes:
+        depth: distance along the camera's axis [m], NaN where nothing was measured, shape (height,
+            width).
+        camera: its intrinsics.
+        pose: of the camera in the world.
+    """
+
+    depth: FloatArray
+    camera: Intrinsics
+    pose: Pose
+
+    def sees_through(self, place: Vec2, height: float, radius: float) -> bool:
+        """Tell whether the camera sees what is behind a place [m] at a height [m] in a radius [m]:
+        nothing stands there.
+        """
+        away = [a - b for a, b in zip((*place, height), self.pose.position, strict=True)]
+        x, y, z = (float(np.dot(rotate(self.pose.orientation, axis), away)) for axis in _AXES)
+        if z <= MIN_DEPTH:
+            return False
+        u, v = (
+            round(self.camera.cx + x / z * self.camera.fx),
+            round(self.camera.cy + y / z * self.camera.fy),
+        )
+        rows, columns = self.depth.shape
+        if not (0 <= u < columns and 0 <= v < rows):
+            return False
+        spread = max(1, int(0.5 * radius * self.camera.fx / z))
+        near = self.depth[max(0, v - 1) : v + 2, max(0, u - spread) : u + spread + 1]
+        measured = np.isfinite(near)
+        return bool(
+            (near[measured] > z + SEE_THROUGH_MARGIN).sum()
+            > _SEE_THROUGH_SHARE * measured.sum()
+            > 0
+        )
+
+
+class DepthTracker:
+    """Follows what no map shows, each camera for itself.
+
+    Args:
+        room: what the map shows.
+        cameras: of the site.
+        band: heights between which the drone flies [m].
+    """
+
+    def __init__(self, room: Room, cameras: tuple[DepthCameraConfig, ...], band: Vec2) -> None:
+        self._known, self._band = known_room(room, band), band
+        self._checks = DepthChecks(cameras)
+        self._tracks = {camera.name: TrackSet() for camera in cameras}
+
+    def update(
+        self, image: DepthImage, now: float, own: OwnFootprint | None = None
+    ) -> TrackingResult:
+        """Take in one image.
+
+        Args:
+            image: of any of the cameras.
+            now: time [s].
+            own: where the drone is, None when it is not in the air or not known.
+        """
+        problem = self._checks.fault(image, now)
+        if problem:
+            return TrackingResult(problem=f"{image.source[:40]}: {problem}")
+        view = depth_view(image)
+        points = points_of(view.depth, view.camera, view.pose)
+        if own is not None:
+            points = points[
+                np.hypot(points[:, 0] - own.place[0], points[:, 1] - own.place[1]) > own.radius
+            ]
+        clusters = unexplained(points, self._known, self._band, view.pose.position[:2])
+        middle = (self._band[0] + self._band[1]) / 2
+        last = self._tracks[image.source]
+        tracks = last.updated(
+            clusters,
+            image.captured_at,
+            lambda place, radius: view.sees_through(place, middle, radius),
+        )
+        self._tracks[image.source] = tracks
+        confirmed = tuple(track for track in tracks.tracks if track.confirmed)
+        gone = (
+            replace(_named(track, image), confidence=0.0, seen_at=image.captured_at)
+            for track in tracks.gone
+        )
+        return TrackingResult((*(_named(track, image) for track in confirmed), *gone), confirmed)
+
+
+def depth_view(image: DepthImage) -> _DepthView:
+    """Return a checked image in metres, thinned out when it is large."""
+    every = ceil(sqrt(image.width * image.height / MAX_SAMPLED_PIXELS))
+    raw = np.frombuffer(image.data, dtype="<u2").reshape(image.height, image.width)[
+        ::every, ::every
+    ]
+    depth = np.where(raw > 0, raw / 1000.0, np.nan)
+    camera = Intrinsics(image.fx / every, image.fy / every, image.cx / every, image.cy / every)
+    return _DepthView(depth, camera, Pose(image.pose.position, normalized(image.pose.orientation)))
+
+
+def _named(track: ObstacleTrack, image: DepthImage) -> Obstacle:
+    return replace(obstacle_of(track), id=f"{image.source}-{track.number}", source=_SOURCE)
+
+
+_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

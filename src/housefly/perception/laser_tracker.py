@@ -1,0 +1,223 @@
+"""All scanners of a room together: a scan in, obstacles and observations out. Pure: no clock, no
+wire.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import isfinite, isnan
+
+import numpy as np
+
+from housefly.config.laser import LaserConfig
+from housefly.geometry import Vec2
+from housefly.messages import Observation, Obstacle, Scan
+from housefly.numeric import FloatArray
+from housefly.perception.background import expected_ranges
+from housefly.perception.clusters import clusters_of, foreground
+from housefly.perception.tracker import ObstacleTrack, TrackSet
+from housefly.room.model import Room
+
+_SOURCE = "lasers"
+"""Source of what the scanners see together."""
+_MAX_AHEAD, _SCAN_AGE_MAX = 0.05, 1.0
+"""A scan from farther in the future, or older, is not believed [s]."""
+_FROZEN_SCANS = 3
+"""So many scans that are alike to the last bit come from a scanner that stands still."""
+_COVERED_SHARE = 0.5
+"""A scanner is covered when this share of its beams ends at once ..."""
+_COVERED_DISTANCE = 0.1
+"""... nearer than this [m]."""
+SEE_THROUGH_MARGIN = 0.2
+"""Beams look through a place when they end this much behind it [m]."""
+_MAX_BEAMS = 10_000
+"""No scan has more beams."""
+
+
+@dataclass(frozen=True, slots=True)
+class OwnFootprint:
+    """Where the drone itself is, so that it is not taken for an obstacle: what lies within
+    ``radius`` [m] of ``place`` [m].
+    """
+
+    place: Vec2
+    radius: float
+
+
+@dataclass(frozen=True, slots=True)
+class TrackingResult:
+    """What one scan led to.
+
+    Attributes:
+        obstacles: everything believed, as the pilot hears it; what is gone comes once with
+            confidence 0.
+        tracks: the same things with all that is known of them.
+        problem: why the scan was not believed, in words, or "".
+    """
+
+    obstacles: tuple[Obstacle, ...] = ()
+    tracks: tuple[ObstacleTrack, ...] = ()
+    problem: str = ""
+
+
+class LaserTracker:
+    """Follows what no map shows, for all scanners of one room.
+
+    Args:
+        room: what the map shows.
+        lasers: where the scanners are.
+    """
+
+    def __init__(self, room: Room, lasers: tuple[LaserConfig, ...]) -> None:
+        self._room = room
+        self._lasers = {laser.name: laser for laser in lasers}
+        self._backgrounds: dict[tuple[str, float, float, int], FloatArray] = {}
+        self._last: dict[str, Scan] = {}
+        self._alike: dict[str, int] = {}
+        self._tracks = TrackSet()
+
+    def update(self, scan: Scan, now: float, own: OwnFootprint | None = None) -> TrackingResult:
+        """Take in one scan.
+
+        Args:
+            scan: of any of the scanners.
+            now: time [s].
+            own: where the drone is, None when it is not in the air or not known.
+        """
+        problem = self._fault(scan, now)
+        if problem:
+            return TrackingResult(problem=f"{scan.source}: {problem}")
+        laser, ranges = self._lasers[scan.source], np.array(scan.ranges)
+        hit = foreground(ranges, self._background(scan, laser))
+        angles = laser.yaw + scan.first_angle + np.arange(len(ranges)) * scan.step
+        ends = np.stack(
+            [
+                laser.x + ranges[hit] * np.cos(angles[hit]),
+                laser.y + ranges[hit] * np.sin(angles[hit]),
+            ],
+            axis=1,
+        )
+        beams = np.flatnonzero(hit)
+        if own is not None:
+            other = np.hypot(ends[:, 0] - own.place[0], ends[:, 1] - own.place[1]) > own.radius
+            ends, beams = ends[other], beams[other]
+        clusters = clusters_of(ends, beams, (laser.x, laser.y))
+        self._tracks = self._tracks.updated(
+            clusters, scan.captured_at, lambda p, r: _sees_through(scan, ranges, laser, p, r)
+        )
+        confirmed = tuple(track for track in self._tracks.tracks if track.confirmed)
+        gone = tuple(_gone(track, scan.captured_at) for track in self._tracks.gone)
+        return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone), confirmed)
+
+    def _background(self, scan: Scan, laser: LaserConfig) -> FloatArray:
+        key = (scan.source, scan.first_angle, scan.step, len(scan.ranges))
+        if key not in self._backgrounds:
+            self._backgrounds = {
+                known: ranges
+                for known, ranges in self._backgrounds.items()
+                if known[0] != scan.source
+            }
+            self._backgrounds[key] = expected_ranges(self._room.solids, laser, *key[1:])
+        return self._backgrounds[key]
+
+    def _fault(self, scan: Scan, now: float) -> str:
+        """Return why a scan is not believed, in words, or ""."""
+        last = self._last.get(scan.source)
+        problem = self._nonsense(scan, now)
+        if problem:
+            return problem
+        if last is not None and scan.captured_at <= last.captured_at:
+            return "a scan that is not newer than the last"
+        is_alike = last is not None and scan.ranges == last.ranges
+        self._last[scan.source] = scan
+        self._alike[scan.source] = self._alike.get(scan.source, 0) + 1 if is_alike else 0
+        if self._alike[scan.source] >= _FROZEN_SCANS:
+            return "the same distances to the last bit again and again: it stands still"
+        if sum(distance < _COVERED_DISTANCE for distance in scan.ranges) > _COVERED_SHARE * len(
+            scan.ranges
+        ):
+            return "something covers it"
+        return ""
+
+    def _nonsense(self, scan: Scan, now: float) -> str:
+        if scan.source not in self._lasers:
+            return "not a scanner of this site"
+        if (
+            not all(isfinite(number) for number in (scan.captured_at, scan.first_angle, scan.step))
+            or scan.step <= 0.0
+        ):
+            return "not all its numbers are finite"
+        if not 0 < len(scan.ranges) <= _MAX_BEAMS or any(isnan(r) or r < 0.0 for r in scan.ranges):
+            return "distances that are none"
+        if scan.captured_at > now + _MAX_AHEAD:
+            return "a scan from the future"
+        return (
+            f"a scan that is older than {_SCAN_AGE_MAX:.0f} s"
+            if scan.captured_at < now - _SCAN_AGE_MAX
+            else ""
+        )
+
+
+def obstacle_of(track: ObstacleTrack) -> Obstacle:
+    """Return a thing as the pilot hears of it; a scanner cannot say how high it is, so it reaches
+    from floor to ceiling.
+    """
+    shape = track.shape
+    return Obstacle(
+        id=f"track-{track.number}",
+        position=track.motion.position,
+        radius=shape.radius,
+        size=shape.size,
+        yaw=shape.yaw,
+        velocity=track.velocity,
+        confidence=track.confidence,
+        seen_at=track.seen_at,
+        source=_SOURCE,
+    )
+
+
+def observation_of(
+    track: ObstacleTrack, unix_offset: float, height: float, received_at: float
+) -> Observation:
+    """Return a thing as the room remembers it; what walks is a person.
+
+    Args:
+        track: the thing.
+        unix_offset: Unix time minus our monotonic clock [s].
+        height: of the scanner's plane [m].
+        received_at: when we heard of it [s, our monotonic clock].
+    """
+    kind = "person" if track.walked else "object"
+    variance = track.motion.pp
+    return Observation(
+        thing=f"{kind}-{track.number}",
+        source=_SOURCE,
+        captured_at=track.seen_at + unix_offset,
+        received_at=received_at + unix_offset,
+        position=(*track.motion.position, height),
+        covariance=(variance, 0.0, 0.0, variance, 0.0, 1.0),
+        facts=(
+            ("radius", track.shape.radius),
+            ("vx", track.velocity[0]),
+            ("vy", track.velocity[1]),
+        ),
+    )
+
+
+def _gone(track: ObstacleTrack, at: float) -> Obstacle:
+    return replace(obstacle_of(track), confidence=0.0, seen_at=at)
+
+
+def _sees_through(
+    scan: Scan, ranges: FloatArray, laser: LaserConfig, place: Vec2, radius: float
+) -> bool:
+    """Tell whether the beams towards a place end behind it: nothing stands there."""
+    dx, dy = place[0] - laser.x, place[1] - laser.y
+    bearing = (np.arctan2(dy, dx) - laser.yaw - scan.first_angle) % (2.0 * np.pi)
+    beam, away = round(bearing / scan.step), float(np.hypot(dx, dy))
+    if not 0 <= beam < len(ranges):
+        return False
+    spread = max(1, int(0.5 * radius / max(away, 0.1) / scan.step))
+    near = ranges[max(0, beam - spread) : beam + spread + 1]
+    through = np.isfinite(near) & (near > away + SEE_THROUGH_MARGIN)
+    return bool(through.sum() > 0.7 * np.isfinite(near).sum() > 0)

@@ -1,0 +1,63 @@
+"""Builds the pilot of one site and room."""
+
+from __future__ import annotations
+
+from housefly.config.site import Site
+from housefly.geometry import quaternion_from_euler
+from housefly.messages import (
+    DroneStatus,
+    Inputs,
+    Obstacle,
+    Order,
+    OrderKind,
+    Pose,
+    Sighting,
+    Telemetry,
+)
+from housefly.pilot.behavior.maneuver import Maneuver
+from housefly.pilot.behavior.mission_manager import MissionManager
+from housefly.pilot.contracts import PilotSettings
+from housefly.pilot.navigator import RoomNavigator
+from housefly.pilot.parameters import pilot_parameters
+from housefly.pilot.pilot import Pilot
+from housefly.pilot.safety.gate import Gate
+from housefly.pilot.safety.gate_inputs import Geofence
+from housefly.pilot.safety.rules import CEILING_SLACK
+from housefly.room.grid import OccupancyGrid, extent_of
+from housefly.room.model import Room
+
+
+def make_pilot(
+    site: Site, room: Room, grid: OccupancyGrid, maneuver: Maneuver | None = None
+) -> Pilot:
+    """Return a pilot that knows a room by its map; a maneuver may take the place of holding."""
+    is_paper = site.mode == "paper"
+    params = pilot_parameters(is_paper, site.drone, site.control, site.limits)
+    settings = PilotSettings(
+        parameters=params,
+        body=site.tracking.body,
+        home=room.home,
+        flight_height=site.map.flight_height,
+        facing_tolerance=site.control.epsilon_yaw,
+    )
+    navigator = RoomNavigator(site, room, grid)
+    missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper)
+    fence = Geofence(extent_of(grid), site.limits.height_max + CEILING_SLACK)
+    return Pilot(settings, navigator, missions, Gate(site.limits, fence), maneuver)
+
+
+def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
+    """Compile every numeric function that a pilot of this site calls, by flying a second."""
+    pilot = make_pilot(site, room, grid)
+    heading = quaternion_from_euler(0.0, 0.0, room.home_yaw)
+    pose = Pose((*room.home, site.map.flight_height), heading)
+    goal = next((place.name for place in room.places if place.name != "home"), "home")
+    for tick in range(50):
+        at = 0.02 * tick
+        orders = (Order(OrderKind.GO, goal, issued_at=at),) if tick == 10 else ()
+        sightings = (Sighting(site.tracking.body, pose, at, at),)
+        chair = Obstacle("chair", (room.home[0] + 1e-3 * tick, room.home[1]), 0.1, seen_at=at)
+        obstacles = (chair,) if tick > 20 else ()
+        telemetry = Telemetry(at, DroneStatus.FLYING, 1.0)
+        pilot.step(at, Inputs(sightings, telemetry, orders, obstacles))
+    pilot.plan(room.home)

@@ -1,0 +1,121 @@
+"""Looks ahead along the path in use, and stops the drone before what stands in the way.
+
+flying ──blocked, near──► braking ──at rest──► a way around? ──yes──► flying
+   └──blocked, far──► a way around? ──no──► waiting, asks again every 0.25 s
+
+A drone that waits for too long comes home, then lands (``mission_signals``).
+"""
+
+from __future__ import annotations
+
+from math import hypot
+
+from housefly.geometry import stopping_distance
+from housefly.messages import Event, OrderKind, Phase, Severity
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.navigator import Navigator, PathBlock
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+
+BRAKING_DECELERATION = 1.0
+"""How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""
+REACTION_TIME = 0.3
+"""Time from seeing an obstacle to braking that distances allow for [s]."""
+BRAKING_MARGIN = 0.3
+"""Beyond its stopping distance the drone begins to brake this much earlier [m]."""
+REST_SPEED = 0.1
+"""The drone stands when slower than this [m/s] ..."""
+REST_TIMEOUT = 1.5
+"""... and is taken to stand this long after it began to brake [s]."""
+REPLAN_PERIOD = 0.25
+"""How often a waiting drone looks for a way [s]."""
+
+ON_THE_WAY = frozenset({Phase.OUTBOUND, Phase.RETURNING})
+
+
+class CollisionMonitor:
+    """Watches the path of one commander."""
+
+    def __init__(self, commander: Commander, navigator: Navigator) -> None:
+        self._commander = commander
+        self._navigator = navigator
+        self._task = commander.task
+        self._asked_at = 0.0
+        self._reported = False
+
+    def step(self, vehicle: VehicleStatus, target: TrajectorySetpoint | None) -> list[Event]:
+        """Look ahead once.
+
+        Args:
+            vehicle: status and place of the drone.
+            target: what was tracked in the last step, None while nothing was.
+        """
+        commander = self._commander
+        if commander.task is not self._task:
+            self._task, target = commander.task, None
+        state = commander.state
+        if state.phase not in ON_THE_WAY or state.stopped or vehicle.estimate is None:
+            return []
+        if commander.task.waiting:
+            return self._wait(vehicle)
+        block = self._block(vehicle, target)
+        if block is None:
+            return []
+        is_far = block.along > braking_distance(_speed(vehicle))
+        if is_far and commander.go_around(vehicle) is None:
+            text = f"{block.name} is in the way: going around"
+            return [Event(vehicle.now, Severity.INFO, "detour", text)]
+        reason = f"{block.name} is in the way, {block.along:.1f} m ahead"
+        commander.wait(reason, vehicle)
+        self._asked_at, self._reported = vehicle.now, False
+        return [Event(vehicle.now, Severity.WARNING, "way_blocked", f"{reason}: stopping")]
+
+    def waits_instead(self, reason: str, vehicle: VehicleStatus) -> bool:
+        """Wait for the way that a new phase lacks, if only obstacles of now close it.
+
+        Returns whether it waits.
+        """
+        commander, navigator = self._commander, self._navigator
+        is_returning = commander.state.phase is Phase.RETURNING
+        mission = navigator.home() if is_returning else commander.state.mission
+        if mission.goal is None or vehicle.place is None:
+            return False
+        if not navigator.is_passing(vehicle.place, mission.goal):
+            return False
+        commander.wait(reason, vehicle, mission)
+        self._asked_at, self._reported = vehicle.now, True
+        return True
+
+    def _block(self, vehicle: VehicleStatus, target: TrajectorySetpoint | None) -> PathBlock | None:
+        path, place = self._commander.task.path, vehicle.place
+        if path is None or self._commander.task.profile is None or place is None:
+            return None
+        waypoint = min(target.waypoint, len(path.waypoints) - 1) if target else 0
+        return self._navigator.block(place, path, waypoint)
+
+    def _wait(self, vehicle: VehicleStatus) -> list[Event]:
+        task = self._commander.task
+        standing = _speed(vehicle) < REST_SPEED or vehicle.now - task.since > REST_TIMEOUT
+        asked_lately = self._reported and vehicle.now - self._asked_at < REPLAN_PERIOD
+        if not standing or asked_lately:
+            return []
+        self._asked_at = vehicle.now
+        refused = self._commander.go_around(vehicle)
+        if refused is None:
+            return [Event(vehicle.now, Severity.INFO, "detour", "there is a way: going on")]
+        if self._reported:
+            return []
+        self._reported = True
+        is_homing = self._commander.state.mission.kind is OrderKind.HOME
+        whither = "home" if is_homing else "on"
+        text = f"{task.waiting}; no way {whither}, waiting here: {refused.reason}"
+        return [Event(vehicle.now, Severity.WARNING, "no_way", text)]
+
+
+def braking_distance(speed: float) -> float:
+    """Return how far ahead [m] a drone at this speed [m/s] begins to brake."""
+    return stopping_distance(speed, BRAKING_DECELERATION, REACTION_TIME) + BRAKING_MARGIN
+
+
+def _speed(vehicle: VehicleStatus) -> float:
+    return hypot(*vehicle.estimate.velocity[:2]) if vehicle.estimate else 0.0

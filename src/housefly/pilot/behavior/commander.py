@@ -1,0 +1,208 @@
+"""Obeys orders and owns the mission: the only place where its state and its task change."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, Event, Order, OrderKind, Phase, PlanAnswer, Severity
+from housefly.pilot.behavior.mission_state import STAY, Mission, MissionState, Refused
+from housefly.pilot.behavior.mission_tables import ORDERS, SIGNALS, Response, Signal
+from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.order_checks import OrderContext, refusal
+from housefly.pilot.behavior.path_profile import path_profile
+from housefly.pilot.behavior.tracking_task import TrackingTask
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+
+COAST_TIME = 0.4
+"""A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
+
+
+class Commander:
+    """Owns the mission state and the tracking task."""
+
+    def __init__(self, limits: LimitsConfig, navigator: Navigator) -> None:
+        self._limits = limits
+        self._navigator = navigator
+        self._state = MissionState()
+        self._task = TrackingTask()
+        self._handlers: dict[Response, Callable[[Order, VehicleStatus], Refused | None]] = {
+            Response.START: self._start,
+            Response.LATER: self._start,
+            Response.DEPART: self._set_off,
+            Response.HOLD: self._hold,
+            Response.LAND: self._land,
+            Response.STOP: self._stop,
+            Response.RESUME: self._resume,
+            Response.CUT: self._cut,
+            Response.RESET: self._reset,
+        }
+
+    @property
+    def state(self) -> MissionState:
+        """How far the mission has come."""
+        return self._state
+
+    @property
+    def task(self) -> TrackingTask:
+        """What the drone tracks."""
+        return self._task
+
+    def obey(self, order: Order, vehicle: VehicleStatus) -> Event:
+        """Carry out an order or refuse it, and say so."""
+        response = ORDERS[order.kind][self._state.phase]
+        context = OrderContext(
+            age=vehicle.now - order.issued_at,
+            response=response,
+            stopped=self._state.stopped,
+            landing_forced=vehicle.landing_forced,
+            status=vehicle.status,
+            battery=vehicle.battery,
+            telemetry_age=vehicle.telemetry_age,
+            pose_age=vehicle.pose_age,
+        )
+        refused = refusal(order, context, self._limits)
+        refused = refused or self._handlers[response](order, vehicle)
+        asked = " ".join(filter(None, (order.kind.value.replace("_", " "), order.place)))
+        if refused:
+            text = f"{asked} refused: {refused.reason}"
+            return Event(vehicle.now, Severity.WARNING, "order_refused", text)
+        by = f" by {order.sender}" if order.sender else ""
+        text = f"{asked}{by}: {response.value}"
+        return Event(vehicle.now, Severity.INFO, "order_accepted", text)
+
+    def apply(self, signal: Signal, now: float) -> bool:
+        """Enter the phase that a signal leads to; return whether it is another one."""
+        phase = SIGNALS[signal][self._state.phase]
+        if phase is self._state.phase:
+            return False
+        self._state = self._state.entering(phase, now)
+        return True
+
+    def depart(self, mission: Mission, vehicle: VehicleStatus) -> Refused | None:
+        """Set off on a mission from where the drone is."""
+        answer = self._route(mission, vehicle)
+        if isinstance(answer, Refused):
+            return answer
+        if answer is None or answer.path is None:
+            self.stay(vehicle)
+            return None
+        profile = path_profile(answer.path.waypoints)
+        self._task = TrackingTask(profile, answer.path, answer.duration)
+        self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
+        return None
+
+    def come_home(self, vehicle: VehicleStatus) -> Refused | None:
+        """Set off for home."""
+        return self.depart(self._navigator.home(), vehicle)
+
+    def stay(self, vehicle: VehicleStatus) -> None:
+        """Hold the place where the drone comes to rest."""
+        self._task = _hold_here(vehicle)
+        self._state = self._state.entering(Phase.HOLDING, vehicle.now, STAY)
+
+    def rest(self) -> None:
+        """Track nothing and want nothing, in the phase that was entered."""
+        self._task = TrackingTask()
+        self._state = replace(self._state, mission=STAY)
+
+    def release(self) -> None:
+        """Ask no longer for a motor cut or a reset."""
+        self._state = self._state.released()
+
+    def wait(self, why: str, vehicle: VehicleStatus, mission: Mission | None = None) -> None:
+        """Hold the place where the drone comes to rest until the way is free.
+
+        Args:
+            why: in words, for people.
+            vehicle: where the drone is.
+            mission: what to wait for, when it is another than that under way.
+        """
+        here, duration = _hold_here(vehicle), self._task.duration
+        self._task = replace(here, waiting=why, since=vehicle.now, duration=duration)
+        if mission is not None:
+            self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
+
+    def go_around(self, vehicle: VehicleStatus) -> Refused | None:
+        """Plan again from where the drone is, in the phase that it is in."""
+        answer = self._route(self._state.mission, vehicle)
+        if isinstance(answer, Refused):
+            return answer
+        if answer is None or answer.path is None or vehicle.estimate is None:
+            return Refused("there is nowhere to go")
+        profile = path_profile(answer.path.waypoints)
+        duration = max(answer.duration, self._task.duration)
+        self._task = TrackingTask(profile, answer.path, duration)
+        return None
+
+    def _route(self, mission: Mission, vehicle: VehicleStatus) -> PlanAnswer | Refused | None:
+        """Return the way; None when the mission needs none."""
+        if mission.goal is None:
+            return None
+        if vehicle.place is None:
+            return Refused("tracking has not seen the drone yet")
+        answer = self._navigator.route(vehicle.place, mission.goal)
+        if answer.path is not None:
+            return answer
+        if answer.suggestion is None:
+            return Refused(answer.reason)
+        x, y = answer.suggestion
+        return Refused(f"{answer.reason}; nearest free place: ({x:.2f}, {y:.2f}) m")
+
+    def _start(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
+        mission = self._navigator.mission(order)
+        if isinstance(mission, Refused):
+            return mission
+        answer = self._route(mission, vehicle)
+        if isinstance(answer, Refused):
+            return answer
+        self._task = TrackingTask(path=answer.path if answer else None)
+        is_rising = self._state.phase is Phase.TAKING_OFF
+        since = self._state.since if is_rising else vehicle.now
+        self._state = self._state.entering(Phase.TAKING_OFF, since, mission)
+        return None
+
+    def _set_off(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
+        mission = self._navigator.mission(order)
+        return mission if isinstance(mission, Refused) else self.depart(mission, vehicle)
+
+    def _hold(self, order: Order, vehicle: VehicleStatus) -> None:
+        if self._state.phase is Phase.TAKING_OFF:
+            self.rest()
+        else:
+            self.stay(vehicle)
+
+    def _land(self, order: Order, vehicle: VehicleStatus) -> None:
+        if self._state.phase is not Phase.LANDING:
+            self._state = self._state.entering(Phase.LANDING, vehicle.now, STAY)
+            self._task = TrackingTask()
+
+    def _stop(self, order: Order, vehicle: VehicleStatus) -> None:
+        self._state = self._state.stopping(vehicle.now, vehicle.status is DroneStatus.LANDED)
+        is_holding = self._state.phase is Phase.HOLDING
+        self._task = _hold_here(vehicle) if is_holding else TrackingTask()
+
+    def _resume(self, order: Order, vehicle: VehicleStatus) -> None:
+        if self._state.stopped:
+            self._state = replace(self._state, stopped=False)
+            is_holding = self._state.phase is Phase.HOLDING
+            self._task = _hold_here(vehicle) if is_holding else self._task
+
+    def _cut(self, order: Order, vehicle: VehicleStatus) -> None:
+        self._state = self._state.pressing(vehicle.now, cut=True)
+
+    def _reset(self, order: Order, vehicle: VehicleStatus) -> None:
+        self._state = self._state.pressing(vehicle.now, cut=False)
+
+
+def _flying_phase(mission: Mission) -> Phase:
+    return Phase.RETURNING if mission.kind is OrderKind.HOME else Phase.OUTBOUND
+
+
+def _hold_here(vehicle: VehicleStatus) -> TrackingTask:
+    if vehicle.estimate is None:
+        return TrackingTask()
+    (x, y, _), (vx, vy, _) = vehicle.estimate.position, vehicle.estimate.velocity
+    hold = (x + COAST_TIME * vx, y + COAST_TIME * vy)
+    return TrackingTask(hold=hold, hold_yaw=vehicle.estimate.yaw)

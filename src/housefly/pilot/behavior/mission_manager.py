@@ -1,0 +1,55 @@
+"""The mission of one drone: what it was asked, how far it has come, and what it tracks now."""
+
+from __future__ import annotations
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import Event, Order
+from housefly.pilot.behavior.collision_monitor import CollisionMonitor
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission_monitor import MissionMonitor
+from housefly.pilot.behavior.mission_state import MissionState
+from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.tracking_task import TrackingTask
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+
+
+class MissionManager:
+    """Orders first, then what happened, then what stands in the way."""
+
+    def __init__(
+        self, limits: LimitsConfig, navigator: Navigator, tolerance: float, paper: bool
+    ) -> None:
+        self._commander = Commander(limits, navigator)
+        self._collisions = CollisionMonitor(self._commander, navigator)
+        self._monitor = MissionMonitor(self._commander, self._collisions, limits, tolerance, paper)
+
+    @property
+    def state(self) -> MissionState:
+        """How far the mission has come."""
+        return self._commander.state
+
+    @property
+    def task(self) -> TrackingTask:
+        """What the drone tracks."""
+        return self._commander.task
+
+    def update(
+        self,
+        orders: tuple[Order, ...],
+        vehicle: VehicleStatus,
+        target: TrajectorySetpoint | None,
+        facing: bool,
+    ) -> list[Event]:
+        """Bring the mission up to now and return what people should know.
+
+        Args:
+            orders: since the last step.
+            vehicle: status and place of the drone.
+            target: what was tracked in the last step, None while nothing was.
+            facing: whether the heading is the wanted one.
+        """
+        events = [self._commander.obey(order, vehicle) for order in orders]
+        events.extend(self._monitor.step(vehicle, target, facing))
+        events.extend(self._collisions.step(vehicle, target))
+        return events

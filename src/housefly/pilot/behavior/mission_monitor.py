@@ -1,0 +1,157 @@
+"""Leads the mission on when something happened, and says what people should know."""
+
+from __future__ import annotations
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, Event, Phase, Severity
+from housefly.pilot.behavior.collision_monitor import CollisionMonitor
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission_signals import SignalTimers, is_near, signals
+from housefly.pilot.behavior.mission_state import MissionState, Refused
+from housefly.pilot.behavior.mission_tables import Signal
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+
+CUT_TIMEOUT = 15.0
+"""A motor cut that is not acknowledged is given up after this [s]."""
+RESET_TIMEOUT = 3.0
+"""A reset likewise [s]."""
+
+SIGNAL_EVENTS: dict[Signal, tuple[Severity, str]] = {
+    Signal.AIRBORNE: (Severity.INFO, "in the air"),
+    Signal.SINKING: (Severity.WARNING, "the drone lands by itself"),
+    Signal.GROUNDED: (Severity.INFO, "on the ground"),
+    Signal.EMERGENCY: (Severity.FAULT, "the drone is in its emergency state: motors off"),
+    Signal.ARRIVED_TO_STAY: (Severity.INFO, "arrived"),
+    Signal.ARRIVED_TO_LOOK: (Severity.INFO, "arrived, looking"),
+    Signal.ARRIVED_HOME: (Severity.INFO, "above the pad, landing"),
+    Signal.LOOKED: (Severity.INFO, "looked long enough, coming home"),
+    Signal.OVERDUE: (Severity.WARNING, "took too long"),
+    Signal.BLOCKED: (Severity.WARNING, "the way stays blocked"),
+    Signal.FORCED_DOWN: (Severity.WARNING, "landing for safety"),
+}
+"""How a change of phase is told."""
+
+
+class MissionMonitor:
+    """Watches the mission of one commander."""
+
+    def __init__(
+        self,
+        commander: Commander,
+        collision_monitor: CollisionMonitor,
+        limits: LimitsConfig,
+        tolerance: float,
+        paper: bool,
+    ) -> None:
+        self._commander = commander
+        self._collision_monitor = collision_monitor
+        self._limits = limits
+        self._tolerance = tolerance
+        self._paper = paper
+        self._task = commander.task
+        self._timers = SignalTimers()
+        self._late_since = -1.0
+
+    def step(
+        self, vehicle: VehicleStatus, target: TrajectorySetpoint | None, facing: bool
+    ) -> list[Event]:
+        """Lead the mission on.
+
+        Args:
+            vehicle: status and place of the drone.
+            target: what was tracked in the last step, None while nothing was.
+            facing: whether the heading is the wanted one.
+        """
+        commander = self._commander
+        if commander.task is not self._task:
+            self._task, self._timers, target = commander.task, SignalTimers(), None
+        self._time(vehicle, target, facing)
+        events = self._acknowledge(vehicle)
+        facing = facing or self._paper
+        found = signals(
+            commander.state, commander.task, self._timers, vehicle, self._limits, facing
+        )
+        for signal in found:
+            before = commander.state
+            if commander.apply(signal, vehicle.now):
+                events.extend(self._entered(signal, before, vehicle))
+        events.extend(self._late_landing(vehicle))
+        return events
+
+    def _time(
+        self, vehicle: VehicleStatus, target: TrajectorySetpoint | None, facing: bool
+    ) -> None:
+        state, timers = self._commander.state, self._timers
+        near = target is not None and is_near(
+            vehicle, target, self._tolerance, state, timers, self._paper
+        )
+        ended = target is not None and target.finished
+        self._timers = timers.updated(vehicle.now, near, ended, near and facing)
+
+    def _entered(self, signal: Signal, before: MissionState, vehicle: VehicleStatus) -> list[Event]:
+        self._timers = SignalTimers()
+        event = self._event(signal, before, vehicle.now)
+        refused = self._follow_up(signal, before, vehicle)
+        if refused is None:
+            return [event]
+        if self._collision_monitor.waits_instead(refused.reason, vehicle):
+            text, code = f"waiting here: {refused.reason}", "way_blocked"
+        else:
+            self._commander.stay(vehicle)
+            text, code = f"holding here: {refused.reason}", "no_way"
+        return [event, Event(vehicle.now, Severity.WARNING, code, text)]
+
+    def _event(self, signal: Signal, before: MissionState, now: float) -> Event:
+        severity, text = SIGNAL_EVENTS[signal]
+        if before.phase is Phase.LANDING and signal is Signal.GROUNDED:
+            text = "landed"
+        elif signal is Signal.BLOCKED:
+            is_landing = self._commander.state.phase is Phase.LANDING
+            text += ": landing here" if is_landing else ": coming home"
+        elif signal is Signal.OVERDUE:
+            text = f"{before.phase.value} took too long"
+        elif before.phase is Phase.IDLE and signal is Signal.AIRBORNE:
+            severity, text = Severity.WARNING, "the drone is in the air without an order: holding"
+        return Event(now, severity, signal.name.lower(), text)
+
+    def _follow_up(
+        self, signal: Signal, before: MissionState, vehicle: VehicleStatus
+    ) -> Refused | None:
+        """Give the new phase something to track."""
+        commander, phase = self._commander, self._commander.state.phase
+        if phase is Phase.RETURNING:
+            return commander.come_home(vehicle)
+        if before.phase is Phase.TAKING_OFF and phase is Phase.HOLDING:
+            return commander.depart(commander.state.mission, vehicle)
+        if phase in (Phase.IDLE, Phase.LANDING):
+            commander.rest()
+        elif phase is Phase.HOLDING and (
+            commander.task.profile is None or signal is Signal.OVERDUE
+        ):
+            commander.stay(vehicle)
+        return None
+
+    def _acknowledge(self, vehicle: VehicleStatus) -> list[Event]:
+        state, cut = self._commander.state, vehicle.status is DroneStatus.EMERGENCY
+        if not (state.cutting or state.resetting):
+            return []
+        if cut is state.cutting:
+            self._commander.release()
+            text = "motors are cut" if cut else "emergency left"
+            return [Event(vehicle.now, Severity.INFO, "acknowledged", text)]
+        if vehicle.now - state.pressed_at > (CUT_TIMEOUT if state.cutting else RESET_TIMEOUT):
+            self._commander.release()
+            what = "motor cut" if state.cutting else "reset"
+            text = f"the drone did not acknowledge the {what}"
+            return [Event(vehicle.now, Severity.FAULT, "not_acknowledged", text)]
+        return []
+
+    def _late_landing(self, vehicle: VehicleStatus) -> list[Event]:
+        state, timeout = self._commander.state, self._limits.landing_timeout
+        late = state.phase is Phase.LANDING and vehicle.now - state.since > timeout
+        if not late or self._late_since == state.since:
+            return []
+        self._late_since = state.since
+        text = f"landing is not acknowledged after {timeout:.0f} s: still asking"
+        return [Event(vehicle.now, Severity.FAULT, "landing_late", text)]

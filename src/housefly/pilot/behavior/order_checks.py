@@ -1,0 +1,117 @@
+"""Whether an order may be obeyed: one table of rules, each with the words that a person reads when
+it may not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, Order, OrderKind
+from housefly.pilot.behavior.mission_state import Refused
+from housefly.pilot.behavior.mission_tables import REFUSALS, Response
+
+ORDER_LIFETIME = 0.5
+"""Orders that move the drone or release a latch expire after this [s]: nothing old is done late."""
+TAKE_OFF_RESERVE = 0.05
+"""No take-off below the battery floor plus this share."""
+EXPIRING_ORDERS = frozenset(
+    {
+        OrderKind.TAKE_OFF,
+        OrderKind.GO,
+        OrderKind.SERVICE,
+        OrderKind.HOME,
+        OrderKind.RESUME,
+        OrderKind.RESET,
+    }
+)
+"""Orders that expire; HOVER, LAND, STOP and CUT make things safer and never do."""
+MOVING_RESPONSES = frozenset({Response.START, Response.LATER, Response.DEPART})
+"""Responses that set the drone in motion."""
+
+
+@dataclass(frozen=True, slots=True)
+class OrderContext:
+    """What a permission depends on.
+
+    Attributes:
+        age: time since the order was given [s].
+        response: what the table of orders says.
+        stopped: STOP is latched.
+        landing_forced: the safety gate is landing the drone.
+        status: the drone's own word.
+        battery: charge, 0 to 1.
+        telemetry_age, pose_age: [s].
+    """
+
+    age: float
+    response: Response
+    stopped: bool
+    landing_forced: bool
+    status: DroneStatus
+    battery: float
+    telemetry_age: float
+    pose_age: float
+
+
+OrderCheck = tuple[
+    Callable[[Order, OrderContext, LimitsConfig], bool],
+    Callable[[OrderContext, LimitsConfig], str],
+]
+
+ORDER_CHECKS: tuple[OrderCheck, ...] = (
+    (
+        lambda o, c, _: o.kind in EXPIRING_ORDERS and not abs(c.age) <= ORDER_LIFETIME,
+        lambda c, _: f"the order is {c.age:.1f} s old; orders expire after {ORDER_LIFETIME} s",
+    ),
+    (
+        lambda _, c, __: c.response in REFUSALS,
+        lambda c, _: c.response.value.removeprefix("refused: "),
+    ),
+    (
+        lambda o, c, _: c.response is Response.RESET and c.status is not DroneStatus.EMERGENCY,
+        lambda c, _: f"there is no emergency to leave: the drone is {c.status.value}",
+    ),
+    (
+        lambda _, c, __: c.response in MOVING_RESPONSES and c.stopped,
+        lambda _, __: "STOP is latched: resume first",
+    ),
+    (
+        lambda _, c, __: c.response in MOVING_RESPONSES and c.landing_forced,
+        lambda _, __: "the drone is being landed for safety",
+    ),
+    (
+        lambda _, c, limits: (
+            c.response in MOVING_RESPONSES and c.telemetry_age > limits.telemetry_age
+        ),
+        lambda _, __: "the drone does not answer",
+    ),
+    (
+        lambda _, c, __: c.response is Response.START and c.status is not DroneStatus.LANDED,
+        lambda c, _: f"the drone is not ready: {c.status.value}",
+    ),
+    (
+        lambda _, c, limits: (
+            c.response is Response.START
+            and not c.battery >= limits.battery_floor + TAKE_OFF_RESERVE
+        ),
+        lambda c, limits: (
+            f"the battery is too low: {c.battery:.0%}, take-off needs"
+            f" {limits.battery_floor + TAKE_OFF_RESERVE:.0%}"
+        ),
+    ),
+    (
+        lambda _, c, limits: c.response in MOVING_RESPONSES and c.pose_age > limits.pose_age_level,
+        lambda _, __: "tracking does not see the drone",
+    ),
+)
+"""Rules in order of what to say first: (is it forbidden, why)."""
+
+
+def refusal(order: Order, context: OrderContext, limits: LimitsConfig) -> Refused | None:
+    """Return why an order may not be obeyed, or None when it may."""
+    for forbidden, reason in ORDER_CHECKS:
+        if forbidden(order, context, limits):
+            return Refused(reason(context, limits))
+    return None

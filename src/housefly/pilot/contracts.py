@@ -1,0 +1,71 @@
+"""What the pilot is given: its settings, and whoever knows the room and leads the mission."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from housefly.geometry import Vec2
+from housefly.messages import Event, Obstacle, Order, PlanAnswer, Sighting
+from housefly.pilot.behavior.mission_state import MissionState
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.tracking_task import TrackingTask
+from housefly.pilot.behavior.vehicle_status import VehicleStatus
+from housefly.pilot.parameters import PilotParameters
+
+
+@dataclass(frozen=True, slots=True)
+class PilotSettings:
+    """What does not change in a flight.
+
+    Attributes:
+        parameters: of the compiled step.
+        body: name of the drone in the tracking system.
+        home: the pad [m].
+        flight_height: z_ref [m].
+        facing_tolerance: the heading is the wanted one when nearer than this [rad].
+    """
+
+    parameters: PilotParameters
+    body: str
+    home: Vec2
+    flight_height: float
+    facing_tolerance: float
+
+
+class Map(Protocol):
+    """Knows the room as it is now."""
+
+    def update(
+        self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
+    ) -> list[str]:
+        """Bring the map up to now [s]; return in words which obstacles are refused."""
+        ...
+
+    def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
+        """Return the way from a start to a goal [m]."""
+        ...
+
+
+class Missions(Protocol):
+    """Decides what the drone tracks."""
+
+    @property
+    def state(self) -> MissionState:
+        """How far the mission has come."""
+        ...
+
+    @property
+    def task(self) -> TrackingTask:
+        """What the drone tracks."""
+        ...
+
+    def update(
+        self,
+        orders: tuple[Order, ...],
+        vehicle: VehicleStatus,
+        target: TrajectorySetpoint | None,
+        facing: bool,
+    ) -> list[Event]:
+        """Bring the mission up to now and return what people should know."""
+        ...

@@ -1,0 +1,114 @@
+"""Which sightings are accepted, and what is said about those that are not."""
+
+from __future__ import annotations
+
+from enum import Enum, IntEnum
+from math import isfinite
+
+from housefly.messages import Event, Severity, Sighting
+from housefly.numeric import compiled
+
+CLOCK_TOLERANCE = 0.005
+"""A stamp may lie this far ahead of our clock [s]: clocks are read at different moments."""
+SIGHTING_AGE_MAX = 1.0
+"""A sighting captured longer ago than this is useless and dropped [s]."""
+REJECTION_WARNING_AFTER = 0.5
+"""After rejecting everything for this long a person is told [s]."""
+REJECTION_REPORT_PERIOD = 2.0
+"""The same event is repeated at most this often [s]."""
+
+
+class RejectionReason(Enum):
+    """Why a sighting was rejected."""
+
+    NOT_FINITE = "a number is not finite"
+    NOT_A_ROTATION = "the orientation is not a unit quaternion"
+    FUTURE = "its stamp lies in the future"
+    OUT_OF_ORDER = "its stamp is not newer than the last one"
+    STALE = "it is too old"
+    JUMP = "it is too far from where the drone can be"
+    FROZEN = "it stays the same to the last bit while the drone flies"
+
+
+class StampFault(IntEnum):
+    """What may be wrong with the stamp of a sighting."""
+
+    NONE = 0
+    FUTURE = 1
+    OUT_OF_ORDER = 2
+    STALE = 3
+
+
+STAMP_REJECTIONS = {
+    StampFault.FUTURE: RejectionReason.FUTURE,
+    StampFault.OUT_OF_ORDER: RejectionReason.OUT_OF_ORDER,
+    StampFault.STALE: RejectionReason.STALE,
+}
+
+
+@compiled
+def stamp_fault(captured_at: float, now: float, last_capture: float) -> int:
+    """Return the ``StampFault`` of a sighting; times in seconds."""
+    if captured_at > now + CLOCK_TOLERANCE:
+        return StampFault.FUTURE.value
+    if captured_at <= last_capture:
+        return StampFault.OUT_OF_ORDER.value
+    if now - captured_at > SIGHTING_AGE_MAX:
+        return StampFault.STALE.value
+    return StampFault.NONE.value
+
+
+def sighting_fault(sighting: Sighting, now: float, last_capture: float) -> RejectionReason | None:
+    """Return what is wrong with a sighting by itself and its stamp, or None.
+
+    Args:
+        sighting: what the tracking system sent.
+        now: time [s].
+        last_capture: capture time of the last accepted sighting [s].
+    """
+    pose = sighting.pose
+    if not all(
+        isfinite(number) for number in (*pose.position, *pose.orientation, sighting.captured_at)
+    ):
+        return RejectionReason.NOT_FINITE
+    if abs(sum(number * number for number in pose.orientation) - 1.0) > 0.02:
+        return RejectionReason.NOT_A_ROTATION
+    return STAMP_REJECTIONS.get(StampFault(stamp_fault(sighting.captured_at, now, last_capture)))
+
+
+class RejectionLog:
+    """Counts rejections and turns those that last into events."""
+
+    def __init__(self) -> None:
+        self._counts = dict.fromkeys(RejectionReason, 0)
+        self._rejecting_since: float | None = None
+        self._reported_at = -REJECTION_REPORT_PERIOD
+
+    @property
+    def counts(self) -> dict[RejectionReason, int]:
+        """How often each reason was given since the start."""
+        return dict(self._counts)
+
+    @property
+    def rejecting_since(self) -> float | None:
+        """When the present series of jumps began [s], None while sightings are accepted."""
+        return self._rejecting_since
+
+    def accepted(self) -> None:
+        """A sighting was accepted: the series ends."""
+        self._rejecting_since = None
+
+    def reject(self, reason: RejectionReason, now: float) -> tuple[Event, ...]:
+        """Count a rejection; return an event when nothing was accepted for too long."""
+        self._counts[reason] += 1
+        if reason is RejectionReason.OUT_OF_ORDER:
+            return ()
+        self._rejecting_since = now if self._rejecting_since is None else self._rejecting_since
+        if (
+            now - self._rejecting_since < REJECTION_WARNING_AFTER
+            or now - self._reported_at < REJECTION_REPORT_PERIOD
+        ):
+            return ()
+        self._reported_at = now
+        text = f"tracking is not believed since {now - self._rejecting_since:.1f} s: {reason.value}"
+        return (Event(now, Severity.WARNING, "tracking_refused", text),)

@@ -1,0 +1,307 @@
+"""One tick of the pilot as one compiled composition: from the estimate to the limited command.
+
+    estimator -> path progress -> yaw reference -> acceptor -> control -> gate -> estimator
+
+The live pilot calls ``step_commanded`` once a tick, the batch once a tick for each of thousands of
+drones. Sightings go in before, by ``estimator_updated``; between the two the mission decides what
+to track, which is words and tables and not numbers.
+"""
+
+from __future__ import annotations
+
+from math import inf, isfinite, nan, sqrt
+from typing import NamedTuple
+
+from housefly.numeric import compiled, wrapped
+from housefly.pilot.behavior.acceptor import (
+    REST,
+    Acceptor,
+    AcceptorState,
+    acceptor_advanced,
+    printed_conditions,
+    steady_conditions,
+)
+from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.behavior.path_progress import (
+    PathProgress,
+    TrajectorySetpoint,
+    progress_advanced,
+    progress_headed,
+    setpoint_at,
+)
+from housefly.pilot.behavior.waypoints import paper_heading, waypoint_advanced, waypoint_setpoint
+from housefly.pilot.behavior.yaw_reference import (
+    YAW_REFERENCE_RATE,
+    YawReference,
+    yaw_reference_advanced,
+)
+from housefly.pilot.control.laws import acceleration
+from housefly.pilot.control.steering import (
+    ControlOutput,
+    ControlReference,
+    control_output,
+    paper_control_output,
+)
+from housefly.pilot.estimation.delay_filter import CommandHistory
+from housefly.pilot.estimation.estimator import (
+    EstimatorState,
+    PoseEstimate,
+    control_state,
+    estimator_commanded,
+)
+from housefly.pilot.parameters import PilotParameters
+from housefly.pilot.safety.limits import GatedCommand, SafetyCode, gated
+
+
+class StepState(NamedTuple):
+    """What one tick leaves for the next, besides the estimator's own state.
+
+    Attributes:
+        progress: along the path.
+        yaw: wanted headings.
+        acceptor: the finite state acceptor.
+        gate: the ``SafetyCode`` found last.
+    """
+
+    progress: PathProgress
+    yaw: YawReference
+    acceptor: Acceptor
+    gate: int
+
+
+class Guidance(NamedTuple):
+    """What the mission wants in one tick.
+
+    Attributes:
+        active: control flies the drone.
+        following: along the path; else it holds a place.
+        x, y, yaw: the place [m] and heading [rad] to hold.
+        arrival_yaw: heading at the end of the path [rad]; nan keeps the path's.
+        height: z_ref [m].
+    """
+
+    active: bool
+    following: bool
+    x: float
+    y: float
+    yaw: float
+    arrival_yaw: float
+    height: float
+
+
+class Override(NamedTuple):
+    """A setpoint that takes the place of what control asks, where ``active``."""
+
+    active: bool
+    theta: float
+    phi: float
+    vz: float
+    yaw_rate: float
+
+
+class StepOutput(NamedTuple):
+    """What one tick decides.
+
+    Attributes:
+        target: the reference.
+        asked: by control.
+        flying: control flies the drone; else it leaves it to its own hover.
+        command: what leaves the gate.
+    """
+
+    target: TrajectorySetpoint
+    asked: ControlOutput
+    flying: bool
+    command: GatedCommand
+
+
+NO_OVERRIDE = Override(False, 0.0, 0.0, 0.0, 0.0)
+INITIAL_STEP = StepState(
+    progress=PathProgress(0.0, 0.0, 0.0, 0, nan),
+    yaw=YawReference(0.0, nan),
+    acceptor=Acceptor(0, 0.0),
+    gate=0,
+)
+"""Before the first tick."""
+
+
+@compiled
+def progress_started(params: PilotParameters, yaw: float) -> PathProgress:
+    """Return the progress at the beginning of a path, at a heading [rad]."""
+    return PathProgress(0.0, 0.0, 0.0, 0, paper_heading(yaw) if params.is_paper else nan)
+
+
+@compiled
+def step_commanded(
+    state: StepState,
+    estimator: EstimatorState,
+    history: CommandHistory,
+    params: PilotParameters,
+    here: PoseEstimate,
+    guidance: Guidance,
+    profile: PathProfile,
+    override: Override,
+    mode: int,
+    airborne: bool,
+    now: float,
+    dt: float,
+) -> tuple[StepState, EstimatorState, StepOutput]:
+    """Return states and decisions of one tick.
+
+    Args:
+        state: of the last tick.
+        estimator: advanced to now.
+        history: the commands given, which the estimator refers to.
+        params: of the pilot.
+        here: the estimate for now; only its yaw counts while the guidance is not active.
+        guidance: what the mission wants.
+        profile: the path in use; any one while none is followed.
+        override: what takes the place of control.
+        mode: the ``SafetyCode`` that the rules of the gate found.
+        airborne: the propellers carry the drone.
+        now: [s].
+        dt: how far references move on [s].
+    """
+    if guidance.active:
+        state, target = _tracked(state, params, here, guidance, profile, now, dt)
+        asked, flying = _asked(state, estimator, history, params, here, guidance, target, now)
+    else:
+        state, target = _rested(state, guidance, now), _held(guidance)
+        asked, flying = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0), False
+    if override.active:
+        tilt = sqrt(override.theta * override.theta + override.phi * override.phi)
+        asked = ControlOutput(override.theta, override.phi, override.vz, override.yaw_rate, tilt)
+        flying = True
+    command = gated(asked, flying, mode, airborne, params.limits)
+    ux, uy = acceleration(command.theta, command.phi, here.yaw)
+    estimator = estimator_commanded(estimator, history, params.estimator, ux, uy, command.flown)
+    state = StepState(
+        progress=state.progress, yaw=state.yaw, acceptor=state.acceptor, gate=command.mode
+    )
+    return state, estimator, StepOutput(target, asked, flying, command)
+
+
+@compiled
+def _held(guidance: Guidance) -> TrajectorySetpoint:
+    return TrajectorySetpoint(guidance.x, guidance.y, 0.0, 0.0, 0.0, 0.0, guidance.yaw, 0, True)
+
+
+@compiled
+def _rested(state: StepState, guidance: Guidance, now: float) -> StepState:
+    """Return the state while nothing is tracked: the acceptor rests, the next heading is free."""
+    return StepState(
+        progress=state.progress,
+        yaw=YawReference(state.yaw.target, nan),
+        acceptor=acceptor_advanced(state.acceptor, REST, now, 0.0),
+        gate=state.gate,
+    )
+
+
+@compiled
+def _tracked(
+    state: StepState,
+    params: PilotParameters,
+    here: PoseEstimate,
+    guidance: Guidance,
+    profile: PathProfile,
+    now: float,
+    dt: float,
+) -> tuple[StepState, TrajectorySetpoint]:
+    """Return the state with reference, heading and acceptor moved on, and the reference."""
+    progress, target = state.progress, _held(guidance)
+    if guidance.following:
+        progress, target = _followed(state, params, here, profile, dt)
+    yaw = _yaw_reference(state.yaw, params, here, guidance, target, dt)
+    acceptor = _accepted(state.acceptor, params, here, guidance, profile, target, yaw, now)
+    return StepState(progress=progress, yaw=yaw, acceptor=acceptor, gate=state.gate), target
+
+
+@compiled
+def _followed(
+    state: StepState, params: PilotParameters, here: PoseEstimate, profile: PathProfile, dt: float
+) -> tuple[PathProgress, TrajectorySetpoint]:
+    before = state.progress
+    if params.is_paper:
+        waypoints, eps3 = profile.waypoints, params.tolerances.position
+        index, yaw = waypoint_advanced(before.leg, before.yaw, waypoints, here.x, here.y, eps3)
+        progress = PathProgress(s=0.0, v=0.0, a=0.0, leg=index, yaw=yaw)
+        return progress, waypoint_setpoint(index, yaw, waypoints)
+    is_moving = (
+        state.acceptor.state == AcceptorState.PATH_TRACKING
+        or state.acceptor.state == AcceptorState.HOVER
+    ) and state.gate == SafetyCode.NOMINAL
+    moved = progress_advanced(before, profile, params.speed, here.x, here.y, is_moving, dt)
+    progress = progress_headed(moved, profile)
+    return progress, setpoint_at(progress, profile)
+
+
+@compiled
+def _yaw_reference(
+    before: YawReference,
+    params: PilotParameters,
+    here: PoseEstimate,
+    guidance: Guidance,
+    target: TrajectorySetpoint,
+    dt: float,
+) -> YawReference:
+    wish = target.yaw
+    arrived = guidance.following and target.finished and not params.is_paper
+    if arrived and isfinite(guidance.arrival_yaw):
+        wish = guidance.arrival_yaw
+    turn_max = inf if params.is_paper else YAW_REFERENCE_RATE * dt
+    return yaw_reference_advanced(before, wish, here.yaw, turn_max)
+
+
+@compiled
+def _accepted(
+    before: Acceptor,
+    params: PilotParameters,
+    here: PoseEstimate,
+    guidance: Guidance,
+    profile: PathProfile,
+    target: TrajectorySetpoint,
+    yaw: YawReference,
+    now: float,
+) -> Acceptor:
+    """Return the acceptor; place counts to the path's end, in mode paper to the waypoint."""
+    x, y = target.x, target.y
+    if guidance.following and not params.is_paper:
+        end = len(profile.points) - 1
+        x, y = profile.points[end, 0], profile.points[end, 1]
+    off = sqrt((here.x - x) ** 2 + (here.y - y) ** 2)
+    turn = here.yaw - yaw.target
+    turn = wrapped(turn) if params.gains.wraps else turn
+    rise, eps = here.z - guidance.height, params.tolerances
+    if params.is_paper:
+        conditions = printed_conditions(rise, turn, off, eps.height, eps.yaw, eps.position)
+    else:
+        conditions = steady_conditions(
+            before.state, rise, turn, off, eps.height, eps.yaw, eps.position
+        )
+    return acceptor_advanced(before, conditions, now, eps.dwell)
+
+
+@compiled
+def _asked(
+    state: StepState,
+    estimator: EstimatorState,
+    history: CommandHistory,
+    params: PilotParameters,
+    here: PoseEstimate,
+    guidance: Guidance,
+    target: TrajectorySetpoint,
+    now: float,
+) -> tuple[ControlOutput, bool]:
+    """Return what control asks, and whether it flies: in mode paper's hover the drone does."""
+    reference = ControlReference(
+        position=(target.x, target.y),
+        velocity=(target.vx, target.vy),
+        acceleration=(target.ax, target.ay),
+        height=guidance.height,
+        yaw=state.yaw.reference,
+    )
+    ahead = control_state(estimator, history, params.estimator, here, now)
+    if params.is_paper:
+        asked = paper_control_output(state.acceptor.state, reference, ahead, params.gains)
+        return asked, state.acceptor.state != AcceptorState.HOVER
+    return control_output(reference, ahead, params.gains), True

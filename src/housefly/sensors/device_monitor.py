@@ -1,0 +1,133 @@
+"""The book of one device: what was heard, what was dropped and why, and how it does now; pure,
+times are given.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+
+from housefly.sensors.contracts import SensorHealth
+from housefly.sensors.message_rate import MessageRate, TokenBucket
+from housefly.wires.devices import DeviceAddress, DeviceKind, Reading
+
+_RECENT = 5.0
+"""For this long after it was dropped [s] a flood, garbage or a wrong clock is a problem; then it is
+history.
+"""
+
+
+class DeviceMonitor:
+    """Counts and judges the messages of one device.
+
+    Attributes:
+        counts: messages by what became of them: heard, malformed, flooded, clock refused, unknown
+            keys, past events.
+    """
+
+    def __init__(self, address: DeviceAddress, kind: DeviceKind, rate_max_hz: float) -> None:
+        self.counts: Counter[str] = Counter()
+        self._address, self._kind, self._rate_max = address, kind, rate_max_hz
+        self._rate, self._bucket = MessageRate(), TokenBucket(rate_max_hz)
+        self._online: bool | None = None
+        self._complaints: dict[str, tuple[float, str]] = {}
+
+    @property
+    def kind(self) -> DeviceKind:
+        """What the device is."""
+        return self._kind
+
+    def admit(self, now: float) -> bool:
+        """Tell whether the next message may be read; what is beyond the device's rate may not."""
+        if self._bucket.consume(now):
+            return True
+        self._note(
+            "flooded",
+            now,
+            f"sends more than {self._rate_max:g} messages a second; the rest is dropped",
+        )
+        return False
+
+    def record(self, reading: Reading, now: float, retained: bool) -> None:
+        """Enter a message that could be read; what the broker had kept is no sign of life."""
+        self.counts["heard"] += 1
+        self.counts["unknown keys"] += len(reading.unknown)
+        if reading.online is not None:
+            self._online = reading.online
+        elif not retained:
+            self._online = True
+            self._rate.add(now)
+        if reading.clock_error is not None:
+            side = "ahead of" if reading.clock_error > 0 else "behind"
+            text = (
+                f"its clock is {abs(reading.clock_error):.0f} s {side} ours; times of arrival are"
+                " taken instead"
+            )
+            self._note("clock refused", now, text)
+
+    def record_past_event(self) -> None:
+        """Enter an event that the broker had kept: it is over."""
+        self.counts["past events"] += 1
+
+    def record_malformed(self, complaint: str, now: float) -> None:
+        """Enter a message that could not be read."""
+        self._note("malformed", now, complaint)
+
+    def health(self, now: float, link_problem: str) -> SensorHealth:
+        """Return how the device does now; without the broker it cannot do well."""
+        problem = link_problem or self._problem(now)
+        quiet = self._is_silent(now) or self._online is False
+        return SensorHealth(
+            id=self._address.id,
+            kind=self._kind.name,
+            title=titled(self._kind.title, self._address.id),
+            connected=not link_problem and not quiet,
+            rate_hz=self._rate.rate_hz(now),
+            age=self._rate.age(now),
+            problem=problem,
+            counts=tuple(sorted((name, count) for name, count in self.counts.items() if count)),
+        )
+
+    def _problem(self, now: float) -> str:
+        """Return the gravest problem."""
+        checks: tuple[Callable[[float], str], ...] = (
+            self._absence,
+            self._latest_complaint,
+            self._silence,
+        )
+        return next((words for check in checks if (words := check(now))), "")
+
+    def _absence(self, now: float) -> str:
+        return (
+            "offline: its last will says so; is it switched on and in reach of the network?"
+            if self._online is False
+            else ""
+        )
+
+    def _latest_complaint(self, now: float) -> str:
+        recent = [(at, text) for at, text in self._complaints.values() if now - at <= _RECENT]
+        return max(recent)[1] if recent else ""
+
+    def _silence(self, now: float) -> str:
+        if not self._is_silent(now):
+            return ""
+        age = self._rate.age(now)
+        since = f"silent for {age:.0f} s" if age < float("inf") else "not heard yet"
+        return (
+            f"{since}; a {self._kind.name} sends its state at least every"
+            f" {self._kind.heartbeat:g} s"
+        )
+
+    def _is_silent(self, now: float) -> bool:
+        return self._rate.age(now) > 2 * self._kind.heartbeat
+
+    def _note(self, count: str, now: float, text: str) -> None:
+        self.counts[count] += 1
+        self._complaints[count] = (now, text)
+
+
+def titled(kind: str, device: str) -> str:
+    """Return what people call a device: a lone "cabinet" is not called "Intelligent cabinet
+    cabinet".
+    """
+    return kind if device in kind.lower().split() else f"{kind} {device}"

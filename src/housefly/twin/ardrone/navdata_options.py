@@ -1,0 +1,188 @@
+"""The navdata options of the simulated drone, filled with what its firmware believes.
+
+Native units and the native frame forward-right-down, as Parrot ARDroneLib SDK 2.0.1
+(navdata_common.h) lists them. Options that the twin does not simulate keep one constant value and
+are packed once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import degrees, exp, radians
+
+from housefly.geometry import GRAVITY, Vec3
+from housefly.twin.contracts import FlightState, OnboardState
+from housefly.wires.ardrone.conversions import flu_from_frd, native_demo
+from housefly.wires.ardrone.layout import Structure
+from housefly.wires.ardrone.navdata import RawOption
+from housefly.wires.ardrone.navdata_options import (
+    OPTION_TYPES,
+    TAGS,
+    Altitude,
+    Demo,
+    EulerAngles,
+    KalmanPressure,
+    Magneto,
+    MajorState,
+    PhysMeasures,
+    PressureRaw,
+    Pwm,
+    RawMeasures,
+    Time,
+    Vision,
+    VisionDetect,
+    VisionRaw,
+    Wifi,
+)
+
+MAJOR_STATES: dict[FlightState, MajorState] = {
+    FlightState.LANDED: MajorState.LANDED,
+    FlightState.TAKING_OFF: MajorState.TAKING_OFF,
+    FlightState.FLYING: MajorState.FLYING,
+    FlightState.HOVERING: MajorState.HOVERING,
+    FlightState.LANDING: MajorState.LANDING,
+    FlightState.EMERGENCY: MajorState.DEFAULT,
+}
+"""Control state that navdata tells for each state of the firmware."""
+
+_HOVERING_WITHOUT_LINK = 8
+"""Minor control state of hovering when commands stopped."""
+_NO_TAG_DETECTION = 3
+"""Default of ``detect:detect_type``: no tag is looked for."""
+_MAGNETIC_FIELD = 320.0
+"""Horizontal strength of the simulated field [mG]; about that of Fukuoka."""
+_SEA_LEVEL_PRESSURE = 101325.0
+_SCALE_HEIGHT = 8434.0
+"""Pressure at the floor [Pa] and the height over which it falls by e [m]."""
+_ACCELEROMETER_ZERO = 2048
+_ACCELEROMETER_STEP = 0.512
+"""Centre of the 12-bit converter, and its steps per mg; the recorded packet shows 509 steps per g.
+"""
+_GYRO_STEP = 16.4
+"""Steps per deg/s of a gyro with a range of 2000 deg/s and 16 bits."""
+
+
+def demo_options(
+    onboard: OnboardState, tells_vertical_speed: bool
+) -> tuple[Structure | RawOption, ...]:
+    """Return the options of demo mode: 500 bytes with header and checksum."""
+    return _demo(onboard, tells_vertical_speed), _CONSTANT_OPTIONS[VisionDetect]
+
+
+def full_options(
+    onboard: OnboardState, tells_vertical_speed: bool
+) -> tuple[Structure | RawOption, ...]:
+    """Return the options of full mode: tags 0 to 26, without the 27 on which the firmwares
+    disagree.
+    """
+    demo = _demo(onboard, tells_vertical_speed)
+    moving: dict[type[Structure], Structure] = {
+        Demo: demo,
+        Time: Time.of(onboard.at),
+        RawMeasures: _raw_measures(onboard),
+        PhysMeasures: PhysMeasures(45.0, accelerations=_milli_g(onboard), rates=_rates(onboard)),
+        EulerAngles: EulerAngles(theta=demo.theta, phi=demo.phi),
+        Pwm: Pwm(motors=tuple(_clip(round(255 * duty), 0, 255) for duty in onboard.motors)),
+        Altitude: _altitude(onboard, demo),
+        VisionRaw: VisionRaw(*flu_from_frd(onboard.velocity)),
+        Vision: _vision(onboard, demo),
+        PressureRaw: PressureRaw(
+            temperature=250,
+            pressure=round(_SEA_LEVEL_PRESSURE * exp(-onboard.height / _SCALE_HEIGHT)),
+        ),
+        Magneto: _magneto(demo),
+        KalmanPressure: KalmanPressure(
+            estimated_z=1e3 * onboard.height, estimated_zdot=1e3 * onboard.velocity[2]
+        ),
+    }
+    return tuple(moving.get(kind) or _CONSTANT_OPTIONS[kind] for kind in OPTION_TYPES)
+
+
+def _demo(onboard: OnboardState, tells_vertical_speed: bool) -> Demo:
+    forward, left, up = onboard.velocity
+    demo = native_demo(
+        MAJOR_STATES[onboard.flight],
+        min(1.0, max(0.0, onboard.battery)),
+        phi=onboard.phi,
+        theta=onboard.theta,
+        psi=onboard.psi,
+        height=onboard.height,
+        velocity=(forward, left, up if tells_vertical_speed else 0.0),
+    )
+    lost = onboard.com_lost and onboard.flight is FlightState.HOVERING
+    minor = _HOVERING_WITHOUT_LINK if lost else 0
+    return replace(
+        demo, ctrl_state=demo.ctrl_state | minor, detection_camera_type=_NO_TAG_DETECTION
+    )
+
+
+def _milli_g(onboard: OnboardState) -> Vec3:
+    x, y, z = flu_from_frd(onboard.acceleration)
+    return 1e3 * x / GRAVITY, 1e3 * y / GRAVITY, 1e3 * z / GRAVITY
+
+
+def _rates(onboard: OnboardState) -> Vec3:
+    x, y, z = flu_from_frd(onboard.angular_rate)
+    return degrees(x), degrees(y), degrees(z)
+
+
+def _raw_measures(onboard: OnboardState) -> RawMeasures:
+    x, y, z = _milli_g(onboard)
+    height = max(0, round(1e3 * onboard.height))
+    return RawMeasures(
+        accelerometers=(_converter(x), _converter(-y), _converter(-z)),
+        gyros=tuple(_clip(round(_GYRO_STEP * rate), -32768, 32767) for rate in _rates(onboard)),
+        battery_millivolts=round(1e3 * onboard.battery_voltage),
+        us_association=_clip(height, 0, 65535),
+        echo_count=1,
+        altitude_raw=height,
+    )
+
+
+def _converter(milli_g: float) -> int:
+    return _clip(round(_ACCELEROMETER_ZERO + _ACCELEROMETER_STEP * milli_g), 0, 4095)
+
+
+def _clip(value: int, low: int, high: int) -> int:
+    return min(high, max(low, value))
+
+
+def _altitude(onboard: OnboardState, demo: Demo) -> Altitude:
+    climb = 1e3 * onboard.velocity[2]
+    return Altitude(
+        vision=demo.altitude, vz=climb, raw=demo.altitude, observer_altitude=onboard.height
+    )
+
+
+def _vision(onboard: OnboardState, demo: Demo) -> Vision:
+    return Vision(
+        theta_capture=radians(demo.theta / 1e3),
+        phi_capture=radians(demo.phi / 1e3),
+        psi_capture=radians(demo.psi / 1e3),
+        altitude_capture=demo.altitude,
+        time_capture=Time.of(onboard.at).time,
+        body_velocity=(demo.vx, demo.vy, demo.vz),
+    )
+
+
+def _magneto(demo: Demo) -> Magneto:
+    heading = demo.psi / 1e3
+    return Magneto(
+        heading_unwrapped=heading,
+        heading_gyro_unwrapped=heading,
+        heading_fusion_unwrapped=heading,
+        calibration_ok=1,
+        radius=_MAGNETIC_FIELD,
+    )
+
+
+def _constant(option: Structure) -> RawOption:
+    return RawOption(TAGS[type(option)], option.encode())
+
+
+_CONSTANT_OPTIONS: dict[type[Structure], RawOption] = {
+    kind: _constant(kind()) for kind in OPTION_TYPES
+} | {Wifi: _constant(Wifi(link_quality=0x3F800000))}
+"""Options as they stand when nothing moves them; the Wi-Fi quality is a single 1.0 read as an
+integer.
+"""

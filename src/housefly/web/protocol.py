@@ -1,0 +1,319 @@
+"""The messages between browser and server, one JSON object each, told apart by ``type``.
+
+``client/src/wire/messages.ts`` is generated from this file by ``housefly.web.typescript``. All
+times are seconds of the server's monotonic clock, all lengths metres in the world frame, all angles
+radians.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import ConfigDict, Field, TypeAdapter
+
+from housefly.geometry import Vec2, Vec3
+from housefly.hub.api.pilot_queries import RoomView
+from housefly.messages import (
+    Action,
+    Behavior,
+    DroneStatus,
+    LinkStatus,
+    OrderKind,
+    Phase,
+    PlanAnswer,
+    SafetyMode,
+    Severity,
+)
+
+_STRICT = ConfigDict(extra="forbid", allow_inf_nan=False, str_strip_whitespace=True)
+_PLACE_MAX, _NAME_MAX = 60, 24
+
+_RequestId = Annotated[int, Field(ge=0, le=2**53)]
+_PlaceName = Annotated[str, Field(max_length=_PLACE_MAX)]
+_Metres = Annotated[float, Field(ge=-1e4, le=1e4)]
+
+# --- from the browser
+
+
+@dataclass(frozen=True, slots=True)
+class Hello:
+    """First message of a socket: the tab, recognized after a reconnect, and the user's name."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["hello"]
+    tab: Annotated[str, Field(min_length=8, max_length=64)]
+    name: Annotated[str, Field(max_length=_NAME_MAX)] = ""
+
+
+@dataclass(frozen=True, slots=True)
+class PingRequest:
+    """A sign of life; ``sent`` is the browser's own clock and comes back unchanged."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["ping"]
+    sent: float
+
+
+@dataclass(frozen=True, slots=True)
+class StopRequest:
+    """STOP: hover and stay; passes every limit and every queue."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["stop"]
+    id: _RequestId = 0
+
+
+@dataclass(frozen=True, slots=True)
+class OrderRequest:
+    """An order for the pilot.
+
+    Attributes:
+        place, goal: the target, one of the two, of an order that goes somewhere.
+        look_s: how long a service looks at its target [s].
+    """
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["order"]
+    id: _RequestId
+    order: OrderKind
+    place: _PlaceName = ""
+    goal: tuple[_Metres, _Metres] | None = None
+    look_s: Annotated[float, Field(ge=0.0, le=60.0)] = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class PlanQuestion:
+    """Ask how the drone would fly there from where it is."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["plan"]
+    id: _RequestId
+    place: _PlaceName = ""
+    goal: tuple[_Metres, _Metres] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LeaseRequest:
+    """Take control, release it, or give it to viewer ``to``.
+
+    ``held``: the button was held to confirm a take-over.
+    """
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["lease"]
+    id: _RequestId
+    action: Literal["take", "release", "give"]
+    to: _RequestId = 0
+    held: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class InviteRequest:
+    """Make a one-time link for another browser."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["invite"]
+    id: _RequestId
+
+
+ClientMessage = (
+    Hello | PingRequest | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest
+)
+
+CLIENT_MESSAGE: TypeAdapter[ClientMessage] = TypeAdapter(
+    Annotated[ClientMessage, Field(discriminator="type")]
+)
+
+# --- from the server
+
+
+@dataclass(frozen=True, slots=True)
+class EventView:
+    """One line of the event log; numbers rise by one, ``at`` is when the server received it."""
+
+    number: int
+    at: float
+    severity: Severity
+    code: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Welcome:
+    """Answer to Hello: the viewer's number, and what happened before."""
+
+    you: int
+    now: float
+    events: tuple[EventView, ...]
+    trail: tuple[Vec2, ...]
+    type: Literal["welcome"] = "welcome"
+
+
+@dataclass(frozen=True, slots=True)
+class RoomMessage:
+    """The room and its map."""
+
+    room: RoomView
+    type: Literal["room"] = "room"
+
+
+@dataclass(frozen=True, slots=True)
+class OtherBody:
+    """Another tracked body: the visitor, or furniture with length and width [m] and yaw [rad]."""
+
+    name: str
+    position: Vec2
+    size: Vec2 = (0.0, 0.0)
+    yaw: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class StateMessage:
+    """The newest step of the pilot, at most twenty times a second.
+
+    Attributes:
+        heard_at: when the server received the step [s].
+        battery, battery_return: charge, and the share that the flight home would cost, 0 to 1.
+        flight_s: flight time that the charge allows [s].
+        height: the drone's own height sensor [m].
+        wanted: reference position [m].
+        path: number of the path in use; the path itself comes as PathMessage.
+    """
+
+    sequence: int
+    heard_at: float
+    status: DroneStatus | None
+    battery: float | None
+    battery_return: float
+    flight_s: float | None
+    telemetry_age: float | None
+    faults: tuple[str, ...]
+    height: float | None
+    position: Vec3 | None
+    velocity: Vec3 | None
+    yaw: float | None
+    pose_age: float | None
+    position_std: float | None
+    wanted: Vec3 | None
+    behavior: Behavior
+    phase: Phase
+    safety: SafetyMode
+    action: Action
+    goal_name: str
+    reason: str
+    path: int
+    waypoint: int
+    others: tuple[OtherBody, ...]
+    type: Literal["state"] = "state"
+
+
+@dataclass(frozen=True, slots=True)
+class PathMessage:
+    """The path that the pilot flies; empty when there is none."""
+
+    number: int
+    waypoints: tuple[Vec2, ...]
+    length: float
+    type: Literal["path"] = "path"
+
+
+@dataclass(frozen=True, slots=True)
+class LinkMessage:
+    """Health of the pilot's links and loop, and when the server received it."""
+
+    heard_at: float
+    link: LinkStatus
+    type: Literal["link"] = "link"
+
+
+@dataclass(frozen=True, slots=True)
+class EventsMessage:
+    """New lines of the event log; none is ever skipped."""
+
+    events: tuple[EventView, ...]
+    type: Literal["events"] = "events"
+
+
+@dataclass(frozen=True, slots=True)
+class ViewerView:
+    """Someone who has the console open."""
+
+    id: int
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewersMessage:
+    """Who is here, and who has control (None: nobody)."""
+
+    pilot: int | None
+    viewers: tuple[ViewerView, ...]
+    type: Literal["viewers"] = "viewers"
+
+
+@dataclass(frozen=True, slots=True)
+class PlanReply:
+    """Answer to PlanQuestion ``id``."""
+
+    id: int
+    answer: PlanAnswer
+    type: Literal["plan"] = "plan"
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptedReply:
+    """Request ``id`` was passed on."""
+
+    id: int
+    type: Literal["accepted"] = "accepted"
+
+
+@dataclass(frozen=True, slots=True)
+class RefusedReply:
+    """Request ``id`` was not passed on; the reason is in words."""
+
+    id: int
+    reason: str
+    type: Literal["refused"] = "refused"
+
+
+@dataclass(frozen=True, slots=True)
+class PongReply:
+    """Answer to PingRequest: the browser's time as sent, the server's time now [s]."""
+
+    sent: float
+    now: float
+    type: Literal["pong"] = "pong"
+
+
+@dataclass(frozen=True, slots=True)
+class InviteReply:
+    """Answer to InviteRequest: the one-time link's path below the console's own address."""
+
+    id: int
+    path: str
+    type: Literal["invite"] = "invite"
+
+
+ServerMessage = (
+    Welcome
+    | RoomMessage
+    | StateMessage
+    | PathMessage
+    | LinkMessage
+    | EventsMessage
+    | ViewersMessage
+    | PlanReply
+    | AcceptedReply
+    | RefusedReply
+    | PongReply
+    | InviteReply
+)
+
+_SERVER_MESSAGE: TypeAdapter[ServerMessage] = TypeAdapter(ServerMessage)
+
+
+def to_text(message: ServerMessage) -> str:
+    """Return the JSON text of a message; numbers that are not finite become null."""
+    return _SERVER_MESSAGE.dump_json(message).decode()

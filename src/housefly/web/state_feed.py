@@ -1,0 +1,201 @@
+"""What the console shows of the pilot: newest step, link, event log, trail. Fed by bus threads."""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from dataclasses import dataclass, field
+from math import dist, inf
+
+from housefly.bus.bus import Bus
+from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC
+from housefly.clock import Clock
+from housefly.config.furniture import FurnitureConfig
+from housefly.geometry import Vec2
+from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity, Sighting
+from housefly.room.tracked import footprint_of
+from housefly.web.protocol import EventView, LinkMessage, OtherBody, PathMessage, StateMessage
+
+_RATED_ENDURANCE = 720.0
+"""Flight time of a full battery [s]: an AR.Drone 2.0 is rated 12 minutes on 1000 mAh."""
+_EVENTS_KEPT = 300
+_TRAIL_KEPT = 600
+_TRAIL_STEP = 0.04
+"""Distance between two points of the trail [m]."""
+_BODY_TIMEOUT = 2.0
+"""Tracked bodies other than furniture leave the map when unseen for this long [s]."""
+
+
+@dataclass(slots=True)
+class _TrackedBody:
+    body: OtherBody
+    until: float
+
+
+@dataclass(slots=True)
+class StateFeed:
+    """Collects what the pilot publishes; all methods are safe from any thread.
+
+    Attributes:
+        clock: the server's clock.
+        drone_body: name of the drone among the tracked bodies; the map shows the others beside it.
+        furniture: the tracked bodies that are furniture.
+    """
+
+    clock: Clock
+    drone_body: str
+    furniture: tuple[FurnitureConfig, ...] = ()
+    _lock: threading.Lock = field(default_factory=threading.Lock)
+    _step: PilotStep | None = None
+    _heard_at: float = 0.0
+    _link: LinkMessage | None = None
+    _events: deque[EventView] = field(default_factory=lambda: deque(maxlen=_EVENTS_KEPT))
+    _event_number: int = 0
+    _trail: deque[Vec2] = field(default_factory=lambda: deque(maxlen=_TRAIL_KEPT))
+    _others: dict[str, _TrackedBody] = field(default_factory=dict)
+    _path: Path | None = None
+    _path_number: int = 0
+    _restarts: int = 0
+
+    def listen(self, bus: Bus) -> None:
+        """Subscribe to the pilot; the bus closes the subscriptions."""
+        bus.subscribe(STEP_TOPIC, self._on_step)
+        bus.subscribe(LINK_TOPIC, self._on_link)
+
+    def log_event(self, severity: Severity, code: str, text: str) -> None:
+        """Add a line of the console's own to the event log."""
+        with self._lock:
+            self._add_event(severity, code, text)
+
+    @property
+    def step(self) -> PilotStep | None:
+        """The newest step."""
+        with self._lock:
+            return self._step
+
+    @property
+    def age(self) -> float:
+        """Time since the pilot was last heard [s]; infinite before the first step."""
+        with self._lock:
+            return self.clock.now() - self._heard_at if self._step else float("inf")
+
+    @property
+    def restarts(self) -> int:
+        """How often a pilot has started counting its steps from the beginning."""
+        with self._lock:
+            return self._restarts
+
+    def events_after(self, number: int) -> tuple[EventView, ...]:
+        """Return the lines of the event log that came after line ``number``."""
+        with self._lock:
+            return tuple(event for event in self._events if event.number > number)
+
+    def trail(self) -> tuple[Vec2, ...]:
+        """Return where the drone has flown, oldest first [m]."""
+        with self._lock:
+            return tuple(self._trail)
+
+    def link(self) -> LinkMessage | None:
+        """Return the newest link status."""
+        with self._lock:
+            return self._link
+
+    def path(self) -> PathMessage:
+        """Return the path in use."""
+        with self._lock:
+            if self._path is None:
+                return PathMessage(self._path_number, (), 0.0)
+            return PathMessage(self._path_number, self._path.waypoints, self._path.length)
+
+    def state(self, home_s: float) -> StateMessage | None:
+        """Return the newest step for the browser; ``home_s`` is the flight time home [s]."""
+        with self._lock:
+            if self._step is None:
+                return None
+            return _state(self._step, self._heard_at, home_s, self._path_number, self._bodies())
+
+    def _bodies(self) -> tuple[OtherBody, ...]:
+        now = self.clock.now()
+        return tuple(shown.body for shown in self._others.values() if now < shown.until)
+
+    def _tracked_body(self, sighting: Sighting, now: float) -> _TrackedBody:
+        for piece in self.furniture:
+            if piece.body == sighting.body:
+                middle, yaw = footprint_of(piece, sighting.pose)
+                body = OtherBody(piece.name, middle, (piece.length, piece.width), yaw)
+                return _TrackedBody(body, inf if piece.model else now + piece.remembered)
+        return _TrackedBody(
+            OtherBody(sighting.body, sighting.pose.position[:2]), now + _BODY_TIMEOUT
+        )
+
+    def _on_step(self, step: PilotStep) -> None:
+        now = self.clock.now()
+        with self._lock:
+            if self._step is not None and step.sequence < self._step.sequence:
+                self._restarts += 1
+            if on_the_ground(self._step) and not on_the_ground(step):
+                self._trail.clear()
+            self._step, self._heard_at = step, now
+            for event in step.outputs.events:
+                self._add_event(event.severity, event.code, event.text)
+            for sighting in step.inputs.sightings:
+                if sighting.body != self.drone_body:
+                    self._others[sighting.body] = self._tracked_body(sighting, now)
+            if step.outputs.path != self._path:
+                self._path, self._path_number = step.outputs.path, self._path_number + 1
+            estimate = step.outputs.estimate
+            if estimate is not None and (
+                not self._trail or dist(self._trail[-1], estimate.position[:2]) > _TRAIL_STEP
+            ):
+                self._trail.append(estimate.position[:2])
+
+    def _on_link(self, link: LinkStatus) -> None:
+        with self._lock:
+            self._link = LinkMessage(self.clock.now(), link)
+
+    def _add_event(self, severity: Severity, code: str, text: str) -> None:
+        self._event_number += 1
+        self._events.append(EventView(self._event_number, self.clock.now(), severity, code, text))
+
+
+def on_the_ground(step: PilotStep | None) -> bool:
+    """Return whether the drone reports that it does not fly, or reports nothing."""
+    telemetry = step.inputs.telemetry if step else None
+    return telemetry is None or telemetry.status in (
+        DroneStatus.UNKNOWN,
+        DroneStatus.LANDED,
+        DroneStatus.EMERGENCY,
+    )
+
+
+def _state(
+    step: PilotStep, heard_at: float, home_s: float, path: int, others: tuple[OtherBody, ...]
+) -> StateMessage:
+    telemetry, out = step.inputs.telemetry, step.outputs
+    estimate = out.estimate
+    return StateMessage(
+        sequence=step.sequence,
+        heard_at=heard_at,
+        status=telemetry.status if telemetry else None,
+        battery=telemetry.battery if telemetry else None,
+        battery_return=home_s / _RATED_ENDURANCE,
+        flight_s=telemetry.battery * _RATED_ENDURANCE if telemetry else None,
+        telemetry_age=step.now - telemetry.received_at if telemetry else None,
+        faults=telemetry.faults if telemetry else (),
+        height=telemetry.height if telemetry else None,
+        position=estimate.position if estimate else None,
+        velocity=estimate.velocity if estimate else None,
+        yaw=estimate.yaw if estimate else None,
+        pose_age=estimate.pose_age if estimate else None,
+        position_std=estimate.position_std if estimate else None,
+        wanted=out.reference.position if out.reference else None,
+        behavior=out.behavior,
+        phase=out.phase,
+        safety=out.safety,
+        action=out.command.action,
+        goal_name=out.goal_name,
+        reason=out.reason,
+        path=path,
+        waypoint=out.waypoint,
+        others=others,
+    )

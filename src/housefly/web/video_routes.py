@@ -1,0 +1,51 @@
+"""Live video over HTTP: H.264 on a WebSocket, and JPEG for browsers without WebCodecs."""
+
+from __future__ import annotations
+
+import asyncio
+from contextlib import suppress
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import BaseRoute, Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from housefly.web.error_pages import no_session
+from housefly.web.mjpeg import mjpeg_response
+from housefly.web.session_auth import SessionAuth
+from housefly.web.video import FrameQueue, VideoRelay
+
+
+def video_routes(video: VideoRelay, auth: SessionAuth) -> list[BaseRoute]:
+    """Return ``/video`` and ``/video.mjpeg``."""
+
+    async def h264(websocket: WebSocket) -> None:
+        if await auth.admit(websocket):
+            await _serve(websocket, video)
+
+    async def jpeg(request: Request) -> Response:
+        return mjpeg_response(video) if auth.has_session(request) else no_session()
+
+    return [WebSocketRoute("/video", h264), Route("/video.mjpeg", jpeg)]
+
+
+async def _serve(websocket: WebSocket, video: VideoRelay) -> None:
+    """Send frames to one browser until it leaves; it acknowledges each with one byte."""
+    await websocket.accept()
+    with video.subscribed() as queue:
+        writer = asyncio.create_task(_write(websocket, queue))
+        try:
+            while (await websocket.receive())["type"] != "websocket.disconnect":
+                queue.acknowledge()
+        finally:
+            writer.cancel()
+            with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):
+                await writer
+
+
+async def _write(websocket: WebSocket, queue: FrameQueue) -> None:
+    while True:
+        await queue.wake.wait()
+        queue.wake.clear()
+        while (message := queue.next()) is not None:
+            await websocket.send_bytes(message)

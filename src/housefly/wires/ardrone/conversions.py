@@ -1,0 +1,187 @@
+"""The one place where the AR.Drone's signs and units meet ours.
+
+The drone's body frame is forward-right-down with angles in millidegrees and lengths in millimetres;
+PCMD has signs of its own. Ours is forward-left-up (REP-103), radians and metres. Facts: Parrot
+ARDroneLib SDK 2.0.1, AutonomyLab/ardrone_autonomy.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees, isfinite, radians
+
+from housefly.errors import WireError
+from housefly.geometry import Vec3, wrap_angle
+from housefly.messages import DroneStatus, Setpoint, Telemetry
+from housefly.wires.ardrone.at import Pcmd, PcmdFlag
+from housefly.wires.ardrone.navdata import StateBits, NavdataPacket
+from housefly.wires.ardrone.navdata_options import Demo, MajorState
+
+_STATUS = {
+    MajorState.DEFAULT: DroneStatus.UNKNOWN,
+    MajorState.INIT: DroneStatus.LANDED,
+    MajorState.LANDED: DroneStatus.LANDED,
+    MajorState.FLYING: DroneStatus.FLYING,
+    MajorState.HOVERING: DroneStatus.FLYING,
+    MajorState.TEST: DroneStatus.LANDED,
+    MajorState.TAKING_OFF: DroneStatus.TAKING_OFF,
+    MajorState.GOING_TO_FIX: DroneStatus.FLYING,
+    MajorState.LANDING: DroneStatus.LANDING,
+    MajorState.LOOPING: DroneStatus.FLYING,
+}
+
+_FAULTS: tuple[tuple[StateBits, str], ...] = (
+    (StateBits.MOTORS_PROBLEM, "motors problem"),
+    (StateBits.SOFTWARE_FAULT, "software fault"),
+    (StateBits.CUTOUT, "motors cut out"),
+    (StateBits.BATTERY_LOW, "battery low"),
+    (StateBits.ANGLES_OUT_OF_RANGE, "tilted too far"),
+    (StateBits.ULTRASOUND_DEAF, "ultrasound deaf"),
+    (StateBits.USER_EMERGENCY, "emergency landing by the user"),
+    (StateBits.TIMER_ELAPSED, "flight timer elapsed"),
+    (StateBits.WIND, "too much wind"),
+    (StateBits.ADC_WATCHDOG, "sensor board silent"),
+    (StateBits.COM_LOST, "drone lost our commands"),
+)
+"""State bits that a person should hear of, in words."""
+
+
+@dataclass(frozen=True, slots=True)
+class Maxima:
+    """What a full stick means: tilt [rad], climb rate [m/s], yaw rate [rad/s]."""
+
+    tilt: float
+    climb: float
+    yaw_rate: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stick:
+    """PCMD in body signs: fractions -1..1 of the configured maxima.
+
+    Attributes:
+        forward, left, up: along the body axes.
+        turn: counter-clockwise.
+        hover: the progressive bit is clear; the drone holds its place and ignores the rest.
+    """
+
+    forward: float = 0.0
+    left: float = 0.0
+    up: float = 0.0
+    turn: float = 0.0
+    hover: bool = True
+
+
+def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemetry:
+    """Return our telemetry of a packet that carries the demo option.
+
+    Raises:
+        WireError: no demo option (bootstrap packet), or a number that is not finite.
+    """
+    demo = packet.option(Demo)
+    if demo is None:
+        raise WireError("navdata without the demo option")
+    if not all(map(isfinite, (demo.theta, demo.phi, demo.psi, demo.vx, demo.vy, demo.vz))):
+        raise WireError("navdata with a number that is not finite")
+    return Telemetry(
+        received_at=received_at,
+        status=status_of(packet, demo),
+        battery=min(demo.battery_percent, 100) / 100.0,
+        phi=_angle(demo.phi),
+        theta=_angle(-demo.theta),
+        psi=_angle(-demo.psi),
+        height=demo.altitude / 1000.0,
+        velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
+        faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
+    )
+
+
+def status_of(packet: NavdataPacket, demo: Demo) -> DroneStatus:
+    """Return the drone's state in our words; the emergency bit wins over the control state."""
+    if packet.has(StateBits.EMERGENCY):
+        return DroneStatus.EMERGENCY
+    try:
+        return _STATUS[MajorState(demo.major)]
+    except ValueError:
+        return DroneStatus.UNKNOWN
+
+
+def native_demo(
+    major: MajorState,
+    battery: float,
+    *,
+    phi: float,
+    theta: float,
+    psi: float,
+    height: float,
+    velocity: Vec3,
+) -> Demo:
+    """Return the demo option of a drone whose attitude [rad], height [m] and velocity [m/s] are
+    given in our signs.
+
+    The inverse of ``telemetry_from_navdata``, for the twin.
+    """
+    forward, left, up = velocity
+    return Demo(
+        ctrl_state=int(major) << 16,
+        battery_percent=round(100.0 * battery),
+        theta=-_millidegrees(theta),
+        phi=_millidegrees(phi),
+        psi=-_millidegrees(psi),
+        altitude=round(1000.0 * height),
+        vx=1000.0 * forward,
+        vy=-1000.0 * left,
+        vz=-1000.0 * up,
+    )
+
+
+def flu_from_frd(vector: Vec3) -> Vec3:
+    """Turn a body vector from forward-right-down to forward-left-up; it is its own inverse."""
+    x, y, z = vector
+    return x, -y, -z
+
+
+def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
+    """Return the PCMD that asks for a setpoint, each part cut to the maxima; a part that is not
+    finite is a centred stick.
+    """
+    return _pcmd_from_stick(
+        Stick(
+            forward=_fraction(setpoint.theta, maxima.tilt),
+            left=-_fraction(setpoint.phi, maxima.tilt),
+            up=_fraction(setpoint.vz, maxima.climb),
+            turn=_fraction(setpoint.yaw_rate, maxima.yaw_rate),
+            hover=False,
+        )
+    )
+
+
+def _pcmd_from_stick(stick: Stick) -> Pcmd:
+    """Return the progressive PCMD of a stick in body signs."""
+    return Pcmd(
+        PcmdFlag.PROGRESSIVE, roll=-stick.left, pitch=-stick.forward, gaz=stick.up, yaw=-stick.turn
+    )
+
+
+def stick_from_pcmd(pcmd: Pcmd) -> Stick:
+    """Return a PCMD in body signs, each part cut to -1..1, for the twin."""
+    return Stick(
+        forward=-_fraction(pcmd.pitch, 1.0),
+        left=-_fraction(pcmd.roll, 1.0),
+        up=_fraction(pcmd.gaz, 1.0),
+        turn=-_fraction(pcmd.yaw, 1.0),
+        hover=PcmdFlag.PROGRESSIVE not in pcmd.flags,
+    )
+
+
+def _angle(millidegrees: float) -> float:
+    return wrap_angle(radians(millidegrees / 1000.0))
+
+
+def _millidegrees(angle: float) -> float:
+    return 1000.0 * degrees(angle)
+
+
+def _fraction(value: float, maximum: float) -> float:
+    # not finite must not become a full stick, which is what comparisons with nan would make of it
+    return max(-1.0, min(1.0, value / maximum)) if isfinite(value) else 0.0

@@ -1,0 +1,75 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+from math import inf, nan
+
+import pytest
+
+from housefly.config.site import LimitsConfig
+from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.pilot.behavior.mission_state import ORDERS, REFUSALS, Response
+from housefly.pilot.behavior.order_checks import EXPIRING_ORDERS, OrderContext, refusal
+
+LIMITS = LimitsConfig()
+FINE = OrderContext(
+    age=0.0,
+    response=Response.START,
+    stopped=False,
+    landing_forced=False,
+    status=DroneStatus.LANDED,
+    battery=0.9,
+    telemetry_age=0.01,
+    pose_age=0.01,
+)
+
+
+@pytest.mark.parametrize("kind", [OrderKind.GO, OrderKind.SERVICE, OrderKind.TAKE_OFF])
+def test_nothing_is_refused_when_all_is_well(kind: OrderKind) -> None:
+    assert refusal(Order(kind), FINE, LIMITS) == ""
+
+
+@pytest.mark.parametrize(
+    ("change", "word"),
+    [
+        ({"age": 0.6}, "expire"),
+        ({"age": nan}, "expire"),
+        ({"age": -5.0}, "expire"),
+        ({"battery": 0.19}, "battery"),
+        ({"battery": nan}, "battery"),
+        ({"pose_age": 0.3}, "tracking"),
+        ({"pose_age": inf}, "tracking"),
+        ({"telemetry_age": inf}, "answer"),
+        ({"stopped": True}, "STOP"),
+        ({"landing_forced": True}, "landed for safety"),
+        ({"status": DroneStatus.EMERGENCY}, "emergency"),
+        ({"status": DroneStatus.UNKNOWN}, "unknown"),
+        ({"response": Response.COMING_DOWN}, "landing"),
+    ],
+)
+def test_each_obstacle_is_named_in_words(change: dict[str, object], word: str) -> None:
+    assert word in refusal(Order(OrderKind.GO), replace(FINE, **change), LIMITS)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("kind", "phase"), list(product([OrderKind.LAND, OrderKind.STOP, OrderKind.CUT], Phase))
+)
+def test_land_stop_and_cut_are_never_refused(kind: OrderKind, phase: Phase) -> None:
+    worst = OrderContext(1e9, ORDERS[kind][phase], True, True, DroneStatus.UNKNOWN, nan, inf, inf)
+    assert refusal(Order(kind), worst, LIMITS) == ""
+
+
+@pytest.mark.parametrize(("kind", "phase"), list(product(OrderKind, Phase)))
+def test_an_old_order_that_moves_or_releases_is_always_refused(
+    kind: OrderKind, phase: Phase
+) -> None:
+    old = replace(FINE, age=0.51, response=ORDERS[kind][phase])
+    assert bool(refusal(Order(kind), old, LIMITS)) == (kind in EXPIRING_ORDERS or old.response in REFUSALS)
+
+
+def test_reset_is_only_for_an_emergency() -> None:
+    reset = replace(FINE, response=Response.RESET)
+    assert "no emergency" in refusal(Order(OrderKind.RESET), reset, LIMITS)
+    assert (
+        refusal(Order(OrderKind.RESET), replace(reset, status=DroneStatus.EMERGENCY), LIMITS) == ""
+    )

@@ -1,0 +1,159 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
+from housefly.clock import SteppedClock
+from housefly.config.furniture import FurnitureConfig
+from housefly.messages import (
+    Event,
+    LinkStatus,
+    Order,
+    OrderKind,
+    PilotStep,
+    Pose,
+    Severity,
+    Sighting,
+)
+from housefly.web.fake_pilot import FakePilot
+from housefly.web.fake_room import example_room
+from housefly.web.state_feed import StateFeed
+
+
+@pytest.fixture
+def listening() -> tuple[StateFeed, FakePilot, SteppedClock, LocalBus]:
+    bus, clock = LocalBus(), SteppedClock(100.0)
+    feed = StateFeed(clock, "ardrone")
+    feed.listen(bus)
+    return feed, FakePilot(bus.join(), example_room(), clock), clock, bus
+
+
+Listening = tuple[StateFeed, FakePilot, SteppedClock, LocalBus]
+
+
+def test_before_the_first_step_there_is_nothing_to_show(listening: Listening) -> None:
+    feed, *_ = listening
+    assert feed.state(0.0) is None
+    assert feed.age == float("inf")
+
+
+def test_the_state_is_the_newest_step(listening: Listening) -> None:
+    feed, pilot, clock, _ = listening
+    pilot.advance(0.01)
+    clock.advance(0.3)
+    state = feed.state(36.0)
+    assert state is not None
+    assert state.position == (1.0, 1.0, 0.0)
+    assert state.battery_return == pytest.approx(0.05)
+    assert state.heard_at == 100.0
+    assert feed.age == pytest.approx(0.3)
+
+
+def test_no_event_is_ever_lost_between_two_looks(listening: Listening) -> None:
+    feed, pilot, _, _ = listening
+    for n in range(50):
+        pilot.add_event(Severity.INFO, "test", f"event {n}")
+        pilot.advance(0.01)
+    first = feed.events_after(0)
+    assert [event.text for event in first] == [f"event {n}" for n in range(50)]
+    assert [event.number for event in first] == list(range(1, 51))
+    pilot.add_event(Severity.FAULT, "test", "one more")
+    pilot.advance(0.01)
+    assert [event.text for event in feed.events_after(50)] == ["one more"]
+
+
+def test_a_pilot_that_counts_anew_is_noticed(listening: Listening) -> None:
+    feed, pilot, _, _ = listening
+    pilot.advance(0.01)
+    pilot.advance(0.01)
+    assert feed.restarts == 0
+    pilot.sequence = 0
+    pilot.advance(0.01)
+    assert feed.restarts == 1
+
+
+def test_the_trail_grows_with_the_way_and_not_with_time(listening: Listening) -> None:
+    feed, pilot, _, _ = listening
+    for _ in range(10):
+        pilot.advance(0.01)
+    assert len(feed.trail()) == 1
+    pilot.position = (2.0, 1.0)
+    pilot.advance(0.01)
+    assert feed.trail() == ((1.0, 1.0), (2.0, 1.0))
+
+
+def test_each_flight_has_a_trail_of_its_own(listening: Listening) -> None:
+    feed, pilot, _, bus = listening
+    pilot.advance(0.01)
+    pilot.position = (2.0, 1.0)
+    pilot.advance(0.01)
+    bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF))
+    pilot.advance(0.01)
+    assert feed.trail() == ((2.0, 1.0),)
+
+
+def test_other_bodies_are_shown_until_they_are_not_seen_any_more(listening: Listening) -> None:
+    feed, pilot, clock, bus = listening
+    pilot.advance(0.01)
+    state = feed.state(0.0)
+    assert state is not None and [body.name for body in state.others] == ["visitor"]
+    step = feed.step
+    assert step is not None
+    clock.advance(3.0)
+    bus.publish(STEP_TOPIC, replace(step, sequence=99, inputs=replace(step.inputs, sightings=())))
+    state = feed.state(0.0)
+    assert state is not None and state.others == ()
+
+
+def test_furniture_is_shown_as_it_lies_for_as_long_as_the_pilot_remembers_it(
+    listening: Listening,
+) -> None:
+    feed, pilot, clock, bus = listening
+    cart = FurnitureConfig(
+        name="the cart", body="Cart", length=0.8, width=0.4, x=0.1, remembered=10.0
+    )
+    sofa = FurnitureConfig(name="the sofa", body="Sofa", model="sofa", length=2.4, width=0.9)
+    feed.furniture = (cart, sofa)
+    pilot.advance(0.01)
+    step = feed.step
+    assert step is not None
+    seen = tuple(
+        Sighting(body, Pose((2.0, 1.0, 0.5)), step.now, step.now) for body in ("Cart", "Sofa")
+    )
+    bus.publish(STEP_TOPIC, replace(step, sequence=99, inputs=replace(step.inputs, sightings=seen)))
+    shown: list[list[str]] = []
+    for _ in range(2):
+        state = feed.state(0.0)
+        assert state is not None
+        shown.append([body.name for body in state.others if body.size[0]])
+        if shown == [["the cart", "the sofa"]]:
+            assert (state.others[-2].position, state.others[-2].size) == ((2.1, 1.0), (0.8, 0.4))
+        clock.advance(11.0)
+    assert shown == [["the cart", "the sofa"], ["the sofa"]]
+
+
+def test_link_and_notes_of_our_own_are_kept(listening: Listening) -> None:
+    feed, _, _, bus = listening
+    bus.publish(LINK_TOPIC, LinkStatus(1.0, tracking_rate_hz=99.0))
+    link = feed.link()
+    assert link is not None and link.link.tracking_rate_hz == 99.0
+    feed.log_event(Severity.WARNING, "order", "Anna: STOP")
+    assert feed.events_after(0)[-1].text == "Anna: STOP"
+
+
+def test_a_step_without_telemetry_and_estimate_can_be_shown(listening: Listening) -> None:
+    feed, pilot, _, bus = listening
+    pilot.advance(0.01)
+    step = feed.step
+    assert step is not None
+    outputs = replace(
+        step.outputs, estimate=None, reference=None, events=(Event(1.0, Severity.INFO, "x", "y"),)
+    )
+    bus.publish(
+        STEP_TOPIC, PilotStep(step.sequence + 1, 1.0, replace(step.inputs, telemetry=None), outputs)
+    )
+    state = feed.state(0.0)
+    assert state is not None and state.position is None and state.battery is None

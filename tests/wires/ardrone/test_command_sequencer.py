@@ -1,0 +1,280 @@
+"""What is sent to the drone, for every action and every state."""
+
+from __future__ import annotations
+
+import itertools
+from math import pi
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Telemetry
+from housefly.wires.ardrone import at
+from housefly.wires.ardrone.command_sequencer import (
+    PRESS_TIME_MAX,
+    REPORT_AGE_MAX,
+    TRIM_TIME,
+    CommandSequencer,
+)
+from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
+
+MAXIMA = Maxima(0.2, 0.7, 1.75)
+LAND = at.Ref(at.RefBits.LAND)
+TAKE_OFF = at.Ref(at.RefBits.TAKE_OFF)
+PRESS = at.Ref(at.RefBits.EMERGENCY)
+HOVER = at.Pcmd()
+STICKS = at.Pcmd(at.PcmdFlag.PROGRESSIVE, pitch=-0.5)
+AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
+
+
+def report(status: DroneStatus, at_time: float) -> Telemetry:
+    return Telemetry(received_at=at_time, status=status, battery=1.0)
+
+
+def commanded(action: Action, setpoint: Setpoint = LEVEL, now: float = 0.0) -> CommandSequencer:
+    made = CommandSequencer(MAXIMA, now)
+    made.update(Command(action, setpoint), now)
+    return made
+
+
+def test_sticks_are_fractions_of_the_maxima() -> None:
+    assert commanded(Action.FLY, Setpoint(theta=0.1)).next_commands(
+        0.0, report(DroneStatus.FLYING, 0.0)
+    ) == (STICKS,)
+
+
+@given(st.floats(-0.2, 0.2), st.floats(-0.2, 0.2), st.floats(-0.7, 0.7), st.floats(-1.7, 1.7))
+def test_within_the_maxima_the_stick_is_the_share_of_the_maximum(
+    theta: float, phi: float, vz: float, yaw_rate: float
+) -> None:
+    flying = CommandSequencer(Maxima(0.2, 0.7, pi), 0.0)
+    flying.update(Command(Action.FLY, Setpoint(theta, phi, vz, yaw_rate)), 0.0)
+    (pcmd,) = flying.next_commands(0.0, report(DroneStatus.FLYING, 0.0))
+    assert isinstance(pcmd, at.Pcmd)
+    stick = stick_from_pcmd(pcmd)
+    asked = (stick.forward * 0.2, -stick.left * 0.2, stick.up * 0.7, stick.turn * pi)
+    assert asked == pytest.approx((theta, phi, vz, yaw_rate))
+
+
+def test_a_level_setpoint_is_level_flight_and_not_hover() -> None:
+    flying = commanded(Action.FLY, LEVEL)
+    assert flying.next_commands(0.0, report(DroneStatus.FLYING, 0.0)) == (
+        at.Pcmd(at.PcmdFlag.PROGRESSIVE),
+    )
+
+
+def test_hover_is_the_cleared_flag() -> None:
+    assert commanded(Action.HOVER).next_commands(0.0, report(DroneStatus.FLYING, 0.0)) == (HOVER,)
+
+
+@pytest.mark.parametrize("status", [None, *DroneStatus])
+def test_landing_is_repeated_whatever_the_drone_says(status: DroneStatus | None) -> None:
+    landing = commanded(Action.LAND)
+    for step in range(100):
+        newest = report(status, step * 0.03) if status else None
+        assert LAND in landing.next_commands(step * 0.03, newest)
+
+
+def test_take_off_trims_first_and_is_repeated_until_flying_then_hovers() -> None:
+    rising = commanded(Action.TAKE_OFF)
+    sent = []
+    for step in range(40):
+        now = step * 0.03
+        status = (
+            DroneStatus.LANDED
+            if step < 20
+            else DroneStatus.TAKING_OFF
+            if step < 30
+            else DroneStatus.FLYING
+        )
+        rising.update(Command(Action.TAKE_OFF), now)
+        sent.append(rising.next_commands(now, report(status, now)))
+    trims = [datagram for datagram in sent if at.FlatTrim() in datagram]
+    assert sent[: len(trims)] == trims and len(trims) == len(
+        [n for n in range(40) if n * 0.03 < TRIM_TIME]
+    )
+    assert all(TAKE_OFF in datagram for datagram in sent[len(trims) : 30])
+    assert all(datagram == (HOVER,) for datagram in sent[30:])
+
+
+def test_a_drone_that_landed_by_itself_does_not_rise_again_under_the_same_order() -> None:
+    rising = commanded(Action.TAKE_OFF)
+    for step, status in enumerate(
+        [DroneStatus.LANDED] * 10 + [DroneStatus.FLYING] * 10 + [DroneStatus.LANDED] * 30
+    ):
+        rising.update(Command(Action.TAKE_OFF), step * 0.03)
+        sent = rising.next_commands(step * 0.03, report(status, step * 0.03))
+        assert step < 20 or TAKE_OFF not in sent
+
+
+@given(
+    st.sampled_from([Action.FLY, Action.HOVER, Action.LAND, Action.IDLE, Action.CUT, Action.RESET]),
+    st.sampled_from(DroneStatus),
+)
+def test_the_take_off_bit_is_sent_under_no_other_order(action: Action, status: DroneStatus) -> None:
+    assert TAKE_OFF not in commanded(action).next_commands(0.0, report(status, 0.0))
+
+
+@pytest.mark.parametrize(
+    "newest",
+    [None, report(DroneStatus.LANDED, -REPORT_AGE_MAX - 0.1), report(DroneStatus.EMERGENCY, 0.2)],
+)
+def test_nobody_takes_off_blindly_or_out_of_an_emergency(newest: Telemetry | None) -> None:
+    rising = commanded(Action.TAKE_OFF)
+    assert TAKE_OFF not in rising.next_commands(0.2, newest)
+
+
+def test_idle_never_lands_a_flying_drone_and_keeps_the_link_alive() -> None:
+    for status, age in itertools.product((*AIRBORNE, DroneStatus.UNKNOWN), (0.0, 10.0)):
+        idle = CommandSequencer(MAXIMA, 0.0)
+        sent = idle.next_commands(0.0, report(status, -age))
+        assert LAND not in sent and at.ComWatchdog() in sent
+    assert LAND in CommandSequencer(MAXIMA, 0.0).next_commands(0.0, report(DroneStatus.LANDED, 0.0))
+
+
+# --- the emergency toggle ------------------------------------------------------------------------
+
+
+class Toggle:
+    """A drone's emergency: a held bit counts once, when it rises."""
+
+    def __init__(self, on: bool) -> None:
+        self.on = on
+        self.toggles = 0
+        self._held = False
+
+    def hear(self, datagram: tuple[at.AtCommand, ...]) -> None:
+        for command in datagram:
+            if isinstance(command, at.Ref):
+                held = at.RefBits.EMERGENCY in command.bits
+                if held and not self._held:
+                    self.on = not self.on
+                    self.toggles += 1
+                self._held = held
+
+
+@given(
+    st.booleans(),
+    st.booleans(),
+    st.lists(st.booleans(), min_size=400, max_size=400),
+    st.integers(1, 30),
+)
+def test_cut_and_reset_reach_their_state_with_one_toggle_however_many_datagrams_are_lost(
+    starts_on: bool, wants_on: bool, arrives: list[bool], report_delay_steps: int
+) -> None:
+    drone, button = Toggle(starts_on), commanded(Action.CUT if wants_on else Action.RESET)
+    states = [starts_on] * (report_delay_steps + 1)
+    for step, passes in enumerate([*arrives, *[True] * 150]):
+        now = step * 0.03
+        states.append(drone.on)
+        seen = states[-1 - report_delay_steps]
+        status = DroneStatus.EMERGENCY if seen else DroneStatus.LANDED
+        datagram = button.next_commands(now, report(status, now - 0.001))
+        if passes:
+            drone.hear(datagram)
+    assert drone.on == wants_on
+    assert drone.toggles == (starts_on != wants_on)
+
+
+def test_without_reports_the_button_is_pressed_once() -> None:
+    drone, cut = Toggle(False), commanded(Action.CUT)
+    for step in range(200):
+        drone.hear(cut.next_commands(step * 0.03, report(DroneStatus.FLYING, 0.0)))
+    assert drone.on and drone.toggles == 1
+
+
+def test_a_reset_does_nothing_to_a_flying_drone() -> None:
+    reset = commanded(Action.RESET)
+    for step in range(100):
+        sent = reset.next_commands(step * 0.03, report(DroneStatus.FLYING, step * 0.03))
+        assert PRESS not in sent and LAND not in sent
+
+
+def test_reset_right_after_cut_lets_go_of_the_button_in_between() -> None:
+    drone, button = Toggle(False), commanded(Action.CUT)
+    for step in range(100):
+        now = step * 0.03
+        button.update(Command(Action.CUT if now < 0.2 else Action.RESET), now)
+        drone.hear(
+            button.next_commands(
+                now, report(DroneStatus.EMERGENCY if drone.on else DroneStatus.LANDED, now)
+            )
+        )
+    assert not drone.on and drone.toggles == 2
+
+
+def test_a_press_ends_after_a_while_and_is_repeated_only_on_a_newer_report() -> None:
+    cut = commanded(Action.CUT)
+    pressed = [
+        PRESS in cut.next_commands(n * 0.01, report(DroneStatus.FLYING, n * 0.01))
+        for n in range(200)
+    ]
+    assert pressed[0] and not all(pressed[: round(PRESS_TIME_MAX / 0.01) + 5])
+    assert any(pressed[round(PRESS_TIME_MAX / 0.01) + 5 :])
+
+
+# --- the driver's watchdog over the pilot --------------------------------------------------------
+
+
+def fly_in_silence(
+    seconds: float, action: Action = Action.FLY, status: DroneStatus = DroneStatus.FLYING
+) -> tuple[at.AtCommand, ...]:
+    return commanded(action, Setpoint(theta=0.1)).next_commands(seconds, report(status, seconds))
+
+
+def test_a_silent_pilot_means_hover_then_land() -> None:
+    assert fly_in_silence(0.24) == (STICKS,)
+    assert fly_in_silence(0.26) == (HOVER,)
+    assert fly_in_silence(1.99) == (HOVER,)
+    assert LAND in fly_in_silence(2.01)
+
+
+@pytest.mark.parametrize("action", [Action.IDLE, Action.TAKE_OFF, Action.HOVER])
+@pytest.mark.parametrize("status", AIRBORNE)
+def test_whatever_moves_or_holds_it_ends_in_a_landing(action: Action, status: DroneStatus) -> None:
+    assert LAND in fly_in_silence(2.01, action, status)
+
+
+def test_a_pilot_that_comes_back_after_the_watchdog_landed_does_not_fly_on() -> None:
+    returning = commanded(Action.FLY, Setpoint(theta=0.1))
+    assert LAND in returning.next_commands(2.1, report(DroneStatus.FLYING, 2.1))
+    for step in range(100):
+        now = 2.2 + step * 0.03
+        returning.update(Command(Action.FLY, Setpoint(theta=0.1)), now)
+        assert LAND in returning.next_commands(now, report(DroneStatus.LANDING, now))
+    returning.update(Command(Action.FLY), 6.0)
+    assert LAND not in returning.next_commands(6.0, report(DroneStatus.LANDED, 6.0))
+
+
+def test_a_take_off_order_from_before_the_silence_does_not_count_after_it() -> None:
+    rising = commanded(Action.TAKE_OFF)
+    rising.next_commands(0.05, report(DroneStatus.LANDED, 0.05))
+    assert TAKE_OFF not in rising.next_commands(0.6, report(DroneStatus.LANDED, 0.6))
+    rising.next_commands(2.5, report(DroneStatus.TAKING_OFF, 2.5))
+    rising.update(Command(Action.TAKE_OFF), 5.0)
+    assert TAKE_OFF not in rising.next_commands(5.0, report(DroneStatus.LANDED, 5.0))
+
+
+def test_cutting_the_motors_passes_the_watchdog() -> None:
+    cutting = commanded(Action.FLY)
+    cutting.next_commands(3.0, report(DroneStatus.FLYING, 3.0))
+    cutting.update(Command(Action.CUT), 3.1)
+    assert cutting.next_commands(3.1, report(DroneStatus.LANDING, 3.1)) == (PRESS,)
+
+
+@given(
+    st.lists(
+        st.tuples(st.sampled_from(Action), st.sampled_from([None, *DroneStatus]), st.floats(0, 3)),
+        max_size=30,
+    )
+)
+def test_every_order_in_every_state_is_answered_with_something_that_can_be_sent(
+    story: list[tuple[Action, DroneStatus | None, float]],
+) -> None:
+    sequencer, now = CommandSequencer(MAXIMA, 0.0), 0.0
+    for action, status, pause in story:
+        now += pause
+        sequencer.update(Command(action, Setpoint(1, -1, 9, -9)), now)
+        sent = sequencer.next_commands(now + 0.01, report(status, now) if status else None)
+        assert sent and at.parse_datagram(at.encode_datagram(1, sent)).rejects == ()
