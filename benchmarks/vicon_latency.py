@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Pose, Sighting
 from housefly.tracking.vicon import ViconTracker
 from housefly.twin.contracts import MocapFrame

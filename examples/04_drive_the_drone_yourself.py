@@ -11,7 +11,9 @@ import asyncio
 import sys
 
 from housefly.app.loaded_site import open_site, read_site
-from housefly.config.site import DroneConfig, LimitsConfig, changed
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
+from housefly.config.site import changed
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import Action, Command, DroneStatus, Setpoint
 from housefly.twin.process import run_twin

@@ -1,5 +1,4 @@
-"""Takes the pictures of the ROOM screen: plays B-sen's scene over a broker of its own until the cup
-is in the cabinet.
+"""Takes the pictures of the ROOM screen: plays the B-sen scene until the cup is in the cabinet.
 
 ``python scripts/room_screenshots.py`` writes
 docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.

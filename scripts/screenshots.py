@@ -1,5 +1,4 @@
-"""Takes the pictures of the README: flies one service in a running demo of its own and photographs
-console, room and report.
+"""Takes the pictures of the README: flies one service in a demo; console, room and report.
 
 ``python scripts/screenshots.py`` writes docs/images/*.png.
 """

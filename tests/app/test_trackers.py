@@ -6,7 +6,7 @@ from typing import get_args
 
 from housefly.app.trackers import TRACKERS, tracker_of
 from housefly.clock import RealClock
-from housefly.config.site import TrackingConfig, TrackingKind
+from housefly.config.tracking import TrackingConfig, TrackingKind
 
 
 def test_every_kind_has_a_client_that_says_what_it_waits_for() -> None:

@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.config.site import Site, VirtualObstacle, changed
+from housefly.config.map import VirtualObstacle
+from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.distance import clearance_field, covered_shares, footprints
 from housefly.room.grid import Cell, build_grid, inflation

@@ -1,4 +1,4 @@
-"""The MuJoCo model of a room: it loads, it agrees with the grid, and its picture shows the visitor."""
+"""The MuJoCo model of a room loads, agrees with the grid, and its picture shows the visitor."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Pose, Sighting
 from housefly.tracking.bridge import BridgeTracker, connection_settings
 from housefly.twin.contracts import MocapFrame

@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.natnet import NatNetTracker
 from housefly.twin.contracts import MocapFrame

@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from tracking_bench import Bench
 
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.vicon import ViconTracker
 from housefly.twin.mocap.vicon_server import ViconServer

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking import vrpn
 from housefly.tracking.vrpn import VrpnTracker

@@ -13,7 +13,8 @@ import psutil
 import pytest
 
 from housefly.clock import RealClock
-from housefly.config.site import Site, TrackingConfig
+from housefly.config.site import Site
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.natnet import NatNetTracker
 from housefly.tracking.vicon import ViconTracker

@@ -1,6 +1,4 @@
-"""A console served on a loopback address, with a fake pilot behind it, and real Chromium
-before it.
-"""
+"""A console served on a loopback address, with a fake pilot, and real Chromium to open it."""
 
 from __future__ import annotations
 

@@ -26,9 +26,7 @@ DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
 
 @pytest_asyncio.fixture(loop_scope="module")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
-    """Yield the console opened by its printed link; fails on any error of the page and any request
-    to another host.
-    """
+    """Yield the console, opened by its link; fails on page errors and requests to other hosts."""
     context = await chromium.new_context(viewport=DESKTOP)
     page = await context.new_page()
     troubles: list[str] = []

@@ -1,6 +1,4 @@
-"""Editing places and zones on the ROOM screen, in real Chromium, before a real desk that checks
-against B-sen.
-"""
+"""Editing places and zones on the ROOM screen, in real Chromium, with a real edit service."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Places and zones over HTTP: who may change them, what is refused, and that nothing is lost
-between two people.
-"""
+"""Places and zones over HTTP: who may change them, what is refused, and concurrent changes."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""The console's ROOM screen in real Chromium, before a real hub that is told what the room's
-sensors would say.
-"""
+"""The console's ROOM screen in real Chromium, with a real hub that gets what sensors would say."""
 
 from __future__ import annotations
 
@@ -123,9 +121,7 @@ async def page(room: Room, chromium: Browser) -> AsyncIterator[Page]:
 
 
 def is_trouble(message: Any) -> bool:
-    """Chromium itself complains of every answer that is a refusal, and the one to an unknown name
-    is such.
-    """
+    """Return whether a message is an error, other than Chromium's own on every refused request."""
     return message.type == "error" and "Failed to load resource" not in message.text
 
 

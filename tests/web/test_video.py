@@ -19,9 +19,7 @@ def test_the_header_is_as_long_as_the_browser_thinks() -> None:
 
 @given(st.lists(st.tuples(st.booleans(), st.integers(0, 30)), max_size=300))
 def test_what_a_queue_gets_can_always_be_decoded(story: list[tuple[bool, int]]) -> None:
-    """Each picture is a key frame (k) or continues the picture before it, however slowly the
-    browser reads.
-    """
+    """Each frame sent is a key frame (k) or continues the one before, however slow the browser."""
     queue, sent = FrameQueue(skipping=True), []
     for number, (keyframe, reads) in enumerate(story):
         queue.add(f"{'k' if keyframe else 'd'}{number}".encode(), keyframe=keyframe)

@@ -45,7 +45,7 @@ from housefly.messages import (
     VideoFrame,
 )
 from housefly.pilot.assembly import make_pilot
-from housefly.pilot.behavior.maneuver import Maneuver
+from housefly.pilot.contracts import Maneuver
 from housefly.room.grid import extent_of
 from housefly.tracking.contracts import Tracker
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import socket
 from dataclasses import dataclass
 
-from housefly.config.site import MocapWire, Site
+from housefly.config.site import Site
+from housefly.config.tracking import MocapWire
 from housefly.errors import LinkError
 
 _DRONE_PORTS = (

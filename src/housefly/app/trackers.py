@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig, TrackingKind
+from housefly.config.tracking import TrackingConfig, TrackingKind
 from housefly.tracking.bridge import BridgeTracker
 from housefly.tracking.contracts import Tracker
 from housefly.tracking.natnet import NatNetTracker

@@ -38,7 +38,7 @@ def mqtt_client(
     Raises:
         ConfigError: the password file cannot be read.
     """
-    properties = Properties(PacketTypes.CONNECT)  # type: ignore[no-untyped-call]  # paho leaves it so
+    properties = Properties(PacketTypes.CONNECT)  # type: ignore[no-untyped-call]
     if largest is not None:
         properties.MaximumPacketSize = largest
     return aiomqtt.Client(

@@ -1,8 +1,7 @@
-"""One typed tree from the site's TOML file; every value is checked for type, range, unit and
-combination.
+"""One typed tree from the site's TOML file; every value and combination is checked.
 
 A site names the room, the drone, the tracking system and the limits. All numbers are SI; a key
-whose unit is not SI says so in its name. ``docs/site.md`` lists every key, made from this file.
+whose unit is not SI says so in its name. ``docs/site.md`` lists every key, made from these types.
 """
 
 from __future__ import annotations
@@ -12,25 +11,21 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from housefly.config.control import ControlConfig as ControlConfig
+from housefly.config.control import ControlConfig
 from housefly.config.depth import DepthCameraConfig, check_depth_cameras
 from housefly.config.devices import MqttConfig
-from housefly.config.drone import DroneConfig as DroneConfig
+from housefly.config.drone import DroneConfig
 from housefly.config.edits import Edits
 from housefly.config.furniture import FurnitureConfig, check_furniture
 from housefly.config.hub import HubConfig
 from housefly.config.laser import LaserConfig, check_lasers
-from housefly.config.limits import LimitsConfig as LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.config.map import MapConfig, RoomConfig
-from housefly.config.map import VirtualObstacle as VirtualObstacle
 from housefly.config.profile import load_profile
-from housefly.config.section import Section as Section
+from housefly.config.section import Section
 from housefly.config.toml import read_toml
-from housefly.config.tracking import BRIDGED
-from housefly.config.tracking import MocapWire as MocapWire
-from housefly.config.tracking import TrackingConfig as TrackingConfig
-from housefly.config.tracking import TrackingKind as TrackingKind
-from housefly.config.twin import TwinConfig as TwinConfig
+from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
+from housefly.config.twin import TwinConfig
 from housefly.config.validation import validated
 from housefly.config.web import WebConfig
 
@@ -68,9 +63,7 @@ class Site(Section):
 
     @property
     def served_wires(self) -> tuple[MocapWire, ...]:
-        """What the twin's tracking system speaks: the protocol of ``tracking.kind`` and those asked
-        for beside it.
-        """
+        """The protocols of the twin's tracking system; that of ``tracking.kind`` is the first."""
         return tuple(
             dict.fromkeys(
                 wire for wire in (self.tracking.wire, *self.twin.mocap_wires) if wire is not None
@@ -106,8 +99,7 @@ class Site(Section):
 def load_site(path: Path) -> Site:
     """Read and check a site file (TOML; JSON when it ends in ``.json``).
 
-    Constants of the drone come from its profile, where the site names one and does not give them
-    itself.
+    Constants of the drone that the site does not give come from the drone's profile, if it has one.
 
     Raises:
         ConfigError: naming the key, the value and the allowed range.
@@ -120,7 +112,7 @@ def load_site(path: Path) -> Site:
 
 
 def site_from_tree(tree: dict[str, Any], source: str = "") -> Site:
-    """Check a tree of plain values and return the site; raises ConfigError for the first bad key."""
+    """Return plain values as a site; raises ConfigError for the first bad key."""
     return validated(Site, tree, "site", source)
 
 

@@ -71,22 +71,11 @@ def explain(
         low, high = bounds
         return f"is {value!r}; allowed: a number from {low:.9g} to {high:.9g}{_unit(field)}"
     unit = next((f" {units[key]}" for key in problem["loc"] if key in units), "") if units else ""
-    return f"is {value!r}; {_message(problem)}{unit}"
+    return f"is {value!r}; {words_of(problem)}{unit}"
 
 
-def complaint(error: ValidationError, whole: str, skip: int = 0) -> str:
-    """Return the first problem of a message as "key: what is wrong", in pydantic's own words.
-
-    Args:
-        error: what pydantic raised.
-        whole: names the message when no single key is to blame.
-        skip: leading parts of the location that are left out of the key.
-    """
-    first = error.errors()[0]
-    return f"{dotted(first['loc'][skip:]) or whole}: {_message(first)}"
-
-
-def _message(problem: Any) -> str:
+def words_of(problem: Any) -> str:
+    """Return one of pydantic's problems in pydantic's own words, to follow a colon."""
     words: str = problem["msg"]
     return f"{words[0].lower()}{words[1:]}"
 

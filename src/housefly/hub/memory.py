@@ -58,9 +58,7 @@ class RoomMemory:
             listener(item)
 
     def add_things(self, *things: Thing) -> None:
-        """Add things to the catalogue, or replace them; raises ThingError if one would be inside
-        itself.
-        """
+        """Add or replace things; raises ThingError if one would be inside itself."""
         with self.lock:
             for thing in things:
                 self.world.add_thing(thing)

@@ -48,7 +48,8 @@ async def _run_hub(site: Site, folder: Path, endpoint: str, port: int = 0, key: 
         working = asyncio.create_task(hub.run())
         for number in (signal.SIGTERM, signal.SIGINT):
             asyncio.get_running_loop().add_signal_handler(number, working.cancel)
-        gc.freeze()  # what lives for the whole run need not be walked by every collection while somebody waits
+        # Objects that live for the whole run need not be scanned by every collection.
+        gc.freeze()
         print(f"hub ready: memory in {store_address(site)}", flush=True)
         try:
             with contextlib.suppress(asyncio.CancelledError):

@@ -252,5 +252,5 @@ def _kind(word: str) -> ThingKind | None:
         return ThingKind(word) if word else None
     except ValueError as error:
         raise ThingError(
-            f"{word!r} is no kind of thing; there are: {', '.join(kind.value for kind in ThingKind)}"
+            f"{word!r} is no kind of thing; there are: {', '.join(ThingKind)}"
         ) from error

@@ -1,4 +1,4 @@
-"""Things that the site and the room model define: furniture, places, tracking cameras, the drone."""
+"""Things that site and room model define: furniture, places, tracking cameras, the drone."""
 
 from __future__ import annotations
 
@@ -54,9 +54,7 @@ def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
 
 
 def catalogue_of(site: Site, room: Room, folder: Path) -> tuple[Thing, ...]:
-    """Return the things of a room and of the site's own catalogue; raises ConfigError for a bad
-    one.
-    """
+    """Return the things of room and catalogue; raises ConfigError for a bad catalogue."""
     own = load_catalogue(folder / site.hub.things) if site.hub.things else ()
     return (*things_of(site, room), *own)
 

@@ -4,25 +4,16 @@ from __future__ import annotations
 
 from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
-from housefly.messages import (
-    DroneStatus,
-    Inputs,
-    Obstacle,
-    Order,
-    OrderKind,
-    Pose,
-    Sighting,
-    Telemetry,
-)
-from housefly.pilot.behavior.maneuver import Maneuver
+from housefly.messages.flight import Inputs, Order, OrderKind
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.behavior.mission_manager import MissionManager
-from housefly.pilot.contracts import PilotSettings
+from housefly.pilot.contracts import Maneuver, PilotSettings
 from housefly.pilot.navigator import RoomNavigator
-from housefly.pilot.parameters import pilot_parameters
 from housefly.pilot.pilot import Pilot
 from housefly.pilot.safety.gate import Gate
-from housefly.pilot.safety.gate_inputs import Geofence
-from housefly.pilot.safety.rules import CEILING_SLACK
+from housefly.pilot.safety.rules import CEILING_SLACK, Geofence
+from housefly.pilot.site_parameters import pilot_parameters
 from housefly.room.grid import OccupancyGrid, extent_of
 from housefly.room.model import Room
 

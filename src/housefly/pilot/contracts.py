@@ -6,12 +6,13 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from housefly.geometry import Vec2
-from housefly.messages import Event, Obstacle, Order, PlanAnswer, Sighting
-from housefly.pilot.behavior.mission_state import MissionState
+from housefly.messages.flight import Event, Order
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import Estimate, Sighting
+from housefly.messages.steering import PlanAnswer, Setpoint
+from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.tracking_task import TrackingTask
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
-from housefly.pilot.parameters import PilotParameters
+from housefly.pilot.step import PilotParameters
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,4 +69,12 @@ class Missions(Protocol):
         facing: bool,
     ) -> list[Event]:
         """Bring the mission up to now and return what people should know."""
+        ...
+
+
+class Maneuver(Protocol):
+    """Asked once a step while the pilot holds a place and the drone is seen."""
+
+    def propose(self, now: float, estimate: Estimate) -> Setpoint | None:
+        """Return the setpoint to fly now [s], or None to hold the place."""
         ...

@@ -7,8 +7,11 @@ from math import isinf
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
-from housefly.messages import Obstacle, Order, OrderKind, Path, PlanAnswer, Sighting
-from housefly.pilot.behavior.mission_state import STAY, Mission, Refused
+from housefly.messages.flight import Order, OrderKind
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import Sighting
+from housefly.messages.steering import Path, PlanAnswer
+from housefly.pilot.behavior.mission import STAY, Mission, Refused
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid

@@ -13,34 +13,19 @@ from __future__ import annotations
 from math import inf, nan
 
 from housefly.geometry import Vec2
-from housefly.messages import (
-    Action,
-    Behavior,
-    DroneStatus,
-    Estimate,
-    Event,
-    Inputs,
-    Obstacle,
-    Outputs,
-    Phase,
-    PlanAnswer,
-    Reference,
-    Severity,
-    Sighting,
-    Telemetry,
-)
+from housefly.messages.flight import Event, Inputs, Outputs, Phase, Severity
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import DroneStatus, Estimate, Sighting, Telemetry
+from housefly.messages.steering import Action, Behavior, PlanAnswer, Reference
 from housefly.numeric import wrapped
-from housefly.pilot.behavior.maneuver import Maneuver
+from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
-from housefly.pilot.contracts import Map, Missions, PilotSettings
+from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.estimation.estimator import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
-from housefly.pilot.safety.gate import Gate, GateVerdict, released
-from housefly.pilot.safety.gate_inputs import GateInputs
-from housefly.pilot.safety.gate_notices import GateNotices
-from housefly.pilot.safety.rules import MODE_SEVERITY
+from housefly.pilot.safety.gate import Gate, GateNotices, GateVerdict, released
+from housefly.pilot.safety.rules import MODE_SEVERITY, GateInputs
 from housefly.pilot.step import (
     INITIAL_STEP,
     NO_OVERRIDE,

@@ -17,6 +17,7 @@ from housefly.pilot.behavior.acceptor import (
     REST,
     Acceptor,
     AcceptorState,
+    Tolerances,
     acceptor_advanced,
     printed_conditions,
     steady_conditions,
@@ -39,18 +40,39 @@ from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
     ControlOutput,
     ControlReference,
+    Gains,
     control_output,
     paper_control_output,
 )
 from housefly.pilot.estimation.delay_filter import CommandHistory
 from housefly.pilot.estimation.estimator import (
+    EstimatorParameters,
     EstimatorState,
     PoseEstimate,
     control_state,
     estimator_commanded,
 )
-from housefly.pilot.parameters import PilotParameters
-from housefly.pilot.safety.limits import GatedCommand, SafetyCode, gated
+from housefly.pilot.safety.limits import CommandLimits, GatedCommand, SafetyCode, gated
+
+
+class PilotParameters(NamedTuple):
+    """What the compiled step needs of a site.
+
+    Attributes:
+        is_paper: mode paper; else mode default.
+        estimator: kind, model and noises.
+        tolerances: of the acceptor.
+        gains: of the control laws.
+        limits: of the last gate.
+        speed: wanted along a path [m/s].
+    """
+
+    is_paper: bool
+    estimator: EstimatorParameters
+    tolerances: Tolerances
+    gains: Gains
+    limits: CommandLimits
+    speed: float
 
 
 class StepState(NamedTuple):

@@ -22,10 +22,8 @@ class Movie:
 
     Frames of another size than the first are dropped: one MP4 track has one size.
 
-    Pictures of another size than the first are left out: one MP4 track has one size.
-
     Args:
-        path: file to write; it appears with the first picture.
+        path: file to write; it appears with the first frame.
     """
 
     def __init__(self, path: Path) -> None:

@@ -5,14 +5,18 @@ from __future__ import annotations
 _LIGHT = """
   --paper: #ffffff; --card: #f6f7f9; --ink: #14181f; --muted: #5c6675; --line: #dfe3e9;
   --accent: #0b66d8; --second: #8a5a00; --warn: #c77700; --fault: #c9302c; --good: #17793a;
-  --occupied: #565f6e; --inflated: #d9dee6; --virtual: #e9ddc3; --outside: #eef0f3; --furniture: #8b95a4;
-  --s0: #e6e9ee; --s1: #cfe3fb; --s2: #a9cdf7; --s3: #bfe5c8; --s4: #e3ecc2; --s5: #d7cff2; --s6: #f3d9c0;
+  --occupied: #565f6e; --inflated: #d9dee6;
+  --virtual: #e9ddc3; --outside: #eef0f3; --furniture: #8b95a4;
+  --s0: #e6e9ee; --s1: #cfe3fb; --s2: #a9cdf7; --s3: #bfe5c8; --s4: #e3ecc2;
+  --s5: #d7cff2; --s6: #f3d9c0;
 """
 _DARK = """
   --paper: #11151b; --card: #191f27; --ink: #e8ecf2; --muted: #97a2b2; --line: #2b333e;
   --accent: #58a6ff; --second: #e0b25c; --warn: #e09a3a; --fault: #f0655f; --good: #4cc27a;
-  --occupied: #8a94a4; --inflated: #2c3540; --virtual: #4a4128; --outside: #1a2029; --furniture: #5d6877;
-  --s0: #262d37; --s1: #1d3b5c; --s2: #24538a; --s3: #20492f; --s4: #424a1e; --s5: #3d3563; --s6: #5a3b22;
+  --occupied: #8a94a4; --inflated: #2c3540;
+  --virtual: #4a4128; --outside: #1a2029; --furniture: #5d6877;
+  --s0: #262d37; --s1: #1d3b5c; --s2: #24538a; --s3: #20492f; --s4: #424a1e;
+  --s5: #3d3563; --s6: #5a3b22;
 """
 
 REPORT_CSS = f"""
@@ -27,13 +31,14 @@ main {{ max-width: 1080px; margin: 0 auto; padding: 32px 24px 64px; }}
 h1 {{ margin: 0 0 12px; font-size: 28px; line-height: 1.2; letter-spacing: -0.01em; }}
 h2 {{ margin: 40px 0 8px; font-size: 18px; }}
 p {{ margin: 4px 0; color: var(--muted); }}
-.outcome {{ display: inline-flex; gap: 8px; align-items: center; margin: 0 0 8px; padding: 4px 14px 4px 10px;
+.outcome {{ display: inline-flex; gap: 8px; align-items: center; margin: 0 0 8px;
+  padding: 4px 14px 4px 10px;
   border: 1.5px solid currentColor; border-radius: 999px; font-weight: 600; }}
 .good {{ color: var(--good); }}
 .bad, .problem, tr.fault td:nth-child(2) {{ color: var(--fault); }}
 tr.warning td:nth-child(2) {{ color: var(--warn); }}
-dl {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(160px, 1fr)); gap: 1px; margin: 24px 0 0; padding: 1px;
-  background: var(--line); border-radius: 10px; overflow: hidden; }}
+dl {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(160px, 1fr)); gap: 1px;
+  margin: 24px 0 0; padding: 1px; background: var(--line); border-radius: 10px; overflow: hidden; }}
 dl div {{ padding: 10px 14px; background: var(--card); }}
 dt {{ color: var(--muted); font-size: 12.5px; }}
 dd {{ margin: 0; font-size: 20px; font-variant-numeric: tabular-nums; }}
@@ -42,7 +47,8 @@ figure {{ margin: 0; }}
 figcaption {{ margin-top: 4px; color: var(--muted); font-size: 13px; }}
 .plot {{ overflow-x: auto; }}
 .plot svg {{ display: block; width: 100%; min-width: 640px; height: auto; }}
-table {{ width: 100%; border-collapse: collapse; font-size: 14px; font-variant-numeric: tabular-nums; }}
+table {{ width: 100%; border-collapse: collapse; font-size: 14px;
+  font-variant-numeric: tabular-nums; }}
 th {{ color: var(--muted); font-size: 12.5px; font-weight: 500; text-align: left; }}
 th, td {{ padding: 5px 12px 5px 0; border-bottom: 1px solid var(--line); vertical-align: top; }}
 code {{ color: var(--muted); font-size: 12.5px; }}

@@ -1,16 +1,14 @@
 """The occupancy grid, computed from the room's solids at the flight height.
 
-Rules, in the order in which they win:
+Rules; the first one that holds wins:
 
 1. OCCUPIED: a footprint covers the middle of the cell or more than a quarter of it.
 2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls,
-  inside furniture).
+   inside furniture).
 3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its
-  edits; these bound the drone's
-   middle: no growth.
+   edits. These bound the middle of the drone, so they are not inflated.
 4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the
-  hull's diagonal plus the
-   tracking bound plus the margin.
+   hull's diagonal plus the tracking bound plus the margin.
 5. FREE.
 """
 
@@ -24,7 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config.edits import NoFlyZone
-from housefly.config.site import Site, VirtualObstacle
+from housefly.config.map import VirtualObstacle
+from housefly.config.site import Site
 from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
 from housefly.room.distance import clearance_field, covered_shares, footprints, half_diagonal

@@ -13,7 +13,7 @@ _SQUARE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 
 def outline(solid: Solid) -> tuple[Vec2, ...]:
-    """Return the corners of a solid's plan, counterclockwise, in world xy [m]; a cylinder's has 24."""
+    """Return the corners of a solid's plan, counterclockwise, world xy [m]; 24 for a cylinder."""
     x, y, _ = solid.position
     a, b = solid.size[0] / 2.0, solid.size[1] / 2.0
     c, s = cos(solid.yaw), sin(solid.yaw)

@@ -44,11 +44,6 @@ def reachable(
     opposite sides of a wall at least one is closer than that, so even a line of no thickness is
     tight. Cells that touch a conducting one belong to the floor as well.
 
-    Only cells with more than half their diagonal of clearance conduct: of two neighbours on both
-        sides of a wall at least one is
-    closer than that, so even a line of no thickness is tight. Cells that touch a conducting one
-    belong to the floor as well.
-
     Args:
         clearance: distance from each middle to the nearest footprint [m], shape (nx, ny).
         xs: x of the middles [m].

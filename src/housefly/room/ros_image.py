@@ -114,7 +114,8 @@ def _number(
     value = tree.get(key)
     if not _is_number(value) or not low <= float(value) <= high:  # type: ignore[arg-type]
         raise RoomError(
-            f"{path}: {key} is {value!r}; allowed: a number from {low:g} to {high:g} {unit}".rstrip()
+            f"{path}: {key} is {value!r}; allowed: a number from {low:g} to"
+            f" {high:g} {unit}".rstrip()
         )
     return float(value)  # type: ignore[arg-type]
 
@@ -125,8 +126,8 @@ def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
         with Image.open(path) as image:
             if max(image.size) > _MAX_SIDE:
                 raise RoomError(
-                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {_MAX_SIDE} a side"
-                    " can be imported"
+                    f"{path} is {image.size[0]} x {image.size[1]} pixels; at most {_MAX_SIDE} a"
+                    " side can be imported"
                 )
             pixels = np.asarray(image.convert("LA"), dtype=np.float64) / 255.0
     except (OSError, UnidentifiedImageError, ValueError, Image.DecompressionBombError) as error:

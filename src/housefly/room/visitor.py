@@ -95,8 +95,8 @@ def visitor_body(feet: Vec2, yaw: float) -> str:
         yaw: where the visitor faces [rad].
     """
     lines = [
-        f'<body name="{_NAME}" mocap="true" pos="{feet[0]} {feet[1]} 0" quat="{cos(yaw / 2):.9g} 0 0'
-        f' {sin(yaw / 2):.9g}">'
+        f'<body name="{_NAME}" mocap="true" pos="{feet[0]} {feet[1]} 0"'
+        f' quat="{cos(yaw / 2):.9g} 0 0 {sin(yaw / 2):.9g}">'
     ]
     shapes = (
         *(

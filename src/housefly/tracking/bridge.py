@@ -19,7 +19,7 @@ from contextlib import suppress
 
 from housefly.bus.reconnect import ReconnectingClient
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, MissingPartError, WireError
 from housefly.messages import Sighting
 from housefly.tracking.bridge_lines import BridgeLines

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.bus.reconnect import ReconnectingClient
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts

@@ -6,7 +6,7 @@ import asyncio
 
 from housefly.bus.reconnect import ReconnectingClient, open_tcp
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.errors import WireError
 from housefly.messages import Sighting
 from housefly.tracking.contracts import SightingSink

@@ -9,7 +9,7 @@ import asyncio
 
 from housefly.bus.reconnect import DATA_AGE_MAX, ReconnectingClient, TcpStream, within
 from housefly.clock import Clock
-from housefly.config.site import TrackingConfig
+from housefly.config.tracking import TrackingConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Sighting
 from housefly.tracking.contracts import SightingSink

@@ -1,4 +1,8 @@
-"""What the twin's wire servers may ask of the simulated world, and nothing more.
+"""What the twin's servers may ask of the simulated world.
+
+``twin.world`` implements ``TwinWorld``; the servers and ``twin.lockstep`` use it. World frame and
+body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone``
+and the server.
 
 ``twin.world`` implements ``TwinWorld``; ``twin.ardrone_server``, ``twin.vicon_server`` and
 ``twin.lockstep`` use it. World frame and body frame (forward, left, up) as everywhere; native
@@ -49,9 +53,7 @@ class DroneCamera(Enum):
 
 @dataclass(frozen=True, slots=True)
 class OnboardLimits:
-    """Maxima that the firmware scales the stick by: tilt [rad], climb [m/s], yaw rate [rad/s],
-    altitude [m].
-    """
+    """Maxima that scale the stick: tilt [rad], climb [m/s], yaw rate [rad/s], altitude [m]."""
 
     tilt: float = 0.20943952
     climb: float = 0.7
@@ -61,7 +63,7 @@ class OnboardLimits:
 
 @dataclass(frozen=True, slots=True)
 class OnboardState:
-    """What the simulated drone's own computer believes; feeds navdata.
+    """What the simulated drone's own computer believes; the source of navdata.
 
     Attributes:
         at: world time [s].
@@ -96,7 +98,7 @@ class OnboardState:
 
 @dataclass(frozen=True, slots=True)
 class GroundTruth:
-    """What really is: for pictures, scores and tests, never for the pilot."""
+    """The true state: for pictures, scores and tests, never for the pilot."""
 
     at: float
     pose: Pose
@@ -142,7 +144,7 @@ class MocapFrame:
 
 
 class TwinWorld(Protocol):
-    """The simulated room with one drone in it; moves only when told."""
+    """The simulated room with one drone in it; time passes only in ``advance``."""
 
     @property
     def now(self) -> float:
@@ -154,13 +156,11 @@ class TwinWorld(Protocol):
         ...
 
     def set_stick(self, stick: Stick) -> None:
-        """Hand over a movement command; takes effect after the command delay."""
+        """Pass on a movement command; it takes effect after the command delay."""
         ...
 
     def keep_alive(self) -> None:
-        """Any command arrived: feed the firmware's communication watchdogs (50 ms flag, 2 s
-        landing).
-        """
+        """Any command arrived: feed the communication watchdogs (50 ms flag, 2 s landing)."""
         ...
 
     def request_take_off(self) -> None:
@@ -188,7 +188,7 @@ class TwinWorld(Protocol):
         ...
 
     def truth(self) -> GroundTruth:
-        """Return what really is now."""
+        """Return the true state now."""
         ...
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:

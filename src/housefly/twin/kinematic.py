@@ -1,4 +1,4 @@
-"""A World without MuJoCo: a point that leans, climbs and turns as told, in an empty room.
+"""A world without MuJoCo: a point that leans, climbs and turns as commanded, in an empty room.
 
 For tests of the wires and for machines without the simulated room. Tilt and turn follow at once,
 speed follows tilt against linear drag (tum-vision/tum_ardrone, DroneKalmanFilter c1), climb follows

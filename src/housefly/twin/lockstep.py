@@ -1,4 +1,4 @@
-"""The simulated room as the pilot's shell sees it without the wires, on a stepped clock.
+"""The simulated room without the wires, on a stepped clock.
 
 Rates, delays and habits are those of the wires: the driver's own command sequencer decides what the
 drone hears and when.
@@ -78,8 +78,9 @@ class LockstepRoom:
         )
 
     def telemetry(self) -> Telemetry:
-        """Return the drone's newest report; battery in whole percent and no vertical speed, as on
-        the wire.
+        """Return the drone's newest report.
+
+        As on the wire: battery in whole percent, no vertical speed.
         """
         onboard = self._world.onboard()
         forward, left, _ = onboard.velocity

@@ -1,6 +1,4 @@
-"""Things of the simulated room that can be put elsewhere: what no map shows, as a chair, and
-furniture that carries markers.
-"""
+"""Movable things of the simulated room: those that no map shows, and furniture with markers."""
 
 from __future__ import annotations
 
@@ -61,7 +59,7 @@ def movable_furniture(site: Site, room: Room) -> Iterator[Movable]:
 
 
 def marker_positions(movable: Movable, pose: Pose) -> NDArray[np.float64]:
-    """Return the world positions [m] of the four markers on top of a movable thing, shape (4, 3)."""
+    """Return the world positions [m] of the four markers on top of a thing, shape (4, 3)."""
     out, up = 0.8 * movable.radius, movable.height + _MARKER_HEIGHT
     corners: tuple[Vec3, ...] = ((out, 0.0, up), (0.0, out, up), (-out, 0.0, up), (0.0, -out, up))
     positions: NDArray[np.float64] = (

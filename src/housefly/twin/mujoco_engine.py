@@ -1,4 +1,4 @@
-"""MuJoCo, or a sentence that says what is missing."""
+"""MuJoCo, or an error that says what is missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rigid body in its room: MuJoCo integrates it, touches furniture with it, and answers rays.
+"""The rigid body in its room: MuJoCo integrates it, finds contacts and casts rays.
 
 The free joint's forces act in the world at the origin, its torques about the body axes; horizontal
 drag is the joint's own damping, so that MuJoCo integrates it implicitly.
@@ -111,7 +111,7 @@ class Physics:
         mujoco.mj_forward(self.model, self.data)
 
     def set_visitor(self, present: bool) -> None:
-        """Move the visitor, where the room has one, to the door or out of the building."""
+        """Move the visitor, if the room has one, to the door or out of the building."""
         if self._visitor_at is None:
             return
         self.data.mocap_pos[self._visitor] = self._visitor_at + (
@@ -120,9 +120,7 @@ class Physics:
         mujoco.mj_kinematics(self.model, self.data)
 
     def set_people(self, poses: tuple[Pose, ...]) -> None:
-        """Put the people there, in the order in which they were given; sight and touch follow with
-        the next step.
-        """
+        """Move the people, in the order of the script; sight and touch follow with a step."""
         for number, pose in zip(self._people, poses, strict=True):
             self.data.mocap_pos[number], self.data.mocap_quat[number] = (
                 pose.position,
@@ -130,18 +128,14 @@ class Physics:
             )
 
     def put(self, name: str, place: Vec2 | None, yaw: float) -> None:
-        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of
-        the building.
-        """
+        """Stand a movable thing on the floor [m], turned by yaw [rad]; None removes it."""
         number = self.model.body_mocapid[self.model.body(f"{MOVABLE_PREFIX}{name}").id]
         self.data.mocap_pos[number] = AWAY_POSE.position if place is None else (*place, 0.0)
         self.data.mocap_quat[number] = quaternion_from_euler(0.0, 0.0, yaw)
         mujoco.mj_kinematics(self.model, self.data)
 
     def movable(self, name: str) -> tuple[int, Pose | None]:
-        """Return the body of a movable thing and where it stands; None while it is out of the
-        building.
-        """
+        """Return the body id and pose of a movable thing; None while it is out of the room."""
         body = int(self.model.body(f"{MOVABLE_PREFIX}{name}").id)
         number = self.model.body_mocapid[body]
         x, y, z = self.data.mocap_pos[number].tolist()
@@ -163,13 +157,11 @@ class Physics:
 
 
 def _people_mocap_ids(model: Any) -> tuple[int, ...]:
-    """Return the mocap ids of the people of a model, in the order in which they were given."""
+    """Return the mocap ids of the people of a model, in the order of the script."""
     people = (n for n in range(model.nbody) if model.body(n).name.startswith(PERSON_PREFIX))
     return tuple(int(model.body_mocapid[n]) for n in people)
 
 
 def _near_floor(height: float) -> float:
-    """Return the gain of thrust at a height of the origin [m]: the part of the ground cushion that
-    the loops do not cancel.
-    """
+    """Return the gain of thrust at a height [m]: the ground effect that the loops leave."""
     return 1.0 + _GROUND_EFFECT * exp(-(height - STANDING_HEIGHT) / _GROUND_EFFECT_HEIGHT)

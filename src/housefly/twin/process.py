@@ -1,5 +1,4 @@
-"""The twin as one process: the simulated room in real time behind the drone's and the tracking
-system's real ports.
+"""The twin as one process: the simulated room in real time behind the real ports.
 
 ``kill -USR1`` makes the visitor come or go. Nothing of the world's truth leaves this process but
 pictures and tracked poses.

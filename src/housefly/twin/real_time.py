@@ -1,4 +1,4 @@
-"""Moves a world along with the clock."""
+"""Keeps a world in step with the clock."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MAX_CATCH_UP = 0.1
 
 
 class RealTimeRunner:
-    """Advances a world to the present whenever asked.
+    """Advances a world to the present.
 
     Attributes:
         slipped: time [s] that the world has lost for good because the machine stalled.
@@ -37,9 +37,7 @@ class RealTimeRunner:
             self._world.advance(behind)
 
     async def run(self, after_step: Callable[[], None] = lambda: None) -> None:
-        """Keep the world in the present until cancelled, and call ``after_step`` each time it
-        moved.
-        """
+        """Keep the world in the present until cancelled; call ``after_step`` after each step."""
         rate = Rate(_TICK_HZ, self._clock)
         while True:
             await rate.sleep()

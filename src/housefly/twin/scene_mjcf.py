@@ -1,4 +1,4 @@
-"""The model that physics, rays and pictures share."""
+"""The MuJoCo model that physics, rays and pictures share."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ def scene_mjcf(
     people: tuple[PersonScript, ...] = (),
     movables: tuple[Movable, ...] = (),
 ) -> str:
-    """Return the MuJoCo model text of the room with the drone on its pad and what can move, all
-    away; needs no MuJoCo.
+    """Return the MJCF of the room with the drone on its pad; needs no MuJoCo.
+
+    People and movables are included, out of the room.
     """
     drone = drone_body(site.drone, room.home, room.home_yaw)
     return room_to_mjcf(

@@ -1,5 +1,8 @@
-"""The simulated room with one drone in it: physics, firmware, tracking, battery and visitor on one
-clock.
+"""The simulated room with one drone in it: everything on one clock.
+
+World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed,
+and no observer can change the course of a flight: the same seed and the same commands give the same
+flight bit for bit.
 
 World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed,
 and no observer can change
@@ -101,7 +104,7 @@ class SimulatedWorld:
         return self._now
 
     def advance(self, seconds: float) -> None:
-        """Run everything for this long; what is less than a control period waits for the next call."""
+        """Run everything for this long; less than a control period waits for the next call."""
         self._now += seconds
         while (self._ticks + 1) * CONTROL_PERIOD <= self._now + _ROUNDING:
             self._tick()
@@ -148,9 +151,7 @@ class SimulatedWorld:
         return self._stage.poses if self._stage else ()
 
     def put(self, name: str, place: Vec2 | None, yaw: float = 0.0) -> None:
-        """Stand a movable thing somewhere on the floor [m], turned by yaw [rad], or take it out of
-        the building.
-        """
+        """Stand a movable thing on the floor [m], turned by yaw [rad]; None removes it."""
         self._physics.put(name, place, yaw)
 
     def scan(self, laser: str) -> tuple[int, ...]:
@@ -166,7 +167,7 @@ class SimulatedWorld:
         return self._frames.due_frames(self._now)
 
     def truth(self) -> GroundTruth:
-        """Return what really is now."""
+        """Return the true state now."""
         body = self._body
         return GroundTruth(
             self._ticks * CONTROL_PERIOD,
@@ -255,9 +256,7 @@ _ROUNDING = 1e-9
 
 
 def motor_duties(wrench: Wrench) -> tuple[float, float, float, float]:
-    """Return the duty cycles from 0 to 1 of front left, front right, rear right and rear left
-    motor.
-    """
+    """Return the duty cycles of the four motors, front left first, clockwise, 0 to 1."""
     if wrench.thrust <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
     lift, roll, pitch = (

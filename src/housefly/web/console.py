@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from housefly.clock import Clock
+from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, RoomView
 from housefly.messages import OrderKind, Severity
@@ -95,8 +96,8 @@ class Console:
             message = CLIENT_MESSAGE.validate_json(text)
         except ValidationError as error:
             first = error.errors()[0]
-            key = ".".join(str(part) for part in first["loc"]) or "message"
-            viewer.send(RefusedReply(0, f"{key}: {first['msg'][0].lower()}{first['msg'][1:]}"))
+            key = dotted(first["loc"]) or "message"
+            viewer.send(RefusedReply(0, f"{key}: {words_of(first)}"))
             self._within_rate(viewer)
             return
         self.lease.renew(viewer.number, self._clock.now())
@@ -146,11 +147,11 @@ class Console:
     # --- messages
 
     def _within_rate(self, viewer: Viewer) -> bool:
-        if viewer.bucket.spend(self._clock.now()):
+        if viewer.limiter.spend(self._clock.now()):
             return True
-        if viewer.bucket.refused > _MAX_REFUSALS:
+        if viewer.limiter.refused > _MAX_REFUSALS:
             viewer.close(1008, "too many commands")
-        elif viewer.bucket.refused == 1:
+        elif viewer.limiter.refused == 1:
             viewer.send(RefusedReply(0, "too many commands at once: wait a moment"))
         return False
 

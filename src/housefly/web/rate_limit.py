@@ -11,8 +11,8 @@ COMMAND_BURST = 40.0
 
 
 @dataclass(slots=True)
-class TokenBucket:
-    """A token bucket of ``COMMAND_RATE`` and ``COMMAND_BURST``.
+class CommandLimiter:
+    """A token bucket: fills at ``COMMAND_RATE`` up to ``COMMAND_BURST``.
 
     Attributes:
         tokens: commands that may pass now.

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from starlette.websockets import WebSocket
 
 from housefly.web.protocol import PlanQuestion, ServerMessage, to_text
-from housefly.web.rate_limit import TokenBucket
+from housefly.web.rate_limit import CommandLimiter
 
 _MAX_QUEUED_MESSAGES = 1000
 """Answers and events that may wait for one browser; with more its socket is closed."""
@@ -23,7 +23,7 @@ class Viewer:
         number: who this is; kept over reconnects of the same tab.
         name: shown to the others.
         event: last line of the event log that was sent.
-        bucket: what the socket may still send.
+        limiter: what the socket may still send.
         question: the newest plan question not yet answered.
         asking: whether a plan question is being answered now.
     """
@@ -32,7 +32,7 @@ class Viewer:
     number: int = 0
     name: str = ""
     event: int = 0
-    bucket: TokenBucket = field(default_factory=TokenBucket)
+    limiter: CommandLimiter = field(default_factory=CommandLimiter)
     question: PlanQuestion | None = None
     asking: bool = False
     _queue: deque[str] = field(default_factory=deque)

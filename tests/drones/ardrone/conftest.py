@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from housefly.config.site import DroneConfig, LimitsConfig
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import LEVEL, Action, Command, Setpoint
 from housefly.twin.ardrone.server import ArDroneServer

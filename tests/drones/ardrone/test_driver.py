@@ -11,7 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from housefly.config.site import DroneConfig, LimitsConfig
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone import driver as driver_module
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.errors import LinkError

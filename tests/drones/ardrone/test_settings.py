@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.config.site import LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.settings import (
     maxima_in,
     maxima_of,

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from housefly.drones.ardrone.telemetry import NAVDATA_TIMEOUT, NavdataReports
 from housefly.messages import DroneStatus
-from housefly.wires.ardrone.navdata import StateBits, RawOption, encode_navdata
+from housefly.wires.ardrone.navdata import RawOption, StateBits, encode_navdata
 from housefly.wires.ardrone.navdata_options import Demo, MajorState
 
 

@@ -1,4 +1,4 @@
-"""The pattern stays in the box that was checked, whatever the drone is like within a factor of two."""
+"""The pattern stays in the checked box for any drone within a factor of two."""
 
 from __future__ import annotations
 

@@ -43,7 +43,8 @@ def test_in_a_hundred_runs_each_interval_holds_the_truth_at_least_ninety_times(
         found = identify(fly_pattern(constants, delay, seed, late=0.0087), LIMITS, seed)
         assert not found.problems, found.problems
         truth = {
-            "attitude_gain": constants.gain, "attitude_lag": constants.lag, "command_delay": delay, "drag": constants.drag,
+            "attitude_gain": constants.gain, "attitude_lag": constants.lag,
+            "command_delay": delay, "drag": constants.drag,
             "climb_lag": constants.climb_lag, "yaw_lag": constants.yaw_lag,
         }  # fmt: skip
         for key, value in truth.items():

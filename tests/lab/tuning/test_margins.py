@@ -36,7 +36,8 @@ POINTS = [replace(loop, paper=paper) for paper in (False, True) for loop in POIN
 
 
 def name_of(loop: Loop) -> str:
-    return f"{'paper' if loop.paper else 'default'}-lag{loop.lag:g}-{loop.tracking_hz:g}Hz-{1000 * loop.latency:g}ms"
+    mode = "paper" if loop.paper else "default"
+    return f"{mode}-lag{loop.lag:g}-{loop.tracking_hz:g}Hz-{1000 * loop.latency:g}ms"
 
 
 def settles(loop: Loop, **truth: float) -> bool:
@@ -110,7 +111,8 @@ def test_with_perfect_tracking_the_delay_margin_is_that_of_the_continuous_loop(
     lag: float, frequency: float, damping: float, delay_ms: int
 ) -> None:
     fast = Loop(
-        2 * damping * frequency, frequency**2, lag, delay=0.0, drag=0.0, tracking_hz=200.0, latency=0.0, rate_hz=200.0,
+        2 * damping * frequency, frequency**2, lag, delay=0.0, drag=0.0,
+        tracking_hz=200.0, latency=0.0, rate_hz=200.0,
         paper=True, acceleration_noise=50.0, position_noise=0.00005,
     )  # fmt: skip
     # Sampling, hold and the finite difference inside the filter cost about one tick.

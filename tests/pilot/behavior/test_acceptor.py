@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config.site import ControlConfig
+from housefly.config.control import ControlConfig
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import (
     PAPER_TOLERANCES,

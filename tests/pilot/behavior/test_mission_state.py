@@ -5,7 +5,7 @@ from itertools import product
 import pytest
 
 from housefly.messages import OrderKind, Phase
-from housefly.pilot.behavior.mission_state import (
+from housefly.pilot.behavior.mission import (
     ORDERS,
     SIGNALS,
     STAY,

@@ -6,9 +6,9 @@ from math import inf, nan
 
 import pytest
 
-from housefly.config.site import LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
-from housefly.pilot.behavior.mission_state import ORDERS, REFUSALS, Response
+from housefly.pilot.behavior.mission import ORDERS, REFUSALS, Response
 from housefly.pilot.behavior.order_checks import EXPIRING_ORDERS, OrderContext, refusal
 
 LIMITS = LimitsConfig()

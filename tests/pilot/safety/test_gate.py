@@ -8,10 +8,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config.site import LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
 from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, Gate
-from housefly.pilot.safety.gate_inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.rules import AIRBORNE_STATUSES, GateInputs, Geofence
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
 LIMITS = LimitsConfig()

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from housefly.messages import Action, Command, SafetyMode, Severity
 from housefly.pilot.safety.gate import GateVerdict
-from housefly.pilot.safety.gate_notices import GateNotices
+from housefly.pilot.safety.gate import GateNotices
 
 HOVER = Command(Action.HOVER)
 CLEAR = GateVerdict(HOVER, SafetyMode.NOMINAL)

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.config.site import DroneConfig
+from housefly.config.drone import DroneConfig
 from housefly.twin.ardrone.firmware import COM_LOST_AFTER, TILT_CUTOFF, Firmware
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
 from housefly.twin.contracts import FlightState

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import get_args
 
-from housefly.config.site import MocapWire, Site, TwinConfig, changed
+from housefly.config.site import Site, changed
+from housefly.config.tracking import MocapWire
+from housefly.config.twin import TwinConfig
 from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.twin.mocap.tracking_servers import MAKERS, NATNET_VERSIONS, tracking_servers
 from housefly.twin.mocap.vicon_server import ViconServer

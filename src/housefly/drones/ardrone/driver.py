@@ -12,7 +12,8 @@ import contextlib
 from collections.abc import Callable, Coroutine
 
 from housefly.clock import Clock, RealClock
-from housefly.config.site import DroneConfig, LimitsConfig
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.link import CommandLink, led_value
 from housefly.drones.ardrone.settings import (

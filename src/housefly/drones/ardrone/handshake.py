@@ -26,7 +26,7 @@ from housefly.wires.ardrone.config import (
     parse_dump,
 )
 from housefly.wires.ardrone.config_keys import Category
-from housefly.wires.ardrone.navdata import StateBits, NavdataPacket
+from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
 
 _RESEND_INTERVAL = 0.1
 """A step is sent again when the drone has not answered for this long [s]."""

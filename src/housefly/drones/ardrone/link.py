@@ -29,16 +29,7 @@ class CommandLink(asyncio.DatagramProtocol):
         """Open the socket; raises LinkError when the address cannot be used."""
         if self._transport is not None:
             return
-        loop = asyncio.get_running_loop()
-        try:
-            self._transport, _ = await loop.create_datagram_endpoint(
-                lambda: self, remote_addr=(self._address, at.COMMAND_PORT)
-            )
-        except OSError as error:
-            raise LinkError(
-                f"cannot open a socket to {self._address}:{at.COMMAND_PORT}:"
-                f" {error.strerror or error}"
-            ) from error
+        self._transport = await open_datagram_socket(self, self._address, at.COMMAND_PORT)
 
     @property
     def is_open(self) -> bool:
@@ -61,6 +52,22 @@ class CommandLink(asyncio.DatagramProtocol):
 
     def error_received(self, exc: Exception) -> None:
         """Ignore that nobody listens yet: commands are repeated anyway."""
+
+
+async def open_datagram_socket(
+    protocol: asyncio.DatagramProtocol, address: str, port: int
+) -> asyncio.DatagramTransport:
+    """Connect a protocol to a port of the drone; raises LinkError if the address is unusable."""
+    loop = asyncio.get_running_loop()
+    try:
+        transport, _ = await loop.create_datagram_endpoint(
+            lambda: protocol, remote_addr=(address, port)
+        )
+    except OSError as error:
+        raise LinkError(
+            f"cannot open a socket to {address}:{port}: {error.strerror or error}"
+        ) from error
+    return transport
 
 
 def led_value(animation: int, frequency_hz: float, seconds: int) -> str:

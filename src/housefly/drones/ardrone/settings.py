@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isclose
 
-from housefly.config.site import LimitsConfig
+from housefly.config.limits import LimitsConfig
 from housefly.wires.ardrone.config import ConfigValue, Dump, VideoChannel, VideoCodec
 from housefly.wires.ardrone.conversions import Maxima
 

@@ -11,14 +11,15 @@ from collections import deque
 from collections.abc import Callable
 
 from housefly.clock import Clock
-from housefly.errors import LinkError, WireError
+from housefly.drones.ardrone.link import open_datagram_socket
+from housefly.errors import WireError
 from housefly.messages import Telemetry
 from housefly.wires.ardrone.conversions import telemetry_from_navdata
 from housefly.wires.ardrone.navdata import (
     NAVDATA_PORT,
     REQUEST_UNICAST,
-    StateBits,
     NavdataPacket,
+    StateBits,
     decode_navdata,
 )
 
@@ -115,15 +116,7 @@ class NavdataLink(asyncio.DatagramProtocol):
         """Open the socket and start asking; raises LinkError when the address cannot be used."""
         if self._transport is not None:
             return
-        loop = asyncio.get_running_loop()
-        try:
-            self._transport, _ = await loop.create_datagram_endpoint(
-                lambda: self, remote_addr=(self._address, NAVDATA_PORT)
-            )
-        except OSError as error:
-            raise LinkError(
-                f"cannot open a socket to {self._address}:{NAVDATA_PORT}: {error.strerror or error}"
-            ) from error
+        self._transport = await open_datagram_socket(self, self._address, NAVDATA_PORT)
         self._requesting = asyncio.create_task(self._request_when_silent(), name="navdata requests")
 
     async def close(self) -> None:

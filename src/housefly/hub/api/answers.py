@@ -151,7 +151,7 @@ class EventsAnswer:
 
 @dataclass(frozen=True, slots=True)
 class SensorAnswer:
-    """How one sensor does: messages per second [Hz], time since it was last heard [s, None: never]."""
+    """Health of one sensor: message rate [Hz], time since it was last heard [s], None for never."""
 
     sensor: str
     kind: str
@@ -173,7 +173,7 @@ class SensorsAnswer:
 
 @dataclass(frozen=True, slots=True)
 class SituationAnswer:
-    """A situation that holds: since when [Unix time, s], confidence 0 to 1, the evidence in words."""
+    """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words."""
 
     kind: str
     thing: str

@@ -8,6 +8,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import Field, TypeAdapter, ValidationError
 
+from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, Answer
 from housefly.hub.api.questions import Question
@@ -37,9 +38,7 @@ def question_from_json(text: str) -> Question:
 
 
 def checked_question(question: Question) -> Question:
-    """Return the question with all its values checked; raises WireError that names the first bad
-    one.
-    """
+    """Return the question, checked; raises WireError that names the first bad value."""
     return question_from_json(question_to_json(question))
 
 
@@ -75,8 +74,8 @@ def answer_from_json(question: Question, text: str) -> Answer:
 def first_problem(error: ValidationError) -> str:
     """Return the first problem in words, naming its key."""
     first = error.errors()[0]
-    key = ".".join(str(part) for part in first["loc"][1:] or first["loc"]) or "question"
-    return f"{key}: {first['msg'][0].lower()}{first['msg'][1:]}"
+    key = dotted(first["loc"][1:] or first["loc"]) or "question"
+    return f"{key}: {words_of(first)}"
 
 
 def _tree(text: str) -> dict[str, Any]:

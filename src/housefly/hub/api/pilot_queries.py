@@ -9,9 +9,7 @@ from housefly.geometry import Vec2, Vec3
 
 @dataclass(frozen=True, slots=True)
 class PlanRequest:
-    """A request to plan to a named place or a world point [m]; start None means the drone's
-    position.
-    """
+    """A request for a plan to a place or a point [m]; start None is where the drone is."""
 
     place: str = ""
     goal: Vec2 | None = None

@@ -1,4 +1,4 @@
-"""JSON of the pilot's queries; refuses unknown keys, wrong types and numbers that are not finite."""
+"""JSON of the pilot's queries, checked: no unknown keys, wrong types or infinite numbers."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from housefly.config.validation import dotted, words_of
 from housefly.errors import WireError
 from housefly.hub.api.pilot_queries import PlanRequest, RoomView
 from housefly.messages import PlanAnswer
@@ -37,7 +38,7 @@ def from_json(kind: type[_Value], text: str) -> _Value:
         (value,) = _READERS[kind].validate_json(f"[{text}]")
     except ValidationError as error:
         first = error.errors()[0]
-        key = ".".join(str(part) for part in first["loc"][1:]) or kind.__name__
-        raise WireError(f"{key}: {first['msg'][0].lower()}{first['msg'][1:]}") from error
+        key = dotted(first["loc"][1:]) or kind.__name__
+        raise WireError(f"{key}: {words_of(first)}") from error
     found: _Value = value
     return found

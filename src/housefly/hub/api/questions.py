@@ -62,7 +62,7 @@ class ContentsQuestion:
 
 @dataclass(frozen=True, slots=True)
 class TrajectoryQuestion:
-    """Where a thing was between two times, at most one sample in ``every`` seconds of each source."""
+    """Where a thing was between two times, at most one sample per source in ``every`` seconds."""
 
     thing: _Name
     since: _Time

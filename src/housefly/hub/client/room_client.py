@@ -132,7 +132,7 @@ class RoomClient:
         return answer.things
 
     def contents(self, thing: str, at: float | None = None) -> tuple[PlacedThing, ...]:
-        """Return what is inside a thing, nested contents included, now or at a time [Unix time, s]."""
+        """Return everything inside a thing, however deep, now or at a time [Unix time, s]."""
         answer = self.ask(ContentsQuestion(thing, at))
         assert isinstance(answer, PlacedAnswer)
         return answer.things
@@ -221,7 +221,8 @@ class RoomClient:
                 answer = self._line.getresponse()
                 return answer.status, answer.read().decode()
             except (OSError, HTTPException) as error:
-                self._line.close()  # a line that was idle for long may have been cut: try once more on a new one
+                # An idle connection may have been cut: try once more on a new one.
+                self._line.close()
                 if last_try:
                     raise LinkError(f"the room does not answer: {error}") from error
         raise AssertionError

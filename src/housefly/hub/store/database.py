@@ -47,7 +47,7 @@ class Database(Protocol):
         ...
 
     def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
-        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        """Run one statement with numeric columns and return its rows, shape (n, columns)."""
         ...
 
     def many(self, sql: str, rows: Sequence[Row]) -> None:

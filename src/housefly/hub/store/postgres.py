@@ -67,7 +67,7 @@ class PostgresDatabase:
             return cursor.fetchall() if cursor.description else ()
 
     def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
-        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        """Run one statement with numeric columns and return its rows, shape (n, columns)."""
         return np.fromiter(chain.from_iterable(self.query(sql, values)), dtype=np.float64).reshape(
             -1, columns
         )

@@ -16,9 +16,12 @@ _MIN_BACKLOG = 60.0
 _SELECT_DUE = """SELECT l.thing, l.source, coalesce(t.done_to, 0) FROM latest l
     LEFT JOIN tidied t ON t.thing = l.thing AND t.source = l.source
     WHERE coalesce(t.done_to, 0) < ? ORDER BY 3 LIMIT 1"""
-_SELECT_NEXT = """SELECT captured_at FROM sighting WHERE thing = ? AND source = ? AND captured_at >= ? AND captured_at < ?
+_SELECT_NEXT = """SELECT captured_at FROM sighting
+    WHERE thing = ? AND source = ? AND captured_at >= ? AND captured_at < ?
     ORDER BY captured_at LIMIT 1 OFFSET ?"""
-_DELETE_THINNED = """DELETE FROM sighting WHERE thing = ? AND source = ? AND captured_at >= ? AND captured_at < ? AND until - captured_at < ?
+_DELETE_THINNED = """DELETE FROM sighting
+    WHERE thing = ? AND source = ? AND captured_at >= ? AND captured_at < ?
+        AND until - captured_at < ?
     AND captured_at NOT IN (SELECT max(captured_at) FROM sighting
         WHERE thing = ? AND source = ? AND captured_at >= ? AND captured_at < ? GROUP BY {})"""
 _DELETE_EXPIRED = (

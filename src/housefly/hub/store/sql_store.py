@@ -51,9 +51,7 @@ class SqlStore:
         keep_days: float = DEFAULT_KEEP_DAYS,
         steps: Migrations = MIGRATIONS,
     ) -> None:
-        """Migrate the tables; raises StoreError if a newer version made them or the database
-        refuses.
-        """
+        """Migrate the tables; raises StoreError if a newer version made them."""
         self._database = database
         self._keep_days = keep_days
         self._runs = RunLengthEncoder()
@@ -136,16 +134,16 @@ class SqlStore:
         )
 
     def latest(self, thing: str = "") -> tuple[Observation, ...]:
-        """Return the last valid and the last invalid sample of each source, of one thing or of all."""
+        """Return the last valid and invalid sample of each source, of one thing or of all."""
         where, values = ("WHERE thing = ?", (thing,)) if thing else ("", ())
         sql = (
-            f"SELECT thing, source, captured_at, valid, {SAMPLE_COLUMNS} FROM latest {where} ORDER BY"
-            " thing, source, captured_at"
+            f"SELECT thing, source, captured_at, valid, {SAMPLE_COLUMNS} FROM latest {where}"
+            " ORDER BY thing, source, captured_at"
         )
         return tuple(sample_from_row(row) for row in self._database.query(sql, values))
 
     def latest_at(self, at: float, thing: str = "") -> tuple[Observation, ...]:
-        """Return the last valid sample of each source at or before a time, of one thing or of all."""
+        """Return the last valid sample of each source up to a time, of one thing or of all."""
         sql, values = (
             (f"{SELECT_SEEN} AND l.thing = ?", (at, at, at, thing))
             if thing
@@ -183,8 +181,8 @@ class SqlStore:
         ]
         where = "".join(f" AND {column} = ?" for column, _ in asked)
         sql = (
-            f"SELECT {EVENT_COLUMNS} FROM event WHERE at >= ? AND at <= ?{where} ORDER BY at, kind, thing,"
-            " source, cause"
+            f"SELECT {EVENT_COLUMNS} FROM event WHERE at >= ? AND at <= ?{where}"
+            " ORDER BY at, kind, thing, source, cause"
         )
         return tuple(
             event_from_row(row)

@@ -67,7 +67,7 @@ class SqliteDatabase:
             return self._connection.execute(sql, values).fetchall()
 
     def numbers(self, sql: str, values: Sequence[object], columns: int) -> NDArray[np.float64]:
-        """Run one statement whose columns are all numbers and return its rows, shape (n, columns)."""
+        """Run one statement with numeric columns and return its rows, shape (n, columns)."""
         with self._telling():
             found = chain.from_iterable(self._connection.execute(sql, values))
             return np.fromiter(found, dtype=np.float64).reshape(-1, columns)
@@ -129,9 +129,8 @@ class SqliteDatabase:
     def _moved_aside(self) -> str:
         """Move the file and its companions aside; return a message."""
         self._connection.close()
-        kept = self.path.with_name(
-            f"{self.path.name}.damaged-{time.strftime('%Y%m%d-%H%M%S')}-{time.monotonic_ns() % 10**6:06d}"
-        )
+        moment = f"{time.strftime('%Y%m%d-%H%M%S')}-{time.monotonic_ns() % 10**6:06d}"
+        kept = self.path.with_name(f"{self.path.name}.damaged-{moment}")
         for ending in _COMPANIONS:
             file = self.path.with_name(self.path.name + ending)
             if file.exists():

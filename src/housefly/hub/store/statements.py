@@ -28,7 +28,8 @@ EXTEND_SAMPLE = (
 UPSERT_LATEST = insert_into(
     "latest",
     f"thing, source, valid, captured_at, {SAMPLE_COLUMNS}",
-    f"ON CONFLICT (thing, source, valid) DO UPDATE SET {_overwrite(f'captured_at, {SAMPLE_COLUMNS}')} "
+    "ON CONFLICT (thing, source, valid) DO UPDATE "
+    f"SET {_overwrite(f'captured_at, {SAMPLE_COLUMNS}')} "
     "WHERE excluded.captured_at >= latest.captured_at",
 )
 INSERT_EVENT = insert_into("event", EVENT_COLUMNS, "ON CONFLICT DO NOTHING")
@@ -39,10 +40,12 @@ SELECT_SEEN = f"""SELECT s.thing, s.source, CASE WHEN s.until < ? THEN s.until E
         {", ".join(f"s.{column}" for column in SAMPLE_COLUMNS.split(", "))}
     FROM latest l CROSS JOIN sighting s
     WHERE l.valid = 1 AND s.thing = l.thing AND s.source = l.source AND s.captured_at = (
-        SELECT captured_at FROM sighting WHERE thing = l.thing AND source = l.source AND valid = 1 AND captured_at <= ?
+        SELECT captured_at FROM sighting
+        WHERE thing = l.thing AND source = l.source AND valid = 1 AND captured_at <= ?
         ORDER BY captured_at DESC LIMIT 1)"""
 """CROSS JOIN makes SQLite read ``latest`` first; otherwise it would scan all samples."""
-SELECT_PATH = """SELECT captured_at, until, x, y, z FROM sighting
-    WHERE thing = ? AND source = ? AND captured_at > ? AND captured_at <= ? AND valid = 1 AND x IS NOT NULL"""
-THINNED_PATH = """ AND captured_at IN (SELECT max(captured_at) FROM sighting
-    WHERE thing = ? AND source = ? AND captured_at > ? AND captured_at <= ? AND valid = 1 AND x IS NOT NULL GROUP BY {})"""
+_FROM_PATH = """FROM sighting
+    WHERE thing = ? AND source = ? AND captured_at > ? AND captured_at <= ?
+        AND valid = 1 AND x IS NOT NULL"""
+SELECT_PATH = f"SELECT captured_at, until, x, y, z {_FROM_PATH}"
+THINNED_PATH = f" AND captured_at IN (SELECT max(captured_at) {_FROM_PATH} GROUP BY {{}})"

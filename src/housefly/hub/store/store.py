@@ -32,9 +32,7 @@ class Store(Protocol):
 
     @property
     def notices(self) -> tuple[str, ...]:
-        """What the user should know about how it was opened, for example a damaged file moved
-        aside.
-        """
+        """What the user should know about how it was opened: a damaged file, for example."""
         ...
 
     def put_things(self, things: Iterable[Thing]) -> None:
@@ -55,11 +53,11 @@ class Store(Protocol):
         ...
 
     def latest(self, thing: str = "") -> tuple[Observation, ...]:
-        """Return the last valid and the last invalid sample of each source, of one thing or of all."""
+        """Return the last valid and invalid sample of each source, of one thing or of all."""
         ...
 
     def latest_at(self, at: float, thing: str = "") -> tuple[Observation, ...]:
-        """Return the last valid sample of each source up to a time [s, Unix time], of one thing or all.
+        """Return the last valid sample of each source up to a time [s, Unix time].
 
         ``captured_at`` is the last time, at most ``at``, at which the source reported just that.
         """
@@ -82,7 +80,7 @@ class Store(Protocol):
     def events(
         self, since: float, until: float, *, thing: str = "", kind: str = "", cause: str = ""
     ) -> tuple[RoomEvent, ...]:
-        """Return the events between two times [s, Unix time], inclusive, by time; "" matches any."""
+        """Return events between two times [s, Unix time], inclusive, by time; "" is any."""
         ...
 
     def prune(self, now: float) -> bool:

@@ -17,11 +17,18 @@ JAPAN_UTC_OFFSET = 9 * 3600.0
 _NEVER = "0000-00-00 00:00:00.000000"
 """The time of a row that no sensor wrote: a row of the catalogue."""
 KIND_BY_THOUSANDS: dict[int, ThingKind] = {
-    1: ThingKind.PERSON, 2: ThingKind.ROBOT, 3: ThingKind.SENSOR, 4: ThingKind.STRUCTURE, 5: ThingKind.SPACE, 6: ThingKind.FURNITURE, 7: ThingKind.OBJECT,
-}  # fmt: skip
+    1: ThingKind.PERSON,
+    2: ThingKind.ROBOT,
+    3: ThingKind.SENSOR,
+    4: ThingKind.STRUCTURE,
+    5: ThingKind.SPACE,
+    6: ThingKind.FURNITURE,
+    7: ThingKind.OBJECT,
+}
 """Kind of thing by the thousands of its id; from 8000 on there are tasks and states."""
 SENSOR_NAMES: dict[int, str] = {
-    3001: "vicon", 3002: "ics", 3003: "odometry", 3018: "irs", 3020: "bed", 3021: "whs1", 3501: "kalman_filter",
+    3001: "vicon", 3002: "ics", 3003: "odometry", 3018: "irs", 3020: "bed", 3021: "whs1",
+    3501: "kalman_filter",
 }  # fmt: skip
 TEXT_FIELDS = ("joint", "rfid", "extfile", "task", "note", "announce")
 NUMBER_FIELDS = ("offset_x", "offset_y", "offset_z", "weight", "probability")
@@ -145,7 +152,8 @@ def _id(tree: dict[str, Any]) -> int:
     number = _whole(tree, "id")
     if number // 1000 not in KIND_BY_THOUSANDS:
         raise ValueError(
-            f"id is {number}: no thing (things have ids from {min(KIND_BY_THOUSANDS)}000 to {max(KIND_BY_THOUSANDS)}999)"
+            f"id is {number}: no thing (things have ids from {min(KIND_BY_THOUSANDS)}000"
+            f" to {max(KIND_BY_THOUSANDS)}999)"
         )
     return number
 

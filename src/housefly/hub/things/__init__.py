@@ -1,1 +1,1 @@
-"""What is in the room and where, from the last report of every source (TMS_DB's catalogue and `now`)."""
+"""What is in the room and where, by the last reports (TMS_DB's catalogue and `now`)."""

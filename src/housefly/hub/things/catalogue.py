@@ -71,9 +71,7 @@ class _CatalogueFile(Section):
 
 
 def load_catalogue(path: Path) -> tuple[Thing, ...]:
-    """Read and check a catalogue file; raises ConfigError naming thing, key, value and allowed
-    values.
-    """
+    """Read and check a file; raises ConfigError naming thing, key, value and what is allowed."""
     try:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

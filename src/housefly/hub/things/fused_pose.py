@@ -34,7 +34,7 @@ _FUSION_WINDOW = 0.5
 _DRIFT_SPEED = 1.0
 """How fast an unobserved thing may move [m/s]."""
 _MOVED_DISTANCE = 0.5
-"""A thing seen farther than this from its place in the catalogue has left its container there [m]."""
+"""A thing this far from its place in the catalogue has left its container there [m]."""
 _ROOM_KINDS = (ThingKind.SPACE, ThingKind.PLACE)
 """Kinds that are too large to locate what is inside them."""
 

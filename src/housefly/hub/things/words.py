@@ -46,8 +46,7 @@ def _within(world: WorldModel, container: str) -> str:
 def where_words(world: WorldModel, thing: str, now: float) -> str:
     """Answer "where is it" in words.
 
-    For example "cup: in the cabinet, in the kitchen, at (9.30, 5.60, 0.82) m, last seen 3 min ago by
-    floor".
+    For example "cup: in the cabinet, at (9.30, 5.60, 0.82) m, last seen 3 min ago by floor".
     """
     found = world.where(thing)
     parts = [_within(world, container) for container in world.chain(thing)]

@@ -70,9 +70,7 @@ class WorldModel:
             self._last.setdefault(sample.thing, {})[sample.source] = sample
 
     def thing(self, thing: str) -> Thing:
-        """Return a thing by its id or else by a name; raises ThingError, with suggestions, if
-        unknown.
-        """
+        """Return a thing by its id or a name; raises ThingError, with suggestions, if unknown."""
         found = self._things.get(thing)
         return found if found is not None else self.find(thing)
 
@@ -96,9 +94,7 @@ class WorldModel:
         )
 
     def where(self, thing: str) -> FusedPose:
-        """Return the fused pose of a thing, with its container's position if it has none of its
-        own.
-        """
+        """Return the fused pose of a thing, or its container's position if it has none."""
         own = self._own(self.thing(thing).id)
         if own.position is not None or not own.inside:
             return own

@@ -144,8 +144,8 @@ class ClusterFleet:
             self._client.wait_for_workers(1, timeout=_CONNECT_TIMEOUT)
         except TimeoutError as error:
             raise LinkError(
-                f"no worker at {self._address} after {_CONNECT_TIMEOUT:.0f} s; start one with: dask worker"
-                f" {self._address}"
+                f"no worker at {self._address} after {_CONNECT_TIMEOUT:.0f} s;"
+                f" start one with: dask worker {self._address}"
             ) from error
         for worker, theirs in self._client.run(versions, on_error="return").items():
             if isinstance(theirs, Exception):

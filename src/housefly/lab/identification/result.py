@@ -31,9 +31,10 @@ _MIN_SHARE = 0.05
 _SATURATED_SHARE = 0.98
 """A block whose command exceeds this share of a limit may have been clipped."""
 _MAX_HALF_WIDTH: dict[str, float] = {
-    "attitude_gain": 0.15, "attitude_lag": 0.35, "command_delay": 0.03, "drag": 0.35, "climb_lag": 0.5, "yaw_lag": 1.5,
+    "attitude_gain": 0.15, "attitude_lag": 0.35, "command_delay": 0.03,
+    "drag": 0.35, "climb_lag": 0.5, "yaw_lag": 1.5,
 }  # fmt: skip
-"""Largest half-width of an interval: a share of the value, but s for the delay, 1/s for the drag."""
+"""Largest half-width of an interval: a share of the value; in s for the delay, 1/s for drag."""
 _ABSOLUTE_WIDTH = ("command_delay", "drag")
 
 
@@ -122,7 +123,8 @@ def _gaps(blocks: tuple[Samples, ...], seen: tuple[Samples, ...]) -> list[str]:
             )
         else:
             found.append(
-                f"{len(good)} {name} steps were flown, {_MIN_BLOCKS} are needed: fly with more --repeats"
+                f"{len(good)} {name} steps were flown, {_MIN_BLOCKS} are needed: fly with more"
+                " --repeats"
             )
     return found
 

@@ -163,8 +163,8 @@ def _eps3_small(evidence: Evidence) -> Ruling:
     """Rule on "eps3 < 0.5 m is convenient"."""
     printed, quarter = (_inside(evidence, key) for key in ("eps3 0.4 m", "eps3 0.25 m"))
     text = (
-        f"{percents(printed)} of the flights end within {_IN_CELL:.2f} m of the goal with eps3 = 0.4"
-        f" m, {percents(quarter)} with 0.25 m."
+        f"{percents(printed)} of the flights end within {_IN_CELL:.2f} m of the goal with eps3 ="
+        f" 0.4 m, {percents(quarter)} with 0.25 m."
     )
     if printed.value >= _MOST_FLIGHTS:
         return Ruling(Verdict.HOLDS, text)

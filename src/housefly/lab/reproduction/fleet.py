@@ -39,7 +39,7 @@ _GUST = 0.05
 
 
 def fleet(site: Site, seeds: int) -> dict[str, NDArray[Any]]:
-    """Return the columns of ``seeds`` drones around the site's own, one seed each, shape (seeds,)."""
+    """Return the columns of ``seeds`` drones around the site's own, each of shape (seeds,)."""
     random = np.random.Generator(np.random.PCG64(site.twin.seed))
     columns: dict[str, NDArray[Any]] = {}
     for name, spread in _VARIATIONS.items():

@@ -20,20 +20,25 @@ _CLASSES = {
 _OWN_CSS = """
 .verdict{display:inline-block;white-space:nowrap;font-weight:600}
 .verdict span{display:inline-block;width:1.3em;text-align:center}
-.holds{color:var(--good,#1b7f4b)} .fails{color:var(--bad,#b3392f)} .condition{color:#9a6700} .none{color:var(--muted)}
-@media (prefers-color-scheme:dark){.holds{color:#57c08a}.fails{color:#f0857b}.condition{color:#e3b341}}
+.holds{color:var(--good,#1b7f4b)} .fails{color:var(--bad,#b3392f)}
+.condition{color:#9a6700} .none{color:var(--muted)}
+@media (prefers-color-scheme:dark){
+.holds{color:#57c08a}.fails{color:#f0857b}.condition{color:#e3b341}}
 figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6px}
-.beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);gap:1.2rem;align-items:start}
+.beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);
+gap:1.2rem;align-items:start}
 @media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
 .said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
 .finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
 .claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 14rem minmax(0,1.8fr);gap:.2rem 1rem;
 padding:.55rem 0;border-bottom:1px solid var(--line)}
 @media (max-width:820px){.claim{grid-template-columns:minmax(0,1fr)}}
-.says{color:var(--ink)} dl dd{font-size:15px} dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}
+.says{color:var(--ink)} dl dd{font-size:15px}
+dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}
 .small{color:var(--muted);font-size:.9em}
 .count{display:flex;flex-wrap:wrap;gap:.4rem 1.4rem;margin:.6rem 0}
-.wide{overflow-x:auto} .wide table{font-variant-numeric:tabular-nums} .wide td,.wide th{white-space:nowrap}
+.wide{overflow-x:auto} .wide table{font-variant-numeric:tabular-nums}
+.wide td,.wide th{white-space:nowrap}
 code{overflow-wrap:anywhere}
 """
 
@@ -132,8 +137,8 @@ def _finding(finding: ClaimFinding) -> str:
 def _claims(findings: tuple[ClaimFinding, ...]) -> str:
     rows = "".join(
         '<div class="claim"><span'
-        f' class="small">{_text(f.section)}</span><span>{_text(f.claim)}</span>{_verdict(f.verdict)}<span'
-        f' class="small">{_text(f.evidence)}</span></div>'
+        f' class="small">{_text(f.section)}</span><span>{_text(f.claim)}</span>'
+        f'{_verdict(f.verdict)}<span class="small">{_text(f.evidence)}</span></div>'
         for f in findings
     )
     return (
@@ -156,8 +161,8 @@ def _table(number: int, table: Table) -> str:
 
 def _verdict(verdict: Verdict) -> str:
     return (
-        f'<span class="verdict {_CLASSES[verdict]}"><span aria-hidden="true">{_MARKS[verdict]}</span>'
-        f" {verdict.value}</span>"
+        f'<span class="verdict {_CLASSES[verdict]}"><span aria-hidden="true">'
+        f"{_MARKS[verdict]}</span> {verdict.value}</span>"
     )
 
 

@@ -1,4 +1,4 @@
-"""The service flown on every tracking stream with gains from cautious to the edge, in both modes."""
+"""The service on every tracking stream, with gains from cautious to the edge, in both modes."""
 
 from __future__ import annotations
 

@@ -217,6 +217,6 @@ def _note(evidence: Evidence) -> str:
     return (
         f"The service's outbound way; {seeds} drones with constants drawn around the identified"
         " ones, the same in every cell. Shares with Wilson's 95 % interval; means ± half of"
-        f" Student's. Errors are of the flights that stayed stable ({_NO_NUMBER}: less than half did, or"
-        " none arrived)."
+        " Student's. Errors are of the flights that stayed stable"
+        f" ({_NO_NUMBER}: less than half did, or none arrived)."
     )

@@ -210,7 +210,8 @@ def _objections(
         found.append(f"gain margin {margins.gain:.2f} is below {MIN_GAIN_MARGIN:g}")
     if margins.phase < MIN_PHASE_MARGIN:
         found.append(
-            f"phase margin {degrees(margins.phase):.0f} deg is below {degrees(MIN_PHASE_MARGIN):.0f} deg"
+            f"phase margin {degrees(margins.phase):.0f} deg is below"
+            f" {degrees(MIN_PHASE_MARGIN):.0f} deg"
         )
     if margins.delay < delay:
         found.append(f"delay margin {1000 * margins.delay:.0f} ms is below {1000 * delay:.0f} ms")

@@ -9,13 +9,12 @@ that equals its epsilon) no transition is taken.
 from __future__ import annotations
 
 from enum import IntEnum, IntFlag
-from itertools import product
 from math import radians
 from typing import NamedTuple
 
 import numpy as np
 
-from housefly.messages import Behavior
+from housefly.messages.steering import Behavior
 from housefly.numeric import compiled
 
 
@@ -150,22 +149,3 @@ def acceptor_advanced(acceptor: Acceptor, conditions: int, now: float, dwell: fl
     """Return the acceptor after one look at the conditions, as ``next_state`` has it."""
     state = next_state(acceptor.state, acceptor.since, conditions, now, dwell)
     return acceptor if state == acceptor.state else Acceptor(state, now)
-
-
-def describe() -> str:
-    """Return the acceptor in words, made from the table: one line a state and next state, with the
-    conditions that lead there.
-    """
-    lines = []
-    for state, target in product(STATES, STATES):
-        leading = [bits for bits in range(32) if STATES[TABLE[STATES.index(state), bits]] is target]
-        names = sorted({_deciding(bits) for bits in leading})
-        lines.append(f"{state.value} -> {target.value}: {', '.join(names)}")
-    return "\n".join(lines)
-
-
-def _deciding(bits: int) -> str:
-    return next(
-        (condition.name or "" for condition, _ in EXECUTION_ORDER if bits & condition),
-        "no condition",
-    )

@@ -11,11 +11,11 @@ from __future__ import annotations
 from math import hypot
 
 from housefly.geometry import stopping_distance
-from housefly.messages import Event, OrderKind, Phase, Severity
+from housefly.messages.flight import Event, OrderKind, Phase, Severity
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator, PathBlock
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
 
 BRAKING_DECELERATION = 1.0
 """How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""

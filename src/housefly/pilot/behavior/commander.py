@@ -6,14 +6,21 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Event, Order, OrderKind, Phase, PlanAnswer, Severity
-from housefly.pilot.behavior.mission_state import STAY, Mission, MissionState, Refused
+from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
+from housefly.messages.sensing import DroneStatus
+from housefly.messages.steering import PlanAnswer
+from housefly.pilot.behavior.mission import (
+    STAY,
+    Mission,
+    MissionState,
+    Refused,
+    TrackingTask,
+    VehicleStatus,
+)
 from housefly.pilot.behavior.mission_tables import ORDERS, SIGNALS, Response, Signal
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
 from housefly.pilot.behavior.path_profile import path_profile
-from housefly.pilot.behavior.tracking_task import TrackingTask
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
 
 COAST_TIME = 0.4
 """A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import Event, Order
+from housefly.messages.flight import Event, Order
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
-from housefly.pilot.behavior.mission_state import MissionState
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.tracking_task import TrackingTask
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
 
 
 class MissionManager:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Event, Phase, Severity
+from housefly.messages.flight import Event, Phase, Severity
+from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import MissionState, Refused, VehicleStatus
 from housefly.pilot.behavior.mission_signals import SignalTimers, is_near, signals
-from housefly.pilot.behavior.mission_state import MissionState, Refused
 from housefly.pilot.behavior.mission_tables import Signal
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
 
 CUT_TIMEOUT = 15.0
 """A motor cut that is not acknowledged is given up after this [s]."""

@@ -7,12 +7,11 @@ from math import hypot, inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
-from housefly.messages import DroneStatus, OrderKind, Phase
-from housefly.pilot.behavior.mission_state import MissionState
+from housefly.messages.flight import OrderKind, Phase
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import Signal
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.tracking_task import TrackingTask
-from housefly.pilot.behavior.vehicle_status import VehicleStatus
 
 HOME_TOLERANCE = 0.08
 """The drone is above its pad when nearer than this [m] ..."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from housefly.messages import OrderKind, Phase
+from housefly.messages.flight import OrderKind, Phase
 
 
 class Response(Enum):

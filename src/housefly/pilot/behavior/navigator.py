@@ -6,8 +6,11 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from housefly.geometry import Vec2
-from housefly.messages import Obstacle, Order, Path, PlanAnswer, Sighting
-from housefly.pilot.behavior.mission_state import Mission, Refused
+from housefly.messages.flight import Order
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import Sighting
+from housefly.messages.steering import Path, PlanAnswer
+from housefly.pilot.behavior.mission import Mission, Refused
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Order, OrderKind
-from housefly.pilot.behavior.mission_state import Refused
+from housefly.messages.flight import Order, OrderKind
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.behavior.mission import Refused
 from housefly.pilot.behavior.mission_tables import REFUSALS, Response
 
 ORDER_LIFETIME = 0.5

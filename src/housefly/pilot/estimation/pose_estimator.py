@@ -7,7 +7,8 @@ from math import sqrt
 import numpy as np
 
 from housefly.geometry import Vec3
-from housefly.messages import Estimate, Event, Severity, Sighting
+from housefly.messages.flight import Event, Severity
+from housefly.messages.sensing import Estimate, Sighting
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
 from housefly.pilot.estimation.estimator import (
     EstimatorParameters,

@@ -5,7 +5,8 @@ from __future__ import annotations
 from enum import Enum, IntEnum
 from math import isfinite
 
-from housefly.messages import Event, Severity, Sighting
+from housefly.messages.flight import Event, Severity
+from housefly.messages.sensing import Sighting
 from housefly.numeric import compiled
 
 CLOCK_TOLERANCE = 0.005

@@ -15,7 +15,8 @@ from math import hypot, isfinite
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance, wrap_angle
-from housefly.messages import Obstacle, Sighting
+from housefly.messages.obstacles import Obstacle
+from housefly.messages.sensing import Sighting
 from housefly.pilot.planning.obstacles import AHEAD_OF_TIME, FASTEST
 from housefly.room.model import Room
 from housefly.room.tracked import Stand, footprint_of, stand_of

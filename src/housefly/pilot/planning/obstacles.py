@@ -16,7 +16,7 @@ from math import hypot, isfinite
 import numpy as np
 
 from housefly.geometry import Vec2
-from housefly.messages import Obstacle
+from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
 
 HALF_LIFE = 1.0

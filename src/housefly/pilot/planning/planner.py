@@ -10,7 +10,7 @@ from math import isfinite
 import numpy as np
 
 from housefly.geometry import Vec2, distance
-from housefly.messages import Path, PlanAnswer
+from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.planning.dijkstra import UNREACHED, CellIndex, Free, distances, shortest_path
 from housefly.pilot.planning.shortcut import sees, straightened
 from housefly.room.grid import Cell, OccupancyGrid

@@ -10,10 +10,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import Action, Command, DroneStatus, SafetyMode, Setpoint
-from housefly.pilot.safety.gate_inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.messages.flight import Event, Severity
+from housefly.messages.sensing import DroneStatus
+from housefly.messages.steering import Action, Command, SafetyMode, Setpoint
 from housefly.pilot.safety.limits import GatedCommand
-from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES, SafetyRule
+from housefly.pilot.safety.rules import (
+    AIRBORNE_STATUSES,
+    MODE_SEVERITY,
+    SAFETY_RULES,
+    GateInputs,
+    Geofence,
+    SafetyRule,
+)
 
 A, M = Action, SafetyMode
 
@@ -141,3 +149,36 @@ def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Ac
         return Action.RESET if action is Action.RESET else Action.IDLE
     table = AIRBORNE_ACTIONS if assessment.airborne else GROUND_ACTIONS
     return table[mode].get(action, action)
+
+
+CLEAR_AFTER = 1.0
+"""Trouble that returns sooner than this is the same trouble [s]: a lossy tracking system would fill
+the log otherwise.
+"""
+
+
+class GateNotices:
+    """Remembers the trouble told last."""
+
+    def __init__(self) -> None:
+        self._reported = ""
+        self._clear_since: float | None = None
+
+    def update(self, verdict: GateVerdict, now: float) -> tuple[Event, ...]:
+        """Return the events of one verdict at a time [s]."""
+        if verdict.code:
+            self._clear_since = None
+            if verdict.code == self._reported:
+                return ()
+            self._reported = verdict.code
+            severity = (
+                Severity.FAULT
+                if verdict.mode in (SafetyMode.LAND, SafetyMode.CUT)
+                else Severity.WARNING
+            )
+            return (Event(now, severity, verdict.code, verdict.reason),)
+        self._clear_since = now if self._clear_since is None else self._clear_since
+        if not self._reported or now - self._clear_since < CLEAR_AFTER:
+            return ()
+        self._reported = ""
+        return (Event(now, Severity.INFO, "safety_clear", "nothing holds the drone back any more"),)

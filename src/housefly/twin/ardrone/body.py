@@ -11,7 +11,7 @@ from __future__ import annotations
 from itertools import pairwise
 from math import atan, degrees, radians, tan
 
-from housefly.config.site import DroneConfig
+from housefly.config.drone import DroneConfig
 from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 
 DRONE_MASS = 0.436
@@ -120,8 +120,9 @@ def _hull(length: float, width: float) -> list[str]:
 
 
 def _looks() -> list[str]:
-    """Draw four rotors in foam arcs, a dark body and an orange tail; the view of the front camera
-    stays free.
+    """Draw four rotors in foam arcs, a dark body and an orange tail.
+
+    The front camera's view stays free.
     """
     shapes = [
         _shape("ellipsoid", (-0.02, 0.0, 0.01), (0.15, 0.055, 0.045), _DARK),

@@ -1,5 +1,4 @@
-"""UDP 5556 of the simulated drone: AT commands become calls on the world, the configuration and the
-link.
+"""UDP 5556 of the simulated drone: turns AT commands into calls.
 
 Sequence rule: a command counts when its number is above the last one; number 1, or two seconds of
     silence, starts anew
@@ -73,9 +72,7 @@ class CommandServer(asyncio.DatagramProtocol):
         self.receive(data)
 
     def receive(self, datagram: bytes) -> None:
-        """Obey the good commands of a datagram, count the bad ones; never raises for what a client
-        sent.
-        """
+        """Obey the good commands of a datagram and count the bad ones; never raises."""
         counters = self._link.counters
         counters.datagrams += 1
         commands, rejects = at.parse_datagram(datagram)

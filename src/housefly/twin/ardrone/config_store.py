@@ -1,5 +1,4 @@
-"""The simulated drone's configuration: common keys, and custom ones stacked by session, user and
-application.
+"""The simulated drone's configuration: common keys, and custom ones by session, user, application.
 
 Rules: Parrot ARDroneLib SDK 2.0.1, multiconfiguration. Every well-formed CONFIG is acknowledged by
     the server; whether it
@@ -132,9 +131,7 @@ class ConfigStore:
         return self._layer(KEYS_BY_NAME[name])[name]
 
     def describe(self, customs: bool = False) -> bytes:
-        """Return the dump of the configuration in force or, for ``customs``, the list of custom
-        ones; NUL included.
-        """
+        """Return the configuration dump or, for ``customs``, the list of custom ones, with NUL."""
         if not customs:
             return encode_dump({key.name: self.value(key.name) for key in CONFIG_KEYS})
         return encode_custom_list(*(self._described(category) for category in _DESCRIPTION_KEYS))
@@ -189,7 +186,7 @@ class ConfigStore:
         return True
 
     def _align_limits(self, name: str) -> None:
-        """Keep the live limits and the chosen one of the two sets equal after a write to ``name``."""
+        """Keep the live limits equal to the chosen indoor or outdoor set after a write."""
         chosen = "outdoor" if self.value("control:outdoor") else "indoor"
         for limit in _LIVE_LIMITS:
             live, kept = f"control:{limit}", f"control:{chosen}_{limit}"

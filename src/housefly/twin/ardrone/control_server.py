@@ -1,5 +1,4 @@
-"""TCP 5559 of the simulated drone: answers ``CTRL 4`` and ``CTRL 6`` with the configuration, ended
-by a NUL byte.
+"""TCP 5559 of the simulated drone: sends the configuration when asked by ``CTRL 4`` or ``CTRL 6``.
 
 The request comes by UDP and may overtake the connection that it belongs to, so it waits a moment
 for one.
@@ -76,9 +75,7 @@ class ControlServer:
             client.close()
 
     def answer(self, customs: bool) -> None:
-        """Send the configuration, or the list of custom ones, now or to the next client if it
-        connects soon.
-        """
+        """Send the configuration or the list of custom ones, now or to the next client."""
         if not self._clients:
             self._waiting = customs, asyncio.get_running_loop().time() + _CONNECTION_TIMEOUT
             return

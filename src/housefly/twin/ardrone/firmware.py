@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import acos, cos, radians
 
-from housefly.config.site import DroneConfig
+from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY
 from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, FORCED_LANDING_VOLTAGE, LOW_VOLTAGE
 from housefly.twin.ardrone.body import DRONE_MASS
@@ -100,9 +100,7 @@ class Firmware:
             self._enter(FlightState.LANDING)
 
     def toggle_emergency(self) -> None:
-        """REF bit 8: cut the motors, or leave the emergency when the drone stands upright and has
-        power.
-        """
+        """REF bit 8: cut the motors, or leave the emergency if upright and powered."""
         if self.flight is not FlightState.EMERGENCY:
             self._enter(FlightState.EMERGENCY)
         elif not self.tilted and self.powered:

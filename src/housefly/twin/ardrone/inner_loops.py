@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import atan, copysign, cos, sin
 from typing import NamedTuple
 
-from housefly.config.site import DroneConfig
+from housefly.config.drone import DroneConfig
 from housefly.geometry import GRAVITY
 from housefly.twin.ardrone.body import DRONE_MASS, INERTIA
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
@@ -91,9 +91,7 @@ class InnerLoops:
     def hover(
         self, limits: OnboardLimits, measured: SensorReading, climb: float | None = None
     ) -> LoopReferences:
-        """Return the references that stop the drone over the floor it sees; ``climb`` overrides the
-        height hold.
-        """
+        """Return the references that stop the drone; ``climb`` overrides the height hold."""
         forward, left = measured.forward, measured.left
         if abs(forward) < _TRIM_SPEED and abs(left) < _TRIM_SPEED:
             self._trim = (
@@ -108,9 +106,7 @@ class InnerLoops:
         )
 
     def wrench(self, references: LoopReferences, measured: SensorReading) -> Wrench:
-        """Return thrust and torques that bring the drone to its references with the identified
-        poles.
-        """
+        """Return thrust and torques that reach the references with the identified poles."""
         phi, theta = measured.phi, measured.theta
         phi_rate = self._attitude_gain * (references.phi - phi)
         theta_rate = self._attitude_gain * (references.theta - theta)

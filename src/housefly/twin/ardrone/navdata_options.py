@@ -72,9 +72,7 @@ def demo_options(
 def full_options(
     onboard: OnboardState, tells_vertical_speed: bool
 ) -> tuple[Structure | RawOption, ...]:
-    """Return the options of full mode: tags 0 to 26, without the 27 on which the firmwares
-    disagree.
-    """
+    """Return the options of full mode: tags 0 to 26; firmware versions disagree on tag 27."""
     demo = _demo(onboard, tells_vertical_speed)
     moving: dict[type[Structure], Structure] = {
         Demo: demo,

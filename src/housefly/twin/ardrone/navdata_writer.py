@@ -1,6 +1,4 @@
-"""Navdata packets of the simulated drone: state bits, numbering, and the kind that the client
-chose.
-"""
+"""Navdata packets of the simulated drone: state bits, numbering, and the kind the client chose."""
 
 from __future__ import annotations
 
@@ -23,7 +21,7 @@ _ALWAYS_SET = (
 
 
 def _state_bits(onboard: OnboardState, link: Link, demo: bool) -> int:
-    """Return the 32 state bits of the header; ``demo`` tells the chosen kind of navdata."""
+    """Return the 32 state bits of the header; ``demo`` is the chosen kind of navdata."""
     flying = onboard.flight.airborne
     conditions = (
         (flying, StateBits.FLYING | StateBits.VISION | StateBits.USER_START),

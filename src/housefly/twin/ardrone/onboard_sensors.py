@@ -43,8 +43,14 @@ _CHANNELS = 14
 
 
 class BodyState(NamedTuple):
-    """The true state of the rigid body: world position, orientation, world velocity and
-    acceleration, body angular rate.
+    """True state of the rigid body.
+
+    Attributes:
+        position: world [m].
+        orientation: (w, x, y, z), body to world.
+        velocity: world [m/s].
+        acceleration: world [m/s^2].
+        rate: body [rad/s].
     """
 
     position: Vec3
@@ -55,8 +61,14 @@ class BodyState(NamedTuple):
 
 
 class SensorReading(NamedTuple):
-    """One reading of all onboard sensors; attitude [rad], rates [rad/s], height [m], speeds [m/s],
-    acceleration [m/s^2].
+    """One reading of all onboard sensors.
+
+    Attributes:
+        phi, theta, psi: attitude [rad]; psi since power-on.
+        rate: body [rad/s].
+        height: [m].
+        climb, forward, left: speeds [m/s].
+        acceleration: specific force, body [m/s^2].
     """
 
     phi: float
@@ -71,8 +83,9 @@ class SensorReading(NamedTuple):
 
 
 class OnboardSensors:
-    """The sensors of one drone; every reading draws the same amount of noise, so observers cannot
-    change a flight.
+    """The sensors of one drone.
+
+    Every reading draws the same amount of noise, so that observers cannot change a flight.
     """
 
     def __init__(self, rng: np.random.Generator) -> None:

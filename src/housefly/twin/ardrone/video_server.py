@@ -146,9 +146,7 @@ def _whole_blocks(pixels: int) -> int:
 
 
 def _parameter_set_sizes(key_picture: bytes) -> tuple[int, int]:
-    """Return the bytes of SPS and PPS with their start codes; 0 for one that is not near the
-    beginning.
-    """
+    """Return the bytes of SPS and PPS with start codes; 0 if not near the beginning."""
     units = key_picture[:_PARAMETER_SETS_END].split(_START_CODE)[1:-1]
     sizes = {unit[0] & 0x1F: len(_START_CODE) + len(unit) for unit in units if unit}
     return sizes.get(_NAL_SPS, 0), sizes.get(_NAL_PPS, 0)

@@ -1,6 +1,4 @@
-"""The plain picture that is sent where nothing can be rendered: it says why, and which line mends
-it.
-"""
+"""The plain picture sent where nothing can be rendered: why, and which command mends it."""
 
 from __future__ import annotations
 

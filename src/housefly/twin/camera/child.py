@@ -1,5 +1,4 @@
-"""The process that renders and encodes the drone's pictures: ``python -m housefly.twin.camera.child
-FD``.
+"""The process that renders the drone's pictures: ``python -m housefly.twin.camera.child FD``.
 
 It lives at one end of a socket pair, always serves the newest request only, and ends when the other
 end closes. A GL library that is missing or broken can take the whole process down; that is why it

@@ -1,6 +1,4 @@
-"""H.264 as the AR.Drone 2.0 sends it: Baseline, Annex B, a key frame every 15 pictures, SPS and PPS
-with each of them.
-"""
+"""H.264 as the AR.Drone 2.0 sends it: Baseline, Annex B, a key frame with SPS and PPS every 15."""
 
 from __future__ import annotations
 
@@ -17,8 +15,7 @@ _GROUP_OF_PICTURES = 15
 
 
 class Encoder:
-    """Scales, converts and encodes pictures with one thread and no delay: one picture in, one
-    access unit out.
+    """Scales, converts and encodes pictures with one thread and no delay.
 
     Args:
         width, height: size of the encoded pictures [px].
@@ -57,8 +54,10 @@ class Encoder:
         self._codec = codec
 
     def encode(self, picture: NDArray[np.uint8]) -> tuple[bytes, bool]:
-        """Return the access unit of an RGB picture, shape (rows, columns, 3) of any size, and
-        whether it is a key frame.
+        """Return the H.264 access unit of a picture, and whether it is a key frame.
+
+        Args:
+            picture: RGB, shape (rows, columns, 3), any size.
         """
         frame = av.VideoFrame.from_ndarray(picture, format="rgb24")
         # Area averaging: a picture rendered larger than it is shown comes out with smooth edges.

@@ -1,6 +1,4 @@
-"""Messages between the twin and the child process that makes the drone's pictures: kind, length,
-body.
-"""
+"""Messages between the twin and the child process that renders: kind, length, body."""
 
 from __future__ import annotations
 
@@ -74,8 +72,14 @@ class RenderSettings:
 
 @dataclass(frozen=True, slots=True)
 class PictureRequest:
-    """Which picture is wanted: the drone's true pose, who is at the door, which camera, world time
-    [s], where the people are.
+    """A request for one picture.
+
+    Attributes:
+        pose: the drone's true pose.
+        visitor_present: whether the visitor is at the door.
+        camera: which of the drone's cameras.
+        at: world time [s].
+        people: where the people are.
     """
 
     pose: Pose
@@ -135,7 +139,7 @@ def pack_message(kind: MessageKind, body: bytes) -> bytes:
 
 
 class Inbox:
-    """The child's end: reads everything that waits, so that only the newest request need be served."""
+    """The child's end; reads all that waits, so that only the newest request need be served."""
 
     def __init__(self, link: socket.socket) -> None:
         self._link = link

@@ -107,9 +107,7 @@ class CameraProcess:
         at: float,
         people: tuple[Pose, ...] = (),
     ) -> None:
-        """Ask for a picture; returns at once. While the child is busy only the newest request
-        counts.
-        """
+        """Ask for a picture; returns at once. A busy child serves only the newest request."""
         if (
             self._writer is None
             or not self._ready
@@ -230,7 +228,7 @@ class CameraProcess:
 
 
 def _environment(backend: RenderBackend) -> dict[str, str]:
-    """Return the child's environment: its GL library, and one thread for the software rasterizer."""
+    """Return the child's environment: its GL library, one thread for software rendering."""
     environment = {name: value for name, value in os.environ.items() if name != "MUJOCO_GL"}
     environment.setdefault("LP_NUM_THREADS", "0")
     if backend is not RenderBackend.CARD:

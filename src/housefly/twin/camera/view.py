@@ -1,5 +1,4 @@
-"""What the drone's cameras see: MuJoCo's classic renderer, kept cheap enough for 30 pictures a
-second on a CPU.
+"""What the drone's cameras see: MuJoCo's classic renderer at 30 pictures a second on a CPU.
 
 Importing this module needs a working GL library; only the camera's child process does. Measured by
 ``benchmarks/camera.py``.
@@ -80,9 +79,7 @@ class CameraView:
         self._last = np.empty((0, 0, 3), dtype=np.uint8)
 
     def picture(self, request: PictureRequest) -> NDArray[np.uint8]:
-        """Return the RGB picture, shape (rows, columns, 3); the last one again while nothing moved,
-        as on the pad.
-        """
+        """Return the RGB picture, shape (rows, columns, 3); the last one again if nothing moved."""
         wanted = _visible(request)
         if wanted != self._shown:
             self._shown, self._last = wanted, self._rendered(request)
@@ -106,7 +103,7 @@ class CameraView:
 
 
 class _Frustum:
-    """Finds the geoms that a camera cannot see; MuJoCo would draw them all, behind the camera too."""
+    """Finds the geoms that a camera cannot see; MuJoCo would draw even those behind the camera."""
 
     def __init__(self, model: Any, camera: str, aspect: float) -> None:
         self._camera = int(model.camera(camera).id)

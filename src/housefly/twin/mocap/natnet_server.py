@@ -52,8 +52,7 @@ class _Client:
 
 
 class NatNetServer:
-    """Serves frames to any number of clients; datagrams that a slow client does not read are lost
-    for it alone.
+    """Serves frames to any number of clients; a slow client loses datagrams for itself alone.
 
     All calls belong to one asyncio loop.
 
@@ -92,7 +91,7 @@ class NatNetServer:
 
     @property
     def clients(self) -> int:
-        """How many unicast clients were heard of lately."""
+        """How many unicast clients were heard recently."""
         return len(self._clients)
 
     async def start(self) -> None:
@@ -229,9 +228,7 @@ class _Receiver(asyncio.DatagramProtocol):
 
 
 def _socket_at(where: PeerAddress) -> socket.socket:
-    """Return a socket that answers at an address; what it sends to groups leaves there and goes no
-    further than its network.
-    """
+    """Return a socket bound to an address; multicast leaves there with a hop limit of 1."""
     made = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     try:
         made.setblocking(False)
@@ -247,7 +244,7 @@ def _socket_at(where: PeerAddress) -> socket.socket:
 def natnet_frame(
     frame: MocapFrame, numbers: dict[str, int], y_up: bool, changed: bool = False
 ) -> NatNetFrame:
-    """Return a frame as NatNet tells it; ``numbers`` gives each body's number."""
+    """Return a frame in NatNet's form; ``numbers`` gives each body's number."""
     bodies = tuple(_body(numbers[name], pose, y_up) for name, pose in frame.bodies)
     exposed, sent = (max(0, round(at * _CLOCK_HZ)) for at in (frame.captured_at, frame.due_at))
     return NatNetFrame(

@@ -12,7 +12,7 @@ bodies.
 
 
 class StreamClient:
-    """How much waits for a client."""
+    """One connection and its send queue."""
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
         self._writer = writer

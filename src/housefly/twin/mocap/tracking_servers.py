@@ -1,11 +1,12 @@
-"""Which tracking systems the twin poses as."""
+"""The tracking systems that the twin poses as."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Protocol
 
-from housefly.config.site import MocapWire, Site
+from housefly.config.site import Site
+from housefly.config.tracking import MocapWire
 from housefly.twin.contracts import MocapFrame
 from housefly.twin.mocap.natnet_server import NatNetServer
 from housefly.twin.mocap.vicon_server import ViconServer

@@ -56,8 +56,7 @@ _MAX_CLIENTS = 32
 
 
 class ViconServer:
-    """Serves frames to any number of clients; a slow client loses frames and never delays the
-    others.
+    """Serves frames to any number of clients; a slow client never delays the others.
 
     All calls belong to one asyncio loop.
 
@@ -167,7 +166,7 @@ class _Client(StreamClient):
         self.expected = 0
 
     def wants_frame(self) -> bool:
-        """Tell whether the next frame is for this client, and count it off."""
+        """Return whether the next frame is for this client, and count it off."""
         if self.streaming:
             return True
         self.expected, wanted = max(0, self.expected - 1), self.expected > 0
@@ -175,9 +174,7 @@ class _Client(StreamClient):
 
 
 def _frame_items(frame: MocapFrame, period_ticks: int, kinds: frozenset[int]) -> list[ViconObject]:
-    """Return the objects of one frame in a server's order, only of the wanted kinds, table of
-    contents first.
-    """
+    """Return one frame's objects of the wanted kinds in a server's order, contents first."""
     named = list(enumerate(frame.bodies, start=1))
     objects: list[ViconObject] = [StreamInfo(period_ticks), ApplicationInfo()]
     objects += [SubjectInfo(number, name, (Segment(1, name),)) for number, (name, _) in named]

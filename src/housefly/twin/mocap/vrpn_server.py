@@ -44,8 +44,7 @@ _CHUNK = 64 * 1024
 
 
 class VrpnServer:
-    """Serves poses to any number of clients; a slow client loses frames and never delays the
-    others.
+    """Serves poses to any number of clients; a slow client never delays the others.
 
     All calls belong to one asyncio loop.
 
@@ -129,9 +128,7 @@ class VrpnServer:
             self.lost += not client.offer(packet)
 
     def _call_back(self, datagram: bytes, sender: PeerAddress) -> None:
-        """Connect to a client that asked for it: at its own address, whatever it says, so that
-        nobody is called for another.
-        """
+        """Connect to a client that asked for it, always at the address that it asked from."""
         try:
             _, port = decode_lob(datagram)
         except WireError:

@@ -1,5 +1,4 @@
-"""People as MuJoCo bodies, a capsule and a head each, so that cameras, rays and the drone's hull
-meet them.
+"""People as MuJoCo bodies, a capsule and a head each; cameras, rays and the drone's hull meet them.
 
 Own frame: origin between the feet, x to where the person faces, z up. Who sits sinks into the floor
     up to their hips, who is not
@@ -29,19 +28,22 @@ _SKIN = "0.93 0.74 0.62 1"
 
 
 def people_bodies(people: tuple[PersonScript, ...]) -> str:
-    """Return the MJCF of the people as mocap bodies, in the order of the script; the room's own
-    visitor is not among them.
-    """
+    """Return the MJCF of the people in the order of the script, without the room's visitor."""
     return "".join(_body(person, number) for number, person in enumerate(_with_bodies(people)))
 
 
 def _with_bodies(people: tuple[PersonScript, ...]) -> tuple[PersonScript, ...]:
-    """Return the people who get a body of ours: all but the visitor, whose body the room has."""
+    """Return the people who need a body: all but the visitor, whose body the room has."""
     return tuple(person for person in people if not person.visitor)
 
 
 def body_pose(person: PersonState, height: float) -> Pose:
-    """Return where the body of a person is who is this tall [m]."""
+    """Return the pose of a person's body.
+
+    Args:
+        person: posture, place and direction.
+        height: of the person [m].
+    """
     return _POSES.get(person.posture, _upright)(person, height)
 
 

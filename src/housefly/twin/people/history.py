@@ -1,4 +1,4 @@
-"""Where things are and which doors stand open after each act of a scene; pure."""
+"""Where things are and which doors are open after each act of a scene; pure."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from housefly.twin.people.state import Act, SceneEvent, ThingState
 
 @dataclass(frozen=True, slots=True)
 class _Snapshot:
-    """Things, and open doors, from one act until the next."""
+    """Things and open doors between one act and the next."""
 
     things: Mapping[str, ThingState]
     open: frozenset[str]
 
 
 class SceneHistory:
-    """Replays the acts of a scene once and keeps what holds after each.
+    """Replays the acts of a scene once and keeps the state after each.
 
     Raises:
         ConfigError: somebody takes what another carries, puts down what they do not carry, or
@@ -47,18 +47,18 @@ class SceneHistory:
             self.events.append(known)
 
     def at(self, time: float) -> _Snapshot:
-        """Return what holds at a time [s]."""
+        """Return the state at a time [s]."""
         return self._snapshots[bisect_right(self._times, time)]
 
     def _take(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
-        """Return what holds after somebody took a thing."""
+        """Return the state after somebody took a thing."""
         thing = before.things[told.what]
         if thing.held_by:
             raise _impossible(told, f"takes {told.what!r}, which {thing.held_by} carries")
         return _with(before, replace(thing, inside="", held_by=told.by))
 
     def _put(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
-        """Return what holds after somebody put a thing down."""
+        """Return the state after somebody put a thing down."""
         thing = self._thing(told, before)
         if thing.held_by != told.by:
             raise _impossible(told, f"puts down {told.what!r} without carrying it")
@@ -74,15 +74,15 @@ class SceneHistory:
         return _with(before, ThingState(thing.name, position, told.where))
 
     def _open(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
-        """Return what holds after a door was opened."""
+        """Return the state after a door was opened."""
         return _Snapshot(before.things, before.open | {self._device(told)})
 
     def _close(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
-        """Return what holds after a door was closed."""
+        """Return the state after a door was closed."""
         return _Snapshot(before.things, before.open - {self._device(told)})
 
     def _press(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
-        """Return what holds after a button was pressed: the same."""
+        """Return the state after a button was pressed: unchanged."""
         self._device(told)
         return before
 

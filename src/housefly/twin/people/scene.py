@@ -1,6 +1,4 @@
-"""A scene: what holds at any time of it, and what happened between two times. The same file gives
-the same scene, always.
-"""
+"""A scene: its state at any time, and its events between two times; deterministic."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ _ARM, _HAND = 0.35, 1.0
 
 
 class Scene:
-    """A script worked out.
+    """An evaluated script.
 
     Args:
         script: people, things, devices.
@@ -56,14 +54,14 @@ class Scene:
         self.length = max((line.end for line in self._lines), default=0.0) + script.pause
 
     def at(self, time: float) -> SceneState:
-        """Return what holds at a time [s since the scene began]."""
+        """Return the state at a time [s since the scene began]."""
         local = self._local(time)
         snapshot = self._chronicle.at(local)
         people = tuple(self._person(number, local) for number in range(len(self._lines)))
         return SceneState(time, people, _carried(snapshot.things, people), snapshot.open)
 
     def between(self, since: float, until: float) -> tuple[SceneEvent, ...]:
-        """Return what happened after ``since`` up to and with ``until`` [s], oldest first."""
+        """Return the events after ``since`` up to and including ``until`` [s], oldest first."""
         rounds = range(self._round(since), self._round(until) + 1) if self.script.loop else range(1)
         told = (
             replace(act, at=act.at + number * self.length)
@@ -100,7 +98,7 @@ def load_scene(name: str, folder: Path = Path()) -> Scene:
 
 
 def scene_from_tree(tree: Mapping[str, Any], source: str = "") -> Scene:
-    """Check a tree of plain values and return the scene; raises ConfigError for the first bad key."""
+    """Return the scene of a tree of plain values; raises ConfigError for the first bad key."""
     script = validated(SceneScript, tree, "scene", source)
     for key in ("people", "things", "devices"):
         names = [getattr(row, "id", getattr(row, "name", "")) for row in getattr(script, key)]
@@ -112,7 +110,7 @@ def scene_from_tree(tree: Mapping[str, Any], source: str = "") -> Scene:
 def _carried(
     things: Mapping[str, ThingState], people: tuple[PersonState, ...]
 ) -> Mapping[str, ThingState]:
-    """Return the things, those in somebody's hands where the hands are."""
+    """Return the things; those that are carried are at their carrier's hands."""
     hands = {person.name: _hand(person) for person in people}
     return {
         name: replace(thing, position=hands[thing.held_by]) if thing.held_by else thing

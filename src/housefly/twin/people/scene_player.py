@@ -1,4 +1,4 @@
-"""Plays a scene in the simulated room: moves the people's bodies, lets the visitor come and go."""
+"""Plays a scene in the simulated room: moves the people, brings and removes the visitor."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LOOK_DIVIDER = 40
 
 
 class ScenePlayer:
-    """One scene in one room.
+    """Plays one scene in one room.
 
     Attributes:
         poses: of the people's bodies, in the order of the script.
@@ -32,7 +32,7 @@ class ScenePlayer:
         self.play(0, 0.0)
 
     def play(self, tick: int, now: float) -> None:
-        """Show what holds at a time [s]; ``tick`` counts control periods."""
+        """Show the state at a time [s]; ``tick`` counts control periods."""
         if tick % _MOVE_DIVIDER:
             return
         people = self._scene.at(now).people
@@ -50,7 +50,7 @@ class ScenePlayer:
             self._visitor.update_visibility()
 
     def _show_visitor(self, present: bool) -> None:
-        """Let the visitor come or go when the script says so; between, somebody else may."""
+        """Move the visitor when the script changes; in between, others may."""
         if present is not self._was_present:
             self._was_present = present
             self._visitor.set_present(present)

@@ -1,6 +1,4 @@
-"""The file of a scene: people with what they do step by step, things, and the devices that notice.
-Lengths in metres.
-"""
+"""The file of a scene: people and their steps, things, and devices. Lengths in metres."""
 
 from __future__ import annotations
 
@@ -36,7 +34,7 @@ class Wait(Section):
 
 
 class Sit(Section):
-    """Sit down, and get up again where one stood before."""
+    """Sit down, then get up again in the place before."""
 
     do: Literal["sit"]
     at: _Point2
@@ -46,7 +44,7 @@ class Sit(Section):
 
 
 class Lie(Section):
-    """Lie down, and get up again where one stood before."""
+    """Lie down, then get up again in the place before."""
 
     do: Literal["lie"]
     at: _Point2
@@ -63,7 +61,7 @@ class Take(Section):
 
 
 class Put(Section):
-    """Put down a thing that one carries: into a device, or somewhere."""
+    """Put down a carried thing: into a device, or somewhere."""
 
     do: Literal["put"]
     thing: _Name
@@ -79,7 +77,7 @@ class Handle(Section):
 
 
 class Appear(Section):
-    """Come into being at a point."""
+    """Enter the room at a point."""
 
     do: Literal["appear"]
     at: _Point2
@@ -87,7 +85,7 @@ class Appear(Section):
 
 
 class Vanish(Section):
-    """Be gone."""
+    """Leave the room."""
 
     do: Literal["vanish"]
 
@@ -125,7 +123,7 @@ class ThingScript(Section):
 
 
 class DeviceScript(Section):
-    """One device and where it is; a device with doors is closed at first."""
+    """One device and its place; a device with doors starts closed."""
 
     kind: _DeviceKind
     id: _Name

@@ -1,4 +1,4 @@
-"""What holds at one time of a scene: people, things, open doors, and what just happened."""
+"""The state of a scene at one time: people, things, open doors; and its events."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from housefly.geometry import Vec2, Vec3
 
 
 class Posture(Enum):
-    """How a person is; somebody who is not there is AWAY."""
+    """How a person is; AWAY means out of the room."""
 
     STANDING = "standing"
     WALKING = "walking"
@@ -93,7 +93,7 @@ class SceneEvent:
 
 @dataclass(frozen=True, slots=True)
 class SceneState:
-    """All that holds at one time.
+    """The state at one time.
 
     Attributes:
         at: time since the scene began [s].

@@ -1,4 +1,4 @@
-"""A script worked out: when who is where, and when who does what; pure."""
+"""An evaluated script of one person: where they are when, and what they do when; pure."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class _Leg:
 
 
 class Timeline:
-    """Works out one person's steps.
+    """Evaluates one person's steps.
 
     Args:
         person: the script.

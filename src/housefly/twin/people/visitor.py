@@ -12,8 +12,9 @@ from housefly.twin.physics import Physics
 
 
 class Visitor:
-    """Presence and pose of the visitor; what the cameras see of them is worked out when they come
-    or go, or when asked.
+    """Presence and pose of the visitor.
+
+    Whether the cameras see them is computed when they come or go, and on ``update_visibility``.
     """
 
     def __init__(self, physics: Physics, cameras: MocapCameras) -> None:
@@ -38,7 +39,7 @@ class Visitor:
         self.update_visibility()
 
     def update_visibility(self) -> None:
-        """Work out anew whether the cameras see the visitor: somebody may stand between."""
+        """Compute again whether the cameras see the visitor; somebody may stand in between."""
         pose = self._physics.visitor_pose() if self._present else None
         visible = pose is not None and self._cameras.see(
             self._physics.visitor_markers(), self._physics.visitor_id, _ALL_BUT_THE_DRONE

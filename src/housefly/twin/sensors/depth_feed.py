@@ -1,4 +1,4 @@
-"""Sends the images of every depth camera of the site on the bus, as the driver of a real one does."""
+"""Sends the images of every depth camera of the site on the bus, as a real one's driver does."""
 
 from __future__ import annotations
 

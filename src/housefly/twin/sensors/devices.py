@@ -1,5 +1,6 @@
-"""The devices of a scene: what each would send over MQTT at any time. Pure; noise is drawn with the
-scene's seed.
+"""The devices of a scene: what each would send over MQTT at any time.
+
+Pure; noise is drawn with the scene's seed.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ class SimulatedDevices:
         self._heard_until = -1.0
 
     def messages(self, now: float, unix: float | None = None) -> tuple[DeviceMessage, ...]:
-        """Return what the devices send since the last call.
+        """Return what the devices have sent since the last call.
 
         Args:
             now: time since the scene began [s].
@@ -80,7 +81,7 @@ class SimulatedDevices:
         return tuple(message for message in sent if message is not None)
 
     def addresses(self) -> tuple[DeviceAddress, ...]:
-        """Return where the devices speak."""
+        """Return the addresses of the devices."""
         return tuple(self._address(sense.device) for sense in self._senses)
 
     def _address(self, device: DeviceScript) -> DeviceAddress:
@@ -102,7 +103,7 @@ class SimulatedDevices:
 
 
 class _Facts:
-    """What devices know of things and people besides where they are."""
+    """What devices know of things and people besides their place."""
 
     def __init__(self, script: SceneScript) -> None:
         self.devices: Mapping[str, DeviceScript] = {device.id: device for device in script.devices}
@@ -115,7 +116,7 @@ class _Facts:
 
 
 class _Device:
-    """One device: what it reads, and when it says so."""
+    """One device: what it reads, and when it reports."""
 
     def __init__(self, device: DeviceScript, rng: np.random.Generator) -> None:
         self.device = device
@@ -130,9 +131,7 @@ class _Device:
         self._last: _Values | None = None
 
     def due(self, state: SceneState, facts: _Facts) -> _Values | None:
-        """Return the state when it is time for one, or when it is another; None else. Noise alone
-        is no change.
-        """
+        """Return the state when it is due or has changed, else None; noise alone is no change."""
         true = self._read(self.device, state, facts)
         changed = true != self._last and self.device.kind != "floor"
         if state.at < self._next - 1e-9 and not changed:

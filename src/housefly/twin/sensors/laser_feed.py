@@ -1,6 +1,4 @@
-"""Serves every scanner of the site and feeds each with scans at its own rate; one that nobody
-listens to is not simulated.
-"""
+"""Serves the site's scanners and feeds them scans; one without a client is not simulated."""
 
 from __future__ import annotations
 
@@ -45,7 +43,7 @@ class LaserFeed:
             await server.stop()
 
     def publish(self) -> None:
-        """Take the scans that are due and hand them out."""
+        """Take the scans that are due and pass them on."""
         now = self._world.now
         for name, server in self._servers.items():
             if now >= self._due[name]:

@@ -1,5 +1,4 @@
-"""A simulated scanning range finder on its real wire: a SCIP server, as Hokuyo's URG-04LX and
-UST-10LX speak it.
+"""A simulated scanning range finder on its real wire: a SCIP server, as Hokuyo's sensors are.
 
 It measures only while its laser is on; MD turns it on, QT and RS turn it off. Facts and sources:
 docs/wires.md.
@@ -38,8 +37,7 @@ _BACKLOG = 64 * 1024
 
 
 class LaserServer:
-    """Serves one scanner to any number of clients; a slow client loses scans and never delays the
-    others.
+    """Serves one scanner to any number of clients; a slow client never delays the others.
 
     Attributes:
         lost: scans not sent, summed over clients that were too slow.
@@ -99,8 +97,11 @@ class LaserServer:
         self._server = None
 
     def publish(self, ranges: Sequence[int], stamp: int) -> None:
-        """Hand a scan [mm], taken at the sensor's time [ms], to every client that waits for one;
-        returns at once.
+        """Pass a scan to every client that waits for one; returns at once.
+
+        Args:
+            ranges: one per step [mm].
+            stamp: the sensor's time [ms].
         """
         self._ranges, self._stamp = tuple(ranges), stamp
         for client in self._clients:
@@ -200,7 +201,7 @@ class LaserServer:
 
 
 class _Client:
-    """One connection: what it asked for, and how much waits for it."""
+    """One connection, its request and its send queue."""
 
     def __init__(self, writer: asyncio.StreamWriter) -> None:
         self.wanted: MeasureRequest | None = None
@@ -212,9 +213,7 @@ class _Client:
         self.wanted, self._skipping = request, 0
 
     def next_scan(self) -> MeasureRequest | None:
-        """Return the request that this scan answers, with what is still to come, or None; and count
-        it off.
-        """
+        """Return the request that this scan answers, with the scans still to come, or None."""
         request = self.wanted
         if request is None:
             return None

@@ -1,6 +1,4 @@
-"""Sends what the simulated devices say to the site's MQTT broker, each over a connection of its own
-as real ones would.
-"""
+"""Publishes what the simulated devices send, each over its own connection to the MQTT broker."""
 
 from __future__ import annotations
 
@@ -57,7 +55,7 @@ class MqttPublisher:
         }
 
     async def run(self) -> None:
-        """Send for ever; ends only when cancelled."""
+        """Publish until cancelled."""
         async with asyncio.TaskGroup() as group:
             for address in self._queues:
                 group.create_task(self._publish_forever(address))

@@ -1,5 +1,4 @@
-"""The simulated scanning range finder: its beams are rays in the same model that the drone flies
-in.
+"""The simulated scanning range finder: its beams are rays in the drone's own MuJoCo model.
 
 It sees furniture, people, chairs and the drone, whatever its plane cuts. All beams of a scan are
 cast at one moment; a mirror needs three quarters of its turn for them.
@@ -10,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from housefly.config.laser import LaserConfig
-from housefly.config.site import TwinConfig
+from housefly.config.twin import TwinConfig
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
 from housefly.wires.scip.parameters import MODELS, NO_ECHO
@@ -48,9 +47,7 @@ class Scanner:
         self._reached = np.zeros(beams)
 
     def scan(self) -> tuple[int, ...]:
-        """Return one distance a beam [mm], with noise; the model's own word for "nothing" where
-        none comes back.
-        """
+        """Return one noisy distance per beam [mm]; the model's own code where nothing is hit."""
         parameters, beams = self._parameters, self._parameters.beams
         model, data = self._physics.model, self._physics.data
         far = parameters.longest / 1000.0

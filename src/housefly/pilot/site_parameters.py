@@ -1,8 +1,6 @@
-"""The numbers that the compiled step is given, one nested value for one site."""
+"""The parameters of the compiled step for one site."""
 
 from __future__ import annotations
-
-from typing import NamedTuple
 
 from housefly.config.control import ControlConfig
 from housefly.config.drone import DroneConfig
@@ -11,26 +9,7 @@ from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Tolerances
 from housefly.pilot.control.steering import Gains
 from housefly.pilot.estimation.estimator import EstimatorKind, EstimatorParameters, axis_model
 from housefly.pilot.safety.limits import CommandLimits
-
-
-class PilotParameters(NamedTuple):
-    """What the compiled step needs of a site.
-
-    Attributes:
-        is_paper: mode paper; else mode default.
-        estimator: kind, model and noises.
-        tolerances: of the acceptor.
-        gains: of the control laws.
-        limits: of the last gate.
-        speed: wanted along a path [m/s].
-    """
-
-    is_paper: bool
-    estimator: EstimatorParameters
-    tolerances: Tolerances
-    gains: Gains
-    limits: CommandLimits
-    speed: float
+from housefly.pilot.step import PilotParameters
 
 
 def pilot_parameters(

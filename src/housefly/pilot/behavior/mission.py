@@ -1,11 +1,14 @@
-"""What the drone was asked to do, and how far it has come with it."""
+"""The values of a mission: what was asked, how far it has come, what is tracked."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
 from housefly.geometry import Vec2, Vec3, heading_to
-from housefly.messages import OrderKind, Phase
+from housefly.messages.flight import OrderKind, Phase
+from housefly.messages.sensing import DroneStatus, Estimate
+from housefly.messages.steering import Path
+from housefly.pilot.behavior.path_profile import PathProfile
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,3 +93,57 @@ class MissionState:
         if not (self.cutting or self.resetting):
             return self
         return replace(self, cutting=False, resetting=False)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TrackingTask:
+    """A path to follow or a place to hold; a new object is a new task.
+
+    Attributes:
+        profile: of the path in use, None while holding a place.
+        path: the path in use or in prospect, for people.
+        duration: expected flight time on it [s].
+        hold: place to stay at [m], None to stay where the drone is.
+        hold_yaw: heading to keep there [rad].
+        waiting: why it waits for the way to become free, in words; "" when it does not.
+        since: since when it waits [s].
+    """
+
+    profile: PathProfile | None = None
+    path: Path | None = None
+    duration: float = 0.0
+    hold: Vec2 | None = None
+    hold_yaw: float = 0.0
+    waiting: str = ""
+    since: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class VehicleStatus:
+    """What the drone says, where it is, and whether the gate lands it.
+
+    Attributes:
+        now: time [s].
+        status: last reported by the drone.
+        battery: charge, 0 to 1.
+        telemetry_age: [s].
+        estimate: where it is, None before the first sighting.
+        landing_forced: the safety gate is landing the drone.
+    """
+
+    now: float
+    status: DroneStatus
+    battery: float
+    telemetry_age: float
+    estimate: Estimate | None
+    landing_forced: bool
+
+    @property
+    def place(self) -> Vec2 | None:
+        """Position in the plane [m]."""
+        return self.estimate.position[:2] if self.estimate else None
+
+    @property
+    def pose_age(self) -> float:
+        """Age of the pose [s]; infinite before the first."""
+        return self.estimate.pose_age if self.estimate else float("inf")
