@@ -4,7 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
-INSTALL := $(BIN)/pip install -q --disable-pip-version-check -c constraints.txt
+CODE := src tests benchmarks examples scripts
+PYTEST := $(BIN)/python -m pytest -q -n 2 --dist worksteal --durations=10 --durations-min=1
 
 .PHONY: help setup setup-dev demo test test-fast check format bench client clean
 
@@ -19,43 +20,33 @@ help:
 setup: $(VENV)/ready
 setup-dev: $(VENV)/ready-dev
 
-$(VENV)/bin/python:
-	$(PYTHON) -m venv $(VENV)
-
-$(VENV)/ready: pyproject.toml constraints.txt | $(VENV)/bin/python
-	@echo "installing Housefly (once, about a minute)"
-	@scripts/system-packages optional libosmesa6 mosquitto & packages=$$!; \
-	$(INSTALL) -e '.[twin,lab]' && wait $$packages
-	@$(BIN)/python -m housefly.app.warm_up
+$(VENV)/ready: pyproject.toml constraints.txt
+	@$(PYTHON) scripts/set-up run
 	@touch $@
 
-$(VENV)/ready-dev: pyproject.toml constraints.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json | $(VENV)/bin/python
-	@echo "installing Housefly and what its tests need (once, a few minutes)"
-	@scripts/system-packages required libosmesa6 chromium libatomic1 mosquitto postgresql & packages=$$!; \
-	$(INSTALL) -e '.[dev]' && npm ci --silent --no-audit --no-fund --prefix $(PEERS) && \
-	npm ci --silent --no-audit --no-fund --prefix $(CLIENT) && wait $$packages
-	@$(BIN)/python -m housefly.app.warm_up
+$(VENV)/ready-dev: pyproject.toml constraints.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json
+	@$(PYTHON) scripts/set-up dev
 	@touch $@ $(VENV)/ready
 
 demo: setup
 	@$(BIN)/housefly demo
 
 test: setup-dev
-	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not wire and not browser'
-	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'wire or browser'
+	$(PYTEST) -m 'not wire and not browser'
+	$(PYTEST) -m 'wire or browser'
 
 test-fast: setup-dev
-	$(BIN)/python -m pytest -q -n 2 --dist worksteal -m 'not wire and not browser and not slow'
+	$(PYTEST) -m 'not wire and not browser and not slow'
 
 check: setup-dev
-	$(BIN)/ruff format --check src tests benchmarks examples
-	$(BIN)/ruff check src tests benchmarks examples
+	$(BIN)/ruff format --check $(CODE)
+	$(BIN)/ruff check $(CODE)
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 
 format: setup-dev
-	$(BIN)/ruff format src tests benchmarks examples
-	$(BIN)/ruff check --fix src tests benchmarks examples
+	$(BIN)/ruff format $(CODE)
+	$(BIN)/ruff check --fix $(CODE)
 
 bench: setup-dev
 	$(BIN)/python benchmarks/run.py

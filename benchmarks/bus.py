@@ -214,7 +214,7 @@ def recorder() -> str:
     film = _film()
     with tempfile.TemporaryDirectory() as folder:
         log = FlightRecorder(FilePath(folder), site, room, build_grid(room, site))
-        log.step(step(0, time.monotonic()))
+        log.add_step(step(0, time.monotonic()))
         time.sleep(0.5)
         idle = _cpu_share(lambda number: None)
         busy = _cpu_share(lambda number: _feed(log, number, film))
@@ -262,11 +262,11 @@ def _film() -> list[tuple[bytes, bool]]:
 
 def _feed(log: FlightRecorder, number: int, film: list[tuple[bytes, bool]]) -> None:
     now = time.monotonic()
-    log.step(step(number + 1, now))
+    log.add_step(step(number + 1, now))
     if number % 10 in (0, 3, 6):
         shown = number // 10 * 3 + number % 10 // 3
         data, keyframe = film[shown % len(film)]
-        log.video(VideoFrame(data, keyframe, 640, 360, shown, now))
+        log.add_video(VideoFrame(data, keyframe, 640, 360, shown, now))
 
 
 def _cpu_share(work: Callable[[int], None]) -> float:

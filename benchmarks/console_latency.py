@@ -114,7 +114,7 @@ async def measure(
 
 
 async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[float]]]:
-    """Serve a console, fly the pretended pilot, and measure three ways to press."""
+    """Serve a console, fly the fake pilot, and measure three ways to press."""
     arrivals, bus = Arrivals(), LocalBus()
     with socket.socket() as listener:
         listener.bind((HOST, 0))

@@ -27,7 +27,7 @@ CPU_GOAL, START_GOAL_S = 1.2, 8.0
 def name_of(process: psutil.Process, state: Running) -> str:
     """Return which part of the demo a process is."""
     line = " ".join(process.cmdline())
-    for part in state.launcher.parts:
+    for part in state.launcher.processes:
         if process.pid == state.launcher.pid(part.name):
             return part.name
     return "camera" if "camera" in line else "other"
@@ -36,7 +36,7 @@ def name_of(process: psutil.Process, state: Running) -> str:
 def processes(state: Running) -> dict[str, psutil.Process]:
     """Return the demo's processes by name."""
     found = {}
-    for part in state.launcher.parts:
+    for part in state.launcher.processes:
         root = psutil.Process(state.launcher.pid(part.name))
         for process in (root, *root.children(recursive=True)):
             found[name_of(process, state)] = process

@@ -75,7 +75,7 @@ def processes(state: Running) -> dict[str, psutil.Process]:
     """Return pilot and hub."""
     return {
         part.name: psutil.Process(state.launcher.pid(part.name))
-        for part in state.launcher.parts
+        for part in state.launcher.processes
         if part.name in _MEASURED
     }
 

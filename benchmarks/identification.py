@@ -16,7 +16,7 @@ from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.lab.identification.box import find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
-from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
 from housefly.twin.ardrone.inner_loops import _RATE_POLE
@@ -95,7 +95,7 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     outcome = fly_identification_lockstep(believed, world, IdentificationFlight(box, maneuver, 500.0), steps.append)
     if outcome != "completed":
         return {}, outcome
-    found = identify(
+    found = fit_constants(
         samples_of(steps, tuple(maneuver.flown), "ardrone"), Limits(0.21, 0.7, 1.75), seed
     )
     lags = {

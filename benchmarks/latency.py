@@ -171,10 +171,13 @@ async def clicks_to_command(
             )
             await asyncio.sleep(0.4)
             stops.append(await bench.reaction(lambda s: s.hover, await pressed_at(page, "STOP")))
-        bus.publish(ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark"))
+        bus.publish(
+            ORDER_TOPIC, Order(OrderKind.RESUME, issued_at=time.monotonic(), sender="benchmark")
+        )
         for _ in range(LANDINGS):
             bus.publish(
-                ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC,
+                Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"),
             )
             await asyncio.sleep(4.0)
             bench.world.landings.clear()
@@ -194,14 +197,15 @@ async def measure() -> list[tuple[str, list[float]]]:
     living = asyncio.create_task(bench.live())
     with tempfile.TemporaryDirectory() as folder:
         runtime = new_runtime(site, Path(folder))
-        parts = tuple(part for part in processes_of(runtime) if part.name != "twin")
-        with Launcher(runtime, Path(folder), parts), ZenohBus(connect=runtime.bus) as bus:
+        processes = tuple(spec for spec in processes_of(runtime) if spec.name != "twin")
+        with Launcher(runtime, Path(folder), processes), ZenohBus(connect=runtime.bus) as bus:
             ready = Readiness(runtime.site(), bus, web=True, video=False)
             missing = await asyncio.to_thread(ready.wait, 60.0)
             if missing:
                 raise SystemExit(missing)
             bus.publish(
-                ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark")
+                ORDER_TOPIC,
+                Order(OrderKind.TAKE_OFF, issued_at=time.monotonic(), sender="benchmark"),
             )
             await asyncio.sleep(8.0)
             tracking = await tracking_to_command(bench)

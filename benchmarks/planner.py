@@ -12,7 +12,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra as scipy_dijkstra
 
-from housefly.config.site import changed, load_site
+from housefly.config.site import changed, site_from_file
 from housefly.pilot.planning.dijkstra import shortest_path
 from housefly.room.bsen import bsen
 from housefly.room.grid import Cell, build_grid
@@ -27,7 +27,7 @@ Query = tuple[tuple[int, int], tuple[int, int]]
 
 
 def paper_grid() -> Free:
-    site = changed(load_site(ROOT / "src" / "housefly" / "sites" / "bsen.toml"), mode="paper")
+    site = changed(site_from_file(ROOT / "src" / "housefly" / "sites" / "bsen.toml"), mode="paper")
     return build_grid(bsen(), site).cells == Cell.FREE
 
 

@@ -28,14 +28,13 @@ HOUR, DAY = 3600.0, 86_400.0
 FULL_RATE, THIN_RATE = 100.0, 10.0
 READER = """
 import sys, time
-from housefly.hub.store.history import where_was
 from housefly.hub.store.open import open_store
 store = open_store(sys.argv[1])
 end = time.monotonic() + float(sys.argv[2])
 while time.monotonic() < end:
     begin = time.perf_counter()
-    found = where_was(store, "thing-7", time.time())
-    print(1e3 * (time.perf_counter() - begin), found.position is not None)
+    found = store.latest_at(time.time(), "thing-7")
+    print(1e3 * (time.perf_counter() - begin), bool(found))
     time.sleep(0.005)
 """
 
@@ -127,7 +126,7 @@ def writing(folder: Path) -> list[list[object]]:
         ],
         ["size of a row in the file", f"{size:.0f} B", ""],
         [
-            f"where is X, fused, from another process meanwhile ({len(asked)} questions): p50",
+            f"where is X, from another process meanwhile ({len(asked)} questions): p50",
             f"{percentile(asked, 0.5):.2f} ms",
             "",
         ],

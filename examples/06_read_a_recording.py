@@ -22,7 +22,7 @@ with tempfile.TemporaryDirectory() as folder:
     loaded = open_site(read_site("bsen"))
     recorder = FlightRecorder(Path(folder), loaded.site, loaded.room, loaded.grid)
     outcome = fly_lockstep(
-        loaded, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.step
+        loaded, Order(OrderKind.SERVICE, place="sofa", look_s=1.0), recorder.add_step
     )
     flight = recorder.finish(outcome)
     print(

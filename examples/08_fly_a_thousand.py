@@ -16,7 +16,7 @@ import pyarrow.parquet as pq
 from housefly.app.loaded_site import read_site
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import plan_campaign
-from housefly.lab.campaigns.runner import LocalFleet, run_campaign
+from housefly.lab.campaigns.runner import LocalFleet, fly_chunks
 from housefly.lab.campaigns.spec import load_spec
 from housefly.lab.campaigns.summary import summarize_campaign, value_text
 
@@ -25,7 +25,7 @@ plan = plan_campaign(spec, read_site(spec.site))
 print(f"{spec.points} points x {spec.seeds} seeds = {plan.drones} drones")
 
 with tempfile.TemporaryDirectory() as out, CampaignFolder(Path(out), plan) as folder:
-    run_campaign(plan, folder.missing(), folder, LocalFleet())
+    fly_chunks(plan, folder.missing(), folder, LocalFleet())
     results = folder.finish()
     table = pq.read_table(results)
     slowest = pc.max(table["arrival_time"]).as_py()

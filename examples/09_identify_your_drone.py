@@ -11,7 +11,7 @@ from housefly.app.loaded_site import open_site, read_site
 from housefly.lab.identification.box import find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
-from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.messages import PilotStep
 from housefly.twin.world import SimulatedWorld
@@ -43,7 +43,7 @@ print(
 
 limits = believed.site.limits
 bounds = Limits(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
-found = identify(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), bounds)
+found = fit_constants(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), bounds)
 for key, interval in found.constants.items():
     was, true = getattr(believed.site.drone, key), getattr(real.site.drone, key)
     print(

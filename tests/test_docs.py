@@ -97,7 +97,7 @@ def names_in(path: Path) -> frozenset[str]:
 
 
 def file_of(reference: str) -> Path | None:
-    """Return the file that a reference means: from the root, from src/housefly, tests or examples."""
+    """Return the file of a reference, relative to the root, src/housefly, tests or examples."""
     folders = (ROOT, ROOT / "src" / "housefly", ROOT / "tests", ROOT / "examples")
     return next((folder / reference for folder in folders if (folder / reference).is_file()), None)
 

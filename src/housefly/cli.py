@@ -39,7 +39,7 @@ _COMMANDS = (
     DOCTOR_COMMAND,
 )
 
-_EPILOG = """examples:
+EPILOG = """examples:
   housefly demo                            fly the simulated room, with a console in the browser
   housefly fly entrance --headless         fly the whole service over real wires, \
 record it, write a report
@@ -55,7 +55,7 @@ def build_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="housefly",
         description="A room that knows where everything is flies a small drone on errands.",
-        epilog=_EPILOG,
+        epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)

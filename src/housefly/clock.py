@@ -27,7 +27,7 @@ class RealClock:
 
 
 class SteppedClock:
-    """A clock that moves only when told; makes flights reproducible."""
+    """A clock that only ``advance`` moves; it makes flights reproducible."""
 
     def __init__(self, start: float = 0.0) -> None:
         self._now = start
@@ -47,7 +47,7 @@ class SteppedClock:
 class Rate:
     """Keeps an asyncio loop on a fixed period without accumulating drift.
 
-    After a stall it does not hurry to catch up: missed ticks are counted and skipped.
+    After a stall it does not catch up: missed ticks are counted and skipped.
     """
 
     def __init__(self, frequency_hz: float, clock: Clock | None = None) -> None:

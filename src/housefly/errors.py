@@ -1,15 +1,16 @@
 """Every error that Housefly raises on purpose.
 
 HouseflyError
-├── ConfigError        a site file, room file or option has a bad value; names the key and the
-allowed range ├── RoomError          a room or map cannot be read or makes no sense ├── EditsError
-changes to the room cannot be applied or saved; says which item, what is allowed, and the way out │
-└── StaleEdits     somebody else saved in between ├── WireError          bytes from outside are not
-what the protocol says ├── LinkError          a drone, tracking system or bus peer does not answer
-├── RecordingError     a recording cannot be read or written ├── ThingError         a thing is not
-known, its name is not unique, or it cannot be where somebody says it is ├── StoreError         the
-room's memory cannot be opened, read or written; says why in a few words └── MissingPartError   an
-optional part (extra, system library, renderer) is not installed
+├── ConfigError        a configured value is wrong; names the key and the allowed range
+├── RoomError          a room or map cannot be read or makes no sense
+├── EditsError         changes to the room are refused; names the item and what is allowed
+│   └── StaleEdits     somebody else saved in between
+├── WireError          received bytes do not follow the protocol
+├── LinkError          a drone, tracking system or bus peer does not answer
+├── RecordingError     a recording cannot be read or written
+├── ThingError         a thing is not known, is ambiguous, or cannot be where somebody puts it
+├── StoreError         the room's memory cannot be opened, read or written
+└── MissingPartError   an optional part (extra, system library, renderer) is not installed
 """
 
 from __future__ import annotations

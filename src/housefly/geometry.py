@@ -24,9 +24,7 @@ def wrap_angle(angle: float) -> float:
 
 
 def quaternion_from_euler(phi: float, theta: float, psi: float) -> Quaternion:
-    """Return the rotation Rz(psi) Ry(theta) Rx(phi), paper eq. (3) with roll phi and pitch theta
-    [rad].
-    """
+    """Return the rotation Rz(psi) Ry(theta) Rx(phi) of paper eq. (3), angles in radians."""
     cr, sr = cos(phi / 2), sin(phi / 2)
     cp, sp = cos(theta / 2), sin(theta / 2)
     cy, sy = cos(psi / 2), sin(psi / 2)

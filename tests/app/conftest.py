@@ -55,7 +55,8 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
         tracking: str = "vicon",
     ) -> Path:
         number = next(numbers)
-        address = f"127.{1 + getpid() % 250}.{getpid() // 250 % 250}.{200 + (abs(hash(request.node.nodeid)) + number) % 50}"
+        last = 200 + (abs(hash(request.node.nodeid)) + number) % 50
+        address = f"127.{1 + getpid() % 250}.{getpid() // 250 % 250}.{last}"
         file = tmp_path / f"site{number}.toml"
         flag = "true" if video else "false"
         text = SITE.format(

@@ -1,6 +1,4 @@
-"""A simulated person puts the cup into the cabinet; the console's ROOM screen says so, and where it
-was before.
-"""
+"""A simulated person puts the cup into the cabinet, and the ROOM screen shows it."""
 
 from __future__ import annotations
 

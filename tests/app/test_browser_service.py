@@ -1,6 +1,4 @@
-"""A person's whole service, by clicks in real Chromium, on the real processes; and what happens
-when processes die meanwhile.
-"""
+"""A whole service by clicks in Chromium, on real processes, some of which die in between."""
 
 import os
 import re

@@ -41,9 +41,7 @@ ALONG_X = (0.5, -0.5, 0.5, -0.5)
 
 
 def board(at: float, seed: int = 0) -> DepthImage:
-    """An image of an upright board, 0.6 m wide, two metres before a camera that measures nothing
-    else.
-    """
+    """Return an image of an upright board only, 0.6 m wide, two metres before the camera."""
     metres = np.zeros((120, 160))
     metres[30:100, 60:100] = 2.0 + np.random.default_rng(seed).normal(0.0, 0.005, (70, 40))
     data = (1000.0 * metres).astype("<u2").tobytes()
@@ -115,7 +113,7 @@ def test_a_site_without_depth_cameras_listens_to_none() -> None:
 
 
 def test_perception_runs_where_there_are_depth_cameras(tmp_path: Path) -> None:
-    assert "perception" in [part.name for part in processes_of(new_runtime(site(), tmp_path))]
+    assert "perception" in [spec.name for spec in processes_of(new_runtime(site(), tmp_path))]
 
 
 def test_two_depth_cameras_with_one_name_are_refused() -> None:

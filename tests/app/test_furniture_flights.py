@@ -1,6 +1,4 @@
-"""Whole flights in the simulated B-sen: only tracking sees a chair in the way, or the room's own
-shelf carried elsewhere.
-"""
+"""Whole flights in the simulated B-sen around furniture that only tracking sees."""
 
 from __future__ import annotations
 

@@ -24,13 +24,19 @@ def steady_after(seen: list[bool], body: str = "ardrone") -> list[bool]:
 def test_it_is_steady_after_a_second_without_a_gap_at_100_and_at_10_hz() -> None:
     for every in (1, 10):
         found = steady_after([number % every == 0 for number in range(200)])
-        assert not any(found[: int(100 * STEADY_TIME) - 1]) and all(found[int(100 * STEADY_TIME) + 10 :])
+        assert not any(found[: int(100 * STEADY_TIME) - 1]) and all(
+            found[int(100 * STEADY_TIME) + 10 :]
+        )
 
 
 def test_after_a_gap_the_second_begins_anew() -> None:
     gap = int(100 * LONGEST_GAP) + 5
     found = steady_after([True] * 150 + [False] * gap + [True] * 150)
-    assert found[149] and not any(found[150 + int(100 * LONGEST_GAP) + 2 : 150 + gap + 95]) and found[-1]
+    assert (
+        found[149]
+        and not any(found[150 + int(100 * LONGEST_GAP) + 2 : 150 + gap + 95])
+        and found[-1]
+    )
 
 
 def test_other_bodies_do_not_count_and_silence_is_not_steady() -> None:

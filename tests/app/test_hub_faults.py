@@ -1,6 +1,4 @@
-"""What befalls the room's memory in mid-flight never reaches the pilot, and nothing that was kept
-is lost.
-"""
+"""Faults of the room's memory in mid-flight never reach the pilot, and lose nothing kept."""
 
 from __future__ import annotations
 
@@ -26,7 +24,7 @@ from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.stop import StopSender
 from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.site import changed, load_site
+from housefly.config.site import changed, site_from_file
 from housefly.errors import LinkError
 from housefly.geometry import Vec3, distance
 from housefly.hub.api.json import answer_from_json, question_to_json
@@ -44,9 +42,7 @@ PLACE = "tv"
 
 @dataclass
 class Flight:
-    """One run, who sits on its bus, and what was heard of the drone: Unix time of capture [s] and
-    place [m].
-    """
+    """One run, its bus, and the drone's track: Unix time of capture [s] and place [m]."""
 
     runtime: Runtime
     launcher: Launcher
@@ -109,9 +105,7 @@ def until(holds: Callable[[], bool], timeout: float) -> bool:
 
 
 def is_kept(rows: tuple[tuple[float, float, float, float], ...], at: float, place: Vec3) -> bool:
-    """Tell whether the last row at or before a time, or just after it, has the place; what stands
-    still is kept once.
-    """
+    """Return whether the row at a time has the place; what stands still is kept only once."""
     last = bisect_right(rows, at + 1e-3, key=lambda row: row[0])
     return last > 0 and distance(rows[last - 1][1:], place) <= STILL_DISTANCE
 
@@ -125,10 +119,8 @@ def share_kept(flight: Flight, since: float, until: float) -> float:
 
 @contextmanager
 def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
-    """Run a site without a console, wait until the memory sees the drone, send it on its way; the
-    block begins in mid-flight.
-    """
-    site = changed(load_site(site_file), hub__store=str(folder / "room.db"))
+    """Run a site without a console and send the drone off; the block begins in mid-flight."""
+    site = changed(site_from_file(site_file), hub__store=str(folder / "room.db"))
     home = load_room(site.room.model).home
     runtime = new_runtime(site, folder)
     with (
@@ -145,7 +137,7 @@ def flying(site_file: Path, folder: Path) -> Iterator[Flight]:
         yield flight
 
 
-def test_a_hub_killed_in_mid_flight_comes_back_knows_all_but_the_last_second_and_the_flight_completes(
+def test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_completes(
     tmp_path: Path, write_site: Any
 ) -> None:
     with flying(write_site(), tmp_path) as flight:

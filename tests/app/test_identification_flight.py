@@ -1,6 +1,4 @@
-"""``housefly identify``: whole flights with hidden constants, refits, refusals, faults in the
-middle of a step.
-"""
+"""``housefly identify``: whole flights with hidden constants, refits, refusals and faults."""
 
 from __future__ import annotations
 
@@ -16,18 +14,19 @@ from housefly.app.identification_flight import IdentificationFlight, fly_identif
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
 from housefly.cli import main
 from housefly.config.profile import load_profile
-from housefly.config.site import load_site
+from housefly.config.site import site_from_file
 from housefly.errors import ConfigError
 from housefly.lab.identification.box import Box, find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
-from housefly.lab.identification.result import Limits, identify
+from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
-from housefly.messages import Action, DroneStatus, PilotStep, SafetyMode
+from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode
 from housefly.pilot.safety.gate import Gate, GateVerdict
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
+IDENTIFY = [sys.executable, "-m", "housefly.cli", "identify"]
 
 
 def flight(
@@ -37,7 +36,10 @@ def flight(
     box = find_box(believed.grid, believed.room.home, 0.62, believed.site.map.flight_height)
     maneuver, steps = IdentificationManeuver(plan, box), []
     outcome = fly_identification_lockstep(
-        believed, SimulatedWorld(real.site, real.room), IdentificationFlight(box, maneuver, 400.0), steps.append
+        believed,
+        SimulatedWorld(real.site, real.room),
+        IdentificationFlight(box, maneuver, 400.0),
+        steps.append,
     )
     return outcome, steps, maneuver, box
 
@@ -50,7 +52,10 @@ def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first()
     maneuver = IdentificationManeuver(blocks(4, loaded.site.limits.tilt_max)[:2], box)
     world, steps = SimulatedWorld(loaded.site, loaded.room), []
     assert (
-        fly_identification_lockstep(loaded, world, IdentificationFlight(box, maneuver, 60.0), steps.append) == "completed"
+        fly_identification_lockstep(
+            loaded, world, IdentificationFlight(box, maneuver, 60.0), steps.append
+        )
+        == "completed"
     )
     assert maneuver.done == 2
 
@@ -74,10 +79,14 @@ def test_the_hidden_constants_of_a_simulated_drone_are_found(seed: int) -> None:
     )
     outcome, steps, maneuver, box = flight(believed, real)
     assert outcome == "completed"
-    inside = [box.holds(step.outputs.estimate.position) for step in steps for own in maneuver.flown[:1]
-              if step.outputs.estimate and step.now > own.began and step.outputs.phase.value == "holding"]  # fmt: skip
+    began = maneuver.flown[0].began
+    inside = [
+        box.holds(step.outputs.estimate.position)
+        for step in steps
+        if step.outputs.estimate and step.now > began and step.outputs.phase is Phase.HOLDING
+    ]
     assert all(inside) and len(inside) > 1000
-    found = identify(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), LIMITS)
+    found = fit_constants(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), LIMITS)
     assert not found.problems
     truth = {"attitude_lag": 5.0 + seed, "attitude_gain": 0.9, "drag": 0.4, "climb_lag": 2.0}
     for key, value in truth.items():
@@ -103,7 +112,7 @@ def test_the_command_writes_a_profile_that_a_site_and_the_advisor_read(
     assert load_profile(out / "drone.toml") == constants
     site = tmp_path / "lab.toml"
     site.write_text('[drone]\nprofile = "flown/drone.toml"\ndrag = 0.3\n')
-    drone = load_site(site).drone
+    drone = site_from_file(site).drone
     assert (drone.attitude_lag, drone.drag) == (constants["attitude_lag"], 0.3)
     assert main(["gains", "--profile", str(out / "drone.toml")]) == 0
     assert f"lambda {constants['attitude_lag']:.3g} 1/s" in capsys.readouterr().out
@@ -138,7 +147,7 @@ def broken_flight(
     maneuver, steps = IdentificationManeuver(plan, box), []
     flight = IdentificationFlight(box, maneuver, 120.0)
     blind = {"since": None}
-    sightings, after = LockstepRoom.sightings, IdentificationFlight.after
+    sightings, next_order = LockstepRoom.sightings, IdentificationFlight.next_order
 
     def in_a_step(now: float) -> bool:
         return bool(maneuver.flown) and 0.3 < now - maneuver.flown[0].began < 1.3
@@ -148,7 +157,7 @@ def broken_flight(
         return () if fault == "mocap" and in_a_step(room.now) else seen
 
     def stopped(self: IdentificationFlight, step: PilotStep) -> Order | None:
-        order = after(self, step)
+        order = next_order(self, step)
         if fault == "stop" and in_a_step(step.now) and blind["since"] is None:
             blind["since"] = step.now
             return Order(OrderKind.STOP, issued_at=step.now)
@@ -158,7 +167,7 @@ def broken_flight(
         return order
 
     monkeypatch.setattr(LockstepRoom, "sightings", unseen)
-    monkeypatch.setattr(IdentificationFlight, "after", stopped)
+    monkeypatch.setattr(IdentificationFlight, "next_order", stopped)
     outcome = fly_identification_lockstep(
         loaded, SimulatedWorld(loaded.site, loaded.room), flight, steps.append
     )
@@ -171,7 +180,10 @@ def test_what_a_maneuver_asks_goes_through_the_last_gate(monkeypatch: pytest.Mon
         "housefly.lab.identification.pattern.Block.asked", lambda self, elapsed: 3.0
     )
     biggest: list[float] = []
-    for judge in (Gate.judge, lambda self, command, facts: GateVerdict(command, SafetyMode.NOMINAL)):
+    for judge in (
+        Gate.judge,
+        lambda self, command, facts: GateVerdict(command, SafetyMode.NOMINAL),
+    ):
         monkeypatch.setattr(Gate, "judge", judge)
         _, steps, _, _ = flight(loaded, loaded, repeats=1)
         flown = [
@@ -225,9 +237,12 @@ def test_a_bad_profile_is_named(text: str, words: str, tmp_path: Path) -> None:
 def test_it_flies_over_real_wires(tmp_path: Path, write_site: Callable[..., Path]) -> None:
     site = write_site(rate=30.0)
     done = subprocess.run(
-        [sys.executable, "-m", "housefly.cli", "identify", "--site", str(site), "--out", str(tmp_path / "o"), "--repeats", "4"],
-        capture_output=True, text=True, timeout=230, check=False,
-    )  # fmt: skip
+        [*IDENTIFY, "--site", str(site), "--out", str(tmp_path / "o"), "--repeats", "4"],
+        capture_output=True,
+        text=True,
+        timeout=230,
+        check=False,
+    )
     assert "given up" not in done.stdout, done.stdout + done.stderr
     assert done.returncode == 0 or "is known only to" in done.stdout, done.stdout + done.stderr
     assert "attitude_lag" in done.stdout
@@ -238,9 +253,11 @@ def test_it_flies_over_real_wires(tmp_path: Path, write_site: Callable[..., Path
 def test_ctrl_c_lands_the_drone(tmp_path: Path, write_site: Callable[..., Path]) -> None:
     out = tmp_path / "o"
     process = subprocess.Popen(
-        [sys.executable, "-m", "housefly.cli", "identify", "--site", str(write_site()), "--out", str(out)],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-    )  # fmt: skip
+        [*IDENTIFY, "--site", str(write_site()), "--out", str(out)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
     try:
         process.wait(12.0)
     except subprocess.TimeoutExpired:

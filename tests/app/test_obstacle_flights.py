@@ -1,6 +1,4 @@
-"""Whole flights in the simulated B-sen: a chair is put in the way, two scanners see it, perception
-tells the pilot.
-"""
+"""Whole flights in the simulated B-sen around a chair that two scanners see."""
 
 from __future__ import annotations
 
@@ -85,9 +83,7 @@ def fly() -> Fly:
             story.events.extend(step.outputs.events)
 
         loaded = open_site(site)
-        story.outcome = fly_lockstep(
-            loaded, SERVICE, on_step, give_up_after, (chair,), story.world
-        )
+        story.outcome = fly_lockstep(loaded, SERVICE, on_step, give_up_after, (chair,), story.world)
         return story
 
     return make

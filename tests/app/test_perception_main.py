@@ -1,4 +1,4 @@
-"""From the simulated scanner's socket to the pilot's inputs: feed, client, perception, bus, intake."""
+"""From the simulated scanner's socket to the pilot's inputs: feed, client, perception, bus."""
 
 from __future__ import annotations
 
@@ -69,7 +69,10 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
             world.advance(0.025)
             feed.publish()
 
-    tasks = [asyncio.create_task(turn()), asyncio.create_task(PerceptionProcess(here, bus, RealClock()).run())]
+    tasks = [
+        asyncio.create_task(turn()),
+        asyncio.create_task(PerceptionProcess(here, bus, RealClock()).run()),
+    ]
     try:
         await asyncio.sleep(0.5)
         assert not heard
@@ -135,9 +138,9 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
 
 def test_perception_runs_where_there_are_scanners_and_only_there(tmp_path: Path) -> None:
     with_scanner = new_runtime(loaded().site, tmp_path)
-    assert "perception" in [part.name for part in processes_of(with_scanner)]
+    assert "perception" in [spec.name for spec in processes_of(with_scanner)]
     without = new_runtime(read_site("bsen"), tmp_path)
-    assert "perception" not in [part.name for part in processes_of(without)]
+    assert "perception" not in [spec.name for spec in processes_of(without)]
 
 
 def test_scanners_are_served_on_loopback_only() -> None:
@@ -166,7 +169,7 @@ def test_a_flight_with_obstacles_is_recorded_and_replays_bit_for_bit(tmp_path: P
             world.put("chair", (6.8, 2.8))
 
     fly_lockstep(
-        here, Order(OrderKind.GO, "entrance"), recorder.step, 30.0, (Movable("chair"),), put
+        here, Order(OrderKind.GO, "entrance"), recorder.add_step, 30.0, (Movable("chair"),), put
     )
     recorder.finish("completed")
     assert not recorder.problems

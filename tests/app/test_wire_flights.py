@@ -42,9 +42,7 @@ def summary_of(out: Path) -> dict[str, Any]:
 
 
 def stalled(out: Path) -> float:
-    """Return how long the simulated drone stood still because the machine gave it no processor [s],
-    as the twin says itself.
-    """
+    """Return how long the twin stood still for want of processor time [s], by its own log."""
     found = re.findall(r"([0-9.]+) s lost to stalls", (out / "logs" / "twin.log").read_text())
     return float(found[-1]) if found else 0.0
 
@@ -52,9 +50,7 @@ def stalled(out: Path) -> float:
 def assert_flown(
     flight: subprocess.Popen[str], again: Callable[[], subprocess.Popen[str]], out: Path
 ) -> None:
-    """Wait for a flight to succeed; one whose drone stood still for longer than the pilot may
-    accept is flown once more.
-    """
+    """Wait for a flight to succeed; one with a stalled twin is flown once more."""
     output = flight.communicate(timeout=300)[0]
     if flight.returncode != 0 and stalled(out) > 0.5:
         flight = again()

@@ -34,19 +34,22 @@ pytestmark = pytest.mark.wire
 
 CHILD = """
 import json, os, sys, time
-from housefly.bus.topics import LINK, ORDER, VIDEO
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import LinkStatus, Order, OrderKind
 
 options = json.loads(sys.argv[1])
 name = options.pop("name")
 bus = ZenohBus(**options)
-bus.subscribe(ORDER, lambda order: bus.publish(LINK, LinkStatus(order.issued_at, notes=(name, order.place))))
-bus.subscribe(VIDEO, lambda picture: None)
+def answer(order):
+    bus.publish(LINK_TOPIC, LinkStatus(order.issued_at, notes=(name, order.place)))
+
+bus.subscribe(ORDER_TOPIC, answer)
+bus.subscribe(VIDEO_TOPIC, lambda picture: None)
 bus.answer("who/" + name, lambda text: f"{name} {text} {os.getpid()}")
 print("ready", flush=True)
 for line in sys.stdin:
-    bus.publish(ORDER, Order(OrderKind.GO, line.strip(), sender=name))
+    bus.publish(ORDER_TOPIC, Order(OrderKind.GO, line.strip(), sender=name))
 """
 
 

@@ -1,6 +1,4 @@
-"""The part of a site file about devices: ranges told in words, and nothing on MQTT unless asked
-for.
-"""
+"""The part of a site file about devices: ranges, and no MQTT by default."""
 
 from __future__ import annotations
 

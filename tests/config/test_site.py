@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.section import Section
-from housefly.config.site import Site, changed, load_site, site_from_tree
+from housefly.config.site import Site, changed, site_from_file, site_from_tree
 from housefly.errors import ConfigError
 
 NUMBERS = [
@@ -25,7 +25,7 @@ NUMBERS = [
 def test_an_empty_file_is_a_valid_site(tmp_path: Path) -> None:
     file = tmp_path / "site.toml"
     file.write_text("")
-    assert load_site(file) == Site()
+    assert site_from_file(file) == Site()
 
 
 @pytest.mark.parametrize(("section", "key", "low", "high"), NUMBERS)
@@ -127,12 +127,12 @@ def test_a_broken_file_is_refused_and_named(tmp_path: Path, text: str) -> None:
     file = tmp_path / "broken.toml"
     file.write_text(text)
     with pytest.raises(ConfigError, match=r"broken\.toml"):
-        load_site(file)
+        site_from_file(file)
 
 
 def test_a_missing_file_is_a_clear_error(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match="cannot be read"):
-        load_site(tmp_path / "nowhere.toml")
+        site_from_file(tmp_path / "nowhere.toml")
 
 
 @given(st.integers(0, 2**31 - 1))
@@ -146,4 +146,4 @@ def test_a_site_survives_the_way_through_json(tmp_path: Path) -> None:
     file = tmp_path / "site.json"
     site = changed(Site(), name="lab", twin__mocap_rate_hz=30.0)
     file.write_text(site.model_dump_json())
-    assert load_site(file) == site
+    assert site_from_file(file) == site

@@ -1,4 +1,5 @@
-// npm ar-drone flies up, forward, around and down, and prints what it saw as one line of JSON: node fly.js ADDRESS
+// npm ar-drone flies up, forward, around and down, and prints what it saw as one line of JSON.
+// Usage: node fly.js ADDRESS
 const arDrone = require('ar-drone');
 
 const client = arDrone.createClient({ ip: process.argv[2] });

@@ -1,9 +1,12 @@
-// npm ardrone-autonomy closes its own position loop over navdata: node mission.js ADDRESS
+// npm ardrone-autonomy closes its own position loop over navdata.
+// Usage: node mission.js ADDRESS
 const autonomy = require('ardrone-autonomy');
 
 const mission = autonomy.createMission({ ip: process.argv[2] });
 const reached = [];
-const note = (name) => mission.taskSync(() => reached.push([name, { ...mission.control().state() }]));
+const note = (name) => mission.taskSync(() => {
+  reached.push([name, { ...mission.control().state() }]);
+});
 
 mission.takeoff().zero();
 note('takeoff');

@@ -1,4 +1,5 @@
-// npm ar-drone's parser as an oracle: reads packets in hexadecimal, one a line, prints what it understood, one JSON a line.
+// npm ar-drone's parser as an oracle: reads packets in hexadecimal, one a line, and prints what it
+// understood, one JSON object a line.
 const parseNavdata = require('ar-drone/lib/navdata/parseNavdata');
 
 require('readline').createInterface({ input: process.stdin }).on('line', (line) => {

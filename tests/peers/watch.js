@@ -1,4 +1,5 @@
-// npm ar-drone stays on the ground, changes a setting and watches forty pictures: node watch.js ADDRESS
+// npm ar-drone stays on the ground, changes a setting and watches forty pictures.
+// Usage: node watch.js ADDRESS
 const arDrone = require('ar-drone');
 const PaVEParser = require('ar-drone/lib/video/PaVEParser');
 
@@ -12,7 +13,8 @@ client.config('control:altitude_max', '2500', (error) => { seen.config = String(
 const parser = new PaVEParser();
 parser.on('error', (error) => seen.errors.push(String(error)));
 parser.on('data', (frame) => {
-  seen.frames.push([frame.frame_number, frame.display_width, frame.display_height, frame.header_size]);
+  const { frame_number, display_width, display_height, header_size } = frame;
+  seen.frames.push([frame_number, display_width, display_height, header_size]);
   if (frame.frame_type === 1) seen.keyFrames += 1;
   if (seen.frames.length === 40) {
     console.log(JSON.stringify(seen));

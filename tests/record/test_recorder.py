@@ -21,7 +21,7 @@ import pytest
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
-from housefly.config.site import Site, load_site
+from housefly.config.site import Site, site_from_file
 from housefly.errors import RecordingError
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record.recorder import FlightRecorder
@@ -43,10 +43,10 @@ def recording(
     out = tmp_path_factory.mktemp("flight") / "made" / "by the recorder"
     recorder = FlightRecorder(out, site, room, grid)
     for step in flight:
-        recorder.step(step)
+        recorder.add_step(step)
     for picture in pictures:
-        recorder.video(picture)
-    recorder.link(LinkStatus(101.0, tracking_connected=True, tracking_rate_hz=50.0))
+        recorder.add_video(picture)
+    recorder.add_link(LinkStatus(101.0, tracking_connected=True, tracking_rate_hz=50.0))
     return out, recorder.finish("completed")
 
 
@@ -144,7 +144,7 @@ def test_the_film_plays_with_every_picture_at_its_time(
 
 
 def test_the_site_is_kept_as_it_was_flown(recording: tuple[Path, Summary], site: Site) -> None:
-    assert load_site(recording[0] / "site.json") == site
+    assert site_from_file(recording[0] / "site.json") == site
 
 
 def test_finishing_twice_gives_the_same_summary_and_later_messages_are_ignored(
@@ -152,7 +152,7 @@ def test_finishing_twice_gives_the_same_summary_and_later_messages_are_ignored(
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
     first = recorder.finish("nothing flown")
-    recorder.step(flight[0])
+    recorder.add_step(flight[0])
     assert recorder.finish("something else") is first
     assert (first.outcome, first.duration_s, first.rms_error_m, first.steps) == (
         "nothing flown",
@@ -173,8 +173,8 @@ def test_many_threads_may_record_at_once(
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
     threads = [
-        threading.Thread(target=lambda: [recorder.step(step) for step in flight]),
-        threading.Thread(target=lambda: [recorder.video(picture) for picture in pictures]),
+        threading.Thread(target=lambda: [recorder.add_step(step) for step in flight]),
+        threading.Thread(target=lambda: [recorder.add_video(picture) for picture in pictures]),
     ]
     for thread in threads:
         thread.start()
@@ -204,9 +204,9 @@ def test_a_disk_that_fills_up_in_flight_is_reported_and_not_raised(
     recorder = FlightRecorder(tmp_path, site, room, grid)
     small_disk(60_000)
     for step in flight:
-        recorder.step(step)
+        recorder.add_step(step)
     for picture in pictures:
-        recorder.video(picture)
+        recorder.add_video(picture)
     summary = recorder.finish("completed")
     assert (summary.outcome, summary.video_frames) == ("completed", len(pictures))
     assert any("flight.mcap is incomplete" in problem for problem in summary.problems)
@@ -238,9 +238,9 @@ def test_a_step_that_cannot_be_encoded_is_left_out_and_told(
     tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
-    recorder.step(flight[0])
-    recorder.step(replace(flight[1], sequence=2**70))
-    recorder.step(flight[2])
+    recorder.add_step(flight[0])
+    recorder.add_step(replace(flight[1], sequence=2**70))
+    recorder.add_step(flight[2])
     summary = recorder.finish("completed")
     assert [step.sequence for step in read_steps(tmp_path)] == [0, 2]
     assert (summary.steps, summary.missing_steps) == (2, 1)
@@ -252,9 +252,9 @@ def test_pictures_before_the_first_key_frame_and_of_another_size_are_left_out_of
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
     for picture in pictures[5:]:
-        recorder.video(picture)
-    recorder.video(replace(pictures[0], width=32, height=24, received_at=200.0))
-    recorder.video(replace(pictures[0], data=b"garbage", received_at=201.0))
+        recorder.add_video(picture)
+    recorder.add_video(replace(pictures[0], width=32, height=24, received_at=200.0))
+    recorder.add_video(replace(pictures[0], data=b"garbage", received_at=201.0))
     assert recorder.finish("completed").video_frames == 57
     with av.open(str(tmp_path / "video.mp4")) as film:
         assert len(list(film.decode(video=0))) == 45
@@ -265,7 +265,7 @@ def test_garbage_instead_of_pictures_makes_no_film_and_no_noise(
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
     for data in (b"", b"garbage", bytes(5000), b"\x00\x00\x00\x01\x67garbage"):
-        recorder.video(VideoFrame(data, True, 64, 48, 1, 100.0))
+        recorder.add_video(VideoFrame(data, True, 64, 48, 1, 100.0))
     summary = recorder.finish("completed")
     assert (summary.video_frames, summary.problems) == (4, ())
     assert not (tmp_path / "video.mp4").exists()
@@ -276,7 +276,7 @@ def test_a_recording_can_be_read_while_it_grows_also_when_little_happens(
 ) -> None:
     recorder = FlightRecorder(tmp_path, site, room, grid)
     for step in flight[:60]:
-        recorder.step(step)
+        recorder.add_step(step)
     deadline = time.monotonic() + 5.0
     while time.monotonic() < deadline and len(list(read_steps(tmp_path))) < 15:
         time.sleep(0.05)
@@ -293,9 +293,9 @@ site, room, grid, flight, pictures = pickle.loads(Path(sys.argv[1]).read_bytes()
 recorder = FlightRecorder(Path(sys.argv[2]), site, room, grid)
 import time
 for number, step in enumerate(flight):
-    recorder.step(step)
+    recorder.add_step(step)
     if number < len(pictures):
-        recorder.video(pictures[number])
+        recorder.add_video(pictures[number])
     time.sleep(0.002)
 print("recorded", flush=True)
 time.sleep(60)

@@ -13,13 +13,13 @@ from mcap.writer import Writer
 from housefly.errors import RecordingError
 from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
 from housefly.record.mcap_log import McapLog
-from housefly.record.replay import STEP_TOPIC, read_steps, verify
+from housefly.record.replay import STEP_CHANNEL, read_steps, verify
 
 
 def write(path: Path, steps: tuple[PilotStep, ...]) -> Path:
     log = McapLog(path, {})
     for step in steps:
-        log.add_own(STEP_TOPIC, step.now, step)
+        log.add_own(STEP_CHANNEL, step.now, step)
     log.close()
     return path
 
@@ -114,7 +114,7 @@ def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
             "housefly_msgs/msg/PilotStep", "ros2msg", b"int64 sequence\n"
         )
         writer.add_message(
-            writer.register_channel(STEP_TOPIC, "cdr", schema), 0, b"\x00\x01\x00\x00", 0
+            writer.register_channel(STEP_CHANNEL, "cdr", schema), 0, b"\x00\x01\x00\x00", 0
         )
         writer.finish()
     with pytest.raises(RecordingError, match="other message definitions"):

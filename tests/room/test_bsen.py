@@ -11,7 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from housefly.config.site import Mode, changed, load_site
+from housefly.config.site import Mode, changed, site_from_file
 from housefly.geometry import rotate
 from housefly.pilot.planning.planner import plan
 from housefly.room.bsen import bsen
@@ -192,7 +192,7 @@ def test_all_cameras_look_down_into_the_room_and_hang_level() -> None:
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
 def test_the_way_to_the_entrance_is_tracked_and_ends_before_the_visitor(mode: Mode) -> None:
-    site = changed(load_site(SITES / "bsen.toml"), mode=mode)
+    site = changed(site_from_file(SITES / "bsen.toml"), mode=mode)
     room = bsen()
     grid = build_grid(room, site)
     entrance = room.place("entrance")
@@ -228,14 +228,14 @@ def _ends(waypoints: tuple[tuple[float, float], ...]) -> tuple[np.ndarray, np.nd
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
 def test_all_places_can_be_flown_to_on_the_shipped_sites(mode: Mode) -> None:
-    site = changed(load_site(SITES / "bsen.toml"), mode=mode)
+    site = changed(site_from_file(SITES / "bsen.toml"), mode=mode)
     grid = build_grid(bsen(), site)
     for place in bsen().places:
         assert plan(grid, bsen().home, place.viewpoint, 0.5).path is not None, place.name
 
 
 def test_nobody_flies_into_the_visitor() -> None:
-    site = load_site(SITES / "bsen.toml")
+    site = site_from_file(SITES / "bsen.toml")
     grid = build_grid(bsen(), site)
     x, y = bsen().visitor or (0.0, 0.0)
     for dx in np.arange(-0.8, 0.81, 0.1):

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from housefly.config.site import changed, load_site
+from housefly.config.site import changed, site_from_file
 from housefly.errors import RoomError
 from housefly.room.bsen import bsen
 from housefly.room.draw import draw_room, text_map
 from housefly.room.grid import build_grid
 
-SITE = load_site(Path(__file__).parents[2] / "src" / "housefly" / "sites" / "bsen.toml")
+SITE = site_from_file(Path(__file__).parents[2] / "src" / "housefly" / "sites" / "bsen.toml")
 
 
 @pytest.mark.parametrize("mode", ["default", "paper"])

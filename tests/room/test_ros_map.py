@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from housefly.config.site import load_site
+from housefly.config.site import site_from_file
 from housefly.errors import RoomError
 from housefly.pilot.planning.planner import plan
 from housefly.room.files import load_room
@@ -57,7 +57,7 @@ def test_the_maps_of_others_become_rooms_with_a_way_to_every_place(
     name: str, shared_data: Path, tmp_path: Path
 ) -> None:
     room = import_ros_map(shared_data / "rooms" / name / "map.yaml", tmp_path)
-    site = load_site(tmp_path / "site.toml")
+    site = site_from_file(tmp_path / "site.toml")
     assert load_room(site.room.model, tmp_path) == room
     assert len(room.places) >= 4
     assert len(room.solids) < 1500
@@ -76,7 +76,7 @@ def test_a_hall_keeps_its_pillar_and_its_size(suffix: str, tmp_path: Path) -> No
     room = import_ros_map(write_map(tmp_path, hall(), suffix), tmp_path / "out")
     assert room.bounds[2] == pytest.approx(8.0, abs=0.3)
     assert room.bounds[3] == pytest.approx(4.0, abs=0.3)
-    grid = build_grid(room, load_site(tmp_path / "out" / "site.toml"))
+    grid = build_grid(room, site_from_file(tmp_path / "out" / "site.toml"))
     assert {solid.thing for solid in room.solids} == {"wall", "unexplored", "home pad"}
     assert grid.clearance_at((4.0, 2.0)) < 0.1
     assert grid.clearance_at((2.0, 2.0)) > 1.0
@@ -84,7 +84,7 @@ def test_a_hall_keeps_its_pillar_and_its_size(suffix: str, tmp_path: Path) -> No
 
 def test_what_nobody_saw_is_no_way_out(tmp_path: Path) -> None:
     room = import_ros_map(write_map(tmp_path, hall()), tmp_path / "out")
-    grid = build_grid(room, load_site(tmp_path / "out" / "site.toml"))
+    grid = build_grid(room, site_from_file(tmp_path / "out" / "site.toml"))
     x_max = room.bounds[2]
     assert not any(grid.is_free(grid.cell_of((x_max - 0.05, y))) for y in np.arange(0.0, 4.0, 0.05))
 

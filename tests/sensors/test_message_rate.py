@@ -13,13 +13,13 @@ from housefly.sensors.message_rate import RATE_WINDOW, MessageRate, TokenBucket
 
 @given(st.floats(0.5, 50.0), st.floats(0.0, 1e6))
 def test_a_steady_source_has_its_rate(rate: float, start: float) -> None:
-    rate = MessageRate()
+    arrivals = MessageRate()
     count = round(RATE_WINDOW * rate) + 2
     for n in range(count):
-        rate.add(start + n / rate)
+        arrivals.add(start + n / rate)
     now = start + (count - 1) / rate
-    assert rate.rate_hz(now) == pytest.approx(rate, rel=0.01)
-    assert rate.age(now + 3.0) == pytest.approx(3.0, abs=1e-6)
+    assert arrivals.rate_hz(now) == pytest.approx(rate, rel=0.01)
+    assert arrivals.age(now + 3.0) == pytest.approx(3.0, abs=1e-6)
 
 
 def test_who_was_never_heard_has_no_rate_and_is_infinitely_old() -> None:

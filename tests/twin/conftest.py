@@ -25,7 +25,7 @@ class Hand:
     world: SimulatedWorld
 
     def wait(self, seconds: float, each: Callable[[], None] | None = None) -> None:
-        """Let time pass in steps of 10 ms, feeding the watchdog, calling ``each`` after every step."""
+        """Let time pass in steps of 10 ms, feed the watchdog, call ``each`` after every step."""
         for _ in range(round(seconds / 0.01)):
             self.world.keep_alive()
             self.world.advance(0.01)

@@ -1,4 +1,4 @@
-"""How the simulated drone lives in its room: states, watchdogs, contact, and nothing that blows up."""
+"""The simulated drone in its room: states, watchdogs, contact, and nothing that blows up."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from housefly.geometry import distance, quaternion_from_euler
+from housefly.messages import Pose
 from housefly.room.model import Room, Shape, Solid
 from housefly.twin.contracts import FlightState, TwinWorld
 from housefly.twin.world import SimulatedWorld
@@ -207,3 +208,62 @@ def test_putting_down_turned_keeps_the_heading(make_world: MakeWorld) -> None:
     world = make_world()
     world.put_drone((3.0, 3.0, 0.05), yaw=1.0)
     assert world.truth().pose.orientation == pytest.approx(quaternion_from_euler(0.0, 0.0, 1.0))
+
+
+def test_a_drone_without_its_client_flies_on_for_two_seconds_then_brakes_and_lands(
+    make_world: MakeWorld, hand: type
+) -> None:
+    world = make_world()
+    hand(world).hover()
+    for _ in range(60):
+        world.keep_alive()
+        world.set_stick(Stick(forward=0.15, hover=False))
+        world.advance(0.03)
+    world.advance(1.9)
+    assert world.onboard().flight is FlightState.FLYING
+    assert world.truth().velocity[0] ** 2 + world.truth().velocity[1] ** 2 > 0.2**2
+    world.advance(0.2)
+    assert world.onboard().flight is FlightState.LANDING
+    world.advance(8.0)
+    assert world.onboard().flight is FlightState.LANDED
+
+
+def fly_and_turn(world: SimulatedWorld, look: bool) -> list[object]:
+    seen: list[object] = []
+    world.flat_trim()
+    world.request_take_off()
+    for step in range(900):
+        world.keep_alive()
+        if step == 600:
+            world.set_stick(Stick(forward=0.4, turn=0.2, hover=False))
+        world.advance(0.01)
+        seen.extend(world.mocap_frames())
+        if look:
+            world.onboard()
+            world.truth()
+    return [*seen, world.truth(), world.onboard()]
+
+
+def test_the_same_seed_is_the_same_flight_bit_for_bit_whoever_looks(make_world: MakeWorld) -> None:
+    values = {"twin__mocap_dropout": 0.1, "twin__seed": 5}
+    assert fly_and_turn(make_world(**values), look=False) == fly_and_turn(
+        make_world(**values), look=True
+    )
+
+
+def test_another_seed_is_another_flight(make_world: MakeWorld) -> None:
+    assert (
+        fly_and_turn(make_world(twin__seed=1), look=False)[-2:]
+        != fly_and_turn(make_world(twin__seed=2), look=False)[-2:]
+    )
+
+
+def test_time_in_many_small_steps_is_the_same_flight(make_world: MakeWorld) -> None:
+    def fly(steps: int) -> Pose:
+        world = make_world()
+        world.request_take_off()
+        for _ in range(steps):
+            world.advance(1.5 / steps)
+        return world.truth().pose
+
+    assert fly(1) == fly(7) == fly(1000)

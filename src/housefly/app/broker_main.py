@@ -1,8 +1,7 @@
-"""An MQTT broker of this run's own: mosquitto on loopback, for a site that says ``mqtt.start =
-true``.
+"""The MQTT broker of a run: mosquitto on loopback, for a site with ``mqtt.start = true``.
 
-``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and lets
-in whoever is on this machine.
+``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and
+accepts every program of this machine.
 """
 
 from __future__ import annotations
@@ -17,9 +16,9 @@ from pathlib import Path
 from housefly.app.runtime import runtime_from_environment
 
 _SEARCH_PATH = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"))
-"""Debian puts it where users who are not root do not look."""
+"""Debian installs mosquitto outside the PATH of ordinary users."""
 _RETRY_PAUSE = 60.0
-"""Time until the launcher may try again without a broker installed [s]."""
+"""Pause before the process ends where mosquitto is not installed [s]; the launcher tries again."""
 _REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
 
 

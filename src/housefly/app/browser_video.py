@@ -1,6 +1,4 @@
-"""Asks a browser of this machine whether it can show the drone's video: H.264 through WebCodecs, on
-a loopback page.
-"""
+"""Asks a browser of this machine whether it can show the drone's video: H.264 by WebCodecs."""
 
 from __future__ import annotations
 

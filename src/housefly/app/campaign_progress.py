@@ -1,4 +1,4 @@
-"""The progress display of a campaign: drones landed, how fast, how long still."""
+"""The progress display of a campaign: drones landed, speed, time left."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class CampaignProgress(ProgressDisplay):
 
         Args:
             drones: in the whole campaign.
-            there: of them, left by an earlier run.
+            there: how many of them an earlier run has flown.
             duration: of one flight [s].
         """
         super().__init__(

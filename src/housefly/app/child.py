@@ -1,7 +1,7 @@
-"""Runs one part in a process of its own: ``python -m housefly.app.child PARENT NICENESS MODULE
-ARGUMENTS...``.
+"""Entry of each process: ``python -m housefly.app.child PARENT NICENESS MODULE ARGUMENTS...``.
 
-Set here and not between fork and exec: a launcher with threads must not run Python there.
+Priority and death signal are set here: a launcher with threads must not run Python between fork
+and exec.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ import signal
 import sys
 from contextlib import suppress
 
-PR_SET_PDEATHSIG = 1
+_PR_SET_PDEATHSIG = 1
 
 
 def main() -> None:
-    """Yield to the pilot as told, leave when the launcher is gone, and become the module."""
+    """Set the priority, ask to end with the launcher, and run the module."""
     parent, niceness, module = int(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
     with suppress(PermissionError):
         os.nice(niceness)
     if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
     if os.getppid() != parent:
         sys.exit(f"{module}: the launcher is gone")
     sys.argv = [module, *sys.argv[4:]]

@@ -1,4 +1,4 @@
-"""Numeric code is compiled once: this does it before anything waits for it, and says so."""
+"""Compiles the numeric code before anything waits for it, and says so."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _Say = Callable[[str], object]
 
 
 class CompiledPart(Enum):
-    """What is compiled together."""
+    """Code that is compiled together."""
 
     CHAIN = "the control loop"
     ENGINE = "the campaign engine"

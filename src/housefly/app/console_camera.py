@@ -1,4 +1,4 @@
-"""Photographs of the console while something flies, where the machine has a browser."""
+"""Takes pictures of the console during a flight, where the machine has a browser."""
 
 from __future__ import annotations
 
@@ -22,8 +22,7 @@ _VIEWPORT = {"width": 1280, "height": 720}
 
 
 class ConsoleCamera:
-    """Photographs the console in Debian's Chromium, where it and playwright are installed; else
-    does nothing.
+    """Takes pictures of the console in Chromium; does nothing without Chromium or playwright.
 
     Attributes:
         available: whether there is a browser.
@@ -50,13 +49,13 @@ class ConsoleCamera:
             self._thread.join(30.0)
 
     def shoot(self, title: str) -> None:
-        """Ask for a photograph now."""
+        """Ask for a picture now."""
         with self._wake:
             self._wanted.append(title)
             self._wake.notify()
 
     def pictures(self) -> dict[str, RgbImage]:
-        """Return what was photographed, by title."""
+        """Return the pictures by title."""
         with self._wake:
             return dict(self._taken)
 

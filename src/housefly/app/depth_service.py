@@ -1,5 +1,6 @@
-"""Depth images from the bus to obstacles on the bus; works on the bus's own thread, so that no
-scanner waits for a picture.
+"""Turns depth images from the bus into obstacles on the bus.
+
+It works on the bus's own thread, so that no scanner waits for an image.
 """
 
 from __future__ import annotations
@@ -18,13 +19,13 @@ from housefly.room.tracked import untracked
 from housefly.sensors.message_rate import MessageRate
 
 CAMERA_SILENT_AFTER = 2.0
-"""A camera that sends nothing for this long is told [s]."""
+"""A camera that sends nothing for this long is reported [s]."""
 REFUSED_IMAGE_SHOWN_FOR = 5.0
-"""A refusal of an image is told for this long [s]."""
+"""A refused image is reported for this long [s]."""
 
 
 class DepthService:
-    """Takes in the images of a site's depth cameras, until closed.
+    """Processes the images of a site's depth cameras, until closed.
 
     Attributes:
         own: where the drone is, None when it is not in the air or not known.
@@ -45,9 +46,7 @@ class DepthService:
         self._subscription = bus.subscribe(DEPTH_TOPIC, self._on_image) if names else None
 
     def reports(self) -> tuple[SensorReport, ...]:
-        """Return how each camera does, and one more line when somebody who is no camera of this
-        site sends images.
-        """
+        """Return the state of each camera, and of a sender that is no camera of this site."""
         with self._lock:
             told = [
                 self._report(name, rate, self._clock.now()) for name, rate in self._rates.items()

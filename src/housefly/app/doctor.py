@@ -1,4 +1,4 @@
-"""What this machine lacks to fly the simulated room with a console, and the line that mends it."""
+"""Checks what this machine lacks for a flight in the simulated room, and how to install it."""
 
 from __future__ import annotations
 
@@ -18,9 +18,7 @@ _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.
 
 @dataclass(frozen=True, slots=True)
 class MachineCheck:
-    """One check: what was looked at, whether it is well, what was found, and the line that mends
-    it.
-    """
+    """One check: its name, whether it passed, what was found, and what mends it."""
 
     name: str
     well: bool

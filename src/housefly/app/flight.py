@@ -24,7 +24,7 @@ _SUMMARY_FIGURES = (
     ("min_clearance_m", "smallest clearance", "m", 2),
     ("landed_error_m", "landed off the pad by", "m", 3),
 )
-"""What is told at the end: key of the summary, words, unit, decimals."""
+"""What is printed at the end: key of the summary, words, unit, decimals."""
 
 
 def fly_service(
@@ -46,7 +46,7 @@ def fly_service(
         with FlightProgress() as progress:
 
             def on_step(step: PilotStep) -> None:
-                recorder.step(step)
+                recorder.add_step(step)
                 progress.show(step)
 
             if lockstep:

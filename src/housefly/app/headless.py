@@ -1,6 +1,4 @@
-"""A whole service over real wires, watched and recorded from outside: twin, pilot and wires as in
-``housefly run``, no person.
-"""
+"""Flies one service over real wires without a person, and records it from outside."""
 
 from __future__ import annotations
 
@@ -23,12 +21,11 @@ from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
 _START_TIMEOUT = 60.0
-"""How long pilot, twin and drone may take until everything answers [s]."""
+"""Longest time until pilot, twin and drone answer [s]."""
 _STEADY_TIMEOUT = 5.0
-"""How long the order waits at most for tracking to be steady [s]."""
+"""Longest time that the order waits for steady tracking [s]."""
 STEADY_TIME, LONGEST_GAP = 1.0, 0.4
-"""Steady means that tracking saw the drone for so long, never silent for longer than the gap [s].
-"""
+"""Tracking is steady after so long without a gap, and the longest gap [s]."""
 _INTERRUPTED = "interrupted"
 
 
@@ -67,8 +64,7 @@ def fly_over_wires(
 
 
 class Steadiness:
-    """Whether tracking sees a body without gaps: while everything else starts, a busy machine may
-    hold frames back.
+    """Detects when tracking sees a body without gaps; a busy machine may delay frames at the start.
 
     Args:
         body: of the drone.
@@ -79,7 +75,7 @@ class Steadiness:
         self._since = self._last = -inf
 
     def update(self, step: PilotStep) -> bool:
-        """Return whether it was seen for ``STEADY`` up to this step."""
+        """Return whether the body has been seen for ``STEADY_TIME`` up to this step."""
         if any(sighting.body == self._body for sighting in step.inputs.sightings):
             self._since = step.now if step.now - self._last > LONGEST_GAP else self._since
             self._last = step.now
@@ -100,7 +96,7 @@ def _serve(
 
     def on_pilot_step(step: PilotStep) -> None:
         nonlocal monitor
-        recorder.step(step)
+        recorder.add_step(step)
         on_step(step)
         if steadiness.update(step):
             seen.set()
@@ -110,12 +106,11 @@ def _serve(
 
     open_ = [
         bus.subscribe(STEP_TOPIC, on_pilot_step),
-        bus.subscribe(VIDEO_TOPIC, recorder.video),
-        bus.subscribe(LINK_TOPIC, recorder.link),
+        bus.subscribe(VIDEO_TOPIC, recorder.add_video),
+        bus.subscribe(LINK_TOPIC, recorder.add_link),
     ]
     try:
-        # The recording must hold what the pilot knows when it decides, or no replay could decide
-        # the same.
+        # The recording must hold everything that the pilot knows, or a replay decides differently.
         seen.wait(_STEADY_TIMEOUT)
         bus.publish(
             ORDER_TOPIC,

@@ -1,16 +1,16 @@
-"""An identification flight, on a stepped clock or over real wires: take off, go to the box, fly the
-blocks, come home, land.
+"""An identification flight: take off, go to the box, fly the blocks, come home, land.
+
+It runs on a stepped clock or over real wires.
 """
 
 from __future__ import annotations
 
 import asyncio
 import gc
-import os
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass
 from math import inf
 from pathlib import Path
@@ -18,6 +18,7 @@ from pathlib import Path
 from housefly.app.launcher import Launcher, ProcessSpec
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.pilot_shell import PilotShell
+from housefly.app.priority import raise_priority
 from housefly.app.runtime import new_runtime
 from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
@@ -35,17 +36,15 @@ from housefly.twin.contracts import TwinWorld
 from housefly.twin.lockstep import LockstepRoom
 
 _START_TIMEOUT = 30.0
-"""How long drone and tracking may take to answer [s]."""
+"""Longest time until drone and tracking answer [s]."""
 BLOCK_TIMEOUT = 30.0
-"""Longest time for one block with the rest before it [s]."""
+"""Longest time for one block and the pause before it [s]."""
 _BOX_MARGIN = 0.3
 """Room in the box beyond the predicted excursion [m]."""
 _INTERRUPTED = "interrupted"
 _SENDER = "identification"
 _REPEAT_ORDER_AFTER = 1.0
-"""An order that was not followed is given again after this [s]."""
-URGENCY = -10
-"""Nice value that the flight takes where the system lets it."""
+"""An order that was not followed is repeated after this time [s]."""
 
 
 def box_reach(plan: tuple[Block, ...], drone: DroneConfig) -> float:
@@ -57,18 +56,18 @@ def box_reach(plan: tuple[Block, ...], drone: DroneConfig) -> float:
 
 @dataclass(slots=True)
 class IdentificationFlight:
-    """Leads one flight by orders, step by step, as a person would.
+    """Gives the orders of one flight, as a person would.
 
     Attributes:
         box: where the blocks are flown.
         maneuver: the blocks.
-        patience: longest time in the air [s].
+        timeout: longest time in the air [s].
         outcome: "" while it flies, then "completed" or the reason.
     """
 
     box: Box
     maneuver: IdentificationManeuver
-    patience: float
+    timeout: float
     outcome: str = ""
     _asked_at: float = -inf
     _began: float | None = None
@@ -90,26 +89,24 @@ class IdentificationFlight:
         if telemetry.status is DroneStatus.LANDED and outputs.phase is Phase.IDLE and self._flown:
             self.outcome = self._problem or self.maneuver.problem or "completed"
             return None
-        if now - self._began > self.patience:
-            self._problem = self._problem or f"not done within {self.patience:.0f} s"
-            return self._asking(OrderKind.LAND, now)
+        if now - self._began > self.timeout:
+            self._problem = self._problem or f"not done within {self.timeout:.0f} s"
+            return self._order(OrderKind.LAND, now)
         return self._next(outputs.phase, outputs.estimate.position, now)
 
     def _next(self, phase: Phase, position: Vec3, now: float) -> Order | None:
         if phase is Phase.IDLE:
-            return self._asking(OrderKind.TAKE_OFF, now)
+            return self._order(OrderKind.TAKE_OFF, now)
         if phase is not Phase.HOLDING:
             return None
         if self.maneuver.finished:
-            return self._asking(OrderKind.HOME, now)
-        # The blocks begin in the middle: anywhere else in the box they would wait for ever.
+            return self._order(OrderKind.HOME, now)
+        # The blocks begin only near the centre of the box.
         self._arrived = self._arrived or distance(position[:2], self.box.centre) < REST_DISTANCE
-        return None if self._arrived else self._asking(OrderKind.GO, now, self.box.centre)
+        return None if self._arrived else self._order(OrderKind.GO, now, self.box.centre)
 
-    def _asking(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
-        """Return the order, again after a while: the pilot refuses orders while it does not see the
-        drone.
-        """
+    def _order(self, kind: OrderKind, now: float, goal: Vec2 | None = None) -> Order | None:
+        """Return the order unless it was just given; the pilot may have refused an earlier one."""
         if now - self._asked_at < _REPEAT_ORDER_AFTER:
             return None
         self._asked_at = now
@@ -122,8 +119,9 @@ def fly_identification_lockstep(
     flight: IdentificationFlight,
     on_step: Callable[[PilotStep], None],
 ) -> str:
-    """Fly on a stepped clock and return the outcome; the world may hold another drone than the
-    pilot believes.
+    """Fly on a stepped clock and return the outcome.
+
+    The drone of the world may differ from the one that the site describes.
     """
     room = LockstepRoom(world, loaded.site)
     pilot = make_pilot(loaded.site, loaded.room, loaded.grid, flight.maneuver)
@@ -154,28 +152,24 @@ def fly_identification_over_wires(
 ) -> str:
     """Fly whatever drone the site names and return the outcome; Ctrl-C lands it first.
 
-    The pilot runs in this process, at the head of its own loop; the twin, where the site has one,
-    in a process of its own.
+    The pilot runs in this process, the twin in one of its own.
     """
     runtime = new_runtime(loaded.site, folder)
     site = runtime.site()
-    parts = (
+    processes = (
         (ProcessSpec("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
         if site.twin.enabled
         else ()
     )
     warm_up(loaded.site, loaded.room, loaded.grid)
-    with Launcher(runtime, folder, parts), _undisturbed():
+    with Launcher(runtime, folder, processes), _undisturbed():
         return asyncio.run(_fly(loaded, flight, on_step))
 
 
 @contextmanager
 def _undisturbed() -> Iterator[None]:
-    """Keep the loop on time: every step is kept, and a garbage collector that walks them all would
-    stop it for half a second.
-    """
-    with suppress(PermissionError):
-        os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
+    """Keep the loop on time: collecting garbage among all the kept steps takes half a second."""
+    raise_priority()
     gc.collect()
     gc.disable()
     try:

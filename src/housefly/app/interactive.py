@@ -1,4 +1,4 @@
-"""A run with people: processes, console, optional recording, until Ctrl-C."""
+"""Runs everything for people at the console, until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -20,13 +20,11 @@ from housefly.hub.client.discovery import announced
 from housefly.record.recorder import FlightRecorder
 
 _READY_TIMEOUT = 60.0
-"""How long a start may take before it is said what is missing [s]; the run goes on and picks up
-what comes later.
-"""
+"""After this time the start says what is missing [s]; the run goes on without it."""
 
 
 def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> int:
-    """Start everything, say where the console is and when it is ready, stay until Ctrl-C."""
+    """Start everything, print the console's address, and stay until Ctrl-C."""
     started = time.monotonic()
     refuse_taken_ports(loaded.site, web=True)
     runtime = new_runtime(loaded.site, folder)
@@ -82,9 +80,9 @@ def _land_and_leave(launcher: Launcher) -> None:
 def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
     recorder = FlightRecorder(folder, loaded.site, loaded.room, loaded.grid)
     open_ = [
-        bus.subscribe(STEP_TOPIC, recorder.step),
-        bus.subscribe(VIDEO_TOPIC, recorder.video),
-        bus.subscribe(LINK_TOPIC, recorder.link),
+        bus.subscribe(STEP_TOPIC, recorder.add_step),
+        bus.subscribe(VIDEO_TOPIC, recorder.add_video),
+        bus.subscribe(LINK_TOPIC, recorder.add_link),
     ]
 
     def close() -> None:
@@ -96,7 +94,7 @@ def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
 
 
 def _idle(launcher: Launcher) -> None:
-    restarts = dict.fromkeys((part.name for part in launcher.parts), 0)
+    restarts = dict.fromkeys((process.name for process in launcher.processes), 0)
     while True:
         time.sleep(0.5)
         for name, before in restarts.items():

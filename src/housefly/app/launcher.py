@@ -1,13 +1,11 @@
-"""Starts the processes of one site, restarts those that die, and ends them in the right order: the
-drone lands first.
+"""Starts the processes of one site, restarts those that die, and lands the drone before it ends.
 
-pilot   the only one that must be on time; the others run at lower priority
-twin    the simulated drone and cameras, urgent too: real ones have processors of their own; absent
-    with real hardware
-hub     the room's memory
-broker  an MQTT broker of the run's own; absent where devices have theirs
-perception  reads scanners and depth cameras and tells the pilot what is in the way; absent without them
-web     the console
+pilot       the only one that must be on time; the others run at lower priority
+twin        the simulated drone and cameras, nearly as urgent; absent with real hardware
+hub         the room's memory
+broker      an MQTT broker; absent where the devices have their own
+perception  finds obstacles in scans and depth images; absent without such sensors
+web         the console
 """
 
 from __future__ import annotations
@@ -25,7 +23,7 @@ from typing import IO, Self
 from housefly.app.runtime import Runtime
 
 _PILOT_EXIT_TIMEOUT = 30.0
-"""How long the pilot may take to land and leave [s]."""
+"""Longest time for the pilot to land and end [s]."""
 _RESTART_PAUSE = 0.5
 """Pause before a dead process is started again [s]."""
 _POLL_PERIOD = 0.1
@@ -33,11 +31,9 @@ _POLL_PERIOD = 0.1
 
 @dataclass(frozen=True, slots=True)
 class ProcessSpec:
-    """One process: its name, the module it runs with its arguments, and how much it yields to
-    others.
+    """One process: its name, the module that it runs, its arguments and its nice value.
 
-    Less than 0 means that others yield to it; where the system does not allow that, it is as urgent
-    as they are.
+    A nice value below 0 counts as 0 where the system does not allow it.
     """
 
     name: str
@@ -50,33 +46,33 @@ def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ..
     """Return the processes that a site needs."""
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
-    parts = [ProcessSpec("pilot", "housefly.app.pilot_main")]
+    processes = [ProcessSpec("pilot", "housefly.app.pilot_main")]
     if site.mqtt.broker and site.mqtt.start:
-        parts.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
+        processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
         twin_arguments = (
             (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
         )
-        parts.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
+        processes.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         asked_at = ("--bus", runtime.bus, "--port", str(runtime.room_port))
-        parts.append(
+        processes.append(
             ProcessSpec("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5)
         )
     if site.lasers or site.depth_cameras:
-        parts.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
+        processes.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
     if web:
-        parts.append(
+        processes.append(
             ProcessSpec(
                 "web", "housefly.web.process", (*site_argument, "--bus", runtime.bus), niceness=5
             )
         )
-    return tuple(parts)
+    return tuple(processes)
 
 
 @dataclass(slots=True)
 class _Running:
-    part: ProcessSpec
+    spec: ProcessSpec
     process: subprocess.Popen[bytes]
     log: IO[bytes]
     restarts: int = 0
@@ -84,25 +80,25 @@ class _Running:
 
 @dataclass(slots=True)
 class Launcher:
-    """Runs the parts of one site; use it as a context manager.
+    """Runs the processes of one site; use it as a context manager.
 
     Attributes:
-        runtime: meeting points of this run.
-        folder: where each part's output goes, as NAME.log.
-        parts: what to run.
+        runtime: endpoints and secrets of this run.
+        folder: where the output of each process goes, as NAME.log.
+        processes: what to run.
     """
 
     runtime: Runtime
     folder: Path
-    parts: tuple[ProcessSpec, ...]
+    processes: tuple[ProcessSpec, ...]
     _running: dict[str, _Running] = field(default_factory=dict)
     _leaving: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _supervisor: threading.Thread | None = None
 
     def __enter__(self) -> Self:
-        for part in self.parts:
-            self._running[part.name] = self._start(part)
+        for spec in self.processes:
+            self._running[spec.name] = self._start(spec)
         self._supervisor = threading.Thread(target=self._supervise, name="supervisor", daemon=True)
         self._supervisor.start()
         return self
@@ -116,12 +112,12 @@ class Launcher:
         self.stop()
 
     def pid(self, name: str) -> int:
-        """Return the process id of a part."""
+        """Return the process id by a process's name."""
         with self._lock:
             return self._running[name].process.pid
 
     def restarts(self, name: str) -> int:
-        """Return how often a part was started again."""
+        """Return how often a process was restarted."""
         with self._lock:
             return self._running[name].restarts
 
@@ -143,16 +139,16 @@ class Launcher:
             running.process.kill()
             running.process.wait()
 
-    def _start(self, part: ProcessSpec) -> _Running:
-        log = (self.folder / f"{part.name}.log").open("ab")
+    def _start(self, spec: ProcessSpec) -> _Running:
+        log = (self.folder / f"{spec.name}.log").open("ab")
         command = [
             sys.executable,
             "-m",
             "housefly.app.child",
             str(os.getpid()),
-            str(part.niceness),
-            part.module,
-            *part.arguments,
+            str(spec.niceness),
+            spec.module,
+            *spec.arguments,
         ]
         process = subprocess.Popen(
             command,
@@ -160,11 +156,11 @@ class Launcher:
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
-            # Ctrl-C is for the launcher alone. Not a session each: kernels that group by session
-            # ignore niceness between them.
+            # Ctrl-C is for the launcher alone. No new sessions: kernels that group processes by
+            # session ignore their nice values.
             process_group=0,
         )
-        return _Running(part, process, log)
+        return _Running(spec, process, log)
 
     def _supervise(self) -> None:
         while not self._leaving.wait(_POLL_PERIOD):
@@ -174,17 +170,17 @@ class Launcher:
                 if self._leaving.wait(_RESTART_PAUSE):
                     return
                 running.log.close()
-                fresh = self._start(running.part)
+                fresh = self._start(running.spec)
                 fresh.restarts = running.restarts + 1
                 with self._lock:
                     self._running[name] = fresh
 
 
-def _end(process: subprocess.Popen[bytes], patience: float) -> None:
+def _end(process: subprocess.Popen[bytes], timeout: float) -> None:
     if process.poll() is not None:
         return
     process.terminate()
-    deadline = time.monotonic() + patience
+    deadline = time.monotonic() + timeout
     while process.poll() is None and time.monotonic() < deadline:
         time.sleep(0.02)
     if process.poll() is None:

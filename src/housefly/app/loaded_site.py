@@ -1,4 +1,4 @@
-"""A site with its room and its map: what every process starts from."""
+"""Finds a site, loads its room and builds its map."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from housefly import sites
-from housefly.config.site import Site, changed, load_site
+from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, EditsError
 from housefly.room.edit_versions import EditVersions
@@ -28,8 +28,7 @@ class LoadedSite:
 
 
 def site_file(name: str) -> Path:
-    """Return the path of a site: a file, a folder that holds ``site.toml``, or the name of a site
-    shipped with Housefly.
+    """Return the path of a site: a file, a folder with ``site.toml``, or a shipped site's name.
 
     Raises:
         ConfigError: naming the sites that are shipped.
@@ -51,11 +50,9 @@ def site_file(name: str) -> Path:
 
 
 def read_site(name: str, **changes: Any) -> Site:
-    """Read a site and apply dotted changes (``twin__seed=3``); paths of room, scene and catalogue
-    become absolute.
-    """
+    """Read a site and apply changes by key (``twin__seed=3``); its paths become absolute."""
     path = site_file(name)
-    site = load_site(path)
+    site = site_from_file(path)
     model = site.room.model
     if (path.parent / model / "room.toml").is_file():
         changes.setdefault("room__model", str((path.parent / model).resolve()))
@@ -74,12 +71,10 @@ def open_site(site: Site) -> LoadedSite:
 
 
 def with_newest_edits(site: Site) -> tuple[Site, str]:
-    """Return a site with the newest edits that were saved on the ROOM screen, and a line that says
-    so ("" when there are none).
+    """Return a site with the newest edits of the ROOM screen, and a line that says so, or "".
 
     Raises:
-        ConfigError: the edits do not fit the room any more; nobody may fly where a zone was meant
-            to be.
+        ConfigError: the edits no longer fit the room, so a no-fly zone might be missing.
     """
     if not site.hub.edits or site.mode == "paper":
         return site, ""

@@ -1,4 +1,4 @@
-"""A whole service on a stepped clock: the same pilot and the same world, the wires cut out."""
+"""Flies one service on a stepped clock: the same pilot and world, without wires."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ def fly_lockstep(
 
     Args:
         loaded: site, room and map.
-        order: what to fly; it is issued ``SETTLE`` seconds after the start.
+        order: what to fly; it is issued ``_SETTLING_TIME`` after the start.
         on_step: called with every step of the pilot.
         give_up_after: longest world time [s].
         movables: things that no map shows.
-        on_world: called before every step of the pilot; may put movables somewhere.
+        on_world: called before every step of the pilot; may place movables.
     """
     scene = load_scene(loaded.site.twin.scene) if loaded.site.twin.scene else None
     world = SimulatedWorld(loaded.site, loaded.room, scene, movables)

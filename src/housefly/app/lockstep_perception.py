@@ -1,6 +1,4 @@
-"""The scanners and depth cameras of a site and what is made of what they see, on a stepped clock,
-the wires cut out.
-"""
+"""Scanners, depth cameras and perception of a site on a stepped clock, without wires."""
 
 from __future__ import annotations
 
@@ -18,13 +16,11 @@ from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip.parameters import MODELS
 
 _OWN_MARGIN = 0.25
-"""What is nearer to the drone's hull than this is taken for the drone [m]."""
+"""Whatever is nearer to the hull than this counts as the drone itself [m]."""
 
 
 class LockstepPerception:
-    """Takes a scan or an image whenever one is due, and hands scans to perception after their
-    latency, images at once.
-    """
+    """Takes scans and images when they are due; scans reach perception after their latency."""
 
     def __init__(self, loaded: LoadedSite, world: SimulatedWorld) -> None:
         self._site, self._world = loaded.site, world
@@ -37,9 +33,7 @@ class LockstepPerception:
         self._under_way: deque[Scan] = deque()
 
     def update(self, now: float, estimate: Estimate | None) -> tuple[Obstacle, ...]:
-        """Return what is new of obstacles at a time [s], given where the pilot believes the drone
-        to be.
-        """
+        """Return the news of obstacles at a time [s], given the pilot's estimate."""
         for laser in self._site.lasers:
             if now >= self._due[laser.name]:
                 parameters = MODELS[laser.model]
@@ -67,7 +61,7 @@ class LockstepPerception:
 
 
 def own_footprint(site: Site, estimate: Estimate | None) -> OwnFootprint | None:
-    """Return the ground that is taken for the drone itself; None while nobody knows where it is."""
+    """Return the ground that the drone itself covers; None while its position is unknown."""
     if estimate is None:
         return None
     return OwnFootprint(

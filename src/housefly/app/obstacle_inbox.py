@@ -1,6 +1,4 @@
-"""What other processes tell the pilot of obstacles: checked, bounded, and only the newest word of
-each.
-"""
+"""Obstacles that other processes report to the pilot: checked, bounded, the newest of each."""
 
 from __future__ import annotations
 
@@ -15,14 +13,14 @@ REFUSED_OBSTACLE_SHOWN_FOR = 5.0
 
 
 class ObstacleInbox:
-    """Collects obstacles between two steps of the pilot; anybody on the bus may send anything.
+    """Collects obstacles between two steps of the pilot; the bus may carry anything.
 
     Args:
         extent: x_min, y_min, x_max, y_max of the map [m].
         clock: the pilot's.
 
     Attributes:
-        refused: how many were not believed or were too many.
+        refused: how many were wrong or too many.
     """
 
     def __init__(self, extent: Extent, clock: Clock) -> None:
@@ -41,7 +39,7 @@ class ObstacleInbox:
         )
 
     def add(self, obstacle: Obstacle) -> None:
-        """Take one in, or refuse it."""
+        """Add an obstacle, or refuse it."""
         now = self._clock.now()
         name = obstacle.source, obstacle.id
         fault = fault_of(obstacle, now, self._extent)

@@ -17,12 +17,12 @@ TIME_FORMS = (
 
 
 def parse_time(words: str, now: float, key: str) -> float:
-    """Return the Unix time [s] that is meant, local time.
+    """Return the Unix time [s] of a local time in words.
 
     Args:
         words: as typed.
         now: Unix time [s].
-        key: named when the words mean nothing.
+        key: names the option in an error.
 
     Raises:
         ConfigError: with what is allowed.

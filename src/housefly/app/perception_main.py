@@ -1,9 +1,8 @@
-"""The process that looks: reads scanners and depth images, follows what no map shows, and tells the
-pilot over the bus.
+"""The perception process: finds obstacles in scans and depth images and sends them to the pilot.
 
-``python -m housefly.app.perception_main``, started by the launcher where the site has scanners or depth
-cameras. When it dies, the pilot forgets what it was told within two seconds and flies by the map
-alone, as without it; the launcher starts it again.
+``python -m housefly.app.perception_main``, started by the launcher where the site has scanners or
+depth cameras. When it dies, the pilot forgets its obstacles within two seconds and flies by the map
+alone; the launcher restarts it.
 """
 
 from __future__ import annotations
@@ -27,11 +26,11 @@ from housefly.sensors.laser import LaserClient
 from housefly.sensors.message_rate import MessageRate
 
 _REPORT_PERIOD = 1.0
-"""How often the bus is told how the sensors do, and changed problems are printed [s]."""
+"""How often the state of the sensors is published, and changed problems are printed [s]."""
 
 
 class PerceptionProcess:
-    """All scanners of a site on one asyncio loop, and its depth cameras."""
+    """Runs the scanners and depth cameras of a site on one asyncio loop."""
 
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
         self._site, self._bus, self._clock = loaded.site, bus, clock
@@ -43,11 +42,12 @@ class PerceptionProcess:
         self._doubts: dict[str, str] = {}
 
     async def run(self) -> None:
-        """Look until cancelled."""
+        """Run until cancelled."""
         steps = self._bus.subscribe(STEP_TOPIC, self._on_step)
         try:
             await asyncio.gather(
-                *(client.run(self._on_scan) for client in self._clients.values()), self._tell()
+                *(client.run(self._on_scan) for client in self._clients.values()),
+                self._report_sensors(),
             )
         finally:
             steps.close()
@@ -81,7 +81,7 @@ class PerceptionProcess:
             name, "laser scanner", client.connected, rate.rate_hz(now), rate.age(now), problem
         )
 
-    async def _tell(self) -> None:
+    async def _report_sensors(self) -> None:
         told: tuple[str, ...] = ()
         while True:
             await asyncio.sleep(_REPORT_PERIOD)
@@ -99,17 +99,17 @@ class PerceptionProcess:
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     with ZenohBus(connect=runtime.bus) as bus:
-        looking = asyncio.create_task(PerceptionProcess(loaded, bus, RealClock()).run())
+        running = asyncio.create_task(PerceptionProcess(loaded, bus, RealClock()).run())
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
-            loop.add_signal_handler(number, looking.cancel)
+            loop.add_signal_handler(number, running.cancel)
         print("perception ready", flush=True)
         with contextlib.suppress(asyncio.CancelledError):
-            await looking
+            await running
 
 
 def main() -> None:
-    """Look until told to leave."""
+    """Run until SIGINT or SIGTERM."""
     runtime = runtime_from_environment()
     asyncio.run(_run(runtime, open_site(runtime.site())))
 

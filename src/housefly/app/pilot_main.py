@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import gc
-import os
 import signal
 from contextlib import suppress
 
 from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.pilot_shell import PilotShell
+from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
@@ -18,17 +18,13 @@ from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.pilot.assembly import warm_up
 
-URGENCY = -10
-"""Nice value that the pilot takes where the system lets it."""
-
 
 def main() -> None:
-    """Run the pilot until it is told to leave."""
+    """Run the pilot until it has been asked to stop and the drone is down."""
     runtime = runtime_from_environment()
     loaded = open_site(runtime.site())
     warm_up(loaded.site, loaded.room, loaded.grid)
-    with suppress(PermissionError):
-        os.setpriority(os.PRIO_PROCESS, 0, URGENCY)
+    raise_priority()
     gc.collect()
     gc.freeze()
     with suppress(KeyboardInterrupt):

@@ -1,8 +1,6 @@
-"""Answers to what listeners ask of the pilot process: the room, and a path before anyone commits to
-it.
+"""Answers queries to the pilot process: the room, and a path before anyone flies it.
 
-Answers are worked out on the bus's own thread with a pilot of their own, so that no question delays
-a control step.
+Answers are computed on the bus's own thread, so that no query delays a control step.
 """
 
 from __future__ import annotations
@@ -33,7 +31,7 @@ class PilotQueryServer:
         ]
 
     def update(self, step: PilotStep) -> None:
-        """Remember where the drone is: plans start there."""
+        """Keep the drone's position, where plans start."""
         if step.outputs.estimate is not None:
             self._drone_at = step.outputs.estimate.position[:2]
 

@@ -112,15 +112,16 @@ class PilotShell:
             await self._drone.close()
 
     def stop(self) -> None:
-        """STOP, past every queue: the drone is told to hover before anything else happens."""
+        """Stop at once, past every queue: the drone hovers before anything else happens."""
         if self._airborne():
             self._drone.send(Command(Action.HOVER))
         self._orders.insert(0, Order(OrderKind.STOP, issued_at=self._clock.now(), sender="STOP"))
         self._step()
 
     def leave(self) -> None:
-        """Land if need be, then end; a second call ends at once and leaves the drone to its own
-        watchdog.
+        """Land if necessary, then end.
+
+        A second call ends at once and leaves the drone to its own watchdog.
         """
         if self._leaving:
             raise KeyboardInterrupt

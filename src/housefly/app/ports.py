@@ -1,4 +1,4 @@
-"""Which of the ports that a site needs on this machine are taken."""
+"""Checks whether the ports that a site needs on this machine are free."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ _TRACKING_PORTS: dict[MocapWire, tuple[str, tuple[tuple[socket.SocketKind, str],
 
 @dataclass(frozen=True, slots=True)
 class PortNeed:
-    """Ports that one part of a run listens on.
+    """Ports that one process or device of a run listens on.
 
     Attributes:
-        name: whose they are.
-        address: where.
-        taken: those that somebody else listens on, in words.
+        name: who listens on them.
+        address: IP address or host.
+        taken: those that are in use, in words.
         remedy: what to change.
     """
 
@@ -42,7 +42,7 @@ class PortNeed:
 
 
 def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
-    """Look at the ports that a site needs on this machine."""
+    """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
     if site.twin.enabled:
         address = site.drone.address
@@ -63,9 +63,7 @@ def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
 
 
 def refuse_taken_ports(site: Site, *, web: bool) -> None:
-    """Raise LinkError when a port that the site needs is taken: better now than a drone of somebody
-    else's in the picture.
-    """
+    """Raise LinkError when a port that the site needs is taken, most likely by another Housefly."""
     for need in port_needs(site, web=web):
         if need.taken:
             raise LinkError(

@@ -1,4 +1,4 @@
-"""Says when a run is ready to fly, and what it still waits for."""
+"""Waits until a run is ready to fly, and says what is missing."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from housefly.messages import LinkStatus, PilotStep, VideoFrame
 
 
 class Readiness:
-    """Listens to a starting run."""
+    """Follows a starting run on the bus."""
 
     def __init__(self, site: Site, bus: Bus, *, web: bool, video: bool) -> None:
         self._site = site
@@ -35,9 +35,7 @@ class Readiness:
         ]
 
     def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:
-        """Wait until everything answers; return "" or what is still missing after the timeout [s],
-        in words.
-        """
+        """Wait until everything answers; return "", or what is missing after the timeout [s]."""
         deadline = time.monotonic() + timeout
         while True:
             missing = self._missing()

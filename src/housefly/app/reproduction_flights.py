@@ -1,6 +1,4 @@
-"""The flights of a reproduction: services on a stepped clock, steps of the angles, and one service
-over real wires.
-"""
+"""The flights of a reproduction: services in lock step and over real wires, and angle steps."""
 
 from __future__ import annotations
 
@@ -28,7 +26,7 @@ from housefly.errors import LinkError
 from housefly.lab.identification.box import find_box
 from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import Axis, blocks
-from housefly.lab.identification.result import Identified, Limits, identify
+from housefly.lab.identification.result import Identified, Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
 from housefly.lab.reproduction.angular_step import AngularStep, fit_step
 from housefly.lab.reproduction.fig11_angles import ALPHA
@@ -65,7 +63,7 @@ def fly_recorded_service(site: Site, mode: str, folder: Path) -> RecordedService
 
     def on_step(step: PilotStep) -> None:
         steps.append(step)
-        recorder.step(step)
+        recorder.add_step(step)
 
     outcome = "failed"
     try:
@@ -82,8 +80,7 @@ class StepFlight:
     """Steps in pitch and roll of one flight.
 
     Attributes:
-        onboard: times since the command [s] and pitch [rad] of the first step, by the drone's own
-            sensors.
+        onboard: time since the command [s] and pitch [rad] of the first step, by onboard sensors.
         fit: of that step.
         identified: constants from all steps.
     """
@@ -107,7 +104,7 @@ def fly_steps(site: Site, repeats: int) -> StepFlight:
     )
     if outcome != "completed":
         raise LinkError(f"the steps of Fig. 11 were given up: {outcome}")
-    found = identify(
+    found = fit_constants(
         samples_of(steps, tuple(maneuver.flown), site.tracking.body),
         Limits(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max),
     )
@@ -142,9 +139,7 @@ class WireService:
 def fly_recorded_over_wires(
     site: Site, folder: Path, on_word: Callable[[str], None]
 ) -> WireService:
-    """Fly one service over real wires with console and video; a browser photographs the console
-    where there is one.
-    """
+    """Fly one service over real wires, with video, and pictures of the console if possible."""
     loaded = open_site(changed(site, mode="default", web__port=0))
     logs = folder / "logs"
     logs.mkdir(parents=True, exist_ok=True)

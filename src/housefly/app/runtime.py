@@ -1,5 +1,6 @@
-"""What the launcher tells each process: endpoints, secrets and the checked site, through files and
-the environment.
+"""What each process of a run needs: endpoints, secrets and the checked site.
+
+The launcher passes it on in a file and in environment variables.
 """
 
 from __future__ import annotations
@@ -10,24 +11,23 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
-from housefly.config.site import Site, changed, load_site
+from housefly.config.environment import (
+    BUS_VARIABLE,
+    ROOM_PORT_VARIABLE,
+    SECRET_VARIABLE,
+    SITE_VARIABLE,
+    STOP_PORT_VARIABLE,
+    TOKEN_VARIABLE,
+)
+from housefly.config.site import Site, changed, site_from_file
 from housefly.errors import ConfigError
 from housefly.hub.client.discovery import ROOM_KEY, RoomAddress
 from housefly.web.session_auth import api_key
 
-SITE, BUS, STOP_PORT, SECRET, TOKEN = (
-    "HOUSEFLY_SITE",
-    "HOUSEFLY_BUS",
-    "HOUSEFLY_STOP_PORT",
-    "HOUSEFLY_SECRET",
-    "HOUSEFLY_TOKEN",
-)
-ROOM_PORT = "HOUSEFLY_ROOM_PORT"
-
 
 @dataclass(frozen=True, slots=True)
 class Runtime:
-    """One run's meeting points.
+    """Endpoints and secrets of one run.
 
     Attributes:
         site_file: the checked site with all changes applied, as JSON.
@@ -48,24 +48,22 @@ class Runtime:
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
         mine = {
-            SITE: str(self.site_file),
-            BUS: self.bus,
-            STOP_PORT: str(self.stop_port),
-            SECRET: self.secret,
-            TOKEN: self.token,
+            SITE_VARIABLE: str(self.site_file),
+            BUS_VARIABLE: self.bus,
+            STOP_PORT_VARIABLE: str(self.stop_port),
+            SECRET_VARIABLE: self.secret,
+            TOKEN_VARIABLE: self.token,
         }
-        room = {ROOM_PORT: str(self.room_port), ROOM_KEY: api_key(self.secret)}
+        room = {ROOM_PORT_VARIABLE: str(self.room_port), ROOM_KEY: api_key(self.secret)}
         return {**os.environ, **mine, **room}
 
     def site(self) -> Site:
         """Return the site."""
-        return load_site(self.site_file)
+        return site_from_file(self.site_file)
 
 
 def new_runtime(site: Site, folder: Path) -> Runtime:
-    """Write the site into the folder and choose free ports and fresh secrets; a console on port 0
-    gets a free one too.
-    """
+    """Write the site into a folder, and choose free ports and fresh secrets."""
     if site.web.port == 0:
         site = changed(site, web__port=_free_port(socket.SOCK_STREAM))
     if site.mqtt.start and site.mqtt.port == 0:
@@ -84,7 +82,7 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
 
 
 def discovery_entry(runtime: Runtime) -> RoomAddress:
-    """Return what other programs of this user need to ask the room of a run."""
+    """Return what other programs of this user need to find the room of a run."""
     site = runtime.site()
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
     port = runtime.room_port if site.hub.enabled else 0
@@ -94,17 +92,20 @@ def discovery_entry(runtime: Runtime) -> RoomAddress:
 
 
 def runtime_from_environment() -> Runtime:
-    """Return the run that this process belongs to; raises ConfigError when it was not started by
-    the launcher.
-    """
+    """Return the run of this process; raises ConfigError when the launcher did not start it."""
     try:
         site_file, stop_port, room_port = (
-            Path(os.environ[SITE]),
-            int(os.environ[STOP_PORT]),
-            int(os.environ[ROOM_PORT]),
+            Path(os.environ[SITE_VARIABLE]),
+            int(os.environ[STOP_PORT_VARIABLE]),
+            int(os.environ[ROOM_PORT_VARIABLE]),
         )
         return Runtime(
-            site_file, os.environ[BUS], stop_port, os.environ[SECRET], os.environ[TOKEN], room_port
+            site_file,
+            os.environ[BUS_VARIABLE],
+            stop_port,
+            os.environ[SECRET_VARIABLE],
+            os.environ[TOKEN_VARIABLE],
+            room_port,
         )
     except (KeyError, ValueError) as error:
         raise ConfigError(
@@ -113,7 +114,7 @@ def runtime_from_environment() -> Runtime:
 
 
 def _free_port(kind: socket.SocketKind) -> int:
-    """Return a loopback port that is free now."""
+    """Return a free loopback port."""
     with socket.socket(socket.AF_INET, kind) as probe:
         probe.bind(("127.0.0.1", 0))
         return int(probe.getsockname()[1])

@@ -13,12 +13,12 @@ STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phas
 
 COMPLETED = "completed"
 _HOME_RADIUS = 1.0
-"""A service that ends further from the pad than this has not come home [m]."""
+"""A service must end within this distance of the pad [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class ServiceMonitor:
-    """What was seen of one service so far; ``outcome`` is "" while it goes on.
+    """One service as seen so far; ``outcome`` is "" while it goes on.
 
     Attributes:
         started_at: when the order was given [s].

@@ -1,5 +1,4 @@
-"""Writes ``docs/site.md``: every key of a site file with range, default and meaning, from the types
-themselves.
+"""Writes ``docs/site.md`` from the types: every key of a site file, with range and meaning.
 
 ``python -m housefly.app.site_doc > docs/site.md``
 """
@@ -64,7 +63,7 @@ def _is_section(found: FieldInfo) -> bool:
 
 
 def _sections_in(found: FieldInfo) -> type[Section] | None:
-    """Return the section that a list at the top level holds, or None."""
+    """Return the section type of a list at the top level, or None."""
     kinds = [
         kind
         for kind in get_args(found.annotation)

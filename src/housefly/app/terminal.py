@@ -22,7 +22,7 @@ def new_table(headings: Iterable[str], **column: Any) -> Table:
 
 
 def new_progress(*columns: ProgressColumn) -> Progress:
-    """Return a progress display; where the output is no terminal, only its last state is printed."""
+    """Return a progress display; it vanishes at the end where the output is no terminal."""
     return Progress(*columns, console=console, transient=not console.is_terminal)
 
 

@@ -1,4 +1,4 @@
-"""Which client listens to which tracking system."""
+"""The client of each tracking system."""
 
 from __future__ import annotations
 
@@ -22,5 +22,5 @@ TRACKERS: dict[TrackingKind, Callable[[TrackingConfig, Clock], Tracker]] = {
 
 
 def tracker_of(config: TrackingConfig, clock: Clock) -> Tracker:
-    """Return the client that a site asks for."""
+    """Return the client of a site's tracking system."""
     return TRACKERS[config.kind](config, clock)

@@ -1,4 +1,4 @@
-"""Compiles everything that is compiled, once, so that no flight and no campaign waits for it."""
+"""Compiles all numeric code, so that no flight or campaign waits for it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from housefly.app.compiling import CompiledPart, compile_once
 
 
 def main() -> None:
-    """Compile, and say so when there is something to compile."""
+    """Compile what is not compiled yet, and say so."""
     for part in CompiledPart:
         compile_once(part, partial(print, flush=True))
 

@@ -1,6 +1,4 @@
-"""What a bus can do; two transports implement it: ``bus.local`` (synchronous, in process) and
-``bus.zenoh_bus``.
-"""
+"""The interface of a bus; ``bus.local`` (in process) and ``bus.zenoh_bus`` implement it."""
 
 from __future__ import annotations
 
@@ -22,7 +20,7 @@ class Subscription(Protocol):
 
 
 class Bus(Protocol):
-    """Publish, subscribe, ask, answer. All calls are safe from any thread.
+    """Publish, subscribe, ask, answer; thread-safe.
 
     Handlers run on the transport's thread (local: the caller's); they must be quick and must not
     raise.
@@ -35,9 +33,7 @@ class Bus(Protocol):
     def subscribe(
         self, topic: Topic[_Message], handler: Callable[[_Message], None]
     ) -> Subscription:
-        """Call the handler with each message; LATEST topics skip messages that a slow handler
-        missed.
-        """
+        """Call the handler with each message; a slow one misses messages of LATEST topics."""
         ...
 
     def answer(self, query: str, handler: Callable[[str], str]) -> Subscription:
@@ -45,7 +41,7 @@ class Bus(Protocol):
         ...
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
-        """Ask a query and return the reply text; raises LinkError when nobody answers in time."""
+        """Ask a query and return the reply text; raises LinkError if nobody answers in time."""
         ...
 
     def close(self) -> None:

@@ -1,4 +1,4 @@
-"""Messages to bytes and back: CDR of the types in ``bus/msg``, exact to the last bit.
+"""CDR encoding of the types in ``bus/msg``, exact to the last bit.
 
 The fields of a dataclass and of its ``.msg`` text have the same names in the same order. What
 differs is converted here: enums are numbered by the constants of the text, ``None`` is an empty
@@ -25,11 +25,11 @@ from housefly.geometry import Vec2
 _Message = TypeVar("_Message")
 _Convert = Callable[[Any], Any]
 _Conversion = tuple[_Convert, _Convert]
-"""A conversion to the wire and the one back."""
+"""Conversion to the wire, and back."""
 
 
 def to_cdr(message: object) -> bytes:
-    """Return the CDR bytes of a message; raises WireError when a value does not fit its field."""
+    """Return the CDR bytes of a message; raises WireError if a value does not fit its field."""
     name = type(message).__name__
     try:
         to_wire, _ = _record(name)
@@ -47,7 +47,7 @@ def to_cdr(message: object) -> bytes:
 
 
 def from_cdr(kind: type[_Message], data: bytes) -> _Message:
-    """Return the message that the CDR bytes hold; raises WireError for anything else."""
+    """Return the message in the CDR bytes; raises WireError for anything else."""
     name = kind.__name__
     _, from_wire = _record(name)
     try:
@@ -71,7 +71,7 @@ def _same(value: Any) -> Any:
 
 @cache
 def _standard(name: str) -> _Conversion | None:
-    """Conversion of the standard types that our messages hold as tuples or as a Pose."""
+    """Convert the standard types that our messages hold as tuples or as a Pose."""
     wire = type_store().types[name]
     if name in ("geometry_msgs/msg/Point", "geometry_msgs/msg/Vector3"):
         return lambda v: wire(*v), lambda w: (w.x, w.y, w.z)
@@ -88,7 +88,7 @@ def _nested(name: str) -> _Conversion:
 
 @cache
 def _record(name: str) -> _Conversion:
-    """Conversion of a whole dataclass, field by field."""
+    """Convert a whole dataclass, field by field."""
     kind = getattr(messages, name)
     wire_name = "geometry_msgs/msg/Pose" if name == "Pose" else ros_name(name)
     constants, fields = type_store().fielddefs[wire_name]

@@ -1,4 +1,4 @@
-"""The ROS 2 interface types that Housefly speaks: the standard ones, and its own in ``msg/*.msg``.
+"""The ROS 2 interface types of Housefly: standard ones, and its own in ``msg/*.msg``.
 
 One type store serves the bus, the flight recorder and the replay, so that the same bytes go
 everywhere.
@@ -17,19 +17,17 @@ _PACKAGE = "housefly_msgs"
 """ROS package name of our own types."""
 
 _FOREIGN = {"CompressedVideo": "foxglove_msgs"}
-"""Types that ``msg/`` holds for another package, because ROS 2 does not ship them."""
+"""Types in ``msg/`` of other packages, because ROS 2 does not ship them."""
 
 
 def ros_name(name: str) -> str:
-    """Return the full ROS 2 name of a type whose text lies in ``msg/``, for example
-    ``housefly_msgs/msg/Order``.
-    """
+    """Return the full ROS 2 name of a type in ``msg/``, for example ``housefly_msgs/msg/Order``."""
     return f"{_FOREIGN.get(name, _PACKAGE)}/msg/{name}"
 
 
 @cache
 def type_store() -> Typestore:
-    """Return the types of ROS 2 Jazzy with ours added."""
+    """Return the types of ROS 2 Jazzy and our own."""
     store = get_typestore(Stores.ROS2_JAZZY)
     own: dict[str, Any] = {}
     for entry in files("housefly.bus").joinpath("msg").iterdir():

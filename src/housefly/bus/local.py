@@ -1,7 +1,7 @@
-"""A bus inside one process: synchronous, in a fixed order, with nothing between sender and handler.
+"""A synchronous bus inside one process, with a fixed order of handlers.
 
-zenoh hands messages over on threads of its own, so lock-step simulation and reproducible tests
-stand on this one instead.
+zenoh delivers messages on threads of its own, so lock-step simulation and reproducible tests use
+this one instead.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class _Entry:
 
 
 class _Table:
-    """Handlers in the order in which they came."""
+    """Handlers in the order of subscription."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -52,12 +52,10 @@ class _LocalSubscription:
 
 
 class LocalBus:
-    """All members of one hub hear each other; a handler runs on the caller's thread before
-    ``publish`` returns.
+    """A member of a bus in this process; handlers run on the caller's thread in ``publish``.
 
-    The first ``LocalBus()`` makes the hub, ``join()`` adds members. Handlers are called in the
-    order of subscription. Closing a member ends what it subscribed and answered, and leaves the
-    others alone.
+    The first ``LocalBus()`` makes the bus, ``join()`` adds members. Handlers are called in
+    the order of subscription. Closing a member ends its own subscriptions and answers only.
     """
 
     def __init__(self) -> None:
@@ -66,7 +64,7 @@ class LocalBus:
         self._closed = False
 
     def join(self) -> LocalBus:
-        """Return another member of the same hub."""
+        """Return another member of the same bus."""
         member = LocalBus()
         member._topics, member._queries = self._topics, self._queries
         return member
@@ -85,13 +83,11 @@ class LocalBus:
         return self._register(self._topics, _Entry(topic.key, handler))
 
     def answer(self, query: str, handler: Callable[[str], str]) -> _LocalSubscription:
-        """Answer a query; of several handlers the first answers."""
+        """Answer a query; the first of several handlers answers."""
         return self._register(self._queries, _Entry(query, handler))
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
-        """Return the reply; raises LinkError at once when nobody answers, or when the handler
-        fails.
-        """
+        """Return the reply; raises LinkError at once if nobody answers or the handler fails."""
         handlers = self._queries.handlers(query)
         if self._closed or not handlers:
             raise LinkError(f"nobody answers the query {query!r}")
@@ -101,7 +97,7 @@ class LocalBus:
             raise LinkError(f"the query {query!r} failed: {error}") from error
 
     def close(self) -> None:
-        """Leave the hub."""
+        """Leave the bus."""
         self._closed = True
         while self._mine:
             self._mine.pop().close()

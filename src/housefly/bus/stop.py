@@ -1,9 +1,8 @@
-"""STOP's own path: one small signed datagram on the loopback interface, past every queue of the
-bus.
+"""The path of STOP: one small signed datagram on loopback, past every queue of the bus.
 
-Datagram: magic, time of sending [ns, monotonic clock of this machine], nonce, truncated HMAC-SHA256
-    over all of it.
-The listener acts once on each authentic and fresh datagram and acknowledges every copy of it.
+Datagram: magic, time of sending [ns, monotonic clock of this machine], nonce, truncated
+HMAC-SHA256 over all of it. The listener acts once on each authentic and fresh datagram and
+acknowledges every copy of it.
 """
 
 from __future__ import annotations
@@ -31,9 +30,9 @@ _STOP, _ACKNOWLEDGED = b"HFs1", b"HFa1"
 _BODY = struct.Struct("<4sQ8s")
 _TAG_SIZE = 16
 _FRESH_NS = 2_000_000_000
-"""Older datagrams are replays, or came too late to mean anything."""
+"""Older datagrams are replays, or too late to matter."""
 _REPEATS = (0.005, 0.005, *[0.05] * 20)
-"""Pauses [s] before each further copy, until an acknowledgement comes."""
+"""Pauses [s] before each further copy, until an acknowledgement arrives."""
 
 
 def _key(secret: str) -> bytes:
@@ -44,7 +43,7 @@ def _key(secret: str) -> bytes:
 
 @dataclass(frozen=True, slots=True)
 class _Token:
-    """What tells one STOP from another: its time [ns] and a nonce."""
+    """Identifies one STOP: its time [ns] and a nonce."""
 
     sent_ns: int
     nonce: bytes
@@ -94,7 +93,7 @@ class StopListener:
         self._transport: asyncio.DatagramTransport | None = None
 
     async def start(self) -> None:
-        """Open the socket; raises LinkError when the port is taken."""
+        """Open the socket; raises LinkError if the port is taken."""
         try:
             self._transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
                 lambda: _Protocol(self._received), local_addr=self.address
@@ -156,11 +155,10 @@ class StopSender:
         self._pending: set[Future[bool]] = set()
 
     def send(self) -> Future[bool]:
-        """Send STOP now and return; copies follow in the background until it is acknowledged, for
-        about a second.
+        """Send STOP now and return; copies follow for about a second until it is acknowledged.
 
         Returns:
-            A future that becomes true with the acknowledgement, and false when none came.
+            A future: True once acknowledged, False if not.
         """
         link = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         link.connect(self._address)
@@ -176,7 +174,7 @@ class StopSender:
         return outcome
 
     def close(self) -> None:
-        """Wait until every STOP is acknowledged or given up, about a second at most."""
+        """Wait until every STOP is acknowledged or given up, at most about a second."""
         wait(tuple(self._pending))
 
     def __enter__(self) -> Self:

@@ -1,6 +1,6 @@
-"""The topics and queries of the bus: one table, one line each.
+"""The topics and queries of the bus.
 
-Keys are relative; the transport puts the site's namespace in front.
+Keys are relative; the transport prepends the site's namespace.
 """
 
 from __future__ import annotations
@@ -37,10 +37,9 @@ class Topic(Generic[_Message]):
 
     Attributes:
         key: name on the wire.
-        type: what it carries.
-        delivery: what happens when a subscriber is slow.
-        depth: unread messages that a slow subscriber of a LATEST topic keeps; older ones are
-            dropped.
+        type: of the messages.
+        delivery: what happens if a subscriber is slow.
+        depth: unread messages that a LATEST topic keeps for a slow subscriber.
     """
 
     key: str
@@ -74,10 +73,8 @@ TOPICS = (
 )
 
 PLAN_QUERY = "pilot/plan"
-"""Query: JSON request of a plan -> JSON answer (see ``bus.queries``)."""
+"""Query: JSON request of a plan -> JSON answer (see ``hub.api.pilot_queries``)."""
 ROOM_QUERY = "pilot/room"
-"""Query: "" -> JSON view of the room and its map (see ``bus.queries``)."""
+"""Query: "" -> JSON view of the room and its map (see ``hub.api.pilot_queries``)."""
 HUB_QUERY = "hub/ask"
-"""Query: JSON question to the room -> JSON answer or refusal (see ``bus.room_questions``,
-``bus.room_json``).
-"""
+"""Query: JSON question to the room -> JSON answer or refusal (see ``hub.api.json``)."""

@@ -1,8 +1,7 @@
-"""The bus between processes: zenoh sessions that only go where they are told.
+"""The bus between processes: zenoh sessions with fixed endpoints only.
 
-One process listens (the pilot), the others connect to it and keep trying; nothing is scouted,
-nothing else is opened. A process that dies is forgotten, and one that comes back is heard again,
-without a restart of the others.
+One process listens (the pilot), the others connect to it and keep trying; there is no scouting
+and no other endpoint. A process may die and come back without a restart of the others.
 """
 
 from __future__ import annotations
@@ -29,13 +28,11 @@ _log = logging.getLogger(__name__)
 _EVERY_DEPTH = 256
 """Unread messages of an EVERY topic before its sender has to wait."""
 _ASK_AGAIN = 0.05
-"""Pause [s] between two attempts to find somebody who answers."""
+"""Pause between two attempts to find an answerer [s]."""
 
 
 class _Reader:
-    """A thread that takes messages out of a zenoh channel, so that a slow handler never holds up
-    zenoh's own threads.
-    """
+    """A thread that reads a zenoh channel, so that a slow handler never blocks zenoh's threads."""
 
     def __init__(self, source: Any, name: str, work: Callable[[Any], None]) -> None:
         self._source = source
@@ -59,7 +56,7 @@ class _Reader:
                 _log.exception("a handler of %s failed", self._name)
 
     def close(self) -> None:
-        """Stop receiving; returns when no handler runs any more, unless a handler itself calls it."""
+        """Stop receiving; waits for a running handler, unless the handler itself calls it."""
         if self._open:
             self._open = False
             self._source.undeclare()
@@ -71,11 +68,9 @@ class ZenohBus:
     """A member of the bus in this process.
 
     Args:
-        listen: endpoint to listen on and route, for example ``tcp/127.0.0.1:7447``; None listens
-            nowhere.
-        connect: endpoint to connect to, now or as soon as somebody listens there; None connects
-            nowhere.
-        namespace: put in front of all keys, so that several rooms can share a network.
+        listen: endpoint to listen on and route, for example ``tcp/127.0.0.1:7447``, or None.
+        connect: endpoint to connect to as soon as somebody listens there, or None.
+        namespace: prefix of all keys, so that several rooms can share a network.
 
     Raises:
         LinkError: the endpoint cannot be listened on.
@@ -101,8 +96,8 @@ class ZenohBus:
     def publish(self, topic: Topic[_Message], message: _Message) -> None:
         """Send one message; does nothing after ``close``.
 
-        A LATEST topic drops what the network cannot take at once, and costs next to nothing while
-        nobody listens. An EVERY topic waits for room, at most five seconds.
+        A LATEST topic drops what the network cannot take at once, and costs next to nothing without
+        subscribers. An EVERY topic waits for room, at most five seconds.
         """
         try:
             publisher = self._publisher(topic)
@@ -130,9 +125,7 @@ class ZenohBus:
         )
 
     def answer(self, query: str, handler: Callable[[str], str]) -> _Reader:
-        """Answer a query, on a thread of this subscription; a handler that raises is an error reply
-        in words.
-        """
+        """Answer a query, on a thread of this subscription; an exception becomes an error reply."""
         key = self._key(query)
         source = self._declare(
             self._session.declare_queryable, key, zenoh.handlers.FifoChannel(_EVERY_DEPTH)
@@ -152,9 +145,7 @@ class ZenohBus:
         return self._keep(_Reader(source, query, reply))
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
-        """Return the first reply; raises LinkError when nobody answers within the timeout [s] or
-        the handler failed.
-        """
+        """Return the first reply; raises LinkError after the timeout [s] or on a failed handler."""
         deadline = time.monotonic() + timeout
         while (left := deadline - time.monotonic()) > 0:
             for reply in self._declare(
@@ -227,12 +218,12 @@ _TIMED_OUT = "Timeout"
 
 
 def _words(error: zenoh.ZError) -> str:
-    """Return what went wrong, without the places in zenoh's source where it did."""
+    """Return the error without zenoh's source locations."""
     return str(error).split(" at /")[0]
 
 
 def _configuration(listen: str | None, connect: str | None) -> zenoh.Config:
-    """Return a configuration that opens exactly the given endpoints."""
+    """Return a configuration with exactly the given endpoints."""
     settings: dict[str, Any] = {
         # Routers pass messages on between processes that are not connected to each other; peers and
         # clients do not.

@@ -8,8 +8,9 @@ from housefly.config.section import Section, quantity
 
 
 class DepthCameraConfig(Section):
-    """An RGB-D camera whose driver sends its depth images on the bus, each with its pose; the place
-    given here is the twin's.
+    """An RGB-D camera whose driver sends its depth images on the bus, each with its pose.
+
+    The place given here is the twin's.
     """
 
     name: str = Field(

@@ -17,9 +17,7 @@ class TagConfig(Section):
 
 
 class DeviceConfig(Section):
-    """Where a device on MQTT stands, so that what it measures in its own frame is known in the
-    room.
-    """
+    """Where a device on MQTT stands in the room; it measures in its own frame."""
 
     id: str = Field(pattern=_ID, description="id of the device, as in its topics")
     position: tuple[float, float, float] = Field(

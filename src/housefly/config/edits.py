@@ -1,6 +1,4 @@
-"""What people changed on the ROOM screen: places and no-fly zones, on top of the room and the site
-file.
-"""
+"""Places and no-fly zones that people changed on the ROOM screen, on top of room and site file."""
 
 from __future__ import annotations
 
@@ -59,8 +57,9 @@ class NoFlyZone(Section):
 
 
 class Edits(Section):
-    """What people changed on the ROOM screen, in mode default; a start fills it in from the newest
-    version that was saved.
+    """What people changed on the ROOM screen, in mode default.
+
+    A start fills it in from the newest version that was saved.
     """
 
     places: tuple[PlaceEdit, ...] = Field(

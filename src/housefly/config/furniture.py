@@ -51,9 +51,7 @@ class FurnitureConfig(Section):
 
 
 def check_furniture(furniture: tuple[FurnitureConfig, ...], others: tuple[str, ...]) -> None:
-    """Raise ValueError when two pieces share a name, body or model, or a body is one of the others
-    that tracking sees.
-    """
+    """Raise ValueError when two pieces share a name, body or model, or one has another's body."""
     if len({piece.name for piece in furniture}) < len(furniture):
         raise ValueError("furniture: two things have the same name")
     if len({piece.body for piece in furniture}) < len(furniture):

@@ -1,6 +1,4 @@
-"""Drone profiles: the constants of one drone as measured, with their intervals, in a file that
-people read.
-"""
+"""Drone profiles: the measured constants of one drone with their intervals, in a readable file."""
 
 from __future__ import annotations
 
@@ -18,8 +16,8 @@ class ConstantOf(NamedTuple):
 
     Attributes:
         unit: "1" for pure numbers.
-        low: smallest value believed.
-        high: largest value believed.
+        low: smallest plausible value.
+        high: largest plausible value.
         meaning: one line.
     """
 

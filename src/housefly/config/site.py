@@ -96,7 +96,7 @@ class Site(Section):
         return self
 
 
-def load_site(path: Path) -> Site:
+def site_from_file(path: Path) -> Site:
     """Read and check a site file (TOML; JSON when it ends in ``.json``).
 
     Constants of the drone that the site does not give come from the drone's profile, if it has one.

@@ -40,7 +40,7 @@ class FlightFacts:
             yield self._seen(sighting, unix)
         estimate = step.outputs.estimate
         if estimate is not None and step.sequence % 10 == 0:
-            yield self._believed(estimate, unix)
+            yield self._estimated(estimate, unix)
         yield from self._phases(step, unix)
         for event in step.outputs.events:
             facts = (("code", event.code), ("severity", event.severity.value))
@@ -56,7 +56,7 @@ class FlightFacts:
             sighting.pose.orientation,
         )
 
-    def _believed(self, estimate: Estimate, unix: float) -> Observation:
+    def _estimated(self, estimate: Estimate, unix: float) -> Observation:
         variance = estimate.position_std**2
         at = unix + estimate.at
         covariance = (variance, 0.0, 0.0, variance, 0.0, variance)

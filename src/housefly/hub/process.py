@@ -19,7 +19,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.site import Site, load_site
+from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError, LinkError
 from housefly.hub.client.discovery import ROOM_KEY
 from housefly.hub.hub import Hub
@@ -89,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         key = os.environ.get(ROOM_KEY, "")
         asyncio.run(
-            _run_hub(load_site(options.site), options.site.parent, options.bus, options.port, key)
+            _run_hub(site_from_file(options.site), options.site.parent, options.bus, options.port, key)
         )
     except HouseflyError as error:
         print(f"hub: {error}", file=sys.stderr)

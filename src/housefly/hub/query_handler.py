@@ -186,7 +186,7 @@ def _where_answer(world: WorldModel, words: str, now: float) -> WhereAnswer:
         found.seen_at,
         found.age(now),
         found.sources,
-        tuple(_said(sample, now) for sample in world.latest_observations(thing.id)),
+        tuple(_source_answer(sample, now) for sample in world.latest_observations(thing.id)),
     )
 
 
@@ -226,7 +226,7 @@ def _thing(thing: Thing) -> ThingAnswer:
     )
 
 
-def _said(sample: Observation, now: float) -> SourceAnswer:
+def _source_answer(sample: Observation, now: float) -> SourceAnswer:
     return SourceAnswer(
         sample.source,
         now - sample.captured_at,

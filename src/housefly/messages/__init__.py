@@ -1,4 +1,4 @@
-"""The vocabulary: every value that crosses a border between two folders.
+"""The messages: every value that crosses a border between two packages.
 
 All values are frozen. SI units. World frame: x along the long wall, y left, z up. Body frame:
 forward, left, up. Times are seconds of the monotonic clock; only what the room remembers

@@ -1,4 +1,4 @@
-"""What a depth camera saw."""
+"""One image of a depth camera."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class DepthImage:
 
     Attributes:
         source: name of the camera.
-        captured_at: when it looked [s, our monotonic clock].
+        captured_at: when it was exposed [s, our monotonic clock].
         width, height: [px].
         data: distance along the camera's axis of each pixel [mm], 16 bits, low byte first; 0 where
             nothing was measured.

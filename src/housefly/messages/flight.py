@@ -1,4 +1,4 @@
-"""What people ask for and what becomes of it: orders, events, and one whole step of the pilot."""
+"""Orders, what the pilot makes of them, and one whole step of the pilot."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class Event:
 
 
 class Phase(Enum):
-    """How far an errand has come."""
+    """How far a mission has come."""
 
     IDLE = "idle"
     TAKING_OFF = "taking off"
@@ -86,14 +86,13 @@ class Phase(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Inputs:
-    """All that a pilot step may know, besides the time.
+    """Everything that a step of the pilot may know, besides the time.
 
     Attributes:
         sightings: since the last step.
         telemetry: the newest.
         orders: since the last step.
-        obstacles: what was heard of obstacles since the last step; the pilot remembers the others
-            for a while.
+        obstacles: reported since the last step; the pilot keeps earlier ones for a while.
     """
 
     sightings: tuple[Sighting, ...] = ()
@@ -104,14 +103,14 @@ class Inputs:
 
 @dataclass(frozen=True, slots=True)
 class Outputs:
-    """All that a pilot step decides.
+    """Everything that a step of the pilot decides.
 
     Attributes:
         command: for the drone driver.
         estimate: None until the first sighting.
         reference: None while nothing is tracked.
-        behavior, phase, safety: states of the acceptor, the errand and the last gate.
-        goal_name: where the errand goes, in words ("" when none).
+        behavior, phase, safety: states of the acceptor, the mission and the safety gate.
+        goal_name: where the mission goes, in words ("" when none).
         path: the path in use.
         waypoint: index into ``path.waypoints`` of the next waypoint.
         reason: why safety or the pilot holds back, in words ("" when nothing does).
@@ -133,9 +132,7 @@ class Outputs:
 
 @dataclass(frozen=True, slots=True)
 class PilotStep:
-    """One whole step, as the bus carries it and the recorder keeps it: enough to replay the pilot
-    bit for bit.
-    """
+    """One step of the pilot with all that is needed to replay it bit for bit."""
 
     sequence: int
     now: float

@@ -1,4 +1,4 @@
-"""What is in the way although no map shows it: people, moved chairs, opened doors."""
+"""Obstacles that no map shows: people, moved chairs, opened doors."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from housefly.geometry import Vec2
 
 @dataclass(frozen=True, slots=True)
 class Obstacle:
-    """One thing in the way, as one source last saw it: a rectangle of ``size`` turned by ``yaw``
-    and grown by ``radius``.
+    """One thing in the way, as one source last saw it.
 
-    A disc is a rectangle without extent. A confidence of 0 says that the thing is gone.
+    It is a rectangle of ``size``, turned by ``yaw`` and grown by ``radius``; a disc is a rectangle
+    without extent. A confidence of 0 says that the thing is gone.
 
     Attributes:
-        id: the source's own name for it, the same as long as it is the same thing.
+        id: the source's own name for it, the same for as long as the source follows it.
         position: middle, world xy [m].
         radius: of the disc, or how far the rectangle's corners are rounded outwards [m].
         size: full length and width of the rectangle before it is turned [m].

@@ -1,4 +1,4 @@
-"""What a scanning range finder saw in one turn."""
+"""One turn of a scanning range finder."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Scan:
-    """One distance for each beam.
+    """One distance per beam.
 
     Attributes:
         source: name of the scanner.
-        captured_at: when it looked [s, our monotonic clock].
-        received_at: when we heard of it [s].
+        captured_at: when it measured [s, our monotonic clock].
+        received_at: when we received it [s].
         first_angle: of the first beam [rad], counter-clockwise from the scanner's front.
         step: from beam to beam [rad].
         ranges: distances [m]; infinite where nothing came back.

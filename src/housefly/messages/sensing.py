@@ -1,4 +1,4 @@
-"""What is seen and told: sightings, telemetry, pictures, and the estimate made of them."""
+"""What tracking, drone and sensors report, and the estimate made of it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Sighting:
         body: name of the tracked body.
         pose: where it was.
         captured_at: when the cameras saw it [s, our monotonic clock].
-        received_at: when we heard of it [s].
+        received_at: when we received it [s].
     """
 
     body: str
@@ -40,21 +40,21 @@ class Sighting:
 
 @dataclass(frozen=True, slots=True)
 class TrackedFrame:
-    """What one frame of the tracking system showed, told as soon as it is heard."""
+    """One frame of the tracking system, published on arrival."""
 
     sightings: tuple[Sighting, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class SensorReport:
-    """How one sensor does, told by the process that listens to it.
+    """The state of one sensor, reported by the process that listens to it.
 
     Attributes:
         id: of the sensor, as the site file calls it.
         kind: what it is, in a word or two.
-        connected: whether it is there and speaks as often as it should.
-        rate_hz: what is heard of it lately [Hz].
-        age: time since it was last heard [s]; infinite when never.
+        connected: whether it sends as often as it should.
+        rate_hz: its rate over the last seconds [Hz].
+        age: time since it last sent [s]; infinite when never.
         problem: what is wrong, in words, or "".
     """
 
@@ -79,10 +79,10 @@ class DroneStatus(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Telemetry:
-    """What the drone last said of itself.
+    """The last report of the drone about itself.
 
     Attributes:
-        received_at: when we heard it [s].
+        received_at: when we received it [s].
         status: the drone's own state.
         battery: charge, 0 to 1.
         phi, theta, psi: attitude [rad], REP-103 signs; psi is relative to the drone's own start,

@@ -1,4 +1,4 @@
-"""What is wanted: paths, references, setpoints, commands."""
+"""What the pilot wants of the drone: paths, references, setpoints, commands."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""What the room senses and what happens in it: as sensors tell it, the hub fuses it and the store
-keeps it.
-"""
+"""What the room senses and what happens in it, as sensors report it and the hub keeps it."""
 
 from __future__ import annotations
 
@@ -19,14 +17,14 @@ Covariance = tuple[float, float, float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """One thing as one source saw it once.
+    """One thing as one source saw it at one time.
 
     Attributes:
         thing: stable id of what was seen: "cup", "person-1", "entrance-door".
         source: id of the sensor or process that saw it: "vicon", "cabinet", "laser-1".
-        captured_at: when it was so [s, Unix time].
-        received_at: when we heard of it [s, Unix time].
-        position: world [m]; None when the source knows only that it is, or in what it is.
+        captured_at: when it was measured [s, Unix time].
+        received_at: when we received it [s, Unix time].
+        position: world [m]; None when the source does not know it.
         orientation: (w, x, y, z), body to world; None when unknown.
         covariance: of the position [m^2]; None when unknown.
         inside: id of the thing that contains it, "" when the source does not say.
@@ -72,6 +70,6 @@ class RoomEvent:
 
 @dataclass(frozen=True, slots=True)
 class RoomNews:
-    """What changed in the room since the last news, as JSON text (see ``bus.room_answers.News``)."""
+    """What changed in the room since the last news: ``hub.api.answers.News`` as JSON."""
 
     text: str

@@ -1,3 +1,1 @@
-"""From measured distances to people and things that no map shows: what differs from the room,
-clustered, followed in time.
-"""
+"""Detects people and things that no map shows: background subtraction, clustering, tracking."""

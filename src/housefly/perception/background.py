@@ -1,4 +1,4 @@
-"""What a scanner would see in the room as modelled: the distance of each beam, worked out once."""
+"""Expected range of each beam of a scanner in the modelled room, computed once."""
 
 from __future__ import annotations
 
@@ -15,14 +15,12 @@ from housefly.room.distance import footprints
 from housefly.room.model import Solid
 
 HALF_THICKNESS = 0.02
-"""Solids within this of the scanner's plane stop its beams [m]: a beam widens, and no wall is quite
-upright.
-"""
+"""Solids within this of the scanner's plane stop its beams [m]: beams widen, walls tilt."""
 
 
 @compiled
 def _entry(row: Any, x: float, y: float, dx: float, dy: float) -> float:
-    """Return how far along a ray it meets a footprint; infinite when it does not."""
+    """Return the distance along a ray to a footprint; infinite if it misses."""
     ox, oy = x - row[1], y - row[2]
     if row[0] == 1.0:
         along = -(ox * dx + oy * dy)
@@ -62,10 +60,10 @@ def _cast(rows: Any, x: float, y: float, angles: Any, out: Any) -> None:
 def expected_ranges(
     solids: Iterable[Solid], laser: LaserConfig, first_angle: float, step: float, beams: int
 ) -> FloatArray:
-    """Return the distance [m] at which each beam meets the room; infinite where it meets nothing.
+    """Return the distance [m] at which each beam hits the room; infinite if it hits nothing.
 
     Args:
-        solids: of the room; what the drone cannot touch stops a beam as well.
+        solids: of the room; those that the drone cannot touch stop beams as well.
         laser: where the scanner is.
         first_angle: of the first beam from the scanner's front [rad].
         step: from beam to beam [rad].

@@ -1,4 +1,4 @@
-"""What is nearer than the room: neighbouring beams that hit the same thing, and its place and size."""
+"""Clusters of neighbouring beams that end before the room does, with place and size."""
 
 from __future__ import annotations
 
@@ -12,21 +12,22 @@ from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
 
 _FOREGROUND_MARGIN = 0.15
-"""A beam that ends this much before the room does hits something new [m]: five times the noise, and
-the room's own roughness.
+"""A beam that ends this much before the room hits something new [m].
+
+Five times the noise, and the roughness of the room itself.
 """
 _MAX_GAP = 0.25
-"""Points farther apart than this belong to two things [m]."""
+"""Points farther apart than this belong to two clusters [m]."""
 _MAX_MISSING_BEAMS = 3
-"""So many beams in a row may be lost within one thing."""
+"""At most this many beams in a row may be lost within one cluster."""
 _MIN_POINTS = 3
-"""Fewer points are noise."""
+"""Clusters of fewer points are noise."""
 _MIN_RADIUS = 0.05
-"""No thing is taken for smaller than this [m, radius]."""
+"""Smallest radius of a cluster [m]."""
 _MAX_DISC_RADIUS = 0.5
-"""Wider things are taken for rectangles [m, radius]."""
+"""Larger clusters are rectangles [m, radius]."""
 _DISC_DEPTH = pi / 4
-"""The visible side of a disc lies on average this share of its radius before its middle."""
+"""Mean distance from the visible side of a disc to its centre, as a share of its radius."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +35,7 @@ class Cluster:
     """One thing in one scan.
 
     Attributes:
-        position: its middle, world xy [m].
+        position: its centre, world xy [m].
         radius: of the disc; 0 for a rectangle.
         size: length and width of the rectangle [m]; (0, 0) for a disc.
         yaw: of the rectangle [rad].
@@ -49,9 +50,7 @@ class Cluster:
 
 
 def foreground(ranges: FloatArray, background: FloatArray) -> NDArray[np.bool_]:
-    """Return which beams end clearly before the room does; at an edge the nearer side of the room
-    counts.
-    """
+    """Return which beams end well before the room; at an edge the nearer side counts."""
     nearest = background.copy()
     nearest[1:] = np.minimum(nearest[1:], background[:-1])
     nearest[:-1] = np.minimum(nearest[:-1], background[1:])
@@ -59,7 +58,7 @@ def foreground(ranges: FloatArray, background: FloatArray) -> NDArray[np.bool_]:
 
 
 def clusters_of(points: FloatArray, beams: NDArray[np.int64], origin: Vec2) -> tuple[Cluster, ...]:
-    """Return the things that foreground points belong to.
+    """Return the clusters of foreground points.
 
     Args:
         points: world xy [m] in the order of the beams, shape (n, 2).
@@ -76,9 +75,7 @@ def clusters_of(points: FloatArray, beams: NDArray[np.int64], origin: Vec2) -> t
 
 
 def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
-    """Return the thing that points [m] from its one edge to the other belong to, seen from an
-    origin [m].
-    """
+    """Return the cluster of points [m], ordered from edge to edge as seen from an origin [m]."""
     (ax, ay), (bx, by) = points[0].tolist(), points[-1].tolist()
     width = hypot(bx - ax, by - ay)
     if width > 2.0 * _MAX_DISC_RADIUS:
@@ -92,7 +89,7 @@ def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
 
 
 def _rectangle(points: FloatArray, yaw: float) -> Cluster:
-    """Return the rectangle along the line from the first point to the last that holds all points."""
+    """Return the rectangle around all points, along the line from the first to the last."""
     along = points @ np.array([cos(yaw), sin(yaw)])
     across = points @ np.array([-sin(yaw), cos(yaw)])
     u, v = (along.max() + along.min()) / 2, (across.max() + across.min()) / 2

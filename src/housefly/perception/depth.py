@@ -1,4 +1,4 @@
-"""From a depth image to the cells of the floor plan that something stands on."""
+"""Converts a depth image to world points and to occupied cells of the floor plan."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from housefly.room.grid import OccupancyGrid
 _MIN_CELL_POINTS = 4
 """Fewer points in a cell are noise."""
 MIN_DEPTH, _MAX_DEPTH = 0.2, 8.0
-"""Depths outside this are not believed [m]."""
+"""Depths outside this are discarded [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Intrinsics:
-    """A pinhole camera: focal lengths and the image's middle [px]."""
+    """A pinhole camera: focal lengths and principal point [px]."""
 
     fx: float
     fy: float
@@ -29,8 +29,7 @@ class Intrinsics:
 
 
 def points_of(depth: FloatArray, camera: Intrinsics, pose: Pose) -> FloatArray:
-    """Return the world points [m] that a depth image shows, shape (n, 3); pixels without a
-    believable depth are left out.
+    """Return the world points [m] of a depth image, shape (n, 3), without invalid pixels.
 
     Args:
         depth: distance along the camera's axis [m], shape (height, width).

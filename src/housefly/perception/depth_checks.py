@@ -1,4 +1,4 @@
-"""Whether a depth image can be believed: everything that is wrong with it, in words."""
+"""Checks whether a depth image is plausible, and words what is wrong."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from housefly.config.depth import DepthCameraConfig
 from housefly.messages import DepthImage
 
 _MAX_AHEAD, _IMAGE_AGE_MAX = 0.05, 1.0
-"""An image from farther in the future, or older, is not believed [s]."""
+"""An image further in the future, or older, is refused [s]."""
 _MAX_PIXELS = 1_000_000
-"""No image is larger [px]."""
+"""Largest image [px]."""
 FROZEN_IMAGES = 3
-"""So many images that are alike to the last bit come from a camera that stands still."""
+"""This many identical images in a row come from a frozen camera."""
 _MIN_MEASURED_SHARE = 0.01
-"""A camera that measures a smaller share of its pixels is covered."""
+"""A camera with a smaller share of measured pixels is covered."""
 _MAX_CAMERA_DISTANCE = 1000.0
-"""No camera is farther from the room's origin [m]."""
+"""Farthest position of a camera from the room's origin [m]."""
 _MIN_PERIOD_SHARE = 0.9
-"""An image may come after this share of the camera's period."""
+"""An image may arrive after this share of the camera's period."""
 
 
 class DepthChecks:
-    """Remembers the last image of each camera; a refused image changes nothing.
+    """Keeps the last image of each camera; a refused image changes nothing.
 
     Args:
         cameras: of the site.
@@ -36,7 +36,7 @@ class DepthChecks:
         self._alike: dict[str, int] = {}
 
     def fault(self, image: DepthImage, now: float) -> str:
-        """Return why an image is not believed at a time [s], in words, or ""."""
+        """Return why an image is refused at a time [s], in words, or ""."""
         if image.source not in self._cameras:
             return "not a depth camera of this site"
         problem = _nonsense(image) or _wrong_time(image, now) or self._too_soon(image)

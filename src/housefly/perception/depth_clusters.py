@@ -1,6 +1,4 @@
-"""Things in a depth image that the room model does not explain: occupied cells close to each other,
-and the points in them.
-"""
+"""Clusters in a depth image that the room model does not explain."""
 
 from __future__ import annotations
 
@@ -21,27 +19,25 @@ from housefly.room.model import Room
 _RESOLUTION = 0.1
 """Edge of a cell [m]."""
 _EXPLAINED_DISTANCE = 0.2
-"""What is seen within this of the modelled room belongs to it [m]: noise of the camera, error of
-its pose, edge of a cell.
+"""Points within this distance of the modelled room belong to it [m].
+
+It covers the camera's noise, the error of its pose, and the edge of a cell.
 """
 _BAND_MARGIN = 0.05
-"""The room counts this much below and above the band in which the camera's points count [m]: its
-pose is not exact.
-"""
+"""The room counts this far below and above the camera's band [m]: its pose is not exact."""
 _MIN_POINTS = 12
-"""Things of fewer points are noise."""
+"""Clusters of fewer points are noise."""
 _GAP_CELLS = 4
-"""Cells no farther apart than this belong to one thing: a side seen at a flat angle has holes, and
-no drone fits between.
+"""Cells no farther apart than this belong to one cluster.
+
+A side seen at a flat angle has holes, and no drone fits between.
 """
 _MAX_CLUSTERS = 64
-"""Of more things only the nearest count."""
+"""Only this many clusters count, the nearest."""
 
 
 def known_room(room: Room, band: Vec2) -> OccupancyGrid:
-    """Return the floor plan with what the room model explains between two heights [m]: those cells
-    are occupied.
-    """
+    """Return the floor plan whose cells are occupied where the room model explains points [m]."""
     x_min, y_min, x_max, y_max = room.bounds
     xs = np.arange(x_min + _RESOLUTION / 2, x_max, _RESOLUTION)
     ys = np.arange(y_min + _RESOLUTION / 2, y_max, _RESOLUTION)
@@ -59,11 +55,11 @@ def known_room(room: Room, band: Vec2) -> OccupancyGrid:
 def unexplained(
     points: FloatArray, known: OccupancyGrid, band: Vec2, origin: Vec2
 ) -> tuple[Cluster, ...]:
-    """Return the things that points belong to, without those that the room model explains.
+    """Return the clusters of points that the room model does not explain.
 
     Args:
         points: world points [m], shape (n, 3).
-        known: of ``known_room``.
+        known: from ``known_room``.
         band: lowest and highest height that counts [m].
         origin: where the camera is [m].
     """
@@ -80,7 +76,7 @@ def unexplained(
 
 
 def _cluster(points: FloatArray, origin: Vec2) -> Cluster:
-    """Return the thing that points belong to, taken from left to right as the camera sees them."""
+    """Return the cluster of points, ordered from left to right as the camera sees them."""
     away = points - np.array(origin)
     ahead = away.mean(axis=0)
     bearing = np.arctan2(ahead[0] * away[:, 1] - ahead[1] * away[:, 0], away @ ahead)
@@ -88,7 +84,7 @@ def _cluster(points: FloatArray, origin: Vec2) -> Cluster:
 
 
 def _connected(marked: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """Return the number of the group that each marked cell belongs to, from 1 on."""
+    """Return the group number of each marked cell, from 1 on; 0 elsewhere."""
     labels = np.zeros(marked.shape, dtype=np.int64)
     left = {(int(i), int(j)) for i, j in np.argwhere(marked)}
     number = 0

@@ -1,4 +1,4 @@
-"""The depth cameras of a room: an image in, obstacles out. Pure: no clock, no wire."""
+"""Tracks obstacles in the images of a room's depth cameras. Pure: no clock, no wire."""
 
 from __future__ import annotations
 
@@ -24,20 +24,19 @@ from housefly.perception.tracker import ObstacleTrack, TrackSet
 from housefly.room.model import Room
 
 _SOURCE = "depth"
-"""Source of what the depth cameras see."""
+"""Source of the obstacles of the depth cameras."""
 MAX_SAMPLED_PIXELS = 80_000
-"""Of larger images only every second, third ... row and column is looked at [px]."""
+"""Larger images are subsampled to at most this many pixels [px]."""
 _SEE_THROUGH_SHARE = 0.7
-"""A camera looks through a place when this share of the pixels there ends behind it."""
+"""A camera sees through a place if this share of the pixels there ends behind it."""
 
 
 @dataclass(frozen=True, slots=True)
 class _DepthView:
-    """A believed image.
+    """An accepted image.
 
     Attributes:
-        depth: distance along the camera's axis [m], NaN where nothing was measured, shape (height,
-            width).
+        depth: distance along the camera's axis [m], NaN if not measured, shape (height, width).
         camera: its intrinsics.
         pose: of the camera in the world.
     """
@@ -47,9 +46,7 @@ class _DepthView:
     pose: Pose
 
     def sees_through(self, place: Vec2, height: float, radius: float) -> bool:
-        """Tell whether the camera sees what is behind a place [m] at a height [m] in a radius [m]:
-        nothing stands there.
-        """
+        """Return whether the camera sees through a place [m] at a height [m] with a radius [m]."""
         away = [a - b for a, b in zip((*place, height), self.pose.position, strict=True)]
         x, y, z = (float(np.dot(rotate(self.pose.orientation, axis), away)) for axis in _AXES)
         if z <= MIN_DEPTH:
@@ -72,7 +69,7 @@ class _DepthView:
 
 
 class DepthTracker:
-    """Follows what no map shows, each camera for itself.
+    """Tracks what no map shows, for each camera separately.
 
     Args:
         room: what the map shows.
@@ -88,12 +85,12 @@ class DepthTracker:
     def update(
         self, image: DepthImage, now: float, own: OwnFootprint | None = None
     ) -> TrackingResult:
-        """Take in one image.
+        """Process one image.
 
         Args:
             image: of any of the cameras.
             now: time [s].
-            own: where the drone is, None when it is not in the air or not known.
+            own: where the drone is, None if it is on the ground or unknown.
         """
         problem = self._checks.fault(image, now)
         if problem:
@@ -122,7 +119,7 @@ class DepthTracker:
 
 
 def depth_view(image: DepthImage) -> _DepthView:
-    """Return a checked image in metres, thinned out when it is large."""
+    """Return a checked image in metres, subsampled if it is large."""
     every = ceil(sqrt(image.width * image.height / MAX_SAMPLED_PIXELS))
     raw = np.frombuffer(image.data, dtype="<u2").reshape(image.height, image.width)[
         ::every, ::every

@@ -1,6 +1,4 @@
-"""All scanners of a room together: a scan in, obstacles and observations out. Pure: no clock, no
-wire.
-"""
+"""Tracks obstacles in the scans of a room's laser scanners. Pure: no clock, no wire."""
 
 from __future__ import annotations
 
@@ -19,26 +17,24 @@ from housefly.perception.tracker import ObstacleTrack, TrackSet
 from housefly.room.model import Room
 
 _SOURCE = "lasers"
-"""Source of what the scanners see together."""
+"""Source of the obstacles of all scanners."""
 _MAX_AHEAD, _SCAN_AGE_MAX = 0.05, 1.0
-"""A scan from farther in the future, or older, is not believed [s]."""
+"""A scan further in the future, or older, is refused [s]."""
 _FROZEN_SCANS = 3
-"""So many scans that are alike to the last bit come from a scanner that stands still."""
+"""This many identical scans in a row come from a frozen scanner."""
 _COVERED_SHARE = 0.5
-"""A scanner is covered when this share of its beams ends at once ..."""
+"""A scanner is covered if this share of its beams ends ..."""
 _COVERED_DISTANCE = 0.1
 """... nearer than this [m]."""
 SEE_THROUGH_MARGIN = 0.2
-"""Beams look through a place when they end this much behind it [m]."""
+"""Beams see through a place if they end this far behind it [m]."""
 _MAX_BEAMS = 10_000
-"""No scan has more beams."""
+"""Most beams of a scan."""
 
 
 @dataclass(frozen=True, slots=True)
 class OwnFootprint:
-    """Where the drone itself is, so that it is not taken for an obstacle: what lies within
-    ``radius`` [m] of ``place`` [m].
-    """
+    """The drone itself, which is no obstacle: everything within ``radius`` [m] of ``place`` [m]."""
 
     place: Vec2
     radius: float
@@ -46,13 +42,13 @@ class OwnFootprint:
 
 @dataclass(frozen=True, slots=True)
 class TrackingResult:
-    """What one scan led to.
+    """The result of one scan or image.
 
     Attributes:
-        obstacles: everything believed, as the pilot hears it; what is gone comes once with
+        obstacles: the confirmed ones as the pilot receives them; a lost one comes once more with
             confidence 0.
-        tracks: the same things with all that is known of them.
-        problem: why the scan was not believed, in words, or "".
+        tracks: the confirmed tracks.
+        problem: why the input was refused, in words, or "".
     """
 
     obstacles: tuple[Obstacle, ...] = ()
@@ -61,7 +57,7 @@ class TrackingResult:
 
 
 class LaserTracker:
-    """Follows what no map shows, for all scanners of one room.
+    """Tracks what no map shows, with all scanners of one room.
 
     Args:
         room: what the map shows.
@@ -77,12 +73,12 @@ class LaserTracker:
         self._tracks = TrackSet()
 
     def update(self, scan: Scan, now: float, own: OwnFootprint | None = None) -> TrackingResult:
-        """Take in one scan.
+        """Process one scan.
 
         Args:
             scan: of any of the scanners.
             now: time [s].
-            own: where the drone is, None when it is not in the air or not known.
+            own: where the drone is, None if it is on the ground or unknown.
         """
         problem = self._fault(scan, now)
         if problem:
@@ -121,7 +117,7 @@ class LaserTracker:
         return self._backgrounds[key]
 
     def _fault(self, scan: Scan, now: float) -> str:
-        """Return why a scan is not believed, in words, or ""."""
+        """Return why a scan is refused, in words, or ""."""
         last = self._last.get(scan.source)
         problem = self._nonsense(scan, now)
         if problem:
@@ -159,9 +155,7 @@ class LaserTracker:
 
 
 def obstacle_of(track: ObstacleTrack) -> Obstacle:
-    """Return a thing as the pilot hears of it; a scanner cannot say how high it is, so it reaches
-    from floor to ceiling.
-    """
+    """Return a track as an obstacle from floor to ceiling: a scanner cannot measure heights."""
     shape = track.shape
     return Obstacle(
         id=f"track-{track.number}",
@@ -179,13 +173,13 @@ def obstacle_of(track: ObstacleTrack) -> Obstacle:
 def observation_of(
     track: ObstacleTrack, unix_offset: float, height: float, received_at: float
 ) -> Observation:
-    """Return a thing as the room remembers it; what walks is a person.
+    """Return a track as an observation; what has walked is a person.
 
     Args:
-        track: the thing.
+        track: the track.
         unix_offset: Unix time minus our monotonic clock [s].
         height: of the scanner's plane [m].
-        received_at: when we heard of it [s, our monotonic clock].
+        received_at: when the scan arrived [s, our monotonic clock].
     """
     kind = "person" if track.walked else "object"
     variance = track.motion.pp
@@ -211,7 +205,7 @@ def _gone(track: ObstacleTrack, at: float) -> Obstacle:
 def _sees_through(
     scan: Scan, ranges: FloatArray, laser: LaserConfig, place: Vec2, radius: float
 ) -> bool:
-    """Tell whether the beams towards a place end behind it: nothing stands there."""
+    """Return whether the beams towards a place end behind it: nothing stands there."""
     dx, dy = place[0] - laser.x, place[1] - laser.y
     bearing = (np.arctan2(dy, dx) - laser.yaw - scan.first_angle) % (2.0 * np.pi)
     beam, away = round(bearing / scan.step), float(np.hypot(dx, dy))

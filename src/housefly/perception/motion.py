@@ -1,4 +1,4 @@
-"""Where a thing is and how it moves: a Kalman filter with constant velocity, the same for x and y."""
+"""Constant-velocity Kalman filter of a thing in the plane, the same for x and y."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from housefly.geometry import Vec2
 _ACCELERATION_SIGMA = 1.5
 """One-sigma acceleration of people [m/s^2]."""
 _POSITION_SIGMA = 0.05
-"""One-sigma error of a cluster's middle [m]: which side of a thing is seen changes as it turns."""
+"""One-sigma error of a cluster's centre [m]: the visible side changes as a thing turns."""
 _START_SPEED_SIGMA = 1.0
-"""One-sigma speed of something new [m/s]."""
+"""One-sigma speed of a new thing [m/s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class MotionState:
         return sqrt(self.pp)
 
     def predicted(self, at: float) -> MotionState:
-        """Return the state at a later time [s]."""
+        """Return the state predicted to a later time [s]."""
         dt = max(0.0, at - self.at)
         (x, y), (vx, vy) = self.position, self.velocity
         q = _ACCELERATION_SIGMA * _ACCELERATION_SIGMA
@@ -55,7 +55,7 @@ class MotionState:
         )
 
     def updated(self, place: Vec2) -> MotionState:
-        """Return the state after a thing was seen at a place [m] at the state's own time."""
+        """Return the state updated with a position [m] measured at the state's own time."""
         gain = self.pp / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
         gain_v = self.pv / (self.pp + _POSITION_SIGMA * _POSITION_SIGMA)
         off_x, off_y = place[0] - self.position[0], place[1] - self.position[1]

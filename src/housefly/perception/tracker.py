@@ -1,9 +1,7 @@
-"""Things followed from scan to scan: which cluster is which thing, when one is believed, and when
-one is gone.
+"""Multi-object tracking of clusters: association, confirmation and deletion of tracks.
 
-A thing is believed after ``BIRTH`` scans and gone after ``DEATH`` scans that look through its
-place. One that is hidden behind something else is neither seen nor gone; it is forgotten after
-``FORGOTTEN_AFTER``.
+A track is confirmed after ``BIRTH_HITS`` scans and deleted after ``DEATH_MISSES`` scans that see
+through its place. A hidden thing is neither; it is deleted after ``_UNSEEN_TIMEOUT``.
 """
 
 from __future__ import annotations
@@ -17,36 +15,36 @@ from housefly.perception.clusters import Cluster
 from housefly.perception.motion import MotionState
 
 BIRTH_HITS = 3
-"""Scans in which a new thing must be seen before it is believed."""
+"""Scans that must show a new thing to confirm it."""
 DEATH_MISSES = 3
-"""Scans in a row that look through a thing's place before it is gone."""
+"""Scans in a row that must see through a thing's place to delete it."""
 _FULL_CONFIDENCE_HITS = 5
-"""Scans after which a thing is believed fully."""
+"""Scans after which the confidence is 1."""
 _GATE, _GATE_SIGMAS = 0.35, 3.0
-"""A cluster may be the thing that is expected within this distance [m] plus so many sigmas."""
+"""Association gate: this distance [m] plus so many sigmas of the prediction."""
 _UNSEEN_TIMEOUT = 2.0
-"""A thing that no scan shows is forgotten after this [s]."""
+"""A thing that no scan shows is deleted after this [s]."""
 _SIZE_GAIN = 0.2
-"""Share of a new scan in the remembered size."""
+"""Weight of a new scan in the smoothed size."""
 _STANDING_SPEED = 0.2
 """Slower things count as standing [m/s]."""
 _WALKED_DISTANCE = 0.5
-"""What moved farther than this from where it was first seen is a person [m]."""
+"""A thing that moved farther than this from its first position is a person [m]."""
 
 
 @dataclass(frozen=True, slots=True)
 class ObstacleTrack:
-    """One thing.
+    """One tracked thing.
 
     Attributes:
-        number: its own, never used again.
-        motion: where it is and how it moves.
+        number: unique, never reused.
+        motion: state of its filter.
         shape: the newest cluster; its radius is smoothed.
         first: where it was first seen [m].
         hits: scans that showed it.
-        misses: scans in a row that looked through its place.
+        misses: scans in a row that saw through its place.
         seen_at: when it was last seen [s].
-        walked: it moved away from where it was first seen.
+        walked: whether it moved away from where it was first seen.
     """
 
     number: int
@@ -65,7 +63,7 @@ class ObstacleTrack:
 
     @property
     def confidence(self) -> float:
-        """How far it is believed, 0 to 1."""
+        """Confidence in the thing, 0 to 1."""
         return min(1.0, self.hits / _FULL_CONFIDENCE_HITS)
 
     @property
@@ -76,7 +74,7 @@ class ObstacleTrack:
         )
 
     def updated(self, cluster: Cluster, at: float) -> ObstacleTrack:
-        """Return the thing after it was seen."""
+        """Return the track updated with a cluster."""
         motion = self.motion.predicted(at).updated(cluster.position)
         radius = (
             cluster.radius
@@ -98,12 +96,12 @@ class ObstacleTrack:
 
 @dataclass(frozen=True, slots=True)
 class TrackSet:
-    """All things at one time.
+    """All tracks at one time.
 
     Attributes:
         tracks: in the order of their numbers.
-        next_number: for the next new thing.
-        gone: believed things that the last scan ended.
+        next_number: of the next new track.
+        gone: confirmed tracks that the last scan deleted.
     """
 
     tracks: tuple[ObstacleTrack, ...] = ()
@@ -113,12 +111,12 @@ class TrackSet:
     def updated(
         self, clusters: Sequence[Cluster], at: float, looks_through: Callable[[Vec2, float], bool]
     ) -> TrackSet:
-        """Return the things after one scan.
+        """Return the tracks after one scan.
 
         Args:
-            clusters: what the scan shows.
+            clusters: of the scan.
             at: when it was taken [s].
-            looks_through: whether its beams pass a place [m] of a radius [m] and end behind it.
+            looks_through: whether its beams see through a place [m] with a radius [m].
         """
         pairs = _matched(self.tracks, clusters, at)
         kept: list[ObstacleTrack] = []
@@ -152,9 +150,7 @@ class TrackSet:
 def _matched(
     tracks: Sequence[ObstacleTrack], clusters: Sequence[Cluster], at: float
 ) -> dict[int, int]:
-    """Return which track is which cluster: the nearest pairs first, believed things before new
-    ones.
-    """
+    """Return each track's cluster: confirmed tracks before new ones, nearest pairs first."""
     expected = [track.motion.predicted(at) for track in tracks]
     offers = []
     for i, motion in enumerate(expected):

@@ -24,7 +24,7 @@ from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record import ros_messages
 from housefly.record.mcap_log import McapLog
 from housefly.record.movie import Movie
-from housefly.record.replay import STEP_TOPIC, read_steps
+from housefly.record.replay import STEP_CHANNEL, read_steps
 from housefly.record.report import write_report
 from housefly.record.ros_topics import StepTopics
 from housefly.record.series import collect
@@ -41,7 +41,7 @@ _PATIENCE = 2.0
 
 
 class FlightRecorder:
-    """Records one flight; ``step``, ``video`` and ``link`` are thread-safe and never raise.
+    """Records one flight; ``add_step`` and its like are thread-safe and never raise.
 
     Args:
         directory: where the files go; made if need be.
@@ -79,15 +79,15 @@ class FlightRecorder:
         """What went wrong with the recording so far."""
         return tuple(self._problems)
 
-    def step(self, step: PilotStep) -> None:
+    def add_step(self, step: PilotStep) -> None:
         """Record one step of the pilot."""
         self._put(lambda: self._write_step(step))
 
-    def video(self, frame: VideoFrame) -> None:
+    def add_video(self, frame: VideoFrame) -> None:
         """Record one video frame."""
         self._put(lambda: self._write_video(frame))
 
-    def link(self, status: LinkStatus) -> None:
+    def add_link(self, status: LinkStatus) -> None:
         """Record the health of the wires."""
         self._put(lambda: self._write_link(status))
 
@@ -121,7 +121,7 @@ class FlightRecorder:
             if not self._map_written:
                 self._map_written = True
                 log.add("/map", step.now, ros_messages.occupancy(step.now, self._grid))
-            log.add_own(STEP_TOPIC, step.now, step)
+            log.add_own(STEP_CHANNEL, step.now, step)
             for sample in self._topics.of(step):
                 log.add(*sample)
 

@@ -21,7 +21,7 @@ from housefly.bus.interfaces import definition, ros_name
 from housefly.errors import RecordingError, WireError
 from housefly.messages import Command, Inputs, Outputs, PilotStep
 
-STEP_TOPIC = "/housefly/step"
+STEP_CHANNEL = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
 _RECORD_LIMIT = 64 * 2**20
 """Largest record in a sane recording [bytes]; a damaged length must not exhaust the memory."""
@@ -54,7 +54,7 @@ def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
     for record in _records(file, path):
         if isinstance(record, Schema):
             schemas[record.id] = record
-        elif isinstance(record, Channel) and record.topic == STEP_TOPIC:
+        elif isinstance(record, Channel) and record.topic == STEP_CHANNEL:
             _check(schemas.get(record.schema_id), path)
             step_channel = record.id
         elif isinstance(record, Message) and record.channel_id == step_channel:

@@ -1,3 +1,1 @@
-"""The room's other senses: devices that tell where things are and what happened, one driver for
-each way of speaking.
-"""
+"""Drivers of the room's sensors: devices that report where things are and what happened."""

@@ -1,4 +1,4 @@
-"""What a sensor driver offers to whoever gathers what the room knows."""
+"""The interface of a sensor driver."""
 
 from __future__ import annotations
 
@@ -10,23 +10,23 @@ from typing import Protocol
 from housefly.messages import Observation, RoomEvent
 
 SensorSink = Callable[[Observation | RoomEvent], None]
-"""Takes what a sensor tells; it neither waits nor raises."""
+"""Receives what a sensor reports; it neither waits nor raises."""
 _Counts = tuple[tuple[str, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class SensorHealth:
-    """How one sensor does.
+    """Health of one sensor.
 
     Attributes:
-        id: of the sensor; the ``source`` of what it tells.
-        kind: what it is, one word.
-        title: the same for people.
-        connected: whether it is there and speaks as often as it should.
-        rate_hz: messages per second lately [Hz].
-        age: time since it was last heard [s]; infinite when never.
+        id: of the sensor; the ``source`` of what it reports.
+        kind: one word.
+        title: the kind in words for people.
+        connected: whether it is there and reports as often as it should.
+        rate_hz: recent messages per second [Hz].
+        age: time since it was last heard [s]; infinite if never.
         problem: what is wrong and what to do about it, in words, or "".
-        counts: what was heard and what was dropped, by name.
+        counts: numbers of received and dropped messages, by name.
     """
 
     id: str
@@ -40,22 +40,22 @@ class SensorHealth:
 
 
 class Sensor(Protocol):
-    """One driver, of one sensor or of many that share a wire; all calls belong to one asyncio loop."""
+    """A driver of one or several sensors on one wire; all calls belong to one asyncio loop."""
 
     async def run(self, sink: SensorSink) -> None:
-        """Connect, hand what is heard to the sink, reconnect for ever; ends only when cancelled."""
+        """Connect, feed the sink, and reconnect for ever; ends only when cancelled."""
         ...
 
     @property
     def connected(self) -> bool:
-        """Whether the other side of the wire is there."""
+        """Whether the other side is there."""
         ...
 
     @property
     def problem(self) -> str:
-        """Why not, in words, or ""."""
+        """Why it is not, in words, or ""."""
         ...
 
     def health(self) -> tuple[SensorHealth, ...]:
-        """Return how the driver and each of its sensors do now, the driver first."""
+        """Return the health of the driver, then of each of its sensors."""
         ...

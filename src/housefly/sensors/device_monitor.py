@@ -1,6 +1,4 @@
-"""The book of one device: what was heard, what was dropped and why, and how it does now; pure,
-times are given.
-"""
+"""Counts the messages of one device and judges its health; pure, times are passed in."""
 
 from __future__ import annotations
 
@@ -12,17 +10,15 @@ from housefly.sensors.message_rate import MessageRate, TokenBucket
 from housefly.wires.devices import DeviceAddress, DeviceKind, Reading
 
 _RECENT = 5.0
-"""For this long after it was dropped [s] a flood, garbage or a wrong clock is a problem; then it is
-history.
-"""
+"""How long a flood, garbage or a wrong clock counts as a problem after it occurred [s]."""
 
 
 class DeviceMonitor:
     """Counts and judges the messages of one device.
 
     Attributes:
-        counts: messages by what became of them: heard, malformed, flooded, clock refused, unknown
-            keys, past events.
+        counts: messages by outcome: heard, malformed, flooded, clock refused, unknown keys, past
+            events.
     """
 
     def __init__(self, address: DeviceAddress, kind: DeviceKind, rate_max_hz: float) -> None:
@@ -34,11 +30,11 @@ class DeviceMonitor:
 
     @property
     def kind(self) -> DeviceKind:
-        """What the device is."""
+        """The kind of the device."""
         return self._kind
 
     def admit(self, now: float) -> bool:
-        """Tell whether the next message may be read; what is beyond the device's rate may not."""
+        """Return whether to read the next message; those beyond the device's rate are dropped."""
         if self._bucket.consume(now):
             return True
         self._note(
@@ -49,7 +45,7 @@ class DeviceMonitor:
         return False
 
     def record(self, reading: Reading, now: float, retained: bool) -> None:
-        """Enter a message that could be read; what the broker had kept is no sign of life."""
+        """Record a decoded message; one that the broker retained is no sign of life."""
         self.counts["heard"] += 1
         self.counts["unknown keys"] += len(reading.unknown)
         if reading.online is not None:
@@ -66,15 +62,15 @@ class DeviceMonitor:
             self._note("clock refused", now, text)
 
     def record_past_event(self) -> None:
-        """Enter an event that the broker had kept: it is over."""
+        """Record an event that the broker retained: it is over."""
         self.counts["past events"] += 1
 
     def record_malformed(self, complaint: str, now: float) -> None:
-        """Enter a message that could not be read."""
+        """Record a message that could not be decoded."""
         self._note("malformed", now, complaint)
 
     def health(self, now: float, link_problem: str) -> SensorHealth:
-        """Return how the device does now; without the broker it cannot do well."""
+        """Return the health of the device; it cannot be healthy without the broker."""
         problem = link_problem or self._problem(now)
         quiet = self._is_silent(now) or self._online is False
         return SensorHealth(
@@ -89,7 +85,7 @@ class DeviceMonitor:
         )
 
     def _problem(self, now: float) -> str:
-        """Return the gravest problem."""
+        """Return the most serious problem."""
         checks: tuple[Callable[[float], str], ...] = (
             self._absence,
             self._latest_complaint,
@@ -127,7 +123,5 @@ class DeviceMonitor:
 
 
 def titled(kind: str, device: str) -> str:
-    """Return what people call a device: a lone "cabinet" is not called "Intelligent cabinet
-    cabinet".
-    """
+    """Return a readable title, without "Intelligent cabinet cabinet" for a lone "cabinet"."""
     return kind if device in kind.lower().split() else f"{kind} {device}"

@@ -115,12 +115,11 @@ class LaserClient(ReconnectingClient[Scan]):
 def scan_of(
     ranges: tuple[int, ...], parameters: ScannerParameters, config: LaserConfig, received_at: float
 ) -> Scan:
-    """Return a scan in metres; distances that the scanner cannot measure, its error codes among
-    them, become infinite.
+    """Return a scan in metres; out-of-range distances and error codes become infinite.
 
     Args:
-        ranges: one number a beam [mm].
-        parameters: what the scanner says of itself.
+        ranges: one number per beam [mm].
+        parameters: as reported by the scanner.
         config: its name and latency.
         received_at: [s].
     """

@@ -1,6 +1,4 @@
-"""How often something is heard, how long ago, and whether it speaks too much; pure, times are
-given.
-"""
+"""Message rate and age of a source, and a limit of its rate; pure, times are passed in."""
 
 from __future__ import annotations
 
@@ -8,7 +6,7 @@ from collections import deque
 from math import inf
 
 RATE_WINDOW = 5.0
-"""Time over which a rate is counted [s]."""
+"""Time over which a rate is measured [s]."""
 _MOST = 512
 
 
@@ -19,25 +17,24 @@ class MessageRate:
         self._heard: deque[float] = deque(maxlen=_MOST)
 
     def add(self, now: float) -> None:
-        """Note that something was heard at this time [s]."""
+        """Add an arrival at this time [s]."""
         self._heard.append(now)
 
     def age(self, now: float) -> float:
-        """Return the time since the last beat [s], infinite when there was none."""
+        """Return the time since the last arrival [s], infinite if there was none."""
         return now - self._heard[-1] if self._heard else inf
 
     def rate_hz(self, now: float) -> float:
-        """Return the beats per second of the last ``WINDOW`` [Hz]; 0 with fewer than two."""
+        """Return the arrivals per second over ``RATE_WINDOW`` [Hz]; 0 with fewer than two."""
         recent = [at for at in self._heard if at > now - RATE_WINDOW]
         return (len(recent) - 1) / (now - recent[0]) if len(recent) > 1 and now > recent[0] else 0.0
 
 
 class TokenBucket:
-    """A bucket of one second's worth of messages that fills at a constant rate.
+    """A rate limiter that allows bursts of up to one second.
 
     Args:
-        rate_hz: messages per second that are let through in the long run [Hz]; one at once is
-            always allowed.
+        rate_hz: messages per second allowed in the long run [Hz]; a single one is always allowed.
     """
 
     def __init__(self, rate_hz: float) -> None:
@@ -47,7 +44,7 @@ class TokenBucket:
         self._at = -inf
 
     def consume(self, now: float) -> bool:
-        """Take one message's worth at this time [s]; False when there is none left."""
+        """Take one token at this time [s]; return False if none is left."""
         self._left = min(self._size, self._left + self._rate * max(0.0, now - self._at))
         self._at = max(now, self._at)
         if self._left < 1.0:

@@ -1,6 +1,4 @@
-"""Driver of the devices that speak through an MQTT broker: door contacts, doorbells, floors,
-cabinets and their like.
-"""
+"""Driver of devices on an MQTT broker: door contacts, doorbells, floors, cabinets and others."""
 
 from __future__ import annotations
 
@@ -35,13 +33,13 @@ from housefly.wires.devices import (
 )
 
 _MAX_DEVICES = 256
-"""More devices than this are not listened to: each costs memory."""
+"""Further devices are ignored: each costs memory."""
 _ENVELOPE = 1024
 """Room for topic and properties beside the longest payload [bytes]."""
 
 
 class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
-    """Implements ``sensors.contracts.Sensor`` for every device of a site.
+    """Implements ``sensors.contracts.Sensor`` for every MQTT device of a site.
 
     Args:
         config: broker, site, limits, where devices stand.
@@ -75,12 +73,12 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
 
     @property
     def problem(self) -> str:
-        """Why the broker is not there, or what nobody's device says, in words, or ""."""
+        """Why the broker is not there, or what an unknown device sent, in words, or ""."""
         at, complaint = self._complaint
         return self._problem or (complaint if self._clock.now() - at <= _RECENT else "")
 
     def health(self) -> tuple[SensorHealth, ...]:
-        """Return how the link and each device do now, the link first."""
+        """Return the health of the link, then of each device."""
         now, config = self._clock.now(), self._config
         link = SensorHealth(
             id="mqtt",
@@ -121,7 +119,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
                     self._take(message, sink)
 
     def _take(self, message: aiomqtt.Message, sink: SensorSink) -> None:
-        """Read one message; whatever it holds, the next one is read, too."""
+        """Handle one message; an error does not affect the next one."""
         now = self._clock.now()
         self._rate.add(now)
         try:
@@ -163,7 +161,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             sink(value)
 
     def _monitor(self, address: DeviceAddress) -> DeviceMonitor:
-        """Return the book of a device; raises WireError for a device that we do not listen to."""
+        """Return the monitor of a device; raises WireError for one that is ignored."""
         if address.id not in self._monitors:
             if len(self._monitors) >= _MAX_DEVICES:
                 raise WireError(
@@ -182,4 +180,4 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
 
 
 _RECENT = 5.0
-"""For this long [s] a message of nobody's device is a problem."""
+"""How long a message from an unknown device counts as a problem [s]."""

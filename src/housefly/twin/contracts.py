@@ -3,10 +3,6 @@
 ``twin.world`` implements ``TwinWorld``; the servers and ``twin.lockstep`` use it. World frame and
 body frame (forward, left, up) as everywhere; native AR.Drone signs live only in ``wires.ardrone``
 and the server.
-
-``twin.world`` implements ``TwinWorld``; ``twin.ardrone_server``, ``twin.vicon_server`` and
-``twin.lockstep`` use it. World frame and body frame (forward, left, up) as everywhere; native
-AR.Drone signs live only in ``wires.ardrone`` and the server.
 """
 
 from __future__ import annotations
@@ -131,10 +127,10 @@ class MocapFrame:
     """One frame of the simulated tracking system.
 
     Attributes:
-        number: frame counter, counts lost frames too.
+        number: frame counter; lost frames count too.
         captured_at: world time of exposure [s].
-        due_at: world time at which it may leave the server [s].
-        bodies: name and pose of each subject; pose None when too few markers were seen.
+        due_at: world time at which the server may send it [s].
+        bodies: name and pose of each body; pose None when too few markers were seen.
     """
 
     number: int
@@ -192,7 +188,7 @@ class TwinWorld(Protocol):
         ...
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
-        """Return the frames whose ``due_at`` has come since the last call, oldest first."""
+        """Return the frames that have become due since the last call, oldest first."""
         ...
 
     def set_visitor(self, present: bool) -> None:

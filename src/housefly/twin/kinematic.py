@@ -38,7 +38,7 @@ class KinematicWorld:
         asked: the last stick.
         limits: maxima in force.
         battery: charge, 0 to 1; set it as a test needs.
-        trims: flat trims that counted.
+        trims: how many flat trims counted.
     """
 
     def __init__(self) -> None:
@@ -68,11 +68,11 @@ class KinematicWorld:
             self._step(min(_STEP, end - self._now))
 
     def set_stick(self, stick: Stick) -> None:
-        """Take a movement command."""
+        """Set the movement command."""
         self.asked = stick
 
     def keep_alive(self) -> None:
-        """Note that a command came."""
+        """Record that a command came."""
         self._heard_at = self._now
 
     def request_take_off(self) -> None:
@@ -96,11 +96,11 @@ class KinematicWorld:
         self.trims += self.flight is FlightState.LANDED
 
     def set_limits(self, limits: OnboardLimits) -> None:
-        """Take new maxima."""
+        """Set the maxima."""
         self.limits = limits
 
     def onboard(self) -> OnboardState:
-        """Return what is, without error."""
+        """Return the state without error."""
         silence = self._now - self._heard_at
         theta, phi = self._tilt
         duty = 0.6 if self.flight.airborne else 0.0
@@ -132,11 +132,11 @@ class KinematicWorld:
         )
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
-        """Return nothing: no cameras hang here."""
+        """Return nothing: this room has no cameras."""
         return ()
 
     def set_visitor(self, present: bool) -> None:
-        """Note whether someone is at the door."""
+        """Record whether someone is at the door."""
         self.visitor = present
 
     def _step(self, dt: float) -> None:

@@ -19,26 +19,24 @@ from housefly.room.tracked import body_pose_of, solids_of, stand_of
 from housefly.twin.contracts import AWAY_Z
 
 MOVABLE_PREFIX = "movable "
-"""Bodies of movable things carry their name behind this."""
+"""Prefix of the names of movable bodies."""
 _MARKER_HEIGHT = 0.02
 """How far markers stand out [m]."""
 _MARKER_RADIUS = 0.25
-"""The markers of furniture lie around its body within this [m]."""
+"""Radius of the markers on furniture around its body [m]."""
 AWAY_POSE = Pose((0.0, 0.0, AWAY_Z))
 
 
 @dataclass(frozen=True, slots=True)
 class Movable:
-    """Something that can be put anywhere.
+    """A thing that can be put anywhere.
 
     Attributes:
-        name: of the thing; one that is called like the body of a piece of the site's furniture
-            carries markers.
-        radius: its markers lie within this around its middle [m]; without solids it is an upright
-            cylinder of this radius.
-        height: at the top of which the markers are [m].
-        solids: what it is made of, in its own frame.
-        start: where it stands at first.
+        name: of the thing; it carries markers if the site's furniture has a body of this name.
+        radius: of the circle of its markers [m]; without solids, also that of an upright cylinder.
+        height: of its top, where the markers are [m].
+        solids: its parts, in its own frame.
+        start: its first pose.
     """
 
     name: str

@@ -27,12 +27,10 @@ from housefly.twin.people.script import PersonScript
 from housefly.twin.scene_mjcf import scene_mjcf
 
 _SUBSTEPS = 2
-"""Physics steps per control period: 2.5 ms, small enough for a soft hull to meet a wall at full
-speed.
-"""
+"""Physics steps per control period: 2.5 ms, enough for a soft hull to hit a wall at full speed."""
 _GROUND_EFFECT = 0.02
 _GROUND_EFFECT_HEIGHT = 0.15
-"""Extra share of thrust on the floor, and the height [m] over which it fades."""
+"""Relative extra thrust on the floor, and the height [m] over which it fades."""
 
 _VISITOR_BODY = "visitor"
 

@@ -1,7 +1,7 @@
 """The twin as one process: the simulated room in real time behind the real ports.
 
-``kill -USR1`` makes the visitor come or go. Nothing of the world's truth leaves this process but
-pictures and tracked poses.
+``kill -USR1`` makes the visitor come or go. Of the true state, only pictures and tracked poses
+leave this process.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pathlib import Path
 from housefly.bus.bus import Bus
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Rate, RealClock
-from housefly.config.site import Site, load_site
+from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError
 from housefly.room.files import load_room
 from housefly.room.model import Room
@@ -35,7 +35,7 @@ from housefly.twin.world import SimulatedWorld
 
 
 class Twin:
-    """The parts of the twin and how they feed each other.
+    """Wires the parts of the twin together.
 
     Args:
         site: addresses, rates, noise, seed.
@@ -158,9 +158,9 @@ class Twin:
                 truth.at,
                 self._world.people(),
             )
-            self._tell_of(camera)
+            self._report_changes(camera)
 
-    def _tell_of(self, camera: CameraProcess) -> None:
+    def _report_changes(self, camera: CameraProcess) -> None:
         """Print what changed about the camera since the last call."""
         state = camera.restarts, camera.problem
         if state == self._camera_state:
@@ -218,7 +218,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     )
     options = parser.parse_args(argv)
     try:
-        site = load_site(options.site)
+        site = site_from_file(options.site)
         room = load_room(site.room.model, options.site.parent)
         scene = load_scene(site.twin.scene, options.site.parent) if site.twin.scene else None
         with ZenohBus(connect=options.bus) if options.bus else contextlib.nullcontext() as bus:

@@ -8,9 +8,9 @@ from housefly.clock import Clock, Rate
 from housefly.twin.contracts import TwinWorld
 
 _TICK_HZ = 200.0
-"""How often the world moves; the navdata rate of the real drone."""
+"""Steps per second; the navdata rate of the real drone."""
 MAX_CATCH_UP = 0.1
-"""Longest stall [s] that is caught up; time beyond it is lost and counted."""
+"""Longest stall to catch up with [s]; time beyond it is lost and counted."""
 
 
 class RealTimeRunner:

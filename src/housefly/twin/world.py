@@ -3,10 +3,6 @@
 World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed,
 and no observer can change the course of a flight: the same seed and the same commands give the same
 flight bit for bit.
-
-World time starts at 0 and moves only by ``advance``. Everything random comes from the site's seed,
-and no observer can change
-the course of a flight: the same seed and the same commands give the same flight bit for bit.
 """
 
 from __future__ import annotations
@@ -54,9 +50,8 @@ class SimulatedWorld:
         site: drone, tracking, scanners, depth cameras, noise, seed.
         room: what stands where.
         scene: the people in it; its time is the world's.
-        movables: things that no map shows; out of the building until they are put somewhere. The
-            furniture of the room that the site's tracking system sees can be put elsewhere, too, by
-            the names of its bodies.
+        movables: things that no map shows; out of the building until ``put``. Furniture that the
+            site's tracking system sees can be moved too, by the names of its bodies.
     """
 
     def __init__(
@@ -88,7 +83,7 @@ class SimulatedWorld:
             camera.name: DepthCamera(camera, seed, n, self._physics)
             for n, camera in enumerate(site.depth_cameras)
         }
-        self._orders: deque[tuple[float, Callable[[], None]]] = deque()
+        self._delayed: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
         self._heard_at = 0.0
@@ -110,8 +105,8 @@ class SimulatedWorld:
             self._tick()
 
     def set_stick(self, stick: Stick) -> None:
-        """Hand over a movement command; takes effect after the command delay."""
-        self._order(lambda: self._firmware.set_stick(stick))
+        """Pass on a movement command; it takes effect after the command delay."""
+        self._delay_call(lambda: self._firmware.set_stick(stick))
 
     def keep_alive(self) -> None:
         """Any command arrived: feed the firmware's communication watchdogs."""
@@ -119,19 +114,19 @@ class SimulatedWorld:
 
     def request_take_off(self) -> None:
         """REF bit 9 set."""
-        self._order(self._firmware.request_take_off)
+        self._delay_call(self._firmware.request_take_off)
 
     def request_land(self) -> None:
         """REF bit 9 clear."""
-        self._order(self._firmware.request_land)
+        self._delay_call(self._firmware.request_land)
 
     def toggle_emergency(self) -> None:
         """REF bit 8: cut the motors, or leave the emergency state."""
-        self._order(self._firmware.toggle_emergency)
+        self._delay_call(self._firmware.toggle_emergency)
 
     def flat_trim(self) -> None:
         """Zero the attitude offsets; counts only when landed."""
-        self._order(self._trim)
+        self._delay_call(self._trim)
 
     def set_limits(self, limits: OnboardLimits) -> None:
         """Configuration changed the maxima."""
@@ -163,7 +158,7 @@ class SimulatedWorld:
         return self._depth[camera].image(captured_at)
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
-        """Return the frames whose ``due_at`` has come since the last call, oldest first."""
+        """Return the frames that have become due since the last call, oldest first."""
         return self._frames.due_frames(self._now)
 
     def truth(self) -> GroundTruth:
@@ -200,24 +195,24 @@ class SimulatedWorld:
         )
 
     def put_drone(self, position: Vec3 | None = None, yaw: float | None = None) -> None:
-        """Pick the drone up and stand it somewhere, at rest: on its pad unless told otherwise."""
+        """Put the drone somewhere, at rest; by default on its pad."""
         home = (*self._room.home, STANDING_HEIGHT)
         heading = self._room.home_yaw if yaw is None else yaw
         self._physics.place(position or home, quaternion_from_euler(0.0, 0.0, heading))
         self._body = self._physics.state()
 
-    def _order(self, order: Callable[[], None]) -> None:
-        self._orders.append((self._now + self._delay, order))
+    def _delay_call(self, call: Callable[[], None]) -> None:
+        self._delayed.append((self._now + self._delay, call))
 
     def _trim(self) -> None:
         if self._firmware.flight is FlightState.LANDED:
             self._sensors.flat_trim()
 
     def _tick(self) -> None:
-        """Run one control period: orders, sensors, firmware, physics, battery, tracking."""
+        """Run one control period: commands, sensors, firmware, physics, battery, tracking."""
         began = self._ticks * CONTROL_PERIOD
-        while self._orders and self._orders[0][0] <= began + _ROUNDING:
-            self._orders.popleft()[1]()
+        while self._delayed and self._delayed[0][0] <= began + _ROUNDING:
+            self._delayed.popleft()[1]()
         self._measured = self._sensors.read(self._body)
         self._wrench = self._firmware.step(
             self._measured, self._battery.voltage, began - self._heard_at
@@ -256,7 +251,7 @@ _ROUNDING = 1e-9
 
 
 def motor_duties(wrench: Wrench) -> tuple[float, float, float, float]:
-    """Return the duty cycles of the four motors, front left first, clockwise, 0 to 1."""
+    """Return the duty cycles of the four motors, clockwise from front left, 0 to 1."""
     if wrench.thrust <= 0.0:
         return 0.0, 0.0, 0.0, 0.0
     lift, roll, pitch = (

@@ -26,7 +26,8 @@ from starlette.applications import Starlette
 
 from housefly.bus.stop import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.site import Site, load_site
+from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
+from housefly.config.site import Site, site_from_file
 from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
@@ -38,9 +39,6 @@ from housefly.web.server import create_app
 
 _LOG = logging.getLogger(__name__)
 
-_TOKEN_VARIABLE = "HOUSEFLY_TOKEN"
-_SECRET_VARIABLE = "HOUSEFLY_SECRET"
-_STOP_PORT_VARIABLE = "HOUSEFLY_STOP_PORT"
 _MAX_MESSAGE_SIZE = 16 * 1024
 """Largest message that a browser may send [bytes]."""
 _WILDCARD_ADDRESSES = frozenset({"0.0.0.0", "::"})
@@ -53,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     # uvicorn raises the signal again after it has ended; the bus must still close then.
     signal.signal(signal.SIGTERM, _exit)
     try:
-        site = load_site(options.site)
+        site = site_from_file(options.site)
         folder = options.site.parent
         serving = run_web(
             site,
@@ -102,7 +100,7 @@ async def run_web(
             "web.host",
             f"is {host!r}: say with --name under which names browsers will ask for the console",
         )
-    token = os.environ.get(_TOKEN_VARIABLE) or secrets.token_urlsafe(24)
+    token = os.environ.get(TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     stop = _stop_sender()
     with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus:
         app = create_app(
@@ -110,7 +108,7 @@ async def run_web(
             token,
             lambda: stop.send().add_done_callback(_report_stop),
             hosts=LOOPBACK_NAMES | {host, *names},
-            secret=os.environ.get(_SECRET_VARIABLE, ""),
+            secret=os.environ.get(SECRET_VARIABLE, ""),
             drone_body=site.tracking.body,
             furniture=site.furniture,
             coverage=lambda: coverage_view(
@@ -173,7 +171,7 @@ def _report_stop(outcome: Future[bool]) -> None:
 def _stop_sender() -> StopSender:
     try:
         return StopSender(
-            "127.0.0.1", int(os.environ[_STOP_PORT_VARIABLE]), os.environ[_SECRET_VARIABLE]
+            "127.0.0.1", int(os.environ[STOP_PORT_VARIABLE]), os.environ[SECRET_VARIABLE]
         )
     except (KeyError, ValueError) as error:
         raise ConfigError(

@@ -22,39 +22,18 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY, ROOM_NEWS_TOPIC
 from housefly.errors import HouseflyError
+from housefly.hub.api.endpoints import API_PREFIX, ENDPOINTS, Endpoint
 from housefly.hub.api.json import first_problem, question_to_json
-from housefly.hub.api.questions import (
-    CatalogueQuestion,
-    ContentsQuestion,
-    EventsQuestion,
-    NearQuestion,
-    PictureQuestion,
-    Question,
-    SensorsQuestion,
-    TrajectoryQuestion,
-    WhereQuestion,
-)
+from housefly.hub.api.questions import Question
 from housefly.messages import RoomNews
 from housefly.web.responses import error_response, json_response
-from housefly.web.room_openapi import Endpoint, openapi_document
+from housefly.web.room_openapi import openapi_document
 from housefly.web.session_auth import SessionAuth, same_origin
 
-_API_PREFIX = "/api/v1"
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
 _WHO_MAY_ASK = "ask with the session of the console, or with the key of this run"
 _ASK_FOR_TOKEN = {"www-authenticate": "Bearer"}
-
-_ENDPOINTS = (
-    Endpoint("/where/{thing}", WhereQuestion, "Where a thing is, now or at a time"),
-    Endpoint("/things", CatalogueQuestion, "The catalogue, of one kind or whole"),
-    Endpoint("/near", NearQuestion, "What is near a point or a thing"),
-    Endpoint("/contents/{thing}", ContentsQuestion, "What is in a thing, however deep"),
-    Endpoint("/trajectory/{thing}", TrajectoryQuestion, "Where a thing was between two times"),
-    Endpoint("/events", EventsQuestion, "What happened"),
-    Endpoint("/sensors", SensorsQuestion, "How every sensor does"),
-    Endpoint("/picture", PictureQuestion, "Everything that has a place, now or at a time"),
-)
 
 
 class RoomApi:
@@ -71,15 +50,14 @@ class RoomApi:
         self._threads = ThreadPoolExecutor(4, "room")
 
     def routes(self) -> list[BaseRoute]:
-        """Return the routes below ``_API_PREFIX``."""
-        document = openapi_document(_ENDPOINTS, _API_PREFIX)
+        """Return the routes below ``API_PREFIX``."""
+        document = openapi_document(ENDPOINTS, API_PREFIX)
         asked = [
-            Route(endpoint.path, self._handler(endpoint), methods=["GET"])
-            for endpoint in _ENDPOINTS
+            Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS
         ]
         described = Route("/openapi.json", lambda request: JSONResponse(document), methods=["GET"])
         return [
-            Mount(_API_PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])
+            Mount(API_PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])
         ]
 
     def close(self) -> None:

@@ -3,31 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 from pydantic import TypeAdapter
 
 from housefly.hub.api.answers import ANSWER_TYPES
-from housefly.hub.api.questions import Question
+from housefly.hub.api.endpoints import Endpoint
 
 _API_VERSION = "1.0"
 _SCHEMA_REFERENCE = "#/components/schemas/{model}"
-
-
-@dataclass(frozen=True, slots=True)
-class Endpoint:
-    """One path of the API.
-
-    Attributes:
-        path: below the prefix, with its parameter in braces.
-        question: its fields are the parameters.
-        summary: one line.
-    """
-
-    path: str
-    question: type[Question]
-    summary: str
 
 
 def openapi_document(endpoints: Sequence[Endpoint], prefix: str) -> dict[str, Any]:

@@ -1,3 +1,1 @@
-"""Byte layouts of other people's protocols: pure encode and decode, used by drivers and by the
-twin.
-"""
+"""Byte layouts of other people's protocols: pure encode and decode, for drivers and the twin."""

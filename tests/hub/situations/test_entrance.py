@@ -16,8 +16,10 @@ from housefly.hub.situations.person_tracks import PersonTracks
 from housefly.messages import Observation, RoomEvent
 
 LAYOUT = Layout(
-    entrance=Area("entrance", (1.0, 4.0), (1.5, 1.5)), bells=frozenset({"bell"}), motion=frozenset({"corridor"}),
-)  # fmt: skip
+    entrance=Area("entrance", (1.0, 4.0), (1.5, 1.5)),
+    bells=frozenset({"bell"}),
+    motion=frozenset({"corridor"}),
+)
 
 
 class Door:

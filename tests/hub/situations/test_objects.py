@@ -289,9 +289,7 @@ def carried_off() -> Room:
     return room
 
 
-def test_what_vanishes_from_a_source_that_speaks_is_missing_and_from_a_silent_one_it_is_not_known() -> (
-    None
-):
+def test_what_vanishes_from_a_live_source_is_missing_and_from_a_silent_one_unknown() -> None:
     room = carried_off()
     room.wait(MISSING_AFTER + 5.0, things=(("book", 9.0, 1.0),))
     assert room.kinds() == ["object taken", "object missing"]

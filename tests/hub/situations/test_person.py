@@ -26,8 +26,8 @@ LAYOUT = Layout(seats=(SOFA,), beds={"bed": BED})
 PERSON = ("kind", "person")
 AREAS = st.none() | st.just(SOFA)
 LOOKS = st.builds(
-    PersonFeatures, st.floats(0.0, 3.0), st.booleans(), st.none() | st.floats(0.0, 2.2), AREAS, st.none() | st.just(BED),
-    st.none() | st.booleans(),
+    PersonFeatures, st.floats(0.0, 3.0), st.booleans(), st.none() | st.floats(0.0, 2.2),
+    AREAS, st.none() | st.just(BED), st.none() | st.booleans(),
 )  # fmt: skip
 
 

@@ -130,7 +130,7 @@ def test_nobody_else_is_claimed_and_nothing_was_refused(afternoon: Watcher) -> N
 
 
 def check(told: Sequence[RoomEvent]) -> None:
-    """Assert what is always true: ends follow beginnings, confidences are such, sources are ours."""
+    """Assert the invariants: ends follow beginnings, confidences are valid, sources are ours."""
     open_: set[tuple[str, str]] = set()
     for event in told:
         assert 0.0 <= event.confidence <= 1.0 and event.source.startswith(SOURCE_PREFIX)
@@ -232,16 +232,31 @@ PEOPLE, PLACES = (
     st.tuples(st.floats(4.0, 14.0), st.floats(0.0, 6.0), st.floats(0.0, 2.0)),
 )
 CHOICES = st.one_of(
-    st.builds(lambda who, at: ("floor-1", who, at, (("kind", "person"),)), st.sampled_from(PEOPLE), PLACES),
-    st.builds(lambda who, at: ("laser", who, at, (("kind", "person"), ("head", at[2]))), st.sampled_from(PEOPLE), PLACES),
+    st.builds(
+        lambda who, at: ("floor-1", who, at, (("kind", "person"),)),
+        st.sampled_from(PEOPLE), PLACES,
+    ),
+    st.builds(
+        lambda who, at: ("laser", who, at, (("kind", "person"), ("head", at[2]))),
+        st.sampled_from(PEOPLE), PLACES,
+    ),
     st.builds(lambda at: ("vicon", "cup", at, ()), PLACES),
     st.builds(lambda load: ("bed", "bed", None, (("load", load),)), st.floats(-5.0, 200.0)),
-    st.builds(lambda flag: ("refrigerator", "refrigerator", None, (("open", flag),)), st.booleans()),
-    st.builds(lambda named: ("cabinet", "cabinet", None, (("contents", named),)), st.sampled_from(["", "cup", "book,cup"])),
-    st.builds(lambda flag: ("corridor-motion", "corridor-motion", None, (("motion", flag),)), st.booleans()),
-    st.builds(lambda kind, thing, source: (kind, thing, source),
-              st.sampled_from(["object taken", "object put", "bell pressed", "door opened", "nonsense"]),
-              st.sampled_from(["cup", "doorbell"]), st.sampled_from(["cabinet", "doorbell", "refrigerator"])),
+    st.builds(lambda on: ("refrigerator", "refrigerator", None, (("open", on),)), st.booleans()),
+    st.builds(
+        lambda named: ("cabinet", "cabinet", None, (("contents", named),)),
+        st.sampled_from(["", "cup", "book,cup"]),
+    ),
+    st.builds(
+        lambda on: ("corridor-motion", "corridor-motion", None, (("motion", on),)),
+        st.booleans(),
+    ),
+    st.builds(
+        lambda kind, thing, source: (kind, thing, source),
+        st.sampled_from(["object taken", "object put", "bell pressed", "door opened", "nonsense"]),
+        st.sampled_from(["cup", "doorbell"]),
+        st.sampled_from(["cabinet", "doorbell", "refrigerator"]),
+    ),
 )  # fmt: skip
 
 

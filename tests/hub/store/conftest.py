@@ -1,4 +1,4 @@
-"""A store of each sort: an SQLite file, and a real PostgreSQL server that the tests start and stop."""
+"""A store of each kind: an SQLite file, and a real PostgreSQL server that the tests start."""
 
 from __future__ import annotations
 

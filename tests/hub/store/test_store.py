@@ -81,8 +81,8 @@ views = st.lists(st.builds(Viewpoint, names, points, numbers, numbers, names), m
     tuple
 )
 things = st.builds(
-    Thing, names, names, st.sampled_from(ThingKind), st.lists(names, max_size=2).map(tuple), st.none() | points,
-    st.none() | quaternions, names, views, facts,
+    Thing, names, names, st.sampled_from(ThingKind), st.lists(names, max_size=2).map(tuple),
+    st.none() | points, st.none() | quaternions, names, views, facts,
 )  # fmt: skip
 
 
@@ -336,7 +336,8 @@ def test_a_newer_database_is_refused_in_words(address: str) -> None:
     with pytest.raises(
         StoreError,
         match=(
-            f"is of version 99, this program knows versions up to {len(MIGRATIONS)}; install the newer"
+            f"is of version 99, this program knows versions up to {len(MIGRATIONS)};"
+            " install the newer"
         ),
     ):
         open_store(address)

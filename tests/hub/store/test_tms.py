@@ -23,8 +23,11 @@ from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Observation
 
 BSEN = Path(__file__).parent / "data" / "bsen_now.json"
-ROW = {"time": "0000-00-00 00:00:00.000000", "id": 6017, "name": "bed", "type": "furniture", "x": 8.0, "y": 2.3, "z": 0, "rr": 0,
-       "rp": 0, "ry": pi, "place": 5002, "sensor": 0, "state": 0, "etcdata": "", "tag": ""}  # fmt: skip
+ROW = {
+    "time": "0000-00-00 00:00:00.000000", "id": 6017, "name": "bed", "type": "furniture",
+    "x": 8.0, "y": 2.3, "z": 0, "rr": 0, "rp": 0, "ry": pi,
+    "place": 5002, "sensor": 0, "state": 0, "etcdata": "", "tag": "",
+}  # fmt: skip
 
 
 def line(**changes: object) -> str:

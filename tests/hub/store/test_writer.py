@@ -141,8 +141,8 @@ LIMITED = """
 import resource, sys, time
 from housefly.messages import Observation
 from housefly.hub.store.open import open_store
-from housefly.hub.store.writer import Writer
-writer = Writer(lambda: open_store(sys.argv[1]))
+from housefly.hub.store.writer import StoreWriter
+writer = StoreWriter(lambda: open_store(sys.argv[1]))
 hard = resource.getrlimit(resource.RLIMIT_FSIZE)[1]
 resource.setrlimit(resource.RLIMIT_FSIZE, (300_000, hard))
 begin = time.time() - 60
@@ -213,11 +213,12 @@ CHILD = """
 import sys, time
 from housefly.messages import Observation
 from housefly.hub.store.open import open_store
-from housefly.hub.store.writer import Writer
-writer = Writer(lambda: open_store(sys.argv[1]))
+from housefly.hub.store.writer import StoreWriter
+writer = StoreWriter(lambda: open_store(sys.argv[1]))
 for number in range(10**9):
     now = time.time()
-    writer.write(*(Observation(f"thing-{k}", "vicon", now, now, (float(number), 0.0, 0.0)) for k in range(20)))
+    place = (float(number), 0.0, 0.0)
+    writer.write(*(Observation(f"thing-{k}", "vicon", now, now, place) for k in range(20)))
     if number % 10 == 0:
         print(now, flush=True)
     time.sleep(0.01)

@@ -15,14 +15,14 @@ from housefly.lab.campaigns.cluster import ClusterFleet, fly_chunk
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import Plan
 from housefly.lab.campaigns.provenance import processor, versions
-from housefly.lab.campaigns.runner import Fleet, LocalFleet, run_campaign
+from housefly.lab.campaigns.runner import Fleet, LocalFleet, fly_chunks
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
 
 def fly(plan: Plan, path: Path, fleet: Fleet, landed: Any = lambda drones: None) -> bytes:
     with CampaignFolder(path, plan) as folder:
-        run_campaign(plan, folder.missing(), folder, fleet, landed)
+        fly_chunks(plan, folder.missing(), folder, fleet, landed)
         return folder.finish().read_bytes()
 
 
@@ -88,7 +88,7 @@ def test_a_scheduler_that_goes_away_is_told_and_the_rest_is_flown_here(
 def test_an_address_where_nobody_answers_is_told(
     loopback: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(clusters, "PATIENCE", 0.5)
+    monkeypatch.setattr(clusters, "SCHEDULER_TIMEOUT", 0.5)
     for address in (f"tcp://{loopback}:9", "nowhere", "tcp://"):
         with pytest.raises(LinkError, match=f"no scheduler answers at {address}"):
             ClusterFleet(address)
@@ -97,7 +97,7 @@ def test_an_address_where_nobody_answers_is_told(
 def test_somebody_else_who_listens_there_is_no_scheduler(
     loopback: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(clusters, "PATIENCE", 0.5)
+    monkeypatch.setattr(clusters, "SCHEDULER_TIMEOUT", 0.5)
     with socket.create_server((loopback, 0)) as stranger:
         address = f"tcp://{loopback}:{stranger.getsockname()[1]}"
         with pytest.raises(LinkError, match=f"no scheduler answers at {address}"):
@@ -105,7 +105,7 @@ def test_somebody_else_who_listens_there_is_no_scheduler(
 
 
 def test_a_scheduler_without_workers_is_told(cluster: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(clusters, "PATIENCE", 1.0)
+    monkeypatch.setattr(clusters, "SCHEDULER_TIMEOUT", 1.0)
     with pytest.raises(LinkError, match=r"no worker at tcp://.*start one with: dask worker tcp://"):
         ClusterFleet(cluster.address)
 

@@ -18,9 +18,9 @@ from housefly.errors import ConfigError, RecordingError
 from housefly.lab.campaigns.folder import DESCRIPTION_FILE, CampaignFolder
 from housefly.lab.campaigns.plan import Chunk, Plan
 from housefly.lab.campaigns.provenance import versions
-from housefly.lab.campaigns.runner import Landed, LocalFleet, run_campaign
+from housefly.lab.campaigns.runner import LocalFleet, fly_chunks
 from housefly.lab.experiments.cases import CASE, PARAMETERS
-from housefly.lab.experiments.engine import fly_many
+from housefly.lab.experiments.engine import Progress, fly_many
 from housefly.lab.experiments.outcomes import MEASURES, OUTCOME, Outcomes
 
 
@@ -32,7 +32,7 @@ class StoppedFleet(LocalFleet):
         self.after = after
 
     def fly(
-        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Landed
+        self, plan: Plan, chunks: tuple[Chunk, ...], on_landed: Progress
     ) -> Iterator[tuple[Chunk, Outcomes]]:
         yield from super().fly(plan, chunks[: self.after], on_landed)
         raise KeyboardInterrupt
@@ -40,7 +40,7 @@ class StoppedFleet(LocalFleet):
 
 def fly(plan: Plan, path: Path, threads: int = 1) -> bytes:
     with CampaignFolder(path, plan) as folder:
-        run_campaign(plan, folder.missing(), folder, LocalFleet(threads))
+        fly_chunks(plan, folder.missing(), folder, LocalFleet(threads))
         return folder.finish().read_bytes()
 
 
@@ -82,7 +82,7 @@ def test_a_campaign_that_was_stopped_ends_with_the_same_bytes(
     plan = small()
     whole = fly(plan, tmp_path / "whole", threads=2)
     with CampaignFolder(tmp_path / "stopped", plan) as folder, pytest.raises(KeyboardInterrupt):
-        run_campaign(plan, folder.missing(), folder, StoppedFleet(after))
+        fly_chunks(plan, folder.missing(), folder, StoppedFleet(after))
     assert len(missing(plan, tmp_path / "stopped")) == len(plan.chunks) - after
     kept = {file: file.stat().st_mtime_ns for file in (tmp_path / "stopped" / "parts").iterdir()}
     assert fly(plan, tmp_path / "stopped") == whole
@@ -114,7 +114,7 @@ def test_no_bit_that_flips_on_the_disk_reaches_the_results(
 ) -> None:
     plan = small()
     with CampaignFolder(tmp_path, plan) as folder:
-        run_campaign(plan, folder.missing(), folder, LocalFleet(1))
+        fly_chunks(plan, folder.missing(), folder, LocalFleet(1))
         whole = folder.finish().read_bytes()
         file = part(tmp_path, 3)
         content = bytearray(file.read_bytes())
@@ -209,5 +209,5 @@ def test_a_full_disk_is_told_and_what_has_landed_stays(small: Any, tmp_path: Pat
         CampaignFolder(tmp_path, plan) as folder,
         pytest.raises(RecordingError, match=r"No space left.*run the same again"),
     ):
-        run_campaign(plan, folder.missing(), folder, LocalFleet(1))
+        fly_chunks(plan, folder.missing(), folder, LocalFleet(1))
     assert missing(plan, tmp_path) == [2, 3, 4, 5]

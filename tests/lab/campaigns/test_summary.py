@@ -14,7 +14,7 @@ import pytest
 from housefly.errors import RecordingError
 from housefly.lab.campaigns.folder import CampaignFolder
 from housefly.lab.campaigns.plan import Chunk, Plan
-from housefly.lab.campaigns.runner import run_campaign
+from housefly.lab.campaigns.runner import fly_chunks
 from housefly.lab.campaigns.summary import (
     estimate_text,
     summarize_campaign,
@@ -44,7 +44,7 @@ class KnownFleet:
 def flown(small: Any, tmp_path: Path) -> tuple[Plan, Path]:
     plan: Plan = small(7, grid={"mocap_rate_hz": [10, 100], "mode": ["paper", "default"]})
     with CampaignFolder(tmp_path, plan) as folder:
-        run_campaign(plan, folder.missing(), folder, KnownFleet())
+        fly_chunks(plan, folder.missing(), folder, KnownFleet())
         return plan, folder.finish()
 
 

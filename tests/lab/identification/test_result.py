@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from housefly.lab.identification.pattern import Axis
-from housefly.lab.identification.result import Identified, Limits, identify
+from housefly.lab.identification.result import Identified, Limits, fit_constants
 from housefly.lab.identification.samples import Samples
 from housefly.pilot.control.model import Constants
 
@@ -40,7 +40,7 @@ def test_in_a_hundred_runs_each_interval_holds_the_truth_at_least_ninety_times(
     )
     for seed in range(RUNS):
         constants, delay = hidden(seed)
-        found = identify(fly_pattern(constants, delay, seed, late=0.0087), LIMITS, seed)
+        found = fit_constants(fly_pattern(constants, delay, seed, late=0.0087), LIMITS, seed)
         assert not found.problems, found.problems
         truth = {
             "attitude_gain": constants.gain, "attitude_lag": constants.lag,
@@ -53,7 +53,7 @@ def test_in_a_hundred_runs_each_interval_holds_the_truth_at_least_ninety_times(
 
 
 def test_intervals_are_narrow_enough_to_be_useful(fly_pattern: Fly) -> None:
-    found = identify(fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.07, 5), LIMITS)
+    found = fit_constants(fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.07, 5), LIMITS)
     widths = {key: 0.5 * (value.high - value.low) for key, value in found.constants.items()}
     assert widths["attitude_gain"] < 0.05
     assert widths["attitude_lag"] < 0.8
@@ -62,7 +62,7 @@ def test_intervals_are_narrow_enough_to_be_useful(fly_pattern: Fly) -> None:
 
 
 def test_what_is_left_is_the_noise_of_tracking(fly_pattern: Fly) -> None:
-    found = identify(fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.07, 6), LIMITS)
+    found = fit_constants(fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.07, 6), LIMITS)
     assert found.tilt is not None
     assert found.tilt.place_noise == pytest.approx(0.001, rel=0.15)
     assert found.tilt.angle_noise == pytest.approx(0.001 / 0.15, rel=0.15)
@@ -71,7 +71,7 @@ def test_what_is_left_is_the_noise_of_tracking(fly_pattern: Fly) -> None:
 def test_a_model_without_the_delay_would_be_noticed(fly_pattern: Fly) -> None:
     blocks = fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.1, 7)
     early = tuple(replace(block, sent_at=block.sent_at + 0.1) for block in blocks)
-    right, wrong = (identify(flown, LIMITS).constants["command_delay"] for flown in (blocks, early))
+    right, wrong = (fit_constants(flown, LIMITS).constants["command_delay"] for flown in (blocks, early))
     assert right.low <= 0.1 <= right.high
     assert not wrong.low <= 0.1 <= wrong.high
 
@@ -86,7 +86,7 @@ def flown(fly_pattern: Fly) -> tuple[Samples, ...]:
 
 
 def test_too_few_blocks_are_refused(flown: tuple[Samples, ...]) -> None:
-    found = identify(flown[:8], LIMITS)
+    found = fit_constants(flown[:8], LIMITS)
     assert "2 climb steps were flown, 4 are needed: fly with more --repeats" in only(found)
     assert not found.constants
 
@@ -97,7 +97,7 @@ def test_a_gap_of_tracking_is_refused(flown: tuple[Samples, ...]) -> None:
         angle = block.angle[kept] if block.angle.size else block.angle
         return replace(block, at=block.at[kept], place=block.place[kept], angle=angle)
 
-    found = identify(tuple(holed(block) for block in flown), LIMITS)
+    found = fit_constants(tuple(holed(block) for block in flown), LIMITS)
     assert "were not seen well enough (longest gap of tracking 0.5" in only(found)
 
 
@@ -106,12 +106,12 @@ def test_no_excitation_is_refused(flown: tuple[Samples, ...]) -> None:
         replace(block, sent=0.0 * block.sent) if block.block.axis is Axis.ROLL else block
         for block in flown
     )
-    assert "roll: nothing was commanded in a step (no excitation)" in only(identify(still, LIMITS))
+    assert "roll: nothing was commanded in a step (no excitation)" in only(fit_constants(still, LIMITS))
 
 
 def test_a_saturated_command_is_refused(flown: tuple[Samples, ...]) -> None:
     assert "pitch: the command reached its limit (0.08)" in only(
-        identify(flown, replace(LIMITS, tilt=0.08))
+        fit_constants(flown, replace(LIMITS, tilt=0.08))
     )
 
 
@@ -119,11 +119,11 @@ def test_a_drone_that_answers_like_no_model_is_refused(flown: tuple[Samples, ...
     stiff = tuple(
         replace(block, place=3.0 * block.place, angle=3.0 * block.angle) for block in flown
     )
-    assert "attitude_gain: the fit ends on its bound" in only(identify(stiff, LIMITS))
+    assert "attitude_gain: the fit ends on its bound" in only(fit_constants(stiff, LIMITS))
 
 
 def test_blurred_tracking_is_refused_with_the_constant_named(fly_pattern: Fly) -> None:
-    found = identify(
+    found = fit_constants(
         fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.07, 3, repeats=5, noise=0.03), LIMITS
     )
     assert "is known only to ±" in only(found)

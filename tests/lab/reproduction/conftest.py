@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.config.site import Site, load_site
+from housefly.config.site import Site, site_from_file
 from housefly.lab.reproduction.angular_step import AngularStep
 from housefly.lab.reproduction.evidence import Evidence, gather
 
@@ -18,7 +18,7 @@ def site() -> Site:
 
     from housefly import sites
 
-    return load_site(Path(sites.__file__).parent / "bsen.toml")
+    return site_from_file(Path(sites.__file__).parent / "bsen.toml")
 
 
 @pytest.fixture(scope="session")

@@ -4,6 +4,7 @@ from itertools import product
 from math import pi, radians
 
 import pytest
+from acceptor_words import described
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -11,12 +12,14 @@ from housefly.config.control import ControlConfig
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import (
     PAPER_TOLERANCES,
+    REST,
     STATES,
     TABLE,
     Acceptor,
+    AcceptorState,
     Condition,
-    conditions_of,
-    describe,
+    Tolerances,
+    acceptor_advanced,
     printed_conditions,
     steady_conditions,
 )
@@ -27,6 +30,24 @@ yaws = st.floats(-pi, pi) | st.sampled_from([EPS2, -EPS2, 0.0])
 distances = st.floats(0.0, 10.0) | st.sampled_from([EPS3, 0.0])
 states = st.sampled_from(STATES)
 CONTROL = ControlConfig()
+OURS = Tolerances(
+    CONTROL.epsilon_height, CONTROL.epsilon_yaw, CONTROL.epsilon_position, CONTROL.dwell
+)
+
+
+def looked(
+    acceptor: Acceptor,
+    errors: tuple[float, float, float],
+    now: float,
+    paper: bool = False,
+    dwell: float = 0.0,
+) -> Acceptor:
+    """Return the acceptor after errors of height [m], yaw [rad] and place [m], in a mode."""
+    if paper:
+        bits = printed_conditions(*errors, *PAPER_TOLERANCES[:3])
+    else:
+        bits = steady_conditions(acceptor.state, *errors, *OURS[:3])
+    return acceptor_advanced(acceptor, bits, now, dwell)
 
 
 def test_the_table_names_one_next_state_for_every_state_and_every_set_of_conditions() -> None:
@@ -80,50 +101,51 @@ def test_mended_conditions_always_hold_exactly_one_at_a_time(
 def test_every_input_has_one_next_state_in_both_modes(
     state: Behavior, z: float, psi: float, d: float, paper: bool
 ) -> None:
-    acceptor = Acceptor(state)
-    once = acceptor.after(conditions_of(acceptor, (z, psi, d), CONTROL, paper), 1.0)
-    assert once == acceptor.after(conditions_of(acceptor, (z, psi, d), CONTROL, paper), 1.0)
-    assert isinstance(once.state, Behavior)
+    acceptor = Acceptor(STATES.index(state), 0.0)
+    once = looked(acceptor, (z, psi, d), 1.0, paper)
+    assert once == looked(acceptor, (z, psi, d), 1.0, paper)
+    assert once.state in list(AcceptorState)
 
 
 @given(states, heights, yaws, distances)
 def test_hysteresis_never_leaves_a_state_that_it_would_enter_again_at_once(
     state: Behavior, z: float, psi: float, d: float
 ) -> None:
-    acceptor = Acceptor(state)
-    first = acceptor.after(conditions_of(acceptor, (z, psi, d), CONTROL, False), 1.0)
-    second = first.after(conditions_of(first, (z, psi, d), CONTROL, False), 2.0)
-    third = second.after(conditions_of(second, (z, psi, d), CONTROL, False), 3.0)
-    assert third.state is second.state
+    first = looked(Acceptor(STATES.index(state), 0.0), (z, psi, d), 1.0)
+    second = looked(first, (z, psi, d), 2.0)
+    third = looked(second, (z, psi, d), 3.0)
+    assert third.state == second.state
 
 
 def test_dwell_holds_a_state_for_a_while_but_never_holds_up_rest() -> None:
-    fresh = Acceptor(Behavior.YAW_CONTROL, since=1.0)
-    assert fresh.after(Condition.Q3, 1.2, dwell=0.3) is fresh
-    assert fresh.after(Condition.Q3, 1.3, dwell=0.3).state is Behavior.PATH_TRACKING
-    assert fresh.after(Condition.REST, 1.1, dwell=0.3).state is Behavior.HOVER
+    fresh = Acceptor(int(AcceptorState.YAW_CONTROL), since=1.0)
+    assert acceptor_advanced(fresh, Condition.Q3, 1.2, 0.3) == fresh
+    tracking = Acceptor(int(AcceptorState.PATH_TRACKING), since=1.3)
+    assert acceptor_advanced(fresh, Condition.Q3, 1.3, 0.3) == tracking
+    assert acceptor_advanced(fresh, REST, 1.1, 0.3).state == AcceptorState.HOVER
 
 
 def test_noise_of_half_a_degree_chatters_at_the_printed_epsilon_and_not_at_ours() -> None:
     noise = [radians(0.5) * (-1.0) ** n * (n % 3) for n in range(300)]
     switches = {}
     for paper in (True, False):
-        acceptor = Acceptor()
+        acceptor, switches[paper] = Acceptor(0, 0.0), 0
         for n, yaw in enumerate(noise):
-            bits = conditions_of(acceptor, (0.0, yaw, 1.0), CONTROL, paper)
-            acceptor = acceptor.after(bits, 0.01 * n, 0.0 if paper else CONTROL.dwell)
-        switches[paper] = acceptor.switches
+            before, dwell = acceptor, 0.0 if paper else CONTROL.dwell
+            acceptor = looked(acceptor, (0.0, yaw, 1.0), 0.01 * n, paper, dwell)
+            switches[paper] += acceptor.state != before.state
     assert switches[True] > 100
     assert switches[False] <= 1
 
 
 def test_the_description_names_every_pair_of_states_once() -> None:
-    lines = describe().splitlines()
+    lines = described().splitlines()
     assert len(lines) == 16
     assert "hover -> altitudeControl: Q1" in lines
     assert "pathTracking -> hover: Q4, REST" in lines
 
 
-@pytest.mark.parametrize("state", STATES)
-def test_nothing_to_track_means_hover(state: Behavior) -> None:
-    assert Acceptor(state).after(Condition.REST | Condition.Q1, 5.0).state is Behavior.HOVER
+@pytest.mark.parametrize("state", AcceptorState)
+def test_nothing_to_track_means_hover(state: AcceptorState) -> None:
+    conditions = Condition.REST | Condition.Q1
+    assert acceptor_advanced(Acceptor(int(state), 0.0), conditions, 5.0, 0.0).state == 0

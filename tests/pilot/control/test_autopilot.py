@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 
 from housefly.config.site import Site
 from housefly.messages import Action, Behavior
-from housefly.pilot.control.steering import ControlReference, ControlState
+from housefly.pilot.control.steering import ControlReference
+from housefly.pilot.estimation.estimator import ControlState
 
 SITE = Site()
 AUTOPILOT = Autopilot(SITE)

@@ -4,7 +4,6 @@ from math import atan2, pi
 
 import numpy as np
 import pytest
-from housefly.pilot.control.autopilot import gains_of
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -13,12 +12,13 @@ from housefly.geometry import GRAVITY
 from housefly.pilot.control.steering import (
     ControlOutput,
     ControlReference,
-    ControlState,
     Gains,
     control_output,
     paper_control_output,
 )
+from housefly.pilot.estimation.estimator import ControlState
 from housefly.pilot.safety.limits import limited, too_old
+from housefly.pilot.site_parameters import gains_of
 
 GAINS = gains_of(Site())
 pairs = st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4))
@@ -50,7 +50,9 @@ def twin(aim: ControlReference, where: ControlState, g: Gains) -> ControlOutput:
 
 
 @given(aims, wheres, st.floats(0.5, 1.5))
-def test_mode_default_matches_its_vector_twin(aim: ControlReference, where: ControlState, gain: float) -> None:
+def test_mode_default_matches_its_vector_twin(
+    aim: ControlReference, where: ControlState, gain: float
+) -> None:
     gains = GAINS._replace(gain=gain)
     expected = twin(aim, where, gains)
     if abs(abs(np.angle(np.exp(1j * (aim.yaw - where.yaw)))) - pi) < 1e-6:
@@ -92,7 +94,9 @@ def test_without_the_wrap_the_heading_error_at_the_cut_is_a_full_turn() -> None:
     aim = ControlReference((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, pi)
     where = ControlState((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, -pi + 0.01)
     assert paper_control_output(2, aim, where, GAINS).yaw_rate == pytest.approx(-0.01 * GAINS.yaw)
-    assert paper_control_output(2, aim, where, GAINS._replace(wraps=False)).yaw_rate == GAINS.turn_max
+    assert (
+        paper_control_output(2, aim, where, GAINS._replace(wraps=False)).yaw_rate == GAINS.turn_max
+    )
 
 
 @given(st.tuples(*[st.floats(-5.0, 5.0)] * 4))

@@ -18,7 +18,9 @@ def matrix(s: ConstantVelocity) -> np.ndarray:
 
 
 @given(states, st.floats(-2.0, 2.0), st.floats(0.0, 3.0), st.floats(0.0, 1.0))
-def test_prediction_matches_its_matrix_twin(s: ConstantVelocity, a: float, noise: float, dt: float) -> None:
+def test_prediction_matches_its_matrix_twin(
+    s: ConstantVelocity, a: float, noise: float, dt: float
+) -> None:
     f = np.array([[1.0, dt], [0.0, 1.0]])
     q = noise**2 * np.array([[dt**3 / 3.0, dt**2 / 2.0], [dt**2 / 2.0, dt]])
     after = ConstantVelocity(*cv_predicted(s, a, noise, dt))
@@ -29,7 +31,9 @@ def test_prediction_matches_its_matrix_twin(s: ConstantVelocity, a: float, noise
 
 
 @given(states, st.floats(-2.0, 2.0), st.floats(1e-6, 1.0))
-def test_correction_matches_the_joseph_form(s: ConstantVelocity, innovation: float, r: float) -> None:
+def test_correction_matches_the_joseph_form(
+    s: ConstantVelocity, innovation: float, r: float
+) -> None:
     h = np.array([[1.0, 0.0]])
     gain = matrix(s) @ h.T / (s.xx + r)
     keep = np.eye(2) - gain @ h

@@ -35,16 +35,21 @@ VARIANCE = 9e-6
 
 
 class Plan:
-    """A horizon of a drone first seen at rest at the origin at time 0, and the commands given to
-    it.
-    """
+    """The filter of a drone first seen at rest at the origin at time 0, and its commands."""
 
     def __init__(self, delay: float, length: int = 1024) -> None:
         self.spans: CommandHistory = np.zeros(length, COMMAND_SPAN)
         self.delay = delay
         self.commands: list[tuple[float, float, bool]] = []
         self.h = delay_filter_initialized(
-            delay_filter_created(self.spans, 0.0, FIRST), self.spans, MODEL, delay, 0.0, 0.0, 0.0, FIRST
+            delay_filter_created(self.spans, 0.0, FIRST),
+            self.spans,
+            MODEL,
+            delay,
+            0.0,
+            0.0,
+            0.0,
+            FIRST,
         )
 
     def give(self, at: float, ux: float, flown: bool = True) -> None:
@@ -57,7 +62,9 @@ class Plan:
 
     def see(self, at: float, x: float) -> None:
         there = axes_and_covariance_at(self.h, self.spans, MODEL, self.delay, at)
-        self.h = delay_filter_updated(self.h, self.spans, MODEL, self.delay, at, there, x, 0.0, VARIANCE)
+        self.h = delay_filter_updated(
+            self.h, self.spans, MODEL, self.delay, at, there, x, 0.0, VARIANCE
+        )
 
 
 def by_hand(
@@ -101,9 +108,9 @@ def test_looking_ahead_agrees_with_tiny_steps_through_all_commands(
             axis, p = by_hand(plan, capture, now - sights[n], axis, p)
             capture = now - sights[n]
             there = axes_and_covariance_at(plan.h, plan.spans, MODEL, delay, capture)
-            axis = updated_axis(axis, there.spread, 0.01 * n, VARIANCE)
+            axis = updated_axis(axis, there.covariance, 0.01 * n, VARIANCE)
             plan.see(capture, 0.01 * n)
-            p = plan.h.spread
+            p = plan.h.covariance
         plan.give(now, u, flown)
         assert tuple(plan.look(now)) == pytest.approx(
             tuple(by_hand(plan, capture, now, axis, p)[0]), abs=2e-3
@@ -120,9 +127,9 @@ def test_covariance_through_cached_spans_is_that_of_the_same_steps() -> None:
     p = FIRST
     for flown in (False, True, True, True):
         p = predicted_covariance(p, transition(MODEL, flown, 0.01))
-    assert tuple(axes_and_covariance_at(plan.h, plan.spans, MODEL, 0.0, 0.04).spread) == pytest.approx(
-        tuple(p), rel=1e-9
-    )
+    assert tuple(
+        axes_and_covariance_at(plan.h, plan.spans, MODEL, 0.0, 0.04).covariance
+    ) == pytest.approx(tuple(p), rel=1e-9)
 
 
 def test_before_the_first_command_the_drone_counts_as_not_flown() -> None:
@@ -149,7 +156,7 @@ def test_a_ring_that_is_full_moves_the_measurement_on_and_keeps_flying() -> None
 
 
 @given(st.floats(0.001, 0.3))
-def test_settling_changes_nothing_that_is_seen_later(at: float) -> None:
+def test_trimming_changes_nothing_that_is_seen_later(at: float) -> None:
     plan = Plan(0.06)
     for n in range(1, 40):
         plan.give(0.01 * n, 1.0)

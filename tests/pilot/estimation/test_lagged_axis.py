@@ -23,14 +23,14 @@ numbers = st.floats(-3.0, 3.0)
 axes = st.builds(AxisState, numbers, numbers, numbers, st.floats(-0.5, 0.5))
 
 
-def matrix(spread: AxisCovariance) -> np.ndarray:
+def matrix(p: AxisCovariance) -> np.ndarray:
     upper = np.zeros((4, 4))
-    upper[np.triu_indices(4)] = spread
+    upper[np.triu_indices(4)] = p
     return upper + np.triu(upper, 1).T
 
 
 @st.composite
-def spreads(draw: st.DrawFn) -> AxisCovariance:
+def covariances(draw: st.DrawFn) -> AxisCovariance:
     root = np.array(draw(st.lists(st.floats(-1.0, 1.0), min_size=16, max_size=16))).reshape(4, 4)
     full = root @ root.T + 1e-3 * np.eye(4)
     return AxisCovariance(*full[np.triu_indices(4)])
@@ -76,12 +76,16 @@ def test_prediction_matches_its_matrix_twin(axis: AxisState, flown: bool, dt: fl
     )
 
 
-@given(spreads(), st.booleans(), st.floats(0.0, 0.02))
-def test_covariance_matches_f_p_f_transposed_plus_q(p: AxisCovariance, flown: bool, dt: float) -> None:
+@given(covariances(), st.booleans(), st.floats(0.0, 0.02))
+def test_covariance_matches_f_p_f_transposed_plus_q(
+    p: AxisCovariance, flown: bool, dt: float
+) -> None:
     f = matrix_of(flown, dt)
     q = np.zeros((4, 4))
     q[2, 2] = (
-        MODEL.noise**2 * (1.0 if flown else HOVER_VARIANCE_FACTOR) * (1.0 - np.exp(-2.0 * MODEL.lag * dt))
+        MODEL.noise**2
+        * (1.0 if flown else HOVER_VARIANCE_FACTOR)
+        * (1.0 - np.exp(-2.0 * MODEL.lag * dt))
     )
     q[3, 3] = MODEL.wander**2 * dt if flown else 0.0
     assert matrix(predicted_covariance(p, transition(MODEL, flown, dt))) == pytest.approx(
@@ -89,8 +93,10 @@ def test_covariance_matches_f_p_f_transposed_plus_q(p: AxisCovariance, flown: bo
     )
 
 
-@given(axes, spreads(), numbers, st.floats(1e-6, 1e-2))
-def test_correction_matches_the_joseph_form(axis: AxisState, p: AxisCovariance, seen: float, r: float) -> None:
+@given(axes, covariances(), numbers, st.floats(1e-6, 1e-2))
+def test_correction_matches_the_joseph_form(
+    axis: AxisState, p: AxisCovariance, seen: float, r: float
+) -> None:
     full, h = matrix(p), np.array([[1.0, 0.0, 0.0, 0.0]])
     gain = full @ h.T / (h @ full @ h.T + r)
     keep = np.eye(4) - gain @ h
@@ -103,7 +109,7 @@ def test_correction_matches_the_joseph_form(axis: AxisState, p: AxisCovariance, 
 
 
 @given(
-    spreads(),
+    covariances(),
     st.lists(st.tuples(st.booleans(), st.booleans(), st.floats(0.001, 0.02)), max_size=60),
 )
 def test_covariance_stays_positive_through_any_series_of_steps(

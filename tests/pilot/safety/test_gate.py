@@ -5,14 +5,20 @@ from itertools import product
 from math import hypot, inf, isfinite, nan
 
 import pytest
+from gate_bench import GateBench
 from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
-from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, Gate
-from housefly.pilot.safety.rules import AIRBORNE_STATUSES, GateInputs, Geofence
-from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
+from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS
+from housefly.pilot.safety.rules import (
+    AIRBORNE_STATUSES,
+    MODE_SEVERITY,
+    SAFETY_RULES,
+    GateInputs,
+    Geofence,
+)
 
 LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
@@ -29,10 +35,9 @@ BOLDNESS = {
 }
 
 number = st.floats() | st.floats(-2.0, 2.0)
-commands = st.builds(
-    Command, st.sampled_from(Action), st.builds(Setpoint, number, number, number, number)
-)
-facts = st.builds(
+setpoints = st.builds(Setpoint, number, number, number, number)
+commands = st.builds(Command, st.sampled_from(Action), setpoints)
+inputs = st.builds(
     GateInputs,
     now=st.floats(0.0, 1e4),
     status=st.sampled_from(DroneStatus),
@@ -46,17 +51,17 @@ facts = st.builds(
 
 
 def judge(command: Command, *series: GateInputs) -> tuple[SafetyMode, Command]:
-    gate = Gate(LIMITS, FENCE)
+    gate = GateBench(LIMITS, FENCE)
     for each in series:
         verdict = gate.judge(command, each)
     return verdict.mode, verdict.command
 
 
-@given(commands, st.lists(facts, min_size=1, max_size=6))
+@given(commands, st.lists(inputs, min_size=1, max_size=6))
 def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
     command: Command, series: list[GateInputs]
 ) -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = GateBench(LIMITS, FENCE)
     for each in series:
         verdict = gate.judge(command, each)
         out = verdict.command.setpoint
@@ -76,7 +81,7 @@ def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
             )
 
 
-@given(commands, facts)
+@given(commands, inputs)
 def test_motors_are_cut_in_the_air_only_by_order(command: Command, each: GateInputs) -> None:
     mode, out = judge(command, each)
     if out.action is Action.CUT and each.status in AIRBORNE_STATUSES:
@@ -84,7 +89,7 @@ def test_motors_are_cut_in_the_air_only_by_order(command: Command, each: GateInp
     assert mode is not SafetyMode.CUT or each.cutting or each.status is DroneStatus.EMERGENCY
 
 
-@given(commands, facts)
+@given(commands, inputs)
 def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: GateInputs) -> None:
     _, out = judge(command, each)
     if each.status is DroneStatus.EMERGENCY:
@@ -93,11 +98,24 @@ def test_the_toggle_is_never_pressed_in_the_wrong_state(command: Command, each: 
         assert out.action is not Action.RESET
 
 
-@given(facts)
+@given(setpoints, st.lists(inputs, min_size=1, max_size=6))
+def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
+    setpoint: Setpoint, series: list[GateInputs]
+) -> None:
+    gate = GateBench(LIMITS, FENCE)
+    for each in series:
+        numbers, verdict = gate.judged(Command(Action.FLY, setpoint), each)
+        assert numbers.flown == (verdict.command.action is Action.FLY)
+        assert numbers.mode == MODE_SEVERITY[verdict.mode]
+
+
+@given(inputs)
 def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = GateBench(LIMITS, FENCE)
     mode = gate.judge(Command(Action.HOVER), each).mode
-    at_once = [rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)]
+    at_once = [
+        rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)
+    ]
     assert MODE_SEVERITY[mode] == max((MODE_SEVERITY[rule.mode] for rule in at_once), default=0)
 
 
@@ -146,7 +164,7 @@ def test_an_empty_battery_lands_after_a_second_and_a_dip_does_not(battery: float
 
 
 def test_a_forced_landing_is_kept_until_the_drone_stands() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = GateBench(LIMITS, FENCE)
     gate.judge(FLY, replace(FINE, pose_age=3.0))
     assert gate.judge(FLY, FINE).command.action is Action.LAND
     assert gate.landing
@@ -155,7 +173,7 @@ def test_a_forced_landing_is_kept_until_the_drone_stands() -> None:
 
 
 def test_a_level_episode_ends_by_itself() -> None:
-    gate = Gate(LIMITS, FENCE)
+    gate = GateBench(LIMITS, FENCE)
     assert gate.judge(FLY, replace(FINE, pose_age=1.0)).mode is SafetyMode.LEVEL
     assert gate.judge(FLY, FINE).command == FLY
 

@@ -1,8 +1,7 @@
 from __future__ import annotations
 
 from housefly.messages import Action, Command, SafetyMode, Severity
-from housefly.pilot.safety.gate import GateVerdict
-from housefly.pilot.safety.gate import GateNotices
+from housefly.pilot.safety.gate import GateNotices, GateVerdict
 
 HOVER = Command(Action.HOVER)
 CLEAR = GateVerdict(HOVER, SafetyMode.NOMINAL)

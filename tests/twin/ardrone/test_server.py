@@ -20,7 +20,7 @@ from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.real_time import RealTimeRunner
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import CONTROL_PORT, parse_dump
-from housefly.wires.ardrone.navdata import NAVDATA_PORT, StateBits, NavdataPacket, decode_navdata
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, NavdataPacket, StateBits, decode_navdata
 from housefly.wires.ardrone.navdata_options import Demo
 from housefly.wires.ardrone.pave import VIDEO_PORT, FrameType, PaveFrame, VideoReassembler
 

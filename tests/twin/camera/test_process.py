@@ -1,6 +1,4 @@
-"""The drone's camera: pictures of the room from a child process that may die, hang, or find nothing
-to draw with.
-"""
+"""The camera process: pictures of the room from a child that may die, hang or fail to render."""
 
 from __future__ import annotations
 
@@ -188,9 +186,7 @@ async def test_a_killed_child_is_replaced_and_starts_with_a_key_frame() -> None:
 
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux has a policy for idle time")
-async def test_a_child_that_starves_while_all_else_goes_first_is_replaced_by_one_that_competes() -> (
-    None
-):
+async def test_a_child_that_starves_at_idle_priority_is_replaced_by_one_that_competes() -> None:
     async with filming() as film:
         await film.more(1)
         first = film.camera.pid

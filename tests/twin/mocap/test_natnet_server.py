@@ -46,7 +46,8 @@ rows = []
 for _ in range(200):
     client.waitForNextFrame()
     body = client.rigidBodies["ardrone"]
-    rows.append([*map(float, body.position), body.rotation.w, body.rotation.x, body.rotation.y, body.rotation.z])
+    turn = body.rotation
+    rows.append([*map(float, body.position), turn.w, turn.x, turn.y, turn.z])
 print(json.dumps({"rows": rows, "names": sorted(client.rigidBodies)}))
 """
 
@@ -54,9 +55,11 @@ NATNET = """
 import json, sys, time
 from natnet import NatNetClient, Version
 address, group, port, wish = sys.argv[1], sys.argv[2], int(sys.argv[3]), sys.argv[4]
-client = NatNetClient(address, address, group or "239.255.42.99", data_port=port, use_multicast=bool(group))
+target = group or "239.255.42.99"
+client = NatNetClient(address, address, target, data_port=port, use_multicast=bool(group))
 frames, models = [], []
-# What was on its way while the version changed is read by the wrong one: frames without bodies, no description.
+# The client reads what was on its way while the version changed with the wrong one: such frames
+# have no bodies, and descriptions are lost.
 keep = lambda frame: frames.append(frame) if len(frame.rigid_bodies) == 2 or not wish else None
 client.on_data_frame_received_event.handlers.append(keep)
 client.on_data_description_received_event.handlers.append(models.append)
@@ -78,7 +81,8 @@ for frame in frames:
     x, y, z, w = body.rot
     stamps = frame.suffix.stamp_camera_mid_exposure, frame.suffix.stamp_transmit
     rows.append([*body.pos, w, x, y, z, body.tracking_valid, lost.tracking_valid, *stamps])
-print(json.dumps({"version": str(client.protocol_version.truncate(2)), "names": names, "rows": rows}))
+version = str(client.protocol_version.truncate(2))
+print(json.dumps({"version": version, "names": names, "rows": rows}))
 """
 
 
@@ -87,9 +91,7 @@ def group_of(address: str) -> str:
 
 
 def data_port_of(address: str) -> int:
-    """Return a port of one's own: some clients hear every group that anyone on this machine has
-    joined on their port.
-    """
+    """Return a port of one's own: some clients hear all groups joined on their port."""
     _, a, b, c = map(int, address.split("."))
     return 20000 + (a * 250 * 250 + b * 250 + c) % 20000
 

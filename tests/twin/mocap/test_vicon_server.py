@@ -42,7 +42,8 @@ rows = []
 for _ in range(200):
     client.waitForNextFrame()
     body = client.rigidBodies["ardrone"]
-    rows.append([*map(float, body.position), body.rotation.w, body.rotation.x, body.rotation.y, body.rotation.z])
+    turn = body.rotation
+    rows.append([*map(float, body.position), turn.w, turn.x, turn.y, turn.z])
 print(json.dumps({"rows": rows, "names": sorted(client.rigidBodies)}))
 """
 

@@ -1,6 +1,4 @@
-"""The simulated VRPN server: read by a stranger with the genuine VRPN library, fair to many,
-unmoved by garbage.
-"""
+"""The simulated VRPN server: read by the genuine VRPN library, fair to many, robust to garbage."""
 
 from __future__ import annotations
 
@@ -44,7 +42,8 @@ start, rows = time.monotonic(), []
 while len(rows) < 150 and time.monotonic() - start < 30.0:
     client.waitForNextFrame()
     for name, body in client.rigidBodies.items():
-        row = [name, *map(float, body.position), body.rotation.w, body.rotation.x, body.rotation.y, body.rotation.z]
+        turn = body.rotation
+        row = [name, *map(float, body.position), turn.w, turn.x, turn.y, turn.z]
         if not rows or row != rows[-1]:
             rows.append(row)
 print(json.dumps({"rows": rows}))

@@ -152,8 +152,9 @@ def test_sitting_and_lying_end_where_one_stood() -> None:
 
 
 def test_who_comes_is_there_and_who_goes_is_not() -> None:
-    tree = {"name": "t", "people": [{"name": "bob", "steps": [{"do": "wait", "seconds": 2}, {"do": "appear", "at": [1, 1]},
-            {"do": "wait", "seconds": 2}, {"do": "vanish"}]}]}  # fmt: skip
+    wait = {"do": "wait", "seconds": 2}
+    steps = [wait, {"do": "appear", "at": [1, 1]}, wait, {"do": "vanish"}]
+    tree = {"name": "t", "people": [{"name": "bob", "steps": steps}]}
     coming = scene_from_tree(tree)
     assert [coming.at(t).people[0].present for t in (1.0, 3.0, 5.0)] == [False, True, False]
 

@@ -1,6 +1,4 @@
-"""Simulated people in the simulated room: rays meet them, tracking loses what they hide, the drone
-can touch them.
-"""
+"""Simulated people in the room: rays hit them, tracking loses what they hide, hulls touch them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The simulated devices: what they send is what their kind's table reads, and what the scene holds."""
+"""The simulated devices: they send what their kind's table reads and what the scene holds."""
 
 from __future__ import annotations
 

@@ -16,9 +16,9 @@ from housefly.wires.ardrone import at, conversions
 from housefly.wires.ardrone import navdata_options as options
 from housefly.wires.ardrone.layout import Structure
 from housefly.wires.ardrone.navdata import (
-    StateBits,
     NavdataPacket,
     RawOption,
+    StateBits,
     decode_navdata,
     encode_navdata,
 )

@@ -120,13 +120,13 @@ def _fleet(options: Namespace) -> Iterator[Fleet]:
 
 def _fly_missing(plan: Plan, folder: CampaignFolder, fleet: Fleet) -> None:
     from housefly.app.campaign_progress import CampaignProgress
-    from housefly.lab.campaigns.runner import run_campaign
+    from housefly.lab.campaigns.runner import fly_chunks
 
     missing = folder.missing()
     if folder.landed:
         console.print(f"{folder.landed:,} drones are there from an earlier run")
     with CampaignProgress(plan.drones, folder.landed, plan.spec.mission.duration_s) as progress:
-        run_campaign(plan, missing, folder, fleet, progress.advance)
+        fly_chunks(plan, missing, folder, fleet, progress.advance)
 
 
 def _conclude(spec: CampaignSpec, folder: CampaignFolder) -> None:

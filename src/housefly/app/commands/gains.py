@@ -1,6 +1,4 @@
-"""``housefly gains``: control gains and filter for one drone and one tracking system, with their
-margins.
-"""
+"""``housefly gains``: control gains and filter for a drone and a tracking system."""
 
 from __future__ import annotations
 

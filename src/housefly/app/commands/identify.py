@@ -150,7 +150,7 @@ def _fly(
 
             def on_step(step: PilotStep) -> None:
                 steps.append(step)
-                recorder.step(step)
+                recorder.add_step(step)
                 progress.show(flight.maneuver.done, step.outputs.phase.value)
 
             if options.lockstep:
@@ -175,13 +175,13 @@ def _conclude(
     from housefly.app.identification_report import measurement_notes, print_constants
     from housefly.config.profile import write_profile
     from housefly.lab.identification.plots import draw_fit
-    from housefly.lab.identification.result import Limits, identify
+    from housefly.lab.identification.result import Limits, fit_constants
     from housefly.lab.identification.samples import samples_of
 
     site = loaded.site
     limits = Limits(site.limits.tilt_max, site.limits.vertical_speed_max, site.limits.yaw_rate_max)
     with console.status("fitting"):
-        found = identify(samples_of(steps, flown, site.tracking.body), limits)
+        found = fit_constants(samples_of(steps, flown, site.tracking.body), limits)
     if found.constants:
         print_constants(found, loaded)
         png, _ = draw_fit(found, out / "fit")

@@ -51,12 +51,12 @@ def _import_tms(options: Namespace) -> int:
 
 def _export_tms(options: Namespace) -> int:
     """Write the memory as rows."""
-    from housefly.hub.store.export_tms import tms_lines as rows_of
+    from housefly.hub.store.export_tms import tms_lines
 
     file = Path(options.file)
     store = _store(options.site)
     try:
-        rows = list(rows_of(store.things(), store.latest()))
+        rows = list(tms_lines(store.things(), store.latest()))
     finally:
         store.close()
     try:

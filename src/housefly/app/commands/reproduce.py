@@ -1,6 +1,4 @@
-"""``housefly reproduce``: the paper's figures and claims, made again, with the numbers that it
-lacks.
-"""
+"""``housefly reproduce``: the paper's figures and claims, with the numbers that it lacks."""
 
 from __future__ import annotations
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any
 
 from pydantic import Field, TypeAdapter, ValidationError
 
@@ -12,8 +12,6 @@ from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError, ThingError, WireError
 from housefly.hub.api.answers import ANSWER_TYPES, Answer
 from housefly.hub.api.questions import Question
-
-Told = TypeVar("Told")
 
 _QUESTION: TypeAdapter[Question] = TypeAdapter(Annotated[Question, Field(discriminator="ask")])
 _ANSWERS: dict[type[Answer], TypeAdapter[Any]] = {

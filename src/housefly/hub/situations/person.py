@@ -89,7 +89,7 @@ class People:
                 confidence,
                 track.since,
                 (f"{track.source}: seen",),
-                _whereabouts(track, None),
+                _place_facts(track, None),
             )
         if posture is not None:
             return replace(posture, kind=_PRESENT)
@@ -110,7 +110,7 @@ class People:
         looks = self._looks(track, speed, hysteresis, now)
         rule = rule_for(looks)
         on = looks.bed or looks.seat
-        facts = _whereabouts(track, speed)
+        facts = _place_facts(track, speed)
         facts = (
             (*facts, ("on", on.name)) if on is not None and rule.kind in (SITTING, LYING) else facts
         )
@@ -152,7 +152,7 @@ def _new(person: str) -> _PersonState:
     )
 
 
-def _whereabouts(track: PersonTrack, speed: float | None) -> Facts:
+def _place_facts(track: PersonTrack, speed: float | None) -> Facts:
     x, y, _ = track.last.position
     place: Facts = (("x", x), ("y", y), ("sigma", track.last.sigma))
     return place if speed is None else (*place, ("speed", speed))

@@ -50,10 +50,10 @@ class Backlog:
     def __len__(self) -> int:
         return len(self._samples) + len(self._events) + len(self._things)
 
-    def put(self, said: Iterable[Observation | RoomEvent | Thing]) -> Dropped:
+    def put(self, values: Iterable[Observation | RoomEvent | Thing]) -> Dropped:
         """Add values; return what was dropped for them."""
         with self._lock:
-            for value in said:
+            for value in values:
                 match value:
                     case Observation():
                         self._samples.append(value)

@@ -41,11 +41,11 @@ class Losses:
         with self._lock:
             self._forget(now)
             recent: _Counts = sum((counts for _, counts in self._recent), Counter())
-        said = [
+        parts = [
             f"{count:,} {rows}".replace(",", " ") + f" in the last minute: {reason}"
             for (rows, reason), count in recent.items()
         ]
-        return f"dropped {', '.join(said)}" if said else ""
+        return f"dropped {', '.join(parts)}" if parts else ""
 
     def _forget(self, now: float) -> None:
         while self._recent and self._recent[0][0] < now - _RECENT:

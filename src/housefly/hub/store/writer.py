@@ -49,16 +49,16 @@ class StoreWriter:
         self._thread = Thread(target=self._run, name="store-writer", daemon=True)
         self._thread.start()
 
-    def write(self, *said: Observation | RoomEvent | Thing) -> None:
+    def write(self, *values: Observation | RoomEvent | Thing) -> None:
         """Write observations, events and things soon; never waits, never raises."""
-        self.write_all(said)
+        self.write_all(values)
 
-    def write_all(self, said: Iterable[Observation | RoomEvent | Thing]) -> None:
+    def write_all(self, values: Iterable[Observation | RoomEvent | Thing]) -> None:
         """Write many at once."""
         if self._stopping_at is None:
-            self._count(self._backlog.put(tuple(said)), self._reason or _TOO_SLOW)
+            self._count(self._backlog.put(tuple(values)), self._reason or _TOO_SLOW)
         else:
-            self._count(_rows_in(said), _STOPPED)
+            self._count(_rows_in(values), _STOPPED)
 
     def report(self) -> str:
         """Return the state in words, for example "all is kept".
@@ -197,8 +197,8 @@ class StoreWriter:
             self._losses.count(dropped, reason, time.monotonic())
 
 
-def _rows_in(said: Iterable[Observation | RoomEvent | Thing]) -> Dropped:
-    values = tuple(said)
+def _rows_in(values: Iterable[Observation | RoomEvent | Thing]) -> Dropped:
+    values = tuple(values)
     return Dropped(
         *(sum(isinstance(value, sort) for value in values) for sort in (Observation, RoomEvent))
     )

@@ -70,19 +70,19 @@ class FusedPose:
 
 
 def fused_pose(
-    thing: Thing, said: Iterable[Observation], kind_of: Callable[[str], ThingKind | None]
+    thing: Thing, samples: Iterable[Observation], kind_of: Callable[[str], ThingKind | None]
 ) -> FusedPose:
     """Fuse the last valid sample of each source; does not look up the container's position."""
-    speaking = sorted((sample for sample in said if sample.valid), key=_age_key)
+    valid = sorted((sample for sample in samples if sample.valid), key=_age_key)
     placed = [
         sample
-        for sample in speaking
+        for sample in valid
         if sample.position is not None and all(map(isfinite, sample.position))
     ]
-    naming = [sample for sample in speaking if sample.inside]
+    naming = [sample for sample in valid if sample.inside]
     if placed and naming and _put_away(placed[-1], naming[-1], kind_of):
         placed = []
-    seen_at = speaking[-1].captured_at if speaking else None
+    seen_at = valid[-1].captured_at if valid else None
     if not placed:
         inside = naming[-1].inside if naming else thing.inside
         position, orientation = (
@@ -95,7 +95,7 @@ def fused_pose(
             None,
             inside,
             seen_at,
-            tuple(s.source for s in speaking[-1:]),
+            tuple(s.source for s in valid[-1:]),
         )
     fresh = [
         sample for sample in placed if sample.captured_at >= placed[-1].captured_at - _FUSION_WINDOW

@@ -11,7 +11,7 @@ _Measured = tuple[Vec3, Covariance]
 
 
 def inverse(matrix: Covariance) -> Covariance | None:
-    """Return the inverse of a symmetric matrix by its upper triangle; None if not positive definite."""
+    """Return the inverse of a symmetric matrix (upper triangle); None unless positive definite."""
     xx, xy, xz, yy, yz, zz = matrix
     a, b, c = yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy
     determinant = xx * a + xy * b + xz * c

@@ -25,7 +25,7 @@ except ImportError as error:
         "distributed (campaigns on a cluster)", "pip install 'housefly[cluster]'"
     ) from error
 
-_CONNECT_TIMEOUT = 5.0
+SCHEDULER_TIMEOUT = 5.0
 """How long the scheduler may take to answer, and the first worker to appear [s]."""
 _WORKER_TIMEOUT = 60.0
 """How long to wait for a cluster that has no worker left [s]."""
@@ -48,9 +48,8 @@ class ClusterFleet:
         """
         self._address = address
         for logger in ("distributed", "distributed.client"):
-            logging.getLogger(logger).setLevel(
-                logging.CRITICAL
-            )  # what goes wrong is told by errors, in one line
+            # Errors tell in one line what goes wrong.
+            logging.getLogger(logger).setLevel(logging.CRITICAL)
         self._client = _connected(address)
         try:
             self._check_workers()
@@ -101,11 +100,9 @@ class ClusterFleet:
         while waiting and len(flying) < most:
             chunk = waiting.pop()
             cases, _ = plan.cases_of(chunk)
-            flying[
-                self._client.submit(
-                    fly_chunk, cases, plan.groups[chunk.group].mission, versions(), pure=False
-                )
-            ] = chunk
+            mission = plan.groups[chunk.group].mission
+            future = self._client.submit(fly_chunk, cases, mission, versions(), pure=False)
+            flying[future] = chunk
 
     def _landed(self, flying: list[Any]) -> list[Any]:
         """Return the futures that have finished, at least one."""
@@ -113,9 +110,10 @@ class ClusterFleet:
         while alone <= _WORKER_TIMEOUT:
             try:
                 with self._client.as_current():
-                    return list(
-                        wait(flying, timeout=_POLL_INTERVAL, return_when="FIRST_COMPLETED").done
-                    )  # type: ignore[no-untyped-call]
+                    first = wait(  # type: ignore[no-untyped-call]
+                        flying, timeout=_POLL_INTERVAL, return_when="FIRST_COMPLETED"
+                    )
+                    return list(first.done)
             except TimeoutError:
                 alone = 0.0 if self._threads() else alone + _POLL_INTERVAL
         raise LinkError(f"no worker at {self._address} for {_WORKER_TIMEOUT:.0f} s; {_RESUME_HINT}")
@@ -128,10 +126,8 @@ class ClusterFleet:
             raise LinkError(
                 f"the workers at {self._address} die of their work ({error}); {_RESUME_HINT}"
             ) from error
-        except (
-            CancelledError,
-            OSError,
-        ) as error:  # which of them depends on what the client was about to ask
+        # Which of the two depends on what the client was about to ask.
+        except (CancelledError, OSError) as error:
             raise LinkError(f"the scheduler at {self._address} is gone; {_RESUME_HINT}") from error
 
     def _threads(self) -> int:
@@ -141,10 +137,10 @@ class ClusterFleet:
 
     def _check_workers(self) -> None:
         try:
-            self._client.wait_for_workers(1, timeout=_CONNECT_TIMEOUT)
+            self._client.wait_for_workers(1, timeout=SCHEDULER_TIMEOUT)
         except TimeoutError as error:
             raise LinkError(
-                f"no worker at {self._address} after {_CONNECT_TIMEOUT:.0f} s;"
+                f"no worker at {self._address} after {SCHEDULER_TIMEOUT:.0f} s;"
                 f" start one with: dask worker {self._address}"
             ) from error
         for worker, theirs in self._client.run(versions, on_error="return").items():
@@ -163,7 +159,7 @@ def _connected(address: str) -> Client:
     """
     try:
         asyncio.run(_identity(address))
-        return Client(address, timeout=_CONNECT_TIMEOUT, set_as_default=False)  # type: ignore[no-untyped-call]
+        return Client(address, timeout=SCHEDULER_TIMEOUT, set_as_default=False)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as error:
         raise LinkError(
             f"no scheduler answers at {address}; start one with: dask scheduler"
@@ -171,10 +167,8 @@ def _connected(address: str) -> Client:
 
 
 async def _identity(address: str) -> None:
-    async with (
-        asyncio.timeout(_CONNECT_TIMEOUT),
-        rpc(address, timeout=_CONNECT_TIMEOUT) as scheduler,
-    ):  # type: ignore[no-untyped-call]
+    connection = rpc(address, timeout=SCHEDULER_TIMEOUT)  # type: ignore[no-untyped-call]
+    async with asyncio.timeout(SCHEDULER_TIMEOUT), connection as scheduler:
         await scheduler.identity()
 
 

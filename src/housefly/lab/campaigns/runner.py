@@ -58,7 +58,7 @@ def _batches(chunks: tuple[Chunk, ...]) -> Iterator[tuple[Chunk, ...]]:
             yield tuple(of_group[first : first + size])
 
 
-def run_campaign(
+def fly_chunks(
     plan: Plan,
     missing: tuple[Chunk, ...],
     folder: CampaignFolder,

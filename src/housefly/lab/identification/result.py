@@ -67,7 +67,7 @@ class Identified:
     blocks: tuple[Samples, ...]
 
 
-def identify(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Identified:
+def fit_constants(blocks: tuple[Samples, ...], limits: Limits, seed: int = 0) -> Identified:
     """Return the constants with their 95 % intervals, and what is wrong with them."""
     seen = tuple(
         block for block in blocks if block.at.size >= _MIN_FRAMES and block.gap <= _MAX_GAP

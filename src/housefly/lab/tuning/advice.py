@@ -25,9 +25,9 @@ MIN_GAIN_MARGIN, MIN_PHASE_MARGIN, MIN_DELAY_MARGIN = 2.0, radians(30.0), 0.05
 
 A Nyquist curve that stays one half away from -1 has at least these margins of gain and phase.
 """
-WRONG_LAGS = (0.7, 1.4)
+_WRONG_LAGS = (0.7, 1.4)
 """The true lambda may be these multiples of the believed one."""
-WRONG_GAIN, WRONG_PHASE = 1.5, radians(20.0)
+WRONG_LAG_GAIN_MARGIN, WRONG_LAG_PHASE_MARGIN = 1.5, radians(20.0)
 """Margins of gain and phase [rad] required then."""
 _MIN_NOISE = 0.0005
 """Smallest tracking noise assumed [m]."""
@@ -127,7 +127,7 @@ def judge(question: GainQuestion, alpha: float, beta: float) -> Judgement:
     """Return the margins of a pair and what speaks against it."""
     loop = replace(question.loop, alpha=alpha, beta=beta)
     margins = margins_of(loop)
-    wrong = tuple((share, margins_of(_with_lag(loop, share))) for share in WRONG_LAGS)
+    wrong = tuple((share, margins_of(_with_lag(loop, share))) for share in _WRONG_LAGS)
     objections = [
         *filter(None, [routh_objection(alpha, beta, loop.lag)]),
         *_objections(question, loop, margins, wrong),
@@ -180,11 +180,11 @@ def _keeps(question: GainQuestion, loop: Loop) -> bool:
     later = replace(
         loop, delay=loop.delay + max(MIN_DELAY_MARGIN, 1.0 / loop.tracking_hz), model_delay=known
     )
-    wrong = (_with_lag(loop, share) for share in WRONG_LAGS)
+    wrong = (_with_lag(loop, share) for share in _WRONG_LAGS)
     return (
         is_stable(later)
         and _has(loop, MIN_GAIN_MARGIN, MIN_PHASE_MARGIN)
-        and all(is_stable(other) and _has(other, WRONG_GAIN, WRONG_PHASE) for other in wrong)
+        and all(is_stable(other) and _has(other, WRONG_LAG_GAIN_MARGIN, WRONG_LAG_PHASE_MARGIN) for other in wrong)
     )
 
 
@@ -216,11 +216,11 @@ def _objections(
     if margins.delay < delay:
         found.append(f"delay margin {1000 * margins.delay:.0f} ms is below {1000 * delay:.0f} ms")
     for share, at in wrong:
-        if at.gain < WRONG_GAIN or at.phase < WRONG_PHASE:
+        if at.gain < WRONG_LAG_GAIN_MARGIN or at.phase < WRONG_LAG_PHASE_MARGIN:
             found.append(
                 f"with lambda {100 * share - 100:+.0f} % gain margin {at.gain:.2f} or phase margin"
-                f" {degrees(at.phase):.0f} deg is below {WRONG_GAIN:g} or"
-                f" {degrees(WRONG_PHASE):.0f} deg"
+                f" {degrees(at.phase):.0f} deg is below {WRONG_LAG_GAIN_MARGIN:g} or"
+                f" {degrees(WRONG_LAG_PHASE_MARGIN):.0f} deg"
             )
     if loop.beta > bound:
         found.append(

@@ -7,13 +7,11 @@ import numpy as np
 _ENDURANCE = 720.0
 """Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
 _IDLE_SHARE = 0.05
-"""Part of the hovering power that the electronics take with motors off."""
+"""Share of the hovering power that the electronics draw with motors off."""
 LOW_VOLTAGE = 9.7
 FORCED_LANDING_VOLTAGE = 9.3
 CUT_OFF_VOLTAGE = 9.0
-"""Flag, landing by itself, power off [V]: paparazzi's low and catastrophic levels, and the drone's
-own vbat_min.
-"""
+"""Low flag, forced landing, power off [V]: paparazzi's two levels and the drone's own vbat_min."""
 
 _CHARGE = (0.0, 0.03, 0.08, 0.2, 0.5, 1.0)
 _VOLTAGE = (9.0, 9.3, 9.7, 10.9, 11.69, 12.4)
@@ -32,11 +30,11 @@ class Battery:
         return float(np.interp(self.charge, _CHARGE, _VOLTAGE))
 
     def drain(self, seconds: float, load: float) -> None:
-        """Take what the electronics and the rotors used.
+        """Subtract what the electronics and the rotors used.
 
         Args:
             seconds: how long [s].
-            load: thrust over weight; rotor power grows with its power 3/2 (momentum theory).
+            load: thrust over weight; rotor power grows as its 3/2 power (momentum theory).
         """
         rotors = load**1.5 if load > 0.0 else 0.0
         used = seconds / _ENDURANCE * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)

@@ -1,9 +1,8 @@
 """The AR.Drone 2.0 as a MuJoCo body: mass, hull, looks, cameras and reflective markers.
 
 Mass: Douthwaite, ARdrone.m. Inertia and arm: paparazzi, simple_ardrone2.xml. Cameras: the
-    calibrations shipped with
-AutonomyLab/ardrone_autonomy. The body frame is forward, left, up with its origin in the centre of
-mass.
+calibrations shipped with AutonomyLab/ardrone_autonomy. The body frame is forward, left, up with its
+origin in the centre of mass.
 """
 
 from __future__ import annotations
@@ -17,9 +16,7 @@ from housefly.geometry import Vec2, Vec3, quaternion_from_euler
 DRONE_MASS = 0.436
 """With indoor hull [kg]."""
 INERTIA: Vec3 = (0.0068, 0.0068, 0.0136)
-"""Principal moments [kg m^2]. They are those of a flat body with all its mass at the motors'
-radius: an upper bound.
-"""
+"""Principal moments [kg m^2]: a flat body with all mass at the motors' radius, an upper bound."""
 MOTOR_ARM = 0.1237
 """Distance of each motor from the x and y axes [m]."""
 _ROTOR_RADIUS = 0.1
@@ -35,24 +32,18 @@ DRONE_MARKERS: tuple[Vec3, ...] = (
     (0.12, -0.15, 0.045),
     (-0.02, 0.0, 0.07),
 )
-"""Reflective markers on the hull [m]; no two distances between them are alike, so that the pose is
-unique.
-"""
+"""Reflective markers on the hull [m]; all distances between them differ, so the pose is unique."""
 
 _FRONT_CAMERA_X = 0.21
 FRONT_FIELD_OF_VIEW = radians(69.0)
 _BOTTOM_FIELD_OF_VIEW = radians(49.0)
-"""Horizontal angle of the cameras [rad]; their height follows from square pixels, for there is no
-lens distortion here.
-"""
+"""Horizontal field of view [rad]; pixels are square and the lenses have no distortion."""
 PICTURE_SIZE: tuple[int, int] = (640, 360)
 """Width and height of both cameras' pictures [px]."""
 
 VISUAL_GROUP = 2
 HULL_GROUP = 3
-"""MuJoCo geom groups: looks are drawn, the collision hull is not (groups from 3 on are hidden by
-default).
-"""
+"""MuJoCo geom groups; only the visual one is drawn (groups from 3 on are hidden by default)."""
 
 _FOAM_RADIUS = 0.03
 _CORNER_CUT = 0.12

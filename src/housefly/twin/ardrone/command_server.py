@@ -1,9 +1,8 @@
 """UDP 5556 of the simulated drone: turns AT commands into calls.
 
-Sequence rule: a command counts when its number is above the last one; number 1, or two seconds of
-    silence, starts anew
-(docs/wires.md, section 4). The emergency bit acts when it rises, so that a client may repeat it;
-the other REF bit acts each time.
+A command counts when its number is above the last one; number 1, or two seconds of silence,
+restarts the sequence (docs/wires.md, section 4). The emergency bit acts on its rising edge, so that
+a client may repeat it; the other REF bit acts each time.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """The simulated drone's configuration: common keys, and custom ones by session, user, application.
 
-Rules: Parrot ARDroneLib SDK 2.0.1, multiconfiguration. Every well-formed CONFIG is acknowledged by
-    the server; whether it
-counted is what ``write`` returns:
+Rules: Parrot ARDroneLib SDK 2.0.1, multiconfiguration. The server acknowledges every well-formed
+CONFIG; ``write`` returns whether it counted:
 
 - a key that may never be written, does not exist, or a value of another type does not count;
 - keys that need ids count only right after CONFIG_IDS with the three ids in force, none of them the
@@ -48,9 +47,7 @@ MAX_CUSTOM_CONFIGS = 32
 """How many configurations one category keeps."""
 
 _LIVE_LIMITS = ("euler_angle_max", "control_vz_max", "control_yaw")
-"""Limits of which the drone keeps one set for indoors and one for outdoors; ``control:outdoor``
-chooses.
-"""
+"""Limits kept in one set for indoors and one for outdoors; ``control:outdoor`` chooses."""
 
 _TILT_MAX = 0.52
 _CLIMB_MAX = 2.0

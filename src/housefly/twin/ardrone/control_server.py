@@ -1,7 +1,6 @@
 """TCP 5559 of the simulated drone: sends the configuration when asked by ``CTRL 4`` or ``CTRL 6``.
 
-The request comes by UDP and may overtake the connection that it belongs to, so it waits a moment
-for one.
+The request comes by UDP and may overtake its connection, so it waits a moment for one.
 """
 
 from __future__ import annotations
@@ -40,8 +39,8 @@ class _Listener(asyncio.Protocol):
         if self._transport is not None:
             self._transport.abort()
 
-    def tell(self, text: bytes) -> None:
-        """Send an answer, unless the client lets earlier ones pile up."""
+    def send(self, text: bytes) -> None:
+        """Send an answer, unless earlier ones pile up."""
         if self._transport is not None and self._transport.get_write_buffer_size() < _MAX_BACKLOG:
             self._transport.write(text)
 
@@ -81,7 +80,7 @@ class ControlServer:
             return
         text = self._describe(customs)
         for client in self._clients:
-            client.tell(text)
+            client.send(text)
         self._counters.config_dumps += 1
 
     def admit(self, client: _Listener) -> bool:

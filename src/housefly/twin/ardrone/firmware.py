@@ -1,7 +1,6 @@
-"""The drone's own computer: which state it is in, what it listens to, when it cuts its motors.
+"""The drone's own computer: control states, commands and watchdogs.
 
-States and watchdogs: Parrot ARDroneLib SDK 2.0.1 and docs/wires.md, section 4. The class is driven
-    one control period at a
+Sources: Parrot ARDroneLib SDK 2.0.1 and docs/wires.md, section 4. It runs one control period at a
 time and knows neither physics nor wires.
 """
 
@@ -21,35 +20,31 @@ from housefly.wires.ardrone.conversions import Stick
 
 WATCHDOG_AFTER = 0.05
 COM_LOST_AFTER = 2.0
-"""Silence [s] that raises the watchdog bit, and that makes the drone brake and land by itself."""
+"""Silence [s] that raises the watchdog bit, and that makes the drone brake and land."""
 
 _TAKE_OFF_HEIGHT = 1.0
 _SPIN_UP_TIME = 1.0
 _TAKE_OFF_CLIMB = 0.4
 _TAKE_OFF_MIN_TIME = 3.0
 _TAKE_OFF_MAX_TIME = 8.0
-"""Take-off: height [m], motors turning before lift [s], climb [m/s], shortest and longest duration
-[s].
-"""
+"""Take-off: height [m], spin-up [s], climb [m/s], shortest and longest duration [s]."""
 
 _LANDING_SINK = 0.4
 _TOUCHDOWN_SINK = 0.25
 _TOUCHDOWN_HEIGHT = 0.3
 _TOUCHDOWN_TIME = 0.4
-"""Landing: sink [m/s] down to a height [m], then slower; standing still this long [s] while sinking
-means ground.
-"""
+"""Landing: sink rate [m/s], slower below a height [m]; this long at rest [s] means ground."""
 _STANDSTILL_SPEED = 0.06
 
 TILT_CUTOFF = radians(65.0)
-"""Leaning further than this, the drone gives up and cuts its motors."""
+"""The drone cuts its motors when it leans further than this [rad]."""
 
 
 class Firmware:
-    """Major control states and their loops; call ``step`` once every ``PERIOD``.
+    """Major control states and their loops; call ``step`` once every ``CONTROL_PERIOD``.
 
-    A take-off needs a land request (REF bit 9 clear) since the last one: after a landing that
-    nobody asked for, a client that still repeats its take-off bit does not start the drone again.
+    A take-off needs a land request (REF bit 9 clear) since the last one: after a landing on its
+    own, the drone ignores a client that still repeats its take-off bit.
     """
 
     def __init__(self, drone: DroneConfig) -> None:
@@ -75,11 +70,11 @@ class Firmware:
 
     @property
     def low_battery(self) -> bool:
-        """Whether the drone complains about its battery."""
+        """Whether the low battery flag is up."""
         return self._voltage < LOW_VOLTAGE
 
     def set_stick(self, stick: Stick) -> None:
-        """Take the newest movement command."""
+        """Set the newest movement command."""
         self._stick = stick
 
     def request_take_off(self) -> None:
@@ -116,7 +111,7 @@ class Firmware:
         """
         self._voltage = voltage
         self._in_state += CONTROL_PERIOD
-        self._watch(measured, silence)
+        self._check_failsafes(measured, silence)
         references = self._states[self.flight](measured)
         if references is None:
             return MOTORS_OFF
@@ -126,7 +121,7 @@ class Firmware:
             )
         return self._loops.wrench(references, measured)
 
-    def _watch(self, measured: SensorReading, silence: float) -> None:
+    def _check_failsafes(self, measured: SensorReading, silence: float) -> None:
         """Apply what overrides every command: tilt, empty battery, lost client."""
         self.tilted = (
             acos(max(-1.0, min(1.0, cos(measured.phi) * cos(measured.theta)))) > TILT_CUTOFF

@@ -22,22 +22,16 @@ _SINK_FACTOR = 2.0
 _HEIGHT_POLE = 0.5
 """Gain of the height hold [1/s]; with a climb pole of 1.4 1/s its damping ratio is 0.84."""
 _BRAKE_POLE = 2.0
-"""Deceleration per measured speed while hovering [1/s]; well damped with the attitude lag and the
-flow's delay.
-"""
+"""Deceleration per measured speed in hover [1/s]; well damped with attitude lag and flow delay."""
 _TRIM_POLE = 0.4
 _TRIM_SPEED = 0.3
-"""Integral part of the hover [1/s^2]: learns, below this speed [m/s], what the drone wrongly takes
-for level.
-"""
+"""Integral gain of the hover [1/s^2], active below this speed [m/s]; learns the attitude offset."""
 _RATE_POLE = 150.0
 """Pole of the innermost body rate loop [1/s]."""
 THRUST_MAX = 4 * 1.56
 """Four motors at full throttle [N] (paparazzi, simple_ardrone2.xml)."""
 _ANGULAR_ACCELERATION_MAX = 300.0
-"""Bound of torque over inertia [rad/s^2]: tames a crash; the identified attitude lag already holds
-the motors' own.
-"""
+"""Bound of torque over inertia [rad/s^2]; tames a crash."""
 
 _STICK_DEAD = 1e-3
 
@@ -55,7 +49,7 @@ MOTORS_OFF = Wrench(0.0, 0.0, 0.0, 0.0)
 
 
 class LoopReferences(NamedTuple):
-    """What the loops should reach: tilt [rad], climb rate [m/s], yaw rate [rad/s]."""
+    """Tilt [rad], climb rate [m/s] and yaw rate [rad/s] for the loops to reach."""
 
     phi: float
     theta: float
@@ -69,8 +63,8 @@ class InnerLoops:
     def __init__(self, drone: DroneConfig) -> None:
         self._gain = drone.attitude_gain
         self._climb_pole, self._yaw_pole = drone.climb_lag, drone.yaw_lag
-        # The rate loop adds its own small lag; this gain puts the slow pole of both together on the
-        # identified one.
+        # The rate loop adds a small lag of its own; this gain puts the slow pole of the cascade on
+        # the identified one.
         self._attitude_gain = drone.attitude_lag * (_RATE_POLE - drone.attitude_lag) / _RATE_POLE
         self._held_height: float | None = None
         self._trim = (0.0, 0.0)

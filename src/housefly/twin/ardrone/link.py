@@ -1,4 +1,4 @@
-"""What the simulated AR.Drone's four ports know together, and what they count."""
+"""State and counters that the simulated AR.Drone's four ports share."""
 
 from __future__ import annotations
 
@@ -7,14 +7,12 @@ from dataclasses import dataclass, field
 from housefly.twin.address import PeerAddress
 
 LINK_LOST_AFTER = 2.0
-"""Silence on the AT port [s] after which the firmware forgets the sequence and stops navdata
-(docs/wires.md, section 4).
-"""
+"""Silence on the AT port [s] that resets the sequence and stops navdata (docs/wires.md, 4)."""
 
 
 @dataclass(slots=True)
 class Counters:
-    """How much arrived, left, and was refused, since the start."""
+    """Counts of what arrived, left and was refused."""
 
     datagrams: int = 0
     commands: int = 0
@@ -31,7 +29,7 @@ class Counters:
 
 @dataclass(slots=True)
 class Link:
-    """State of the conversation with the client that is outside the flying firmware.
+    """State of the connection to the client.
 
     Attributes:
         acknowledged: state bit 6: a setting arrived and its acknowledgement was not cleared yet.
@@ -48,5 +46,5 @@ class Link:
     counters: Counters = field(default_factory=Counters)
 
     def silent_since(self, now: float, seconds: float) -> bool:
-        """Tell whether commands came before, but none in the last ``seconds``."""
+        """Return whether commands came before, but none in the last ``seconds``."""
         return self.last_command_at is not None and now - self.last_command_at > seconds

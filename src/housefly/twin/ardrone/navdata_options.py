@@ -1,4 +1,4 @@
-"""The navdata options of the simulated drone, filled with what its firmware believes.
+"""The navdata options of the simulated drone, filled from its onboard state.
 
 Native units and the native frame forward-right-down, as Parrot ARDroneLib SDK 2.0.1
 (navdata_common.h) lists them. Options that the twin does not simulate keep one constant value and
@@ -43,7 +43,7 @@ MAJOR_STATES: dict[FlightState, MajorState] = {
     FlightState.LANDING: MajorState.LANDING,
     FlightState.EMERGENCY: MajorState.DEFAULT,
 }
-"""Control state that navdata tells for each state of the firmware."""
+"""The navdata control state of each firmware state."""
 
 _HOVERING_WITHOUT_LINK = 8
 """Minor control state of hovering when commands stopped."""
@@ -56,8 +56,7 @@ _SCALE_HEIGHT = 8434.0
 """Pressure at the floor [Pa] and the height over which it falls by e [m]."""
 _ACCELEROMETER_ZERO = 2048
 _ACCELEROMETER_STEP = 0.512
-"""Centre of the 12-bit converter, and its steps per mg; the recorded packet shows 509 steps per g.
-"""
+"""Centre of the 12-bit converter and its steps per mg (a recorded packet shows 509 per g)."""
 _GYRO_STEP = 16.4
 """Steps per deg/s of a gyro with a range of 2000 deg/s and 16 bits."""
 
@@ -181,6 +180,4 @@ def _constant(option: Structure) -> RawOption:
 _CONSTANT_OPTIONS: dict[type[Structure], RawOption] = {
     kind: _constant(kind()) for kind in OPTION_TYPES
 } | {Wifi: _constant(Wifi(link_quality=0x3F800000))}
-"""Options as they stand when nothing moves them; the Wi-Fi quality is a single 1.0 read as an
-integer.
-"""
+"""Constant options, packed once; the Wi-Fi quality is a single 1.0 read as an integer."""

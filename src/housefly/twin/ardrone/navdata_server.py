@@ -1,7 +1,7 @@
-"""UDP 5554 of the simulated drone: who gets navdata, how often, and until when.
+"""UDP 5554 of the simulated drone: sends navdata to its client.
 
-Navdata goes to whoever asked last, as on the real drone, from port 5554. A request for multicast is
-answered like one for unicast. Two seconds without commands or requests end the stream; a new client
+Navdata goes to the last requester, as on the real drone, from port 5554. Multicast requests are
+answered like unicast ones. Two seconds without commands or requests end the stream; a new client
 then finds the drone in bootstrap mode again.
 """
 
@@ -53,7 +53,7 @@ class NavdataServer(asyncio.DatagramProtocol):
             self._transport.abort()
 
     def datagram_received(self, data: bytes, addr: PeerAddress) -> None:
-        """Take a client's request; anything else is counted."""
+        """Accept a client's request; count anything else."""
         if data not in _REQUESTS:
             self._link.counters.refused_requests += 1
             return
@@ -64,7 +64,7 @@ class NavdataServer(asyncio.DatagramProtocol):
         self._requested_at = self._world.now
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that a client has gone: it may come back to the same port."""
+        """Ignore a client that is gone; it may come back to the same port."""
 
     def pause_writing(self) -> None:
         """Stop sending: the kernel takes no more."""
@@ -106,6 +106,6 @@ class NavdataServer(asyncio.DatagramProtocol):
 
 
 def _raise_unless_cancelled(task: asyncio.Task[None]) -> None:
-    """Let the loop's exception handler hear of a sender that died, instead of nobody."""
+    """Pass the exception of a dead sender to the loop's exception handler."""
     if not task.cancelled():
         task.result()

@@ -6,7 +6,7 @@ from housefly.twin.ardrone.link import Link
 from housefly.twin.ardrone.navdata_options import demo_options, full_options
 from housefly.twin.contracts import FlightState, OnboardState
 from housefly.wires.ardrone.layout import Structure
-from housefly.wires.ardrone.navdata import StateBits, RawOption, encode_navdata
+from housefly.wires.ardrone.navdata import RawOption, StateBits, encode_navdata
 
 _ALWAYS_SET = (
     StateBits.ALTITUDE_CONTROL

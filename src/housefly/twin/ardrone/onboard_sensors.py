@@ -1,4 +1,4 @@
-"""What the drone's own sensors make of the truth: noise, bias, drift, delay.
+"""The drone's own sensors: noise, bias, drift and delay on the true state.
 
 Speed and height come 40 ms late (tum-vision/tum_ardrone, DroneKalmanFilter), the sonar pings at 25
 Hz (Parrot ARDroneLib SDK 2.0.1, ultrasound_freq 8). All other numbers are chosen so that a hover by
@@ -29,7 +29,7 @@ _GYRO_BIAS = 0.0005
 """Yaw drift, one sigma of one flight [rad/s]."""
 _ATTITUDE_OFFSET = 0.0035
 _TRIMMED_OFFSET = 0.0009
-"""What the drone takes for level, one sigma at power-on and after a flat trim [rad]."""
+"""Attitude offset, one sigma at power-on and after a flat trim [rad]."""
 _FLOW_NOISE = 0.02
 _FLOW_BIAS = 0.003
 _FLOW_BIAS_TIME = 10.0
@@ -103,11 +103,11 @@ class OnboardSensors:
         self._count = 0
 
     def flat_trim(self) -> None:
-        """Take the present attitude for level, as well as the drone can."""
+        """Take the present attitude as level, up to a small error."""
         self._offset_phi, self._offset_theta = self._rng.normal(0.0, _TRIMMED_OFFSET, 2).tolist()
 
     def read(self, body: BodyState) -> SensorReading:
-        """Return what the sensors say; call once every ``CONTROL_PERIOD``."""
+        """Return a reading; call once every ``CONTROL_PERIOD``."""
         n = next(self._noise)
         phi, theta, yaw = euler_from_quaternion(body.orientation)
         self._follow_heading(yaw)

@@ -1,7 +1,7 @@
 """A simulated AR.Drone 2.0 on its real ports: UDP 5554 and 5556, TCP 5555 and 5559 of one address.
 
-Clients written for the real drone fly it without knowing; which ones did stands in docs/wires.md,
-section 3. The server moves nothing by itself; whoever owns the world advances it.
+Clients written for the real drone can fly it; docs/wires.md, section 3, lists those that did. The
+server does not advance the world; its owner does.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class ArDroneServer:
         world: what flies.
         address: IP address whose four ports are taken.
         pave_header_size: 64, or 68 as some firmware sends.
-        tells_vertical_speed: whether navdata's vz is filled; the real drone leaves it at 0.
+        tells_vertical_speed: whether to fill navdata's vz; the real drone leaves it at 0.
         beyond_loopback: allow an address that other machines can reach.
 
     Raises:

@@ -1,7 +1,7 @@
 """The simulated drone's live video: H.264 pictures in PaVE frames to every client on TCP 5555.
 
-A client starts wherever the stream stands, as on the real drone. One that reads too slowly loses
-pictures up to the next key frame and delays nobody else.
+A client joins in mid-stream, as on the real drone. One that reads too slowly loses pictures up to
+the next key frame and delays nobody else.
 """
 
 from __future__ import annotations
@@ -17,17 +17,14 @@ _MAX_CLIENTS = 8
 _MAX_BACKLOG = 96 * 1024
 """Bytes that may wait for one client: five key frames, or about half a second of stream."""
 _SEND_BUFFER = 128 * 1024
-"""Bytes the kernel may hold for one client, so that its own generous default hides no slow reader.
-"""
+"""Bytes the kernel may hold for one client; its default would hide a slow reader."""
 PAVE_HEADER_SIZE = 64
 _MACROBLOCK = 16
 """H.264 codes whole blocks of 16 pixels and shows a part of them: 368 lines coded, 360 shown."""
 _START_CODE = b"\x00\x00\x00\x01"
 _NAL_SPS, _NAL_PPS = 7, 8
 _PARAMETER_SETS_END = 512
-"""How far into a key picture its parameter sets are looked for [bytes]; a real drone's end after
-24.
-"""
+"""How far into a key picture to search for parameter sets [bytes]; a real drone's end after 24."""
 
 
 class _Viewer(asyncio.Protocol):
@@ -101,7 +98,7 @@ class VideoServer:
             viewer.close()
 
     def admit(self, viewer: _Viewer) -> bool:
-        """Take a new client, unless there are too many."""
+        """Accept a new client, unless there are too many."""
         if len(self._viewers) >= _MAX_CLIENTS:
             return False
         self._viewers.add(viewer)

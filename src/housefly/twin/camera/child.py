@@ -1,8 +1,7 @@
 """The process that renders the drone's pictures: ``python -m housefly.twin.camera.child FD``.
 
-It lives at one end of a socket pair, always serves the newest request only, and ends when the other
-end closes. A GL library that is missing or broken can take the whole process down; that is why it
-is one of its own.
+It serves only the newest request at its end of a socket pair, and ends when the other end closes.
+It is a process of its own because a missing or broken GL library can take the whole process down.
 """
 
 from __future__ import annotations
@@ -32,12 +31,11 @@ from housefly.twin.camera.messages import (
 _CARD_RATE_HZ = 2.0
 _CARD_BIT_RATE = 200_000
 _NICENESS = 10
-"""More than the twin's own: pictures may be late, its physics and the pilot may not.
+"""Lower priority than the twin's own: pictures may be late, physics and the pilot may not.
 
-A picture occupies a processor for some milliseconds, and nobody else should wait for them: only a
-    process of the policy for idle
-time is put aside in the middle (Linux). There is no way back from that policy; the parent replaces
-a child that starves.
+A picture takes some milliseconds of processor time; on Linux only a process of the idle policy is
+preempted for everything else. A process cannot leave that policy, so the parent replaces a child
+that starves.
 """
 
 
@@ -96,9 +94,8 @@ def _send(link: socket.socket, encoder: Encoder, picture: NDArray[np.uint8], at:
 
 def main() -> None:
     """Serve the socket whose file descriptor is the first argument."""
-    signal.signal(
-        signal.SIGINT, signal.SIG_IGN
-    )  # Ctrl-C is for the parent, whose end this process notices
+    # Ctrl-C is for the parent; this process notices when it ends.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.nice(_NICENESS)
     with socket.socket(fileno=int(sys.argv[1])) as link:
         _serve(link)

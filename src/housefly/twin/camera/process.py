@@ -41,23 +41,23 @@ _RENDERERS = {
 }
 _START_TIMEOUT = 30.0
 _HUNG_AFTER = 3.0
-"""A child that owes a picture for this long [s] is replaced ..."""
+"""A child that owes a picture for this long [s] is replaced."""
 _STARVED_AFTER = 1.0
-"""... and one that lets everything else go first, after this: the machine is too busy for that."""
+"""The same for a child of idle priority [s]; on a busy machine it may starve."""
 _POLL_PERIOD = 0.5
-"""How often a silent child is looked at [s]."""
+"""How often to check a silent child [s]."""
 _EXIT_TIMEOUT = 2.0
-"""How long the end waits for the child's [s]."""
+"""How long ``close`` waits for the child to exit [s]."""
 _FIRST_RESTART_DELAY, _MAX_RESTART_DELAY = 0.1, 5.0
 _STABLE_AFTER = 10.0
-"""A child that lived this long [s] was worth restarting at once."""
+"""A child that ran this long [s] is restarted at once."""
 
 
 class CameraProcess:
-    """Asks a child process for pictures and hands them to whoever wants them.
+    """Asks a child process for pictures and passes them to handlers.
 
-    All calls belong to one asyncio loop. A child that dies or hangs is replaced; pictures are
-    missing meanwhile, nothing else is.
+    All calls belong to one asyncio loop. A child that dies or hangs is replaced; only pictures are
+    missing meanwhile.
 
     Attributes:
         restarts: how often a child was replaced.
@@ -221,8 +221,7 @@ class CameraProcess:
             self._writer = None
         if self._child is not None:
             self._child.kill()
-            # One that starves takes its time even to die, and the simulated drone must not wait for
-            # that.
+            # A starving child is slow even to die, and the simulated drone must not wait for it.
             Thread(target=self._child.wait, name="camera child", daemon=True).start()
             self._child = None
 

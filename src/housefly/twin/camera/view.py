@@ -19,13 +19,9 @@ from housefly.twin.contracts import AWAY_Z, DroneCamera
 from housefly.twin.people.bodies import PERSON_PREFIX
 
 SUPERSAMPLING = 1.25
-"""Pictures are rendered larger by this and averaged down: smooth edges for less than half the price
-of MSAA.
-"""
+"""Pictures are rendered larger by this and averaged down; costs less than half of MSAA."""
 _ROUNDNESS = {"numslices": 16, "numstacks": 10, "numquads": 2}
-"""How finely MuJoCo cuts round things and faces; its own defaults take a third longer and look the
-same at this size.
-"""
+"""Tessellation of round shapes; MuJoCo's defaults take a third longer and look the same here."""
 _OUT_OF_SIGHT = 5
 """A geom group that is never drawn."""
 

@@ -1,8 +1,8 @@
 """The simulated tracking system as OptiTrack's Motive: a NatNet server, unicast or multicast.
 
-Clients ask on the command port who serves and what is tracked. Unicast frames go to where a client
-asked from, as long as it is heard; multicast frames go to the group. Facts: docs/wires.md, section
-6. A body that the cameras do not see stays in its frame with the tracking bit cleared.
+Clients ask on the command port who serves and what is tracked. Unicast frames go to each client
+that was heard recently; multicast frames go to the group. Facts: docs/wires.md, section 6. A body
+that the cameras do not see stays in its frame with the tracking bit cleared.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from housefly.wires.natnet import (
 _CLOCK_HZ = 10_000_000
 _VERSIONS: tuple[NatNetVersion, ...] = ((3, 0), (3, 1), (4, 0), (4, 1))
 _CLIENT_TIMEOUT = 10.0
-"""A unicast client that was silent for this long [s] gets no more frames."""
+"""A unicast client that is silent for this long [s] gets no more frames."""
 _MAX_CLIENTS = 32
 _APPLICATION = "Housefly twin"
 
@@ -168,7 +168,7 @@ class NatNetServer:
                 return Unrecognized()
 
     def _admit(self, sender: PeerAddress, wish: NatNetVersion | None) -> NatNetVersion:
-        """Note a unicast client and return the version that it gets."""
+        """Register a unicast client and return the version that it gets."""
         if self._target[0] or (sender not in self._clients and len(self._clients) >= _MAX_CLIENTS):
             return self._version
         version = wish if wish in _VERSIONS and self._version >= (4, 0) else self._version

@@ -1,4 +1,4 @@
-"""One TCP connection of a tracking client: it gets what it reads in time, and loses the rest."""
+"""One TCP connection of a tracking client, which loses the frames that it reads too late."""
 
 from __future__ import annotations
 
@@ -6,9 +6,7 @@ import asyncio
 import socket
 
 _MAX_BACKLOG = 64 * 1024
-"""Bytes that may wait for a slow client before it loses frames; about a hundred frames of two
-bodies.
-"""
+"""Bytes that may wait for a slow client; about a hundred frames of two bodies."""
 
 
 class StreamClient:

@@ -1,9 +1,8 @@
 """The simulated tracking system on its real wire: a Vicon DataStream server.
 
 The server speaks first (the kinds it offers), clients answer with the kinds they want and ask for
-frames, all of them or the next few. Facts: docs/wires.md, section 5. Positions leave in
-millimetres, rotations as row-major matrices; a body that the cameras do not see is left out of its
-frame.
+frames, all of them or the next few. Facts: docs/wires.md, section 5. Positions are in millimetres,
+rotations are row-major matrices; a body that the cameras do not see is left out of its frame.
 """
 
 from __future__ import annotations
@@ -100,9 +99,8 @@ class ViconServer:
         for client in tuple(self._clients):
             client.close()
         while self._clients:
-            await asyncio.sleep(
-                0
-            )  # each connection's task ends by itself; a loop that closes first would complain
+            # Each connection's task ends by itself; a loop that closes first would complain.
+            await asyncio.sleep(0)
         await self._server.wait_closed()
         self._server = None
 

@@ -1,8 +1,8 @@
 """The simulated tracking system as a VRPN server: each body is a tracker with one sensor.
 
-A client connects by TCP, or asks by datagram to be connected to. Both sides send a cookie; then the
-server tells the numbers of its names, and poses. Facts: docs/wires.md, section 7. A body that the
-cameras do not see is not spoken of.
+A client connects by TCP, or asks by datagram to be called back. Both sides send a cookie; then the
+server sends descriptions of its names, and poses. Facts: docs/wires.md, section 7. A body that the
+cameras do not see is left out.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from housefly.wires.vrpn import (
 )
 
 _MESSAGE_TYPES = (POSE_TYPE, PING_TYPE, PONG_TYPE)
-"""Message types of this server; their place is their number."""
+"""Message types of this server; the index is the number."""
 _MAX_CLIENTS = 32
 _CONNECT_TIMEOUT = 2.0
 """How long [s] a connection back to a client, and a cookie, may take."""
@@ -100,9 +100,8 @@ class VrpnServer:
         for client in tuple(self._links):
             client.close()
         while self._links or self._calls:
-            await asyncio.sleep(
-                0
-            )  # each connection's task ends by itself; a loop that closes first would complain
+            # Each connection's task ends by itself; a loop that closes first would complain.
+            await asyncio.sleep(0)
         if self._server is not None:
             await self._server.wait_closed()
         self._server = self._receiver = None

@@ -1,8 +1,7 @@
 """People as MuJoCo bodies, a capsule and a head each; cameras, rays and the drone's hull meet them.
 
-Own frame: origin between the feet, x to where the person faces, z up. Who sits sinks into the floor
-    up to their hips, who is not
-there waits far below it. Metres.
+Own frame: origin between the feet, x forward, z up. Someone who sits sinks into the floor up to the
+hips; someone absent waits far below it. Metres.
 """
 
 from __future__ import annotations
@@ -17,7 +16,7 @@ from housefly.twin.people.script import PersonScript
 from housefly.twin.people.state import PersonState, Posture
 
 PERSON_PREFIX = "person "
-"""How the names of their bodies begin."""
+"""Prefix of the names of their bodies."""
 _TRUNK_RADIUS, _HEAD_RADIUS = 0.17, 0.11
 """Radius of trunk and head [m]."""
 _HIPS = 0.52
@@ -80,12 +79,13 @@ _POSES: dict[Posture, Callable[[PersonState, float], Pose]] = {
 
 
 def _body(person: PersonScript, number: int) -> str:
-    top = person.height
-    trunk = f"0 0 {_FOOT + _TRUNK_RADIUS:.9g} 0 0 {max(_FOOT + _TRUNK_RADIUS + 0.01, top - 2 * _HEAD_RADIUS - _TRUNK_RADIUS):.9g}"
-    name = f"{PERSON_PREFIX}{person.name}"
+    top, trunk, head = person.height, _TRUNK_RADIUS, _HEAD_RADIUS
+    low = _FOOT + trunk
+    line = f"0 0 {low:.9g} 0 0 {max(low + 0.01, top - 2 * head - trunk):.9g}"
+    name, coat = f"{PERSON_PREFIX}{person.name}", _COATS[number % len(_COATS)]
     return (
         f'<body name="{name}" mocap="true" pos="0 0 {AWAY_Z}"><geom name="{name} trunk"'
-        f' type="capsule" fromto="{trunk}" size="{_TRUNK_RADIUS}" rgba="{_COATS[number % len(_COATS)]}"'
-        f' material="cloth"/><geom name="{name} head" type="sphere" pos="0 0 {top - _HEAD_RADIUS:.9g}"'
-        f' size="{_HEAD_RADIUS}" rgba="{_SKIN}" material="cloth"/></body>'
+        f' type="capsule" fromto="{line}" size="{trunk}" rgba="{coat}"'
+        f' material="cloth"/><geom name="{name} head" type="sphere" pos="0 0 {top - head:.9g}"'
+        f' size="{head}" rgba="{_SKIN}" material="cloth"/></body>'
     )

@@ -37,12 +37,14 @@ class SceneHistory:
         self._times: list[float] = []
         self._snapshots = [snapshot]
         self.events: list[SceneEvent] = []
-        for told in events:
+        for event in events:
             known = (
-                replace(told, where=self._origin(told, snapshot)) if told.act is Act.TAKE else told
+                replace(event, where=self._origin(event, snapshot))
+                if event.act is Act.TAKE
+                else event
             )
-            snapshot = _EFFECTS[told.act](self, known, snapshot)
-            self._times.append(told.at)
+            snapshot = _EFFECTS[event.act](self, known, snapshot)
+            self._times.append(event.at)
             self._snapshots.append(snapshot)
             self.events.append(known)
 
@@ -50,58 +52,58 @@ class SceneHistory:
         """Return the state at a time [s]."""
         return self._snapshots[bisect_right(self._times, time)]
 
-    def _take(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
+    def _take(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after somebody took a thing."""
-        thing = before.things[told.what]
+        thing = before.things[event.what]
         if thing.held_by:
-            raise _impossible(told, f"takes {told.what!r}, which {thing.held_by} carries")
-        return _with(before, replace(thing, inside="", held_by=told.by))
+            raise _impossible(event, f"takes {event.what!r}, which {thing.held_by} carries")
+        return _with(before, replace(thing, inside="", held_by=event.by))
 
-    def _put(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
+    def _put(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after somebody put a thing down."""
-        thing = self._thing(told, before)
-        if thing.held_by != told.by:
-            raise _impossible(told, f"puts down {told.what!r} without carrying it")
-        if told.position is None and not told.where:
-            raise _impossible(told, f"puts {told.what!r} nowhere; give into or at")
-        if told.where and told.where not in self._devices:
+        thing = self._thing(event, before)
+        if thing.held_by != event.by:
+            raise _impossible(event, f"puts down {event.what!r} without carrying it")
+        if event.position is None and not event.where:
+            raise _impossible(event, f"puts {event.what!r} nowhere; give into or at")
+        if event.where and event.where not in self._devices:
             raise _impossible(
-                told,
-                f"puts {told.what!r} into {told.where!r}; known devices:"
+                event,
+                f"puts {event.what!r} into {event.where!r}; known devices:"
                 f" {', '.join(self._devices)}",
             )
-        position = told.position or self._home(told.where)
-        return _with(before, ThingState(thing.name, position, told.where))
+        position = event.position or self._home(event.where)
+        return _with(before, ThingState(thing.name, position, event.where))
 
-    def _open(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
+    def _open(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a door was opened."""
-        return _Snapshot(before.things, before.open | {self._device(told)})
+        return _Snapshot(before.things, before.open | {self._device(event)})
 
-    def _close(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
+    def _close(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a door was closed."""
-        return _Snapshot(before.things, before.open - {self._device(told)})
+        return _Snapshot(before.things, before.open - {self._device(event)})
 
-    def _press(self, told: SceneEvent, before: _Snapshot) -> _Snapshot:
+    def _press(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a button was pressed: unchanged."""
-        self._device(told)
+        self._device(event)
         return before
 
-    def _origin(self, told: SceneEvent, before: _Snapshot) -> str:
-        return self._thing(told, before).inside
+    def _origin(self, event: SceneEvent, before: _Snapshot) -> str:
+        return self._thing(event, before).inside
 
-    def _thing(self, told: SceneEvent, before: _Snapshot) -> ThingState:
-        if told.what not in before.things:
+    def _thing(self, event: SceneEvent, before: _Snapshot) -> ThingState:
+        if event.what not in before.things:
             raise _impossible(
-                told, f"wants {told.what!r}; known things: {', '.join(before.things)}"
+                event, f"wants {event.what!r}; known things: {', '.join(before.things)}"
             )
-        return before.things[told.what]
+        return before.things[event.what]
 
-    def _device(self, told: SceneEvent) -> str:
-        if told.what not in self._devices:
+    def _device(self, event: SceneEvent) -> str:
+        if event.what not in self._devices:
             raise _impossible(
-                told, f"handles {told.what!r}; known devices: {', '.join(self._devices)}"
+                event, f"handles {event.what!r}; known devices: {', '.join(self._devices)}"
             )
-        return told.what
+        return event.what
 
     def _home(self, device: str) -> tuple[float, float, float]:
         if device not in self._devices:
@@ -126,5 +128,5 @@ def _with(before: _Snapshot, thing: ThingState) -> _Snapshot:
     return _Snapshot({**before.things, thing.name: thing}, before.open)
 
 
-def _impossible(told: SceneEvent, what: str) -> ConfigError:
-    return ConfigError(f"people.{told.by}", f"at {told.at:.1f} s {what}", "scene")
+def _impossible(event: SceneEvent, what: str) -> ConfigError:
+    return ConfigError(f"people.{event.by}", f"at {event.at:.1f} s {what}", "scene")

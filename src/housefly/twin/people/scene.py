@@ -48,27 +48,27 @@ class Scene:
         ]
         self._begins = [[leg.begin for leg in line.legs] for line in self._lines]
         acts = sorted(
-            (told for line in self._lines for told in line.events), key=lambda told: told.at
+            (event for line in self._lines for event in line.events), key=lambda event: event.at
         )
-        self._chronicle = SceneHistory(script, acts)
+        self._history = SceneHistory(script, acts)
         self.length = max((line.end for line in self._lines), default=0.0) + script.pause
 
     def at(self, time: float) -> SceneState:
         """Return the state at a time [s since the scene began]."""
         local = self._local(time)
-        snapshot = self._chronicle.at(local)
+        snapshot = self._history.at(local)
         people = tuple(self._person(number, local) for number in range(len(self._lines)))
         return SceneState(time, people, _carried(snapshot.things, people), snapshot.open)
 
     def between(self, since: float, until: float) -> tuple[SceneEvent, ...]:
         """Return the events after ``since`` up to and including ``until`` [s], oldest first."""
         rounds = range(self._round(since), self._round(until) + 1) if self.script.loop else range(1)
-        told = (
+        events = (
             replace(act, at=act.at + number * self.length)
             for number in rounds
-            for act in self._chronicle.events
+            for act in self._history.events
         )
-        return tuple(act for act in told if since < act.at <= until)
+        return tuple(act for act in events if since < act.at <= until)
 
     def _person(self, number: int, time: float) -> PersonState:
         leg = self._lines[number].legs[max(0, bisect_right(self._begins[number], time) - 1)]

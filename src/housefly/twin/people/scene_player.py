@@ -9,9 +9,9 @@ from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
 
 _MOVE_DIVIDER = 4
-"""People move every so many control periods: at 50 Hz a walker moves 2 cm at a time."""
+"""Control periods between two moves of the people: 50 Hz, 2 cm of a walker."""
 _LOOK_DIVIDER = 40
-"""Whether the tracking cameras see the visitor past the people is worked out at 5 Hz."""
+"""Control periods between two checks whether the cameras see the visitor: 5 Hz."""
 
 
 class ScenePlayer:

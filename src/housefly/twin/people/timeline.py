@@ -25,13 +25,13 @@ from housefly.twin.people.script import (
 from housefly.twin.people.state import Act, PersonState, Posture, SceneEvent
 
 _ACT_DURATION = 0.4
-"""Time that a hand needs for one act [s]."""
+"""Duration of one act of a hand [s]."""
 _NOWHERE: Vec2 = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
 class _Leg:
-    """A stretch of a person's time in which they stay, or walk straight at constant speed.
+    """A stretch of time in which a person stays, or walks straight at constant speed.
 
     Attributes:
         begin, end: [s since the scene began].
@@ -67,13 +67,13 @@ class Timeline:
 
     Args:
         person: the script.
-        rng: draws how fast and patient they are at each step.
-        variation: largest share by which that differs.
+        rng: draws speed and waiting time of each step.
+        variation: largest relative deviation of both.
 
     Attributes:
         legs: without gaps, from 0 to ``end``.
-        events: in order of time.
-        end: when they are done [s].
+        events: by time.
+        end: when the script ends [s].
     """
 
     def __init__(self, person: PersonScript, rng: np.random.Generator, variation: float) -> None:

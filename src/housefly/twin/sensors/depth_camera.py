@@ -72,20 +72,11 @@ class DepthCamera:
         """Return what it sees now, stamped with a time [s]."""
         model, data, pixels = self._physics.model, self._physics.data, DEPTH_WIDTH * DEPTH_HEIGHT
         origin = np.array(self._pose.position)
+        far = _MAX_RANGE / self._along.min()
         mujoco.mj_multiRay(
-            model,
-            data,
-            origin,
-            self._rays,
-            VISIBLE_GROUPS,
-            1,
-            -1,
-            self._geoms,
-            self._reached,
-            None,
-            pixels,
-            _MAX_RANGE / self._along.min(),
-        )
+            model, data, origin, self._rays, VISIBLE_GROUPS, 1, -1,
+            self._geoms, self._reached, None, pixels, far,
+        )  # fmt: skip
         depth = self._reached * self._along
         measured = depth + _NOISE * depth**2 * self._random.standard_normal(pixels)
         nothing = (
@@ -95,14 +86,5 @@ class DepthCamera:
             | (measured > _MAX_RANGE)
         )
         image = np.where(nothing, 0.0, np.rint(1000.0 * measured)).astype("<u2").tobytes()
-        return DepthImage(
-            self._name,
-            captured_at,
-            DEPTH_WIDTH,
-            DEPTH_HEIGHT,
-            image,
-            self._focal,
-            self._focal,
-            *self._middle,
-            self._pose,
-        )
+        size, lens = (DEPTH_WIDTH, DEPTH_HEIGHT), (self._focal, self._focal, *self._middle)
+        return DepthImage(self._name, captured_at, *size, image, *lens, self._pose)

@@ -16,9 +16,9 @@ from housefly.twin.people.script import DeviceScript, SceneScript
 from housefly.wires.devices import KINDS, Channel, DeviceAddress, encode_payload
 
 _FLOOR_PERIOD = 0.1
-"""A floor sensor reports this often [s]."""
+"""Period of a floor sensor's reports [s]."""
 _STATES_PER_HEARTBEAT = 3.0
-"""Other devices repeat their state so many times in the time in which they must send one."""
+"""How often other devices repeat their state within the longest time allowed."""
 
 _Values = dict[str, object]
 
@@ -44,7 +44,7 @@ class SimulatedDevices:
     """All devices of a scene.
 
     Args:
-        scene: what they notice.
+        scene: what they sense.
         site: second part of their topics.
     """
 
@@ -88,7 +88,7 @@ class SimulatedDevices:
         return DeviceAddress(self._site, device.kind, device.id)
 
     def _event(self, told: SceneEvent, stamp: _Values) -> DeviceMessage | None:
-        """Return the event of an act, None where no device notices it."""
+        """Return the message of an event, None if no device notices it."""
         device = self._facts.devices.get(told.what if told.act in _ON_DEVICES else told.where)
         word = _WORDS.get((device.kind, told.act)) if device is not None else None
         if device is None or word is None:

@@ -33,7 +33,7 @@ _LASER_IS_ON, _BEYOND_LAST_STEP, _WRONG_ORDER, _LASER_IS_OFF, _UNKNOWN_COMMAND =
 """Status codes of the manual."""
 _MAX_CLIENTS = 8
 _BACKLOG = 64 * 1024
-"""Bytes that may wait for a slow client before it loses scans; about twenty scans."""
+"""Bytes that may wait for a slow client; about twenty scans."""
 
 
 class LaserServer:
@@ -41,7 +41,7 @@ class LaserServer:
 
     Attributes:
         lost: scans not sent, summed over clients that were too slow.
-        malformed: requests that are none.
+        malformed: requests that could not be read.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class LaserServer:
 
     @property
     def is_measuring(self) -> bool:
-        """Whether anybody wants a scan: the laser is on."""
+        """Whether the laser is on, because somebody wants scans."""
         return self._is_on
 
     async def start(self) -> None:
@@ -90,9 +90,8 @@ class LaserServer:
         for client in tuple(self._clients):
             client.close()
         while self._clients:
-            await asyncio.sleep(
-                0
-            )  # each connection's task ends by itself; a loop that closes first would complain
+            # Each connection's task ends by itself; a loop that closes first would complain.
+            await asyncio.sleep(0)
         await self._server.wait_closed()
         self._server = None
 

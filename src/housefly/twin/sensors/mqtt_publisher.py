@@ -15,18 +15,18 @@ from housefly.twin.sensors.devices import DeviceMessage, SimulatedDevices
 from housefly.wires.devices import Channel, DeviceAddress
 
 _RATE_HZ = 20.0
-"""How often the devices are asked."""
+"""How often the devices are polled."""
 _MAX_QUEUED = 64
-"""Messages that wait for a broker that is away; the oldest go first."""
+"""Messages kept per device while the broker is away; the oldest are dropped."""
 _FIRST_RETRY_DELAY, _MAX_RETRY_DELAY = 0.1, 2.0
 
 
 class MqttPublisher:
-    """The devices of a scene at their broker.
+    """Publishes the devices of a scene.
 
     Args:
         config: broker and site.
-        devices: what they say.
+        devices: the source of the messages.
         scene_time: reads the time of the scene [s].
         report: takes a line whenever the broker goes or comes back.
 
@@ -85,7 +85,7 @@ class MqttPublisher:
             await asyncio.sleep(pause)
 
     async def _publish_once_connected(self, address: DeviceAddress) -> None:
-        """Hand over one connection's worth of a device's messages."""
+        """Publish a device's messages over one connection, until it is lost."""
         presence, queue = address.topic(Channel.AVAILABILITY), self._queues[address]
         async with mqtt_client(
             self._config, aiomqtt.Will(presence, b"offline", qos=1, retain=True)
@@ -108,7 +108,7 @@ class MqttPublisher:
             self.sent += 1
 
     def _set_problem(self, problem: str) -> None:
-        """Tell of a broker that went or came back, once for all devices."""
+        """Report a broker that went or came back, once for all devices."""
         if bool(problem) is not bool(self.problem):
             self._report(
                 problem

@@ -1,7 +1,7 @@
 """The simulated scanning range finder: its beams are rays in the drone's own MuJoCo model.
 
-It sees furniture, people, chairs and the drone, whatever its plane cuts. All beams of a scan are
-cast at one moment; a mirror needs three quarters of its turn for them.
+It sees whatever its plane cuts: furniture, people, chairs, the drone. All beams of a scan are cast
+at one moment; a real mirror takes three quarters of a turn.
 """
 
 from __future__ import annotations
@@ -52,19 +52,9 @@ class Scanner:
         model, data = self._physics.model, self._physics.data
         far = parameters.longest / 1000.0
         mujoco.mj_multiRay(
-            model,
-            data,
-            self._origin,
-            self._rays,
-            VISIBLE_GROUPS,
-            1,
-            -1,
-            self._geoms,
-            self._reached,
-            None,
-            beams,
-            far,
-        )
+            model, data, self._origin, self._rays, VISIBLE_GROUPS, 1, -1,
+            self._geoms, self._reached, None, beams, far,
+        )  # fmt: skip
         measured = 1000.0 * (self._reached + self._noise * self._random.standard_normal(beams))
         lost = self._random.random(beams) < self._dropout
         nothing = (

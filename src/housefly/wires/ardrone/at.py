@@ -87,15 +87,17 @@ class NumberedCommand(NamedTuple):
 
 
 class ParsedDatagram(NamedTuple):
-    """What a datagram held: good commands in order, and a shortened text for each bad one."""
+    """The commands of a datagram in order, and a shortened text for each bad one."""
 
     commands: tuple[NumberedCommand, ...]
     rejects: tuple[str, ...] = ()
 
 
 def float_to_bits(value: float) -> int:
-    """Return the signed 32-bit integer with the bits of a single; raises WireError beyond a
-    single's range.
+    """Return the signed 32-bit integer with the bits of a single.
+
+    Raises:
+        WireError: beyond a single's range.
     """
     try:
         return int(struct.unpack("<i", struct.pack("<f", value))[0])
@@ -104,8 +106,10 @@ def float_to_bits(value: float) -> int:
 
 
 def bits_to_float(bits: int) -> float:
-    """Return the single whose bits are a 32-bit integer, signed or not; raises WireError for a
-    wider one.
+    """Return the single whose bits are a 32-bit integer, signed or not.
+
+    Raises:
+        WireError: more than 32 bits.
     """
     if not -(2**31) <= bits < 2**32:
         raise WireError(f"{bits} has more than 32 bits")
@@ -209,9 +213,8 @@ def encode_datagram(first_sequence: int, commands: Iterable[AtCommand]) -> bytes
 def parse_datagram(datagram: bytes) -> ParsedDatagram:
     """Read all commands of a datagram; never raises.
 
-    Tolerates what clients in the field send: line feeds, lone carriage returns, NUL padding, a
-        trailing comma without arguments,
-    REF without its constant bits.
+    Accepts what clients in the field send: line feeds, lone carriage returns, NUL padding, a
+    trailing comma without arguments, REF without its constant bits.
     """
     commands: list[NumberedCommand] = []
     rejects: list[str] = []

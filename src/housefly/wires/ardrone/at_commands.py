@@ -1,5 +1,6 @@
-"""The AT commands as values; ``at`` writes and reads them. Facts: Parrot ARDroneLib SDK 2.0.1,
-at_msgs.h.
+"""The AT commands as values; ``at`` writes and reads them.
+
+Facts: Parrot ARDroneLib SDK 2.0.1, at_msgs.h.
 """
 
 from __future__ import annotations

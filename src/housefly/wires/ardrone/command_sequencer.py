@@ -15,11 +15,10 @@ from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
 
+SEND_INTERVAL = 0.030
+"""Time between datagrams that the drone's makers recommend [s]."""
 SEND_INTERVAL_MIN = 0.027
-"""A setpoint leaves at once when the last datagram is this old [s].
-
-The drone's makers recommend 30 ms; a setpoint that comes 3 ms early does not wait.
-"""
+"""A setpoint leaves at once when the last datagram is this old [s]: 3 ms early does not wait."""
 REPEAT_AFTER = 0.035
 """Without a new command the one in force is repeated after this long [s].
 

@@ -107,16 +107,22 @@ def default_values() -> dict[str, ConfigValue]:
 
 
 def encode_dump(values: Mapping[str, ConfigValue]) -> bytes:
-    """Return the dump of these values, NUL included; raises WireError for an unknown key or a value
-    of another type.
+    """Return the dump of these values, NUL included.
+
+    Raises:
+        WireError: an unknown key, or a value of another type.
     """
     lines = (f"{name} = {format_value(key_named(name), value)}\n" for name, value in values.items())
     return "".join(lines).encode("ascii", errors="replace") + DUMP_END
 
 
 class Dump(NamedTuple):
-    """A dump that was read: texts by key, typed values of the keys we know, and the lines that made
-    no sense.
+    """A dump that was read.
+
+    Attributes:
+        texts: by key.
+        values: typed values of the known keys.
+        rejects: lines that could not be read.
     """
 
     texts: dict[str, str]
@@ -172,7 +178,7 @@ def config_id(name: str) -> str:
 
 
 def is_config_id(text: str) -> bool:
-    """Tell whether a text is a multiconfig id."""
+    """Return whether a text is a multiconfig id."""
     return _ID.fullmatch(text) is not None
 
 

@@ -1,4 +1,4 @@
-"""The one place where the AR.Drone's signs and units meet ours.
+"""The one place where the AR.Drone's signs and units are converted to ours and back.
 
 The drone's body frame is forward-right-down with angles in millidegrees and lengths in millimetres;
 PCMD has signs of its own. Ours is forward-left-up (REP-103), radians and metres. Facts: Parrot
@@ -14,7 +14,7 @@ from housefly.errors import WireError
 from housefly.geometry import Vec3, wrap_angle
 from housefly.messages import DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
-from housefly.wires.ardrone.navdata import StateBits, NavdataPacket
+from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
 from housefly.wires.ardrone.navdata_options import Demo, MajorState
 
 _STATUS = {
@@ -43,7 +43,7 @@ _FAULTS: tuple[tuple[StateBits, str], ...] = (
     (StateBits.ADC_WATCHDOG, "sensor board silent"),
     (StateBits.COM_LOST, "drone lost our commands"),
 )
-"""State bits that a person should hear of, in words."""
+"""State bits that a person should know of, in words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +97,7 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
 
 
 def status_of(packet: NavdataPacket, demo: Demo) -> DroneStatus:
-    """Return the drone's state in our words; the emergency bit wins over the control state."""
+    """Return the drone's status; the emergency bit overrides the control state."""
     if packet.has(StateBits.EMERGENCY):
         return DroneStatus.EMERGENCY
     try:
@@ -116,8 +116,7 @@ def native_demo(
     height: float,
     velocity: Vec3,
 ) -> Demo:
-    """Return the demo option of a drone whose attitude [rad], height [m] and velocity [m/s] are
-    given in our signs.
+    """Return the demo option of a drone whose state is given in our signs.
 
     The inverse of ``telemetry_from_navdata``, for the twin.
     """
@@ -142,9 +141,7 @@ def flu_from_frd(vector: Vec3) -> Vec3:
 
 
 def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
-    """Return the PCMD that asks for a setpoint, each part cut to the maxima; a part that is not
-    finite is a centred stick.
-    """
+    """Return the PCMD of a setpoint, each part cut to the maxima, or centred if not finite."""
     return _pcmd_from_stick(
         Stick(
             forward=_fraction(setpoint.theta, maxima.tilt),
@@ -157,14 +154,14 @@ def pcmd_from_setpoint(setpoint: Setpoint, maxima: Maxima) -> Pcmd:
 
 
 def _pcmd_from_stick(stick: Stick) -> Pcmd:
-    """Return the progressive PCMD of a stick in body signs."""
+    """Return the progressive PCMD of a stick."""
     return Pcmd(
         PcmdFlag.PROGRESSIVE, roll=-stick.left, pitch=-stick.forward, gaz=stick.up, yaw=-stick.turn
     )
 
 
 def stick_from_pcmd(pcmd: Pcmd) -> Stick:
-    """Return a PCMD in body signs, each part cut to -1..1, for the twin."""
+    """Return the stick of a PCMD, each part cut to -1..1, for the twin."""
     return Stick(
         forward=-_fraction(pcmd.pitch, 1.0),
         left=-_fraction(pcmd.roll, 1.0),
@@ -183,5 +180,5 @@ def _millidegrees(angle: float) -> float:
 
 
 def _fraction(value: float, maximum: float) -> float:
-    # not finite must not become a full stick, which is what comparisons with nan would make of it
+    # Comparisons with nan would make it a full stick.
     return max(-1.0, min(1.0, value / maximum)) if isfinite(value) else 0.0

@@ -55,7 +55,7 @@ def _compile(kind: type) -> _Plan:
 
 
 class Structure:
-    """Base of all packed structures; subclasses are frozen, slotted dataclasses of ``wire`` fields."""
+    """Base of packed structures; subclasses are frozen, slotted dataclasses of ``wire`` fields."""
 
     __slots__ = ()
 

@@ -23,10 +23,10 @@ from housefly.wires.ardrone.navdata_options import OPTION_TYPES, TAGS
 NAVDATA_PORT = 5554
 _MAGIC = 0x55667788
 _MAGICS = (_MAGIC, 0x55667789)
-"""Accepted headers; the second is accepted by other clients as well, why is not said."""
+"""Accepted headers; other clients accept the second as well, without saying why."""
 _CHECKSUM_TAG = 0xFFFF
 _MAX_PACKET = 8192
-"""Largest packet that we look at [bytes]; the largest known one has 2120."""
+"""Largest packet accepted [bytes]; the largest known one has 2120."""
 REQUEST_UNICAST = b"\x01\x00\x00\x00"
 """What a client sends to port 5554 to ask for reports; one byte 0x01 is accepted as well."""
 REQUEST_MULTICAST = b"\x02\x00\x00\x00"
@@ -92,8 +92,8 @@ class NavdataPacket:
     """One checked packet.
 
     Attributes:
-        state: the 32 state bits; ask with ``has``. A plain int, so that hostile values cannot fill
-            the flag type's cache.
+        state: the 32 state bits; test with ``has``. A plain int, so that hostile values cannot
+            fill the flag type's cache.
         sequence: packet number.
         vision: vision flag.
         options: all options but the checksum, undecoded, in order.
@@ -107,13 +107,11 @@ class NavdataPacket:
     magic: int = _MAGIC
 
     def has(self, bits: StateBits) -> bool:
-        """Tell whether all these state bits are set."""
+        """Return whether all these state bits are set."""
         return self.state & bits == bits
 
     def option(self, kind: type[_Option]) -> _Option | None:
-        """Return the first option of this kind, decoded, or None when the packet has none of its
-        size.
-        """
+        """Return the first option of this kind and size, decoded, or None."""
         tag, size = TAGS[kind], kind.size()
         payload = next(
             (raw.payload for raw in self.options if raw.tag == tag and len(raw.payload) == size),
@@ -157,13 +155,13 @@ def decode_navdata(data: bytes) -> NavdataPacket:
     magic, state, sequence, vision = _HEADER.unpack_from(data)
     if magic not in _MAGICS:
         raise WireError(f"navdata starts with {magic:#010x}, expected {_MAGIC:#010x}")
-    _check_sum(data)
+    _verify_checksum(data)
     return NavdataPacket(
         state, sequence, vision, _cut_options(data, len(data) - _CHECKSUM.size), magic
     )
 
 
-def _check_sum(data: bytes) -> None:
+def _verify_checksum(data: bytes) -> None:
     end = len(data) - _CHECKSUM.size
     tag, size, told = _CHECKSUM.unpack_from(data, end)
     if tag != _CHECKSUM_TAG or size != _CHECKSUM.size:
@@ -200,7 +198,7 @@ def encode_navdata(
     """Return a packet with its checksum; without options it is the bootstrap packet.
 
     Args:
-        state: DroneState bits.
+        state: StateBits.
         sequence: packet number.
         options: in the order wanted; tags follow from their types.
         vision: vision flag.

@@ -1,5 +1,6 @@
-"""The table of navdata options: tag, type, exact size. Facts: Parrot ARDroneLib SDK 2.0.1,
-navdata_common.h.
+"""The table of navdata options: tag, type, exact size.
+
+Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
 """
 
 from __future__ import annotations
@@ -42,9 +43,8 @@ from housefly.wires.ardrone.options_vision import (
 )
 
 __all__ = [
-    "OPTIONS",
+    "OPTION_TYPES",
     "TAGS",
-    "TAG_27_SIZES",
     "AdcDataFrame",
     "Altitude",
     "Demo",
@@ -105,11 +105,9 @@ OPTION_TYPES: tuple[type[Structure], ...] = (
     HdVideoStream,
     Wifi,
 )
-"""All known options; the index is the tag."""
+"""All known options; the index is the tag.
+
+Tag 27 is left raw: 12 bytes in old firmware, 216 bytes (GPS) from firmware 2.4 on.
+"""
 
 TAGS: dict[type[Structure], int] = {option: tag for tag, option in enumerate(OPTION_TYPES)}
-
-TAG_27_SIZES = (12, 216)
-"""Tag 27 with its header: an engineering option in old firmware, GPS from firmware 2.4 on; we only
-carry its bytes.
-"""

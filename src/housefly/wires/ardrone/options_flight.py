@@ -1,8 +1,8 @@
 """Navdata options of state, references and motors.
 
 Units are the drone's own (mm, mm/s, millidegrees, mg) in its own frame forward-right-down;
-``signs`` turns them into ours. Field names follow Parrot's header where that says enough. Facts:
-Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
+``conversions`` turns them into ours. Field names follow Parrot's header where that says enough.
+Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Navdata options of sensors and of the estimates made from them.
 
 Units are the drone's own (mm, mm/s, millidegrees, mg) in its own frame forward-right-down;
-``signs`` turns them into ours. Field names follow Parrot's header where that says enough. Facts:
-Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
+``conversions`` turns them into ours. Field names follow Parrot's header where that says enough.
+Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class RawMeasures(Structure):
 
 @dataclass(frozen=True, slots=True)
 class PhysMeasures(Structure):
-    """Calibrated inertial readings: accelerations in mg, rates in deg/s, body forward-right-down."""
+    """Calibrated inertial readings: accelerations in mg, rates in deg/s, forward-right-down."""
 
     accelerometer_temperature: float = wire("f")
     gyro_temperature: int = wire("H")

@@ -1,8 +1,8 @@
 """Navdata options of vision and video.
 
 Units are the drone's own (mm, mm/s, millidegrees, mg) in its own frame forward-right-down;
-``signs`` turns them into ours. Field names follow Parrot's header where that says enough. Facts:
-Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
+``conversions`` turns them into ours. Field names follow Parrot's header where that says enough.
+Facts: Parrot ARDroneLib SDK 2.0.1, navdata_common.h.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class TrackersSend(Structure):
 
 @dataclass(frozen=True, slots=True)
 class VisionDetect(Structure):
-    """Up to four detected tags; image coordinates 0..1000, distance in cm, orientation in degrees."""
+    """Up to four detected tags; image coordinates 0..1000, distance in cm, angles in degrees."""
 
     count: int = wire("I")
     types: tuple[int, ...] = wire("4I")

@@ -1,9 +1,7 @@
-"""PaVE: the header before each H.264 picture on TCP port 5555, and the cutting of a TCP stream into
-pictures.
+"""PaVE: the header before each H.264 picture on TCP port 5555, and the stream's reassembly.
 
 Facts: Parrot ARDroneLib SDK 2.0.1 and recorded streams. Headers have 64 or, in some firmware, 68
-    bytes; the
-field ``header_size`` decides.
+bytes; the field ``header_size`` decides.
 """
 
 from __future__ import annotations
@@ -19,8 +17,7 @@ VIDEO_PORT = 5555
 _MAGIC = b"PaVE"
 _HEADER_SIZES = (64, 68)
 MAX_PAYLOAD = 1_000_000
-"""Largest picture that we take [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB.
-"""
+"""Largest picture accepted [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB."""
 CODEC_H264: Final = 4
 
 _HEADER = struct.Struct("<4sBBHI4HII4BIIH4B2sI12s")
@@ -42,9 +39,7 @@ class FrameType(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class PaveHeader:
-    """The fields of a PaVE header; sizes in bytes, pictures in pixels, timestamp in ms of the
-    drone's clock.
-    """
+    """The fields of a PaVE header; sizes [bytes], pictures [px], timestamp of the drone's clock."""
 
     payload_size: int
     frame_number: int
@@ -78,9 +73,7 @@ class PaveFrame:
 
     @property
     def keyframe(self) -> bool:
-        """Whether the payload itself brings SPS, PPS and an IDR slice, so that decoding may start
-        here.
-        """
+        """Whether the payload has SPS, PPS and an IDR slice, so that decoding may start here."""
         return {_NAL_SPS, _NAL_PPS, _NAL_IDR} <= _nal_types(self.payload)
 
 
@@ -91,8 +84,7 @@ def _nal_types(annex_b: bytes) -> frozenset[int]:
         at += len(_START_CODE)
         kind = annex_b[at] & 0x1F
         found.add(kind)
-        # a slice is the last unit of a one-slice picture and by far the longest: searching through
-        # it would cost the most
+        # A slice is the last and by far the longest unit of a one-slice picture; do not search it.
         if kind in (1, _NAL_IDR):
             break
         at = annex_b.find(_START_CODE, at)
@@ -100,23 +92,15 @@ def _nal_types(annex_b: bytes) -> frozenset[int]:
 
 
 def encode_header(header: PaveHeader) -> bytes:
-    """Return the header's bytes, padded to its ``header_size``; raises WireError when a value does
-    not fit.
-    """
+    """Return the header's bytes, padded to ``header_size``; raises WireError."""
     h = header
     if h.header_size not in _HEADER_SIZES:
         raise WireError(f"PaVE header of {h.header_size} bytes; {_HEADER_SIZES} are possible")
     try:
         packed = _HEADER.pack(
             *(_MAGIC, h.version, h.codec, h.header_size, h.payload_size),
-            *(
-                h.encoded_width,
-                h.encoded_height,
-                h.display_width,
-                h.display_height,
-                h.frame_number,
-                h.timestamp_ms,
-            ),
+            *(h.encoded_width, h.encoded_height, h.display_width, h.display_height),
+            *(h.frame_number, h.timestamp_ms),
             *(h.total_chunks, h.chunk_index, h.frame_type, h.control),
             *(h.byte_position & 0xFFFFFFFF, h.byte_position >> 32, h.stream_id),
             *(h.total_slices, h.slice_index, h.sps_size, h.pps_size, b"", h.advertised_size, b""),
@@ -182,7 +166,7 @@ def decode_header(data: bytes | bytearray | memoryview) -> PaveHeader:
 
 
 class VideoReassembler:
-    """Cuts a TCP byte stream into pictures; finds the next "PaVE" after garbage and never raises.
+    """Cuts a TCP byte stream into pictures; resynchronizes at the next "PaVE", never raises.
 
     Attributes:
         skipped_bytes: bytes thrown away because no picture started there.
@@ -195,9 +179,7 @@ class VideoReassembler:
         self._buffer = bytearray()
 
     def feed(self, data: bytes) -> tuple[PaveFrame, ...]:
-        """Take the next bytes of the stream, any number of them, and return the pictures now
-        complete.
-        """
+        """Append the next bytes of the stream and return the pictures now complete."""
         self._buffer += data
         frames: list[PaveFrame] = []
         while (frame := self._next()) is not None:
@@ -237,15 +219,13 @@ class VideoReassembler:
 
 
 class KeyframeGate:
-    """Lets pictures through from the first key frame on, and again only from a key frame after a
-    gap in their numbers.
-    """
+    """Lets pictures pass from a key frame on; after a gap in their numbers, from the next one."""
 
     def __init__(self) -> None:
         self._next_number: int | None = None
 
     def passes(self, frame: PaveFrame) -> bool:
-        """Tell whether this picture can be decoded after those already let through."""
+        """Return whether this picture can be decoded after those that passed before."""
         number = frame.header.frame_number
         if frame.keyframe or number == self._next_number:
             self._next_number = (number + 1) & 0xFFFFFFFF

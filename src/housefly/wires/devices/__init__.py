@@ -1,6 +1,4 @@
-"""Small devices over MQTT: topics and JSON that a maker's microcontroller can send; pure codec,
-both sides of the wire.
-"""
+"""Small devices over MQTT: topics and JSON that a microcontroller can send; pure codec."""
 
 from housefly.wires.devices.codec import (
     KINDS,

@@ -1,4 +1,4 @@
-"""Bed on load cells: how heavy is what lies in it, and whether that is somebody."""
+"""Bed on load cells: the load, and whether somebody lies in it."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from housefly.wires.devices.fields import FlagField, JsonRecord, NumberField
 from housefly.wires.devices.kind import DeviceKind, DeviceReport
 
 _OCCUPIED_LOAD = 15.0
-"""Load from which somebody lies there, where the bed does not say it [kg]."""
+"""Load that counts as occupied, unless the bed says so itself [kg]."""
 
 
-def _observe(state: JsonRecord, says: DeviceReport) -> list[Observation]:
-    """Return what the bed says of itself."""
+def _observe(state: JsonRecord, report: DeviceReport) -> list[Observation]:
+    """Return the bed's observation."""
     load = state.number("load")
     occupied = state.flag("occupied") if "occupied" in state.values else load >= _OCCUPIED_LOAD
-    return [says.itself(("load", load), ("occupied", occupied))]
+    return [report.about_device(("load", load), ("occupied", occupied))]
 
 
 BED_KIND = DeviceKind(

@@ -15,8 +15,8 @@ CABINET_KIND = DeviceKind(
         "open": FlagField(required=False),
     },
     heartbeat=30.0,
-    observe=lambda state, says: observe_contents(
-        state, says, ("load", state.number_or_none("load")), ("open", _is_open(state))
+    observe=lambda state, report: observe_contents(
+        state, report, ("load", state.number_or_none("load")), ("open", _is_open(state))
     ),
     events={"taken": "object taken", "put": "object put"},
     event=TAKEN_OR_PUT,

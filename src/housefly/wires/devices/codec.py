@@ -1,4 +1,4 @@
-"""Bytes of a device to observations and events, and back."""
+"""Device payloads to observations and events, and back."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ KINDS: dict[str, DeviceKind] = {
         MOTION_KIND,
     )
 }
-"""Every kind of device that we understand, by its name in topics."""
+"""All kinds of devices, by their name in topics."""
 MAX_DEVICE_PAYLOAD = 16_384
 """Longest payload [bytes]."""
 _PRESENCE = {b"online": True, b"offline": False}
@@ -38,9 +38,7 @@ _PRESENCE = {b"online": True, b"offline": False}
 
 @dataclass(frozen=True, slots=True)
 class ClockBounds:
-    """How far a device's clock may be off before its word on time is refused: ahead of and behind
-    ours [s].
-    """
+    """How far a device's clock may be ahead of and behind ours before its time is refused [s]."""
 
     ahead: float = 2.0
     behind: float = 60.0
@@ -48,7 +46,7 @@ class ClockBounds:
 
 _DEFAULT_BOUNDS, _NO_PLACEMENT = ClockBounds(), Placement()
 _EARLIEST = 1.6e9
-"""Before this Unix time [s], in 2020, a clock was never set."""
+"""A clock before this Unix time [s], in 2020, was never set."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,11 +54,11 @@ class Delivered:
     """One message as the broker handed it over.
 
     Attributes:
-        address: who speaks.
-        channel: of what.
+        address: of the sender.
+        channel: that it was sent on.
         payload: the bytes.
         received_at: when it came [s, Unix time].
-        retained: whether the broker had kept it, so that it is older than its arrival.
+        retained: whether the broker had stored it, so that it is older than its arrival.
     """
 
     address: DeviceAddress
@@ -72,15 +70,14 @@ class Delivered:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What one message says.
+    """What one message report.
 
     Attributes:
         observations: of the device and of what it sees.
-        events: what it reports.
-        online: what it says of its presence, None in other messages.
-        unknown: keys that we do not know.
-        clock_error: how far its time was off [s] when it was refused, positive ahead; None when it
-            was not.
+        events: that it reports.
+        online: its availability; None in other messages.
+        unknown: unknown keys.
+        clock_error: how far a refused time was ahead [s]; None when it was not refused.
     """
 
     observations: tuple[Observation, ...] = ()
@@ -103,12 +100,11 @@ def device_kind(address: DeviceAddress) -> DeviceKind:
 def decode_reading(
     message: Delivered, placement: Placement = _NO_PLACEMENT, bounds: ClockBounds = _DEFAULT_BOUNDS
 ) -> Reading:
-    """Return what a message says.
+    """Return what a message report.
 
-    A time outside the bounds is refused: the time of arrival takes its place and the fact
-        ``clock_error`` [s] stays with it. The
-    broker's kept state may be as old as it likes; it carries the fact ``retained``. A kept event
-    says nothing: it is over.
+    A time outside the bounds is replaced by the time of arrival, and the observations carry the
+    fact ``clock_error`` [s]. A retained state may have any age; it carries the fact ``retained``.
+    A retained event is over and yields nothing.
 
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
@@ -118,12 +114,12 @@ def decode_reading(
         return Reading(online=_presence(message.payload, topic))
     is_event = message.channel is Channel.EVENT
     record = _parse(kind.event_spec() if is_event else kind.state_spec(), message.payload, topic)
-    says, clock_error = _says(record, message, placement, bounds)
+    report, clock_error = _report(record, message, placement, bounds)
     if not is_event:
         return Reading(
-            tuple(kind.observe(record, says)), unknown=record.unknown, clock_error=clock_error
+            tuple(kind.observe(record, report)), unknown=record.unknown, clock_error=clock_error
         )
-    events = () if message.retained else (_event(kind, record, says),)
+    events = () if message.retained else (_event(kind, record, report),)
     return Reading(events=events, unknown=record.unknown, clock_error=clock_error)
 
 
@@ -151,10 +147,10 @@ def _presence(payload: bytes, topic: str) -> bool:
     return _PRESENCE[payload]
 
 
-def _says(
+def _report(
     record: JsonRecord, message: Delivered, placement: Placement, bounds: ClockBounds
 ) -> tuple[DeviceReport, float | None]:
-    """Return who says it and when, and how far the time was off when it is refused."""
+    """Return the report of a message, and how far its time was off if refused [s]."""
     now, told = message.received_at, record.number_or_none("time")
     error = None if told is None or _is_plausible(told, message, bounds) else told - now
     captured_at = now if told is None or error is not None else min(told, now)
@@ -175,15 +171,15 @@ def _is_plausible(told: float, message: Delivered, bounds: ClockBounds) -> bool:
     )
 
 
-def _event(kind: DeviceKind, record: JsonRecord, says: DeviceReport) -> RoomEvent:
+def _event(kind: DeviceKind, record: JsonRecord, report: DeviceReport) -> RoomEvent:
     tag = record.word("tag")
     weight = record.number_or_none("weight")
     facts: tuple[tuple[str, Fact], ...] = (
-        (("weight", weight), *says.notes) if weight is not None else says.notes
+        (("weight", weight), *report.notes) if weight is not None else report.notes
     )
-    thing = says.placement.thing(tag) if tag else says.source
+    thing = report.placement.thing(tag) if tag else report.source
     return RoomEvent(
-        kind.events[record.word("event")], thing, says.captured_at, says.source, facts=facts
+        kind.events[record.word("event")], thing, report.captured_at, report.source, facts=facts
     )
 
 

@@ -22,18 +22,18 @@ TAKEN_OR_PUT: JsonSpec = {"tag": IdField(), "weight": NumberField(0.0, 200.0, "k
 
 
 def observe_contents(
-    state: JsonRecord, says: DeviceReport, *facts: tuple[str, Fact | None]
+    state: JsonRecord, report: DeviceReport, *facts: tuple[str, Fact | None]
 ) -> Iterator[Observation]:
-    """Yield what the container says of itself, with all that is in it, and one observation for each
-    thing in it.
-    """
+    """Yield one observation of the container with all its contents, and one per thing in it."""
     items = state.rows("items")
-    named = ",".join(sorted(says.placement.thing(item.word("tag")) for item in items))
-    yield says.itself(*facts, ("contents", named))
+    named = ",".join(sorted(report.placement.thing(item.word("tag")) for item in items))
+    yield report.about_device(*facts, ("contents", named))
     for item in items:
         x, y, z = (item.number_or_none(axis) for axis in "xyz")
-        position = says.placement.world(x, y, z or 0.0) if x is not None and y is not None else None
+        position = (
+            report.placement.world(x, y, z or 0.0) if x is not None and y is not None else None
+        )
         weighed = ("weight", item.number_or_none("weight")), ("shelf", item.number_or_none("shelf"))
-        yield says.of(
-            says.placement.thing(item.word("tag")), position, *weighed, inside=says.source
+        yield report.about(
+            report.placement.thing(item.word("tag")), position, *weighed, inside=report.source
         )

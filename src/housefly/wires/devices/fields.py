@@ -25,9 +25,7 @@ class JsonField(Protocol):
         ...
 
     def check(self, value: object, where: str) -> _Value:
-        """Return the value as we keep it; raises WireError that names ``where``, the value and what
-        is allowed.
-        """
+        """Return the checked value; raises WireError naming place, value and range."""
         ...
 
 
@@ -180,7 +178,7 @@ def read_record(spec: JsonSpec, tree: object, where: str) -> JsonRecord:
 
 
 def _refusal(where: str, value: object, allowed: str) -> WireError:
-    """Return the complaint about one value."""
+    """Return the error about one value."""
     shown = ascii(value)
     return WireError(
         f"{where} is {shown if len(shown) <= _SHOWN else shown[:_SHOWN] + '...'}; allowed:"

@@ -10,7 +10,7 @@ from housefly.wires.devices.fields import IdField, JsonRecord, JsonSpec, NumberF
 from housefly.wires.devices.kind import DeviceKind, DeviceReport
 
 _DEFAULT_SIGMA = 0.05
-"""One-sigma error of a position where the sensor does not say it [m]."""
+"""One-sigma error of a position, unless the sensor gives it [m]."""
 
 _SPOT: JsonSpec = {
     "id": IdField(required=False),
@@ -21,22 +21,20 @@ _SPOT: JsonSpec = {
 }
 
 
-def _observe(state: JsonRecord, says: DeviceReport) -> Iterator[Observation]:
-    """Yield one observation for each person and thing, and one of the sensor itself: it sees that
-    there is nobody, too.
-    """
-    yield says.itself(
+def _observe(state: JsonRecord, report: DeviceReport) -> Iterator[Observation]:
+    """Yield one observation of the sensor itself, and one per person and thing."""
+    yield report.about_device(
         ("people", float(len(state.rows("people")))), ("objects", float(len(state.rows("objects"))))
     )
     for what, key in (("person", "people"), ("object", "objects")):
         for number, spot in enumerate(state.rows(key), start=1):
-            yield _seen(spot, says, what, f"{says.source}-{what}-{number}")
+            yield _seen(spot, report, what, f"{report.source}-{what}-{number}")
 
 
-def _seen(spot: JsonRecord, says: DeviceReport, what: str, nameless: str) -> Observation:
-    thing = says.placement.thing(spot.word("id")) or nameless
-    position = says.placement.world(spot.number("x"), spot.number("y"), 0.0)
-    seen = says.of(thing, position, ("kind", what), ("weight", spot.number_or_none("weight")))
+def _seen(spot: JsonRecord, report: DeviceReport, what: str, nameless: str) -> Observation:
+    thing = report.placement.thing(spot.word("id")) or nameless
+    position = report.placement.world(spot.number("x"), spot.number("y"), 0.0)
+    seen = report.about(thing, position, ("kind", what), ("weight", spot.number_or_none("weight")))
     variance = (spot.number_or_none("sigma") or _DEFAULT_SIGMA) ** 2
     return replace(seen, covariance=(variance, 0.0, 0.0, variance, 0.0, variance))
 

@@ -1,6 +1,4 @@
-"""What a kind of device is: tables of its keys and events, and one function that turns a checked
-state into observations.
-"""
+"""Kinds of devices: tables of their keys and events, and a function to make observations."""
 
 from __future__ import annotations
 
@@ -13,7 +11,7 @@ from housefly.messages import Fact, Observation
 from housefly.wires.devices.fields import ChoiceField, JsonRecord, JsonSpec, NumberField
 
 _UNIX_TIME_MAX = 4.0e9
-"""Latest Unix time that is a time at all [s], year 2096."""
+"""Latest Unix time accepted [s], year 2096."""
 
 _COMMON_KEYS: JsonSpec = {
     "time": NumberField(0.0, _UNIX_TIME_MAX, "s (Unix time)", required=False),
@@ -24,12 +22,12 @@ _COMMON_KEYS: JsonSpec = {
 
 @dataclass(frozen=True, slots=True)
 class Placement:
-    """What we know of one device beforehand.
+    """What is known of a device beforehand.
 
     Attributes:
         position: origin of its frame in the world [m].
         yaw: direction of its x axis in the world [rad].
-        things: which thing carries which tag; a tag that is not here is the thing's own id.
+        things: thing of each tag; an unlisted tag is the thing's own id.
     """
 
     position: Vec3 = (0.0, 0.0, 0.0)
@@ -52,14 +50,14 @@ class Placement:
 
 @dataclass(frozen=True, slots=True)
 class DeviceReport:
-    """Who says something and when; makes the observations of one message.
+    """One message of a device; makes its observations.
 
     Attributes:
         source: id of the device.
-        captured_at: when it was so [s, Unix time].
-        received_at: when we heard of it [s, Unix time].
+        captured_at: when the device measured it [s, Unix time].
+        received_at: when it arrived [s, Unix time].
         placement: where the device stands, which tags are known.
-        notes: facts that belong to all that the message says.
+        notes: facts that go with every observation.
     """
 
     source: str
@@ -68,14 +66,14 @@ class DeviceReport:
     placement: Placement = Placement()
     notes: tuple[tuple[str, Fact], ...] = ()
 
-    def itself(self, *facts: tuple[str, Fact | None]) -> Observation:
-        """Return what the device says of itself; facts that are None are left out."""
-        return self.of(self.source, None, *facts)
+    def about_device(self, *facts: tuple[str, Fact | None]) -> Observation:
+        """Return the device's observation of itself; facts that are None are left out."""
+        return self.about(self.source, None, *facts)
 
-    def of(
+    def about(
         self, thing: str, position: Vec3 | None, *facts: tuple[str, Fact | None], inside: str = ""
     ) -> Observation:
-        """Return what the device says of a thing."""
+        """Return the device's observation of a thing."""
         known = tuple((name, value) for name, value in facts if value is not None)
         return Observation(
             thing,
@@ -96,10 +94,9 @@ class DeviceKind:
         name: in topics.
         title: for people.
         state: keys of its state beside the common ones.
-        heartbeat: it sends its state at least this often [s]; twice that without one counts as
-            silence.
-        observe: what a checked state says.
-        events: word of an event on the wire, and what that is called in the room.
+        heartbeat: longest time between two states [s]; twice that counts as silence.
+        observe: makes the observations of a checked state.
+        events: word of an event on the wire, and its kind in the room.
         event: keys of an event beside the common ones and "event".
     """
 

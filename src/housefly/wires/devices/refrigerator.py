@@ -15,9 +15,9 @@ REFRIGERATOR_KIND = DeviceKind(
         "temperature_c": NumberField(-60.0, 60.0, "degrees Celsius", required=False),
     },
     heartbeat=30.0,
-    observe=lambda state, says: observe_contents(
+    observe=lambda state, report: observe_contents(
         state,
-        says,
+        report,
         ("open", state.flag("open")),
         ("temperature_c", state.number_or_none("temperature_c")),
     ),

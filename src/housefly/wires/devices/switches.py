@@ -10,7 +10,7 @@ DOOR_KIND = DeviceKind(
     "Door contact",
     {"open": FlagField()},
     heartbeat=60.0,
-    observe=lambda state, says: [says.itself(("open", state.flag("open")))],
+    observe=lambda state, report: [report.about_device(("open", state.flag("open")))],
     events={"opened": "door opened", "closed": "door closed"},
 )
 DOORBELL_KIND = DeviceKind(
@@ -18,7 +18,7 @@ DOORBELL_KIND = DeviceKind(
     "Doorbell",
     {},
     heartbeat=60.0,
-    observe=lambda state, says: [says.itself()],
+    observe=lambda state, report: [report.about_device()],
     events={"pressed": "bell pressed"},
 )
 MOTION_KIND = DeviceKind(
@@ -26,6 +26,6 @@ MOTION_KIND = DeviceKind(
     "Motion detector",
     {"motion": FlagField()},
     heartbeat=60.0,
-    observe=lambda state, says: [says.itself(("motion", state.flag("motion")))],
+    observe=lambda state, report: [report.about_device(("motion", state.flag("motion")))],
     events={"motion": "motion seen"},
 )

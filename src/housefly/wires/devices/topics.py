@@ -1,4 +1,4 @@
-"""Where devices speak: ``housefly/<site>/<kind>/<id>/<channel>``."""
+"""MQTT topics of devices: ``housefly/<site>/<kind>/<id>/<channel>``."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ _SHOWN = 100
 
 
 class Channel(Enum):
-    """What a device says: how it is now (retained), what just happened (not retained), whether it
-    is there (its last will).
-    """
+    """State (retained), events (not retained), and availability (the last will) of a device."""
 
     STATE = "state"
     EVENT = "event"
@@ -40,24 +38,26 @@ class DeviceAddress:
     id: str
 
     def topic(self, channel: Channel) -> str:
-        """Return where the device speaks on this channel."""
+        """Return the topic of one of the device's channels."""
         return f"{_ROOT}/{self.site}/{self.kind}/{self.id}/{channel.value}"
 
 
 def site_subscription(site: str) -> str:
-    """Return the filter that hears every device of a site."""
+    """Return the topic filter of all devices of a site."""
     return f"{_ROOT}/{site}/#"
 
 
 def listener_topic(site: str) -> str:
-    """Return where Housefly itself says whether it listens: "online" retained, "offline" as its
-    last will.
-    """
+    """Return the topic of Housefly's own availability: "online" retained, "offline" as will."""
     return f"{_ROOT}/{site}/listener/availability"
 
 
 def parse_topic(topic: str) -> tuple[DeviceAddress, Channel]:
-    """Return who speaks and on which channel; raises WireError that names the topic and its scheme."""
+    """Return the device and channel of a topic.
+
+    Raises:
+        WireError: naming the topic and the scheme.
+    """
     parts = topic.split("/")
     channels = {channel.value: channel for channel in Channel}
     if (
@@ -67,7 +67,8 @@ def parse_topic(topic: str) -> tuple[DeviceAddress, Channel]:
         or not ID_PATTERN.fullmatch(parts[3])
     ):
         raise WireError(
-            f"{printable_topic(topic)} is not of the form {_ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>"
+            f"{printable_topic(topic)} is not of the form"
+            f" {_ROOT}/<site>/<kind>/<id>/<{'|'.join(channels)}>"
         )
     if parts[4] not in channels:
         raise WireError(

@@ -1,6 +1,4 @@
-"""NatNet, the protocol of OptiTrack's Motive: pure codec of versions 3 and 4, both sides of the
-wire.
-"""
+"""NatNet, the protocol of OptiTrack's Motive: pure codec of versions 3 and 4, both sides."""
 
 from housefly.wires.natnet.buffer import NAME_FIELD_SIZE, NatNetVersion
 from housefly.wires.natnet.frame import NatNetFrame, RigidBody

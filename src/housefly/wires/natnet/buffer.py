@@ -1,6 +1,4 @@
-"""The primitives of NatNet: little-endian numbers, zero-terminated strings, and sections that newer
-versions give a length.
-"""
+"""NatNet primitives: little-endian numbers, zero-terminated strings, sized sections."""
 
 from __future__ import annotations
 
@@ -17,7 +15,7 @@ NAME_FIELD_SIZE = 256
 NatNetVersion = tuple[int, int]
 """Major and minor number of the protocol."""
 SIZED_SECTIONS_SINCE: NatNetVersion = (4, 1)
-"""From here on every section says how many bytes it has."""
+"""From this version on every section begins with its size."""
 
 
 class NatNetReader:
@@ -52,8 +50,11 @@ class NatNetReader:
         return int(self.unpack(layout, field)[0])
 
     def count(self, smallest: int, field: str) -> int:
-        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
-        cannot fit.
+        """Read the length of a list; refuses what cannot fit.
+
+        Args:
+            smallest: least size of an element [bytes].
+            field: for the error.
         """
         number = self.number(I32, field)
         if not 0 <= number * smallest <= self.left:
@@ -61,9 +62,7 @@ class NatNetReader:
         return number
 
     def text(self, field: str) -> str:
-        """Read a string up to its closing zero; bytes that are not UTF-8 become replacement
-        characters.
-        """
+        """Read a string up to its closing zero; invalid UTF-8 becomes replacement characters."""
         end = self._data.find(b"\0", self._at, min(self._end, self._at + NAME_FIELD_SIZE))
         if end < 0:
             raise WireError(
@@ -80,9 +79,7 @@ class NatNetReader:
         return NatNetReader(self._data, self.version, start, self._at)
 
     def section(self, field: str) -> NatNetReader:
-        """Return a reader of a section: of the length that it says, or of all that is left where
-        versions say none.
-        """
+        """Return a reader of a section; before 4.1 sections have no length, and it is this one."""
         return (
             self.skip(self.number(I32, f"size of {field}"), field)
             if self.version >= SIZED_SECTIONS_SINCE
@@ -102,9 +99,7 @@ class NatNetWriter:
         self.data = bytearray()
 
     def put(self, layout: struct.Struct, *values: float | bytes) -> None:
-        """Append the fields of a fixed layout; raises WireError when a value does not fit its
-        field.
-        """
+        """Append the fields of a fixed layout; raises WireError if a value does not fit."""
         try:
             self.data += layout.pack(*values)
         except (struct.error, OverflowError) as error:

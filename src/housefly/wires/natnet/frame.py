@@ -1,6 +1,4 @@
-"""One frame of mocap data: the rigid bodies and the time stamps; all other sections are stepped
-over.
-"""
+"""One frame of mocap data: rigid bodies and time stamps; all other sections are skipped."""
 
 from __future__ import annotations
 
@@ -24,14 +22,14 @@ _LABELED_BYTES = 26
 
 @dataclass(frozen=True, slots=True)
 class RigidBody:
-    """Where a body is, in the server's axes.
+    """Pose of a body in the server's axes.
 
     Attributes:
         identity: number of its description.
         position: of its pivot [m].
         orientation: (w, x, y, z), body to world.
         error: mean distance of its markers from where they should be [m].
-        tracked: whether it was seen in this frame; if not, the pose is the last one, or nonsense.
+        tracked: whether it was seen in this frame; if not, the pose is stale or meaningless.
     """
 
     identity: int
@@ -49,7 +47,7 @@ class NatNetFrame:
         number: frame counter.
         bodies: all streamed rigid bodies, seen or not.
         timestamp: time since the server's software started [s].
-        exposed: middle of the exposure [ticks], 0 when the cameras do not tell.
+        exposed: middle of the exposure [ticks], 0 if unknown.
         arrived: when the cameras' data reached the server [ticks].
         sent: when the frame left the server [ticks]; ``sent - arrived`` is the software's latency.
         recording: whether the server records.
@@ -181,9 +179,7 @@ def _channels(source: NatNetReader, field: str) -> None:
 
 
 def _few(number: int, source: NatNetReader, field: str) -> range:
-    """Return a range over a list of a length that cannot be true unless each element has four
-    bytes.
-    """
+    """Return a range over a list whose elements have at least four bytes each; refuses others."""
     if not 0 <= number * I32.size <= source.left:
         raise WireError(f"NatNet {field}: {number} do not fit into the {source.left} bytes left")
     return range(number)

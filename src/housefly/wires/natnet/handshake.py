@@ -1,6 +1,4 @@
-"""What client and server agree on before frames flow, and the Item protocol that every message
-follows.
-"""
+"""The messages before frames flow, and the protocol that every message follows."""
 
 from __future__ import annotations
 
@@ -41,9 +39,7 @@ class NatNetMessage(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Connect:
-    """A client asks who serves; it may wish for a version (servers from 4.0 on honour it in
-    unicast).
-    """
+    """A client asks who serves; unicast clients of 4.0 servers and later may wish for a version."""
 
     KIND: ClassVar[int] = 0
     wish: NatNetVersion | None = None

@@ -1,6 +1,4 @@
-"""Descriptions of what is tracked; Housefly reads names and numbers of the rigid bodies and steps
-over all else.
-"""
+"""Descriptions of what is tracked; only names and numbers of rigid bodies are read."""
 
 from __future__ import annotations
 

@@ -6,8 +6,8 @@ and sources: docs/wires.md.
 
 from housefly.wires.scip.parameters import URG_04LX, UST_10LX, ScannerParameters
 from housefly.wires.scip.replies import (
-    ScipScan,
     ScipReply,
+    ScipScan,
     decode_measurement,
     decode_reply,
     encode_reply,
@@ -25,11 +25,11 @@ __all__ = [
     "URG_04LX",
     "UST_10LX",
     "MeasureRequest",
-    "ScipScan",
     "PlainRequest",
     "ScannerParameters",
     "ScipReply",
     "ScipRequest",
+    "ScipScan",
     "decode_measurement",
     "decode_reply",
     "decode_request",

@@ -15,9 +15,7 @@ _BLOCK = 64
 
 
 def encode_number(value: int, width: int) -> str:
-    """Return a number in ``width`` characters, most significant first; raises WireError when it
-    does not fit.
-    """
+    """Return a number in ``width`` characters, most significant first; raises WireError."""
     if not 0 <= value < 1 << (6 * width):
         raise WireError(f"{value} does not fit into {width} characters")
     return "".join(
@@ -26,9 +24,7 @@ def encode_number(value: int, width: int) -> str:
 
 
 def decode_number(text: str) -> int:
-    """Return the number that characters stand for; raises WireError for a character outside "0" to
-    "o".
-    """
+    """Return the number that characters encode; raises WireError for one outside "0" to "o"."""
     value = 0
     for character in text:
         six = ord(character) - _BASE
@@ -39,14 +35,12 @@ def decode_number(text: str) -> int:
 
 
 def checksum(text: str) -> str:
-    """Return the character that checks a text: the lower six bits of the sum of its bytes."""
+    """Return the checksum character of a text: the lower six bits of the sum of its bytes."""
     return chr(_BASE + (sum(text.encode("ascii")) & 0x3F))
 
 
 def strip_checksum(line: str) -> str:
-    """Return a line without its last character, the checksum; raises WireError when it does not
-    match.
-    """
+    """Return a line without its checksum character; raises WireError on a mismatch."""
     if len(line) < 2 or checksum(line[:-1]) != line[-1]:
         raise WireError(f"the checksum of {line[:80]!r} is wrong")
     return line[:-1]

@@ -1,4 +1,4 @@
-"""What a range finder says of itself (PP), and the two models that the twin serves."""
+"""The parameters of a range finder (PP), and the two models that the twin serves."""
 
 from __future__ import annotations
 
@@ -58,14 +58,9 @@ class ScannerParameters:
     def reply(self) -> ScipReply:
         """Return the reply to PP."""
         numbers = (
-            self.shortest,
-            self.longest,
-            self.resolution,
-            self.first,
-            self.last,
-            self.front,
-            self.rpm,
-        )
+            self.shortest, self.longest, self.resolution,
+            self.first, self.last, self.front, self.rpm,
+        )  # fmt: skip
         return named_values_reply(
             "PP",
             [
@@ -76,9 +71,7 @@ class ScannerParameters:
 
     @staticmethod
     def of(reply: ScipReply) -> ScannerParameters:
-        """Return what a reply to PP says; raises WireError when it lacks something or makes no
-        sense.
-        """
+        """Return the parameters in a reply to PP; raises WireError if incomplete or impossible."""
         values = named_values(reply)
         try:
             numbers = [int(values[name]) for name in _NUMBERS]
@@ -102,7 +95,7 @@ URG_04LX = ScannerParameters(
 UST_10LX = ScannerParameters("UST-10LX", 20, 30000, 1440, 0, 1080, 540, 2400)
 MODELS = {"urg-04lx": URG_04LX, "ust-10lx": UST_10LX}
 NO_ECHO = {"urg-04lx": 0, "ust-10lx": 65533}
-"""What each model says where nothing comes back [mm]."""
+"""Distance that each model reports where nothing comes back [mm]."""
 
 
 def named_values_reply(code: str, pairs: list[tuple[str, str]]) -> ScipReply:

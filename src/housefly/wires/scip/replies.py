@@ -1,6 +1,4 @@
-"""What a range finder answers: the echo of the request, a status, and lines of data, each with a
-checksum, then an empty line.
-"""
+"""Replies of a range finder: echo, status and data lines with checksums, then an empty line."""
 
 from __future__ import annotations
 
@@ -18,13 +16,13 @@ from housefly.wires.scip.characters import (
 from housefly.wires.scip.requests import MeasureRequest, decode_request, encode_request
 
 STATUS_DONE, _STATUS_SCAN = "00", "99"
-"""Status of a request that was obeyed, and of a scan that MD asked for earlier."""
+"""Status of a request that was obeyed, and of a later scan of MD."""
 _STAMP_PERIOD = 1 << 24
-"""The sensor's clock starts anew after so many milliseconds: about four hours and 40 minutes."""
+"""The sensor's clock wraps after this [ms]: about four hours and 40 minutes."""
 _RANGE_WIDTH = 3
 """Characters of one distance."""
 MAX_REPLY = 16 * 1024
-"""No reply is longer [bytes]: 1081 steps of three characters are about 3.4 kB."""
+"""Longest reply accepted [bytes]; 1081 steps of three characters take about 3.4 kB."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +31,7 @@ class ScipReply:
 
     Attributes:
         echo: the request as it came back, without its line end.
-        status: two characters; ``STATUS_DONE`` and ``_STATUS_SCAN`` are good, others say what is wrong.
+        status: two characters; see ``is_good``.
         lines: what follows, each still with its checksum.
     """
 
@@ -70,11 +68,9 @@ def encode_reply(reply: ScipReply) -> bytes:
 
 
 def decode_reply(data: bytes) -> ScipReply:
-    """Return the reply in one block of lines, which ends with an empty one; raises WireError for
-    anything else.
+    """Return the reply in a block of lines that ends with an empty one; raises WireError.
 
-    The lines' own checksums are checked where they are read (``Parameters``, ``decode_measurement``),
-    for not every line has one.
+    The checksums of the lines are checked by their readers, because not every line has one.
     """
     try:
         text = data.decode("ascii")
@@ -101,9 +97,7 @@ def measurement_reply(request: MeasureRequest, stamp: int, ranges: tuple[int, ..
 
 
 def decode_measurement(reply: ScipReply) -> ScipScan | None:
-    """Return the scan that a reply carries, None when it carries none; raises WireError for a
-    damaged one.
-    """
+    """Return the scan in a reply, None when there is none; raises WireError for a damaged one."""
     if reply.echo[:2] not in ("MD", "GD") or not reply.lines:
         return None
     request = decode_request(reply.echo.encode("ascii"))

@@ -1,4 +1,4 @@
-"""What a host asks of a range finder: one line of text a request."""
+"""Requests to a range finder: one line of text each."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from housefly.errors import WireError
 PLAIN_REQUESTS = frozenset({"VV", "PP", "II", "BM", "QT", "RS"})
 """Version, parameters, state, laser on, laser off, reset."""
 MAX_REQUEST = 64
-"""No request is longer [bytes]; a stranger must not fill the memory."""
+"""Longest request accepted [bytes]; bounds the memory that a stranger can take."""
 _NOTE = re.compile(r"[A-Za-z0-9 ._+@]{0,16}")
 _ASK = re.compile(r"([A-Z]{2})(?:;(.*))?")
 _MEASURE = re.compile(r"(MD|GD)(\d{4})(\d{4})(\d{2})(?:(\d)(\d{2}))?(?:;(.*))?")
@@ -34,10 +34,9 @@ class MeasureRequest:
     """A request for distances in three characters each.
 
     Attributes:
-        code: MD (measure and send so many scans) or GD (send the newest).
+        code: MD (measure and send ``count`` scans) or GD (send the newest).
         first, last: steps.
-        cluster: so many neighbouring steps become one, the smallest distance of them; 0 counts as
-            1.
+        cluster: number of neighbouring steps merged to their smallest distance; 0 counts as 1.
         skip: MD: scans left out after each that is sent, 0 to 9.
         count: MD: scans to send, 0 to 99; 0 means until told to stop.
         note: up to 16 characters that come back in the echo.

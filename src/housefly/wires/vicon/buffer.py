@@ -43,8 +43,10 @@ class ViconReader:
         return int(self.unpack(U32)[0])
 
     def count(self, smallest: int) -> int:
-        """Read the length of a list whose elements take at least ``smallest`` bytes; refuses what
-        cannot fit.
+        """Read the length of a list; refuses what cannot fit.
+
+        Args:
+            smallest: least size of an element [bytes].
         """
         number = self.u32()
         if number * smallest > self.left:
@@ -85,9 +87,7 @@ class ViconWriter:
         self.data = bytearray()
 
     def put(self, layout: struct.Struct, *values: float) -> None:
-        """Append the fields of a fixed layout; raises WireError when a value does not fit its
-        field.
-        """
+        """Append the fields of a fixed layout; raises WireError if a value does not fit."""
         try:
             self.data += layout.pack(*values)
         except struct.error as error:

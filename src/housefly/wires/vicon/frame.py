@@ -1,7 +1,7 @@
-"""The objects of a frame that Housefly speaks; each knows its own layout.
+"""The objects of a frame that Housefly reads and writes; each knows its own layout.
 
 Layout: whoenig/vicon-datastream-sdk, checked against the SDK's own client. All other kinds are
-    skipped by length.
+skipped by length.
 """
 
 from __future__ import annotations
@@ -25,8 +25,11 @@ _PAIR = struct.Struct("<II")
 
 @dataclass(frozen=True, slots=True)
 class FrameContents:
-    """What a frame holds: (kind, number of objects), and the kinds left out because they did not
-    change.
+    """Contents of a frame.
+
+    Attributes:
+        numbers: kind and number of objects of each kind.
+        unchanged: kinds left out because they did not change.
     """
 
     KIND: ClassVar[int] = 100004
@@ -140,9 +143,7 @@ class FrameInfo:
 
 @dataclass(frozen=True, slots=True)
 class LatencyInfo:
-    """What the server knows of the delay from exposure to sending: name and duration [s] of each
-    stage.
-    """
+    """Delays from exposure to sending, as the server knows them: name and duration [s]."""
 
     KIND: ClassVar[int] = 26
     samples: tuple[tuple[str, float], ...]
@@ -172,7 +173,7 @@ class SegmentPose:
 
 @dataclass(frozen=True, slots=True)
 class GlobalSegments:
-    """The seen segments of one subject; a subject that the cameras lost is left out of the packet."""
+    """The seen segments of one subject; a lost subject is left out of the packet."""
 
     KIND: ClassVar[int] = 9
     subject: int

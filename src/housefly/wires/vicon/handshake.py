@@ -19,9 +19,7 @@ class ViconObject(Protocol):
 
     @classmethod
     def read(cls, source: ViconReader) -> Self:
-        """Read the body; raises WireError. What follows the known fields is ignored, as newer
-        servers append fields.
-        """
+        """Read the body; raises WireError. Unknown fields at the end are ignored."""
         ...
 
 

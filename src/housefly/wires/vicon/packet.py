@@ -87,7 +87,7 @@ def decode_packet(body: bytes) -> tuple[ViconObject, ...]:
 
 
 def encode_packet(items: Iterable[ViconObject]) -> bytes:
-    """Return a whole packet, header included; raises WireError when a value does not fit its field."""
+    """Return a packet, header included; raises WireError if a value does not fit its field."""
     packet = ViconWriter()
     for item in items:
         block = ViconWriter()

@@ -23,8 +23,7 @@ def matrix_from_quaternion(q: Quaternion) -> RotationMatrix:
 
 
 def quaternion_from_matrix(m: RotationMatrix) -> Quaternion:
-    """Return the unit quaternion (w >= 0) of a rotation matrix, by the largest of its four squares
-    (Shepperd 1978).
+    """Return the unit quaternion (w >= 0) of a rotation matrix (Shepperd 1978).
 
     Raises:
         WireError: a value is not finite, or the matrix is not a rotation.

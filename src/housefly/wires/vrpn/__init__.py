@@ -1,6 +1,4 @@
-"""VRPN 07.35, the protocol that most tracking systems can speak: pure codec, both sides of the
-wire.
-"""
+"""VRPN 07.35, the protocol that most tracking systems can speak: pure codec, both sides."""
 
 from housefly.wires.vrpn.handshake import (
     COOKIE_SIZE,

@@ -1,6 +1,4 @@
-"""How a VRPN connection begins: a datagram that asks to be called back, or none, then a cookie from
-each side.
-"""
+"""How a VRPN connection begins: an optional call-back datagram, then a cookie from each side."""
 
 from __future__ import annotations
 
@@ -20,7 +18,7 @@ def encode_cookie() -> bytes:
 
 
 def decode_cookie(cookie: bytes) -> str:
-    """Return the version of the other side, as ``07.35``; raises WireError for what is no cookie."""
+    """Return the version of the other side, as ``07.35``; raises WireError for no cookie."""
     text = cookie.split(b"\0", 1)[0].decode("ascii", errors="replace")
     version = text.removeprefix(_MAGIC)[:5]
     if len(cookie) != COOKIE_SIZE or not text.startswith(_MAGIC) or not _is_version(version):

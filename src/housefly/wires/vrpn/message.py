@@ -1,6 +1,4 @@
-"""Messages: 24 bytes of header, then a body filled up to a multiple of eight; all numbers
-big-endian.
-"""
+"""VRPN messages, big-endian: a header of 24 bytes, a body padded to a multiple of eight."""
 
 from __future__ import annotations
 
@@ -62,9 +60,7 @@ class VrpnStream:
         self._data = bytearray()
 
     def feed(self, piece: bytes) -> tuple[VrpnMessage, ...]:
-        """Return the messages that are complete now; raises WireError, after which the stream is of
-        no use.
-        """
+        """Return the messages complete now; after a WireError the stream is unusable."""
         self._data += piece
         messages = []
         start = 0

@@ -1,4 +1,4 @@
-"""What a tracker says: names of senders and types, and poses."""
+"""The messages of a tracker: names of senders and types, and poses."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class TrackerPose:
 
 
 def encode_pose(pose: TrackerPose) -> bytes:
-    """Return the body of a pose message; raises WireError when the sensor does not fit its field."""
+    """Return the body of a pose message; raises WireError if the sensor does not fit."""
     w, x, y, z = pose.orientation
     try:
         return _POSE.pack(pose.sensor, *pose.position, x, y, z, w)
@@ -65,13 +65,13 @@ def description_message(kind: int, number: int, name: str) -> VrpnMessage:
 
 
 class VrpnNames:
-    """What the numbers of the other side stand for."""
+    """The names behind the other side's numbers."""
 
     def __init__(self) -> None:
         self._names: dict[tuple[int, int], str] = {}
 
     def learn(self, message: VrpnMessage) -> bool:
-        """Take in a description; tells whether the message was one. Raises WireError."""
+        """Store a description; returns whether the message was one. Raises WireError."""
         if message.kind not in (SENDER_DESCRIPTION, TYPE_DESCRIPTION):
             return False
         if not 0 <= message.sender < MAX_NUMBERS:

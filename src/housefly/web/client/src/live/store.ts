@@ -1,4 +1,4 @@
-// What this console knows of the room, as signals; live/line.ts writes most of them.
+// What this console knows of the room, as signals; live/room-client.ts writes most of them.
 import { computed, signal } from "@preact/signals";
 import { now } from "../wire/clock";
 import type {

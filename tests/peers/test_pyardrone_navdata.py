@@ -1,5 +1,4 @@
-"""Another project against ours: its strict parser reads our packets, and it writes commands as we
-do.
+"""pyardrone's strict parser reads our navdata, and it writes commands as we do.
 
 Unknown tags, wrong sizes and bad checksums make that parser raise.
 """
@@ -10,7 +9,7 @@ import pytest
 
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone import navdata_options as options
-from housefly.wires.ardrone.navdata import StateBits, RawOption, encode_navdata
+from housefly.wires.ardrone.navdata import RawOption, StateBits, encode_navdata
 
 pyardrone_navdata = pytest.importorskip("pyardrone.navdata")
 
@@ -32,7 +31,9 @@ def test_pyardrone_reads_our_demo_packet() -> None:
 
 
 def test_pyardrone_reads_all_our_options() -> None:
-    theirs = pyardrone_navdata.NavData(encode_navdata(0, 1, [kind() for kind in options.OPTION_TYPES]))
+    theirs = pyardrone_navdata.NavData(
+        encode_navdata(0, 1, [kind() for kind in options.OPTION_TYPES])
+    )
     assert theirs.magneto.magneto_radius == 0.0
 
 
@@ -60,7 +61,8 @@ def test_pyardrone_reads_the_fields_where_we_write_them() -> None:
 
 
 def test_pyardrone_refuses_what_is_wrong() -> None:
-    with pytest.raises(Exception):  # noqa: B017 - proves that this judge can say no; its error types are its own
+    # Proves that this judge can say no; its error types are its own.
+    with pytest.raises(Exception):  # noqa: B017
         pyardrone_navdata.NavData(encode_navdata(0, 1, [RawOption(0, bytes(7))]))
 
 

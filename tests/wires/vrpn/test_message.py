@@ -1,6 +1,4 @@
-"""The VRPN codec: what goes in comes out in whatever pieces, and nothing but WireError is ever
-raised.
-"""
+"""The VRPN codec: round trips in any pieces, and only WireError on garbage."""
 
 from __future__ import annotations
 

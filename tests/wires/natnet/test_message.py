@@ -1,6 +1,4 @@
-"""The NatNet codec: what goes in comes out, all that a real server streams is stepped over, nothing
-but WireError is raised.
-"""
+"""The NatNet codec: round trips, skipping of what servers stream, only WireError on garbage."""
 
 from __future__ import annotations
 

@@ -1,0 +1,16 @@
+"""Environment variables by which the launcher tells each process of a run what it needs."""
+
+from __future__ import annotations
+
+SITE_VARIABLE = "HOUSEFLY_SITE"
+"""Path of the checked site, as JSON."""
+BUS_VARIABLE = "HOUSEFLY_BUS"
+"""Zenoh endpoint on which the pilot listens."""
+STOP_PORT_VARIABLE = "HOUSEFLY_STOP_PORT"
+"""Loopback UDP port of the STOP path."""
+SECRET_VARIABLE = "HOUSEFLY_SECRET"
+"""Key of the STOP path."""
+TOKEN_VARIABLE = "HOUSEFLY_TOKEN"
+"""One-time token of the console's address."""
+ROOM_PORT_VARIABLE = "HOUSEFLY_ROOM_PORT"
+"""Loopback TCP port on which the hub answers programs of this machine."""
