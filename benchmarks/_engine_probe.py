@@ -18,11 +18,12 @@ try:
     from housefly.lab.experiments.engine import fly_many
     from housefly.lab.experiments.flight_plan import FlightPlan, Task
 except ImportError:  # release 0.1.0
-    from housefly.config import Site
     from housefly.experiments.cases import cases
     from housefly.experiments.engine import fly_many
     from housefly.experiments.mission import Mission as FlightPlan
     from housefly.experiments.mission import Task
+
+    from housefly.config import Site
 
 PLAN = FlightPlan(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 MODES = {"default": {"mode": 0, "estimator": 0}, "paper": {"mode": 1, "estimator": 1}}

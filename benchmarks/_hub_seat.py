@@ -49,7 +49,9 @@ def by_bus(bus: ZenohBus, count: int) -> dict[str, list[float]]:
     """
 
     def where(thing: str) -> WhereAnswer:
-        answer = answer_from_json(WhereQuestion(thing), bus.ask(HUB_QUERY, question_to_json(WhereQuestion(thing))))
+        answer = answer_from_json(
+            WhereQuestion(thing), bus.ask(HUB_QUERY, question_to_json(WhereQuestion(thing)))
+        )
         assert isinstance(answer, WhereAnswer)
         return answer
 
@@ -114,7 +116,11 @@ def listened(bus: ZenohBus, drone: str, seconds: float) -> dict[str, list[float]
             now - told["at"] + thing["age"] for thing in told["things"] if thing["thing"] == drone
         ]
 
-    open_ = [bus.subscribe(FRAME_TOPIC, frame), bus.subscribe(STEP_TOPIC, step), bus.subscribe(ROOM_NEWS_TOPIC, news)]
+    open_ = [
+        bus.subscribe(FRAME_TOPIC, frame),
+        bus.subscribe(STEP_TOPIC, step),
+        bus.subscribe(ROOM_NEWS_TOPIC, news),
+    ]
     time.sleep(WARM_UP)
     for values in ages.values():
         values.clear()

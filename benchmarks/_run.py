@@ -53,7 +53,8 @@ class Running:
     def order(self, kind: OrderKind, place: str = "", look_s: float = 3.0) -> None:
         """Give an order."""
         self.bus.publish(
-            ORDER_TOPIC, Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark")
+            ORDER_TOPIC,
+            Order(kind, place, look_s=look_s, issued_at=time.monotonic(), sender="benchmark"),
         )
 
     def wait_for(self, phase: Phase, timeout: float) -> None:

@@ -1,4 +1,4 @@
-"""What reading and writing the AR.Drone's wire costs, against pyardrone's parser in the same run."""
+"""What reading and writing the AR.Drone's wire costs, beside pyardrone in the same run."""
 
 from __future__ import annotations
 
@@ -32,6 +32,8 @@ STREAM = b"".join(
     pave.encode_frame(pave.PaveHeader(len(KEY_PICTURE), number), KEY_PICTURE)
     for number in range(30)
 )
+
+PCMD_DATAGRAM = b"AT*PCMD=7,1,1036831949,-1102263091,1028443341,1065353216\r"
 
 
 def microseconds(work: Callable[[], object], number: int = 500) -> float:
@@ -75,7 +77,7 @@ def main() -> None:
         ("write PCMD", lambda: at.encode_command(7, OUR_PCMD), lambda: THEIR_PCMD._pack(7)),
         (
             "read PCMD",
-            lambda: at.parse_datagram(b"AT*PCMD=7,1,1036831949,-1102263091,1028443341,1065353216\r"),
+            lambda: at.parse_datagram(PCMD_DATAGRAM),
             None,
         ),
     ]
@@ -92,7 +94,9 @@ def main() -> None:
         f"| a second of video (30 key pictures of 12 kB) | {microseconds(cut_stream, 50):.0f} | -"
         " | - |"
     )
-    share = 200e-4 * microseconds(lambda: conversions.telemetry_from_navdata(decode_navdata(FULL), 0.0))
+    share = 200e-4 * microseconds(
+        lambda: conversions.telemetry_from_navdata(decode_navdata(FULL), 0.0)
+    )
     print(
         f"\nThe same bytes through both; 200 full packets a second, each read, take {share:.2f} %"
         " of one core here."

@@ -1,4 +1,4 @@
-"""The bus against a bare TCP socket, the codec against pickle, and what the flight recorder costs."""
+"""The bus beside a bare TCP socket, the codec beside pickle, and the flight recorder's cost."""
 
 from __future__ import annotations
 
@@ -88,7 +88,9 @@ def listen() -> None:
         socket.create_connection((HOST, TCP_PORT)) as link,
     ):
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        bus.subscribe(STEP_TOPIC, lambda message: ages["zenoh"].append(time.monotonic() - message.now))
+        bus.subscribe(
+            STEP_TOPIC, lambda message: ages["zenoh"].append(time.monotonic() - message.now)
+        )
         bus.answer("ready", str)
         stream = link.makefile("rb")
         while head := stream.read(4):

@@ -34,7 +34,7 @@ SCENE = room_to_mjcf(ROOM, bodies=drone_body(Site().drone, ROOM.home, ROOM.home_
 
 
 def pose(turn: float) -> Pose:
-    """A round trip through the room while turning once, at a flight's pace; turn goes from 0 to 1."""
+    """A round trip while turning once, at a flight's pace; turn goes from 0 to 1."""
     x_min, y_min, x_max, y_max = ROOM.bounds
     x = (x_min + x_max) / 2 + 0.35 * (x_max - x_min) * cos(2 * pi * turn)
     y = (y_min + y_max) / 2 + 0.15 * (y_max - y_min) * sin(2 * pi * turn)
@@ -48,7 +48,8 @@ def cost(supersampling: float, samples: int) -> tuple[float, float]:
         Encoder(*PICTURE_SIZE, RATE_HZ),
     )
     requests = [
-        PictureRequest(pose(n / PICTURES), True, DroneCamera.FRONT, n / RATE_HZ) for n in range(PICTURES)
+        PictureRequest(pose(n / PICTURES), True, DroneCamera.FRONT, n / RATE_HZ)
+        for n in range(PICTURES)
     ]
     encoder.encode(view.picture(requests[0]))
     rendering = encoding = 0.0

@@ -38,7 +38,9 @@ COMMANDS: dict[str, list[str]] = {
     "`housefly campaign SPEC --dry-run` (flies a probe)": [
         HOUSEFLY, "campaign", str(ROOT / "examples" / "08_tracking_rate.toml"), "--dry-run",
     ],
-    "`housefly gains --alpha 4 --beta 4` (the whole answer)": [HOUSEFLY, "gains", "--alpha", "4", "--beta", "4"],
+    "`housefly gains --alpha 4 --beta 4` (the whole answer)": (
+        f"{HOUSEFLY} gains --alpha 4 --beta 4".split()
+    ),
     "a pilot and its first 50 steps, from Python": [sys.executable, "-c", STEP_A_PILOT],
     "one flight of the engine, from Python": [sys.executable, "-c", FLY_ONE],
 }  # fmt: skip

@@ -40,7 +40,8 @@ LIMITS = {"click": ("p95", 50.0), "STOP": ("p99", 30.0)}
 STAMPS = """
 window.stamps = [];
 for (const kind of ["pointerdown", "click", "keydown"]) {
-  window.addEventListener(kind, (e) => window.stamps.push([kind, performance.timeOrigin + e.timeStamp]), {capture: true});
+  const push = (e) => window.stamps.push([kind, performance.timeOrigin + e.timeStamp]);
+  window.addEventListener(kind, push, {capture: true});
 }
 """
 
@@ -65,7 +66,7 @@ class Arrivals:
 
 
 def pictures() -> list[tuple[bytes, bool]]:
-    """Return two seconds of 640 x 360 H.264, encoded beforehand: in flight another process encodes."""
+    """Return two seconds of 640 x 360 H.264; in flight another process encodes."""
     encoder = av.CodecContext.create("libx264", "w")
     encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = (
         640,

@@ -22,7 +22,7 @@ GOAL_S, WARM_GOAL_S = 120.0, 8.0
 
 
 def seconds_to_ready(folder: Path) -> float:
-    """Run ``make demo`` until it is ready, end it with Ctrl-C, and return how long that took [s]."""
+    """Run ``make demo`` until it is ready, end it by Ctrl-C, return how long it took [s]."""
     start = time.monotonic()
     demo = subprocess.Popen(
         ["make", "demo"],

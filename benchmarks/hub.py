@@ -122,7 +122,9 @@ def question(state: Running, found: Hover) -> None:
     with announced(discovery_entry(state.runtime)):
         found.connected = seat("connected", SITE, ASKS)
         found.http = seat("http", SITE, ASKS)
-    answer = answer_from_json(SensorsQuestion(), state.bus.ask(HUB_QUERY, question_to_json(SensorsQuestion())))
+    answer = answer_from_json(
+        SensorsQuestion(), state.bus.ask(HUB_QUERY, question_to_json(SensorsQuestion()))
+    )
     assert isinstance(answer, SensorsAnswer)
     found.report = answer.memory
     found.devices = sum(

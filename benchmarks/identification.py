@@ -78,11 +78,13 @@ def delay_of(command_delay: float) -> float:
     """Return the time from a datagram to the tilt [s]: the delay, the firmware's next period, and
     its inner rate loop.
     """
-    return float(CONTROL_PERIOD * np.ceil(command_delay / CONTROL_PERIOD - 1e-9) + residence(_RATE_POLE))
+    return float(
+        CONTROL_PERIOD * np.ceil(command_delay / CONTROL_PERIOD - 1e-9) + residence(_RATE_POLE)
+    )
 
 
 def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
-    """Fly and fit one drone; return truth, value, low and high of each constant, and the outcome."""
+    """Fly and fit one drone; return each constant (truth, value, low, high) and the outcome."""
     tracking = {"twin__mocap_rate_hz": 30.0, "twin__mocap_dropout": 0.05, "twin__seed": seed}
     truth = hidden(seed)
     believed, real = (
@@ -92,7 +94,9 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     plan = blocks(REPEATS, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
     maneuver, world, steps = IdentificationManeuver(plan, box), NotingWorld(real), []
-    outcome = fly_identification_lockstep(believed, world, IdentificationFlight(box, maneuver, 500.0), steps.append)
+    outcome = fly_identification_lockstep(
+        believed, world, IdentificationFlight(box, maneuver, 500.0), steps.append
+    )
     if outcome != "completed":
         return {}, outcome
     found = fit_constants(

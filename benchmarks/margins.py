@@ -25,13 +25,16 @@ DRONES = 6
 
 
 def settles(loop: Loop, **truth: float) -> bool:
-    case = cases(
-        Site(), DRONES, seed=np.arange(DRONES), estimator=EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED,
-        alpha=loop.alpha, beta=loop.beta, model_lag=loop.lag, model_delay=loop.delay, model_drag=loop.drag, drag=loop.drag,
-        position_noise=loop.position_noise, acceleration_noise=loop.acceleration_noise, mocap_rate_hz=loop.tracking_hz,
-        mocap_latency=loop.latency, mocap_jitter=0.0, mocap_noise=1e-9, tilt_max=0.5, pose_age_level=10.0, pose_age_land=20.0,
-        **{"lag": loop.lag, "delay": loop.delay, **truth},
-    )  # fmt: skip
+    kind = EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED
+    columns = {
+        "estimator": kind, "alpha": loop.alpha, "beta": loop.beta, "tilt_max": 0.5,
+        "model_lag": loop.lag, "model_delay": loop.delay, "model_drag": loop.drag,
+        "lag": loop.lag, "delay": loop.delay, "drag": loop.drag,
+        "position_noise": loop.position_noise, "acceleration_noise": loop.acceleration_noise,
+        "mocap_rate_hz": loop.tracking_hz, "mocap_latency": loop.latency,
+        "mocap_jitter": 0.0, "mocap_noise": 1e-9, "pose_age_level": 10.0, "pose_age_land": 20.0,
+    }  # fmt: skip
+    case = cases(Site(), DRONES, seed=np.arange(DRONES), **(columns | truth))
     flown = fly_many(case, FlightPlan(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
     return bool((flown["residual"] < 0.2 * STEP).all())
 
@@ -60,7 +63,8 @@ def main() -> None:
                 worst = max(worst, *(abs(ratio - 1.0) for ratio in ratios))
                 rows.append(
                     (
-                        "paper" if paper else "default", f"{lag:g}", f"{rate:.0f} Hz, {1000 * latency:.0f} ms",
+                        "paper" if paper else "default", f"{lag:g}",
+                        f"{rate:.0f} Hz, {1000 * latency:.0f} ms",
                         f"{gain:.2f} / {flown_gain:.2f}", f"{ratios[0]:.3f}",
                         f"{1000 * delay:.0f} / {1000 * flown_delay:.0f}", f"{ratios[1]:.3f}",
                     )
@@ -82,7 +86,9 @@ def main() -> None:
         f" {100 * worst:.1f} % (limit: 5 %)."
     )
     start = time.process_time()
-    advice = advise(GainQuestion(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05)))
+    advice = advise(
+        GainQuestion(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05))
+    )
     assert advice is not None
     print(
         f"\nA recommendation (30 Hz, 50 ms) takes {time.process_time() - start:.1f} s of one core: "

@@ -156,7 +156,9 @@ def fields(obstacle: Obstacle) -> dict[str, object]:
 
 def main() -> None:
     done = stops()
-    allowed = [stopping_distance(stop.speed, BRAKING_DECELERATION, 0.1) + 0.3 * stop.speed for stop in done]
+    allowed = [
+        stopping_distance(stop.speed, BRAKING_DECELERATION, 0.1) + 0.3 * stop.speed for stop in done
+    ]
     hull = half_diagonal(0.517, 0.451)
     print("### Obstacles\n")
     print(

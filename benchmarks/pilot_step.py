@@ -1,4 +1,4 @@
-"""How long one step of the pilot takes, beside the period of its loop, on a flight through B-sen."""
+"""How long one step of the pilot takes beside the period of its loop, flying through B-sen."""
 
 from __future__ import annotations
 

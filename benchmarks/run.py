@@ -20,8 +20,8 @@ RESULTS = FOLDER.parent / "docs" / "results.md"
 TIMEOUT_S = 2400
 HEAD = """# Results
 
-Every figure here was printed by the command above it. Machines are shared and noisy: trust the ratios inside a section,
-not the absolute figures, and run `make bench` on yours.
+Every figure here was printed by the command above it. Machines are shared and noisy: trust the
+ratios inside a section, not the absolute figures, and run `make bench` on yours.
 """
 
 

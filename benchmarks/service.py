@@ -36,8 +36,7 @@ def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
         "twin__mocap_dropout": loss,
     }
     flown = [
-        fly(open_site(read_site("bsen", mode=mode, twin__seed=seed, **changes)))
-        for seed in SEEDS
+        fly(open_site(read_site("bsen", mode=mode, twin__seed=seed, **changes))) for seed in SEEDS
     ]
     summaries = [summary for summary, _ in flown]
     done = sum(summary.outcome == "completed" for summary in summaries)
@@ -67,8 +66,10 @@ def main() -> None:
         " tracking, stepped clock\n"
     )
     headings = [
-        "mode", "tracking: rate, latency, loss", "completed", "duration [s]", "rms off the path [mm]", "largest [mm]",
-        "off the goal [mm]", "landed off the pad [mm]", "state switches per s", "flight seconds per core-second",
+        "mode", "tracking: rate, latency, loss", "completed", "duration [s]",
+        "rms off the path [mm]", "largest [mm]",
+        "off the goal [mm]", "landed off the pad [mm]", "state switches per s",
+        "flight seconds per core-second",
     ]  # fmt: skip
     print(table(headings, [row(mode, *case) for case in CASES for mode in ("default", "paper")]))
     print(

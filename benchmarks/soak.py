@@ -35,7 +35,8 @@ FLAGS = ["--no-sandbox", "--disable-gpu"]
 def processes(state: Running) -> dict[str, psutil.Process]:
     """Return every process of the run by what it is."""
     found = {
-        part.name: psutil.Process(state.launcher.pid(part.name)) for part in state.launcher.parts
+        part.name: psutil.Process(state.launcher.pid(part.name))
+        for part in state.launcher.processes
     }
     for child in found["twin"].children(recursive=True):
         found["twin's camera"] = child
@@ -58,7 +59,7 @@ def minutes(count: int, work: Callable[[], None]) -> Iterator[int]:
 
 
 def soak(state: Running, count: int) -> tuple[dict[str, list[list[float]]], int]:
-    """Return the samples of each process, a list a minute [MiB], and how many services were flown."""
+    """Return each process's samples [MiB], a list a minute, and the number of services."""
     parts = processes(state)
     samples: dict[str, list[list[float]]] = {name: [[]] for name in parts}
     services = 0
@@ -122,7 +123,7 @@ def main() -> None:
             page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")
             page.get_by_text(re.compile(r"Hz · \d+ ms")).first.wait_for()
             samples, services = soak(state, count)
-            restarts = sum(state.launcher.restarts(part.name) for part in state.launcher.parts)
+            restarts = sum(state.launcher.restarts(part.name) for part in state.launcher.processes)
             browser.close()
     print(f"### Memory of every process over {count} minutes of real time\n")
     headings = [

@@ -54,7 +54,7 @@ def sample(number: int, at: float) -> Observation:
 
 
 def tell(writer: StoreWriter, seconds: float) -> int:
-    """Write as a tracking system does, a frame every 10 ms, and return how many samples that were."""
+    """Write a frame every 10 ms, as tracking does, and return the number of samples."""
     begin, frames = time.monotonic(), 0
     while frames < seconds * RATE:
         now = time.time()
@@ -185,7 +185,7 @@ def fill(store: SqlStore, thing: str, begin: float, seconds: float, rate: float)
 
 
 def remembering(folder: Path) -> list[list[object]]:
-    """Ask a day of 20 things, 23 hours at 10 Hz and the last at 100 Hz, for one hour of one thing."""
+    """Ask for one hour of one thing, of a day of 20 things at 10 Hz, the last hour at 100 Hz."""
     store = open_store(folder / "day.db")
     for number in range(THINGS):
         fill(store, f"thing-{number}", 0.0, DAY - HOUR, THIN_RATE)

@@ -68,7 +68,7 @@ def read_genuine() -> list[float]:
 
 
 def measured(reader: str, rate_hz: float) -> list[float]:
-    """Run server and reader in processes of their own, as in a flight, and return the delays [s]."""
+    """Run server and reader in processes of their own and return the delays [s]."""
     here = [sys.executable, __file__]
     with subprocess.Popen([*here, "serve", str(rate_hz)], stdout=subprocess.PIPE) as server:
         assert server.stdout is not None

@@ -1,24 +1,21 @@
 """Fly the whole service on a stepped clock.
 
 Learns: the pilot is one pure step; the simulated room moves only when it is told to, so a minute of
-    flight takes seconds.
-Prints: each phase of the errand with the world's time and the drone's place, then the outcome.
+    flight takes seconds. The same seed gives the same flight, bit for bit.
+Prints: each phase of the service with the world's time and the drone's place, the outcome, and what
+    a fresh pilot makes of the recording.
 """
 
 import time
 
-from housefly.app.loaded_site import open_site, read_site
-from housefly.app.lockstep import fly_lockstep
-from housefly.messages import Order, OrderKind, Phase, PilotStep
+import housefly
 
-phase = Phase.IDLE
-flown = 0.0
+phase = housefly.Phase.IDLE
 
 
-def on_step(step: PilotStep) -> None:
-    """Print a line when the errand comes to another phase."""
-    global phase, flown
-    flown = step.now
+def on_step(step: housefly.PilotStep) -> None:
+    """Print a line when the service comes to another phase."""
+    global phase
     if step.outputs.phase is not phase and step.outputs.estimate is not None:
         phase = step.outputs.phase
         x, y, z = step.outputs.estimate.position
@@ -26,6 +23,10 @@ def on_step(step: PilotStep) -> None:
 
 
 started = time.perf_counter()
-loaded = open_site(read_site("bsen", twin__seed=7))
-outcome = fly_lockstep(loaded, Order(OrderKind.SERVICE, place="entrance", look_s=2.0), on_step)
-print(f"{outcome}: {flown:.0f} s of flight in {time.perf_counter() - started:.0f} s")
+site = housefly.load_site("bsen", twin__seed=7)
+flight = housefly.fly("entrance", site, look_s=2.0, on_step=on_step)
+spent = time.perf_counter() - started
+print(f"{flight.outcome}: {flight.summary.duration_s:.0f} s of flight in {spent:.0f} s")
+
+replay = flight.replay()
+print(f"replayed {replay.steps} steps; first difference: {replay.difference}")

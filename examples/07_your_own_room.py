@@ -14,31 +14,30 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from housefly.app.loaded_site import open_site, read_site
-from housefly.app.lockstep import fly_lockstep
-from housefly.messages import Order, OrderKind
-from housefly.room.draw import text_map
-from housefly.room.ros_map import import_ros_map
+import housefly
 
 WALL, FREE = 0, 254
+MAP = """\
+image: map.png
+resolution: 0.05
+origin: [0.0, 0.0, 0.0]
+negate: 0
+occupied_thresh: 0.65
+free_thresh: 0.196
+"""
 
-with tempfile.TemporaryDirectory() as folder:
+with tempfile.TemporaryDirectory() as name:
+    folder = Path(name)
     picture = np.full((100, 160), FREE, dtype=np.uint8)  # 8 m x 5 m at 5 cm a pixel
     picture[:2], picture[-2:], picture[:, :2], picture[:, -2:] = WALL, WALL, WALL, WALL
     picture[:55, 78:82] = WALL
-    Image.fromarray(picture).save(Path(folder) / "map.png")
-    lines = ("image: map.png", "resolution: 0.05", "origin: [0.0, 0.0, 0.0]", "negate: 0")
-    (Path(folder) / "map.yaml").write_text(
-        "\n".join((*lines, "occupied_thresh: 0.65", "free_thresh: 0.196"))
-    )
+    Image.fromarray(picture).save(folder / "map.png")
+    (folder / "map.yaml").write_text(MAP)
 
-    out = Path(folder) / "myroom"
-    room = import_ros_map(Path(folder) / "map.yaml", out)
-    loaded = open_site(read_site(str(out)))
-    print(text_map(loaded.room, loaded.grid))
+    room = housefly.import_ros_map(folder / "map.yaml", folder / "myroom")
+    site = housefly.load_site(str(folder / "myroom"))
+    print(housefly.text_map(site.room, site.grid))
 
     place = next(place.name for place in room.places if place.name != "home")
-    outcome = fly_lockstep(
-        loaded, Order(OrderKind.SERVICE, place=place, look_s=1.0), lambda step: None
-    )
-    print(f"to {place!r} and back: {outcome}")
+    flight = housefly.fly(place, site, look_s=1.0)
+    print(f"to {place!r} and back: {flight.outcome}")

@@ -11,19 +11,15 @@ import time
 from collections import Counter
 from math import isfinite
 
-from housefly.errors import WireError
-from housefly.messages import Observation
-from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
-from housefly.sensors.message_rate import MessageRate
+from housefly import MessageRate, Observation, Sensor, SensorHealth, SensorSink, WireError
 
 SILENT = 5.0
 """A lamp that says nothing for this long [s] is not there."""
+LINES = ("desk-lamp 320.5", "window 12000", "desk-lamp -7", "desk-lamp 321.0", "window 11950")
 
 
 def decode(line: bytes) -> tuple[str, float]:
-    """Return name and illuminance [lx] of a line like ``desk-lamp 320.5``; raises WireError that
-    names what is wrong.
-    """
+    """Return name and illuminance [lx] of a line; raises WireError that names what is wrong."""
     try:
         name, number = line.decode("ascii").split()
         lux = float(number)
@@ -44,9 +40,8 @@ class LightSensors(asyncio.DatagramProtocol):
     async def run(self, sink: SensorSink) -> None:
         """Listen until cancelled."""
         self._sink = sink
-        transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
-            lambda: self, ("127.0.0.1", self._port)
-        )
+        loop, address = asyncio.get_running_loop(), ("127.0.0.1", self._port)
+        transport, _ = await loop.create_datagram_endpoint(lambda: self, address)
         try:
             await asyncio.Event().wait()
         finally:
@@ -61,36 +56,27 @@ class LightSensors(asyncio.DatagramProtocol):
             self._lost["malformed"] += 1
             self.problem = str(error)
             return
-        self._lamps.setdefault(name, MessageRate()).beat(time.monotonic())
-        self._sink(
-            Observation(
-                name, name, captured_at=now, received_at=now, facts=(("illuminance_lx", lux),)
-            )
-        )
+        self._lamps.setdefault(name, MessageRate()).add(time.monotonic())
+        self._sink(Observation(name, name, now, now, facts=(("illuminance_lx", lux),)))
 
     @property
     def connected(self) -> bool:
         """Whether any lamp speaks."""
-        return any(pulse.age(time.monotonic()) < SILENT for pulse in self._lamps.values())
+        return any(lamp.age(time.monotonic()) < SILENT for lamp in self._lamps.values())
 
     def health(self) -> tuple[SensorHealth, ...]:
         """Return how the port and each lamp do."""
         now, lost = time.monotonic(), tuple(self._lost.items())
+        title = f"Light sensors on UDP {self._port}"
         port = SensorHealth(
-            "light",
-            "udp",
-            f"Light sensors on UDP {self._port}",
-            self.connected,
-            problem=self.problem,
-            counts=lost,
+            "light", "udp", title, self.connected, problem=self.problem, counts=lost
         )
-        lamps = [(name, pulse.rate_hz(now), pulse.age(now)) for name, pulse in self._lamps.items()]
-        return (
-            port,
-            *(
-                SensorHealth(name, "light", f"Light {name}", age < SILENT, rate, age)
-                for name, rate, age in lamps
-            ),
+        ages = {name: lamp.age(now) for name, lamp in self._lamps.items()}
+        return port, *(
+            SensorHealth(
+                name, "light", f"Light {name}", ages[name] < SILENT, lamp.rate_hz(now), ages[name]
+            )
+            for name, lamp in self._lamps.items()
         )
 
 
@@ -103,20 +89,12 @@ async def main() -> None:
     listening = asyncio.create_task(sensors.run(print))
     await asyncio.sleep(0.1)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as lamps:
-        for line in (
-            "desk-lamp 320.5",
-            "window 12000",
-            "desk-lamp -7",
-            "desk-lamp 321.0",
-            "window 11950",
-        ):
+        for line in LINES:
             lamps.sendto(line.encode(), ("127.0.0.1", port))
             await asyncio.sleep(0.2)
     for row in sensors.health():
-        print(
-            f"{row.title}: {row.rate_hz:.1f} Hz,"
-            f" {dict(row.counts) or 'nothing lost'}{', ' + row.problem if row.problem else ''}"
-        )
+        words = f"{dict(row.counts) or 'nothing lost'}"
+        print(f"{row.title}: {row.rate_hz:.1f} Hz, {', '.join(filter(None, (words, row.problem)))}")
     listening.cancel()
     await asyncio.gather(listening, return_exceptions=True)
 

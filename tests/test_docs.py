@@ -1,6 +1,4 @@
-"""What the documents say is true: commands parse, files and functions exist, links resolve, numbers
-are the code's.
-"""
+"""What the documents say is true: commands, files, functions, links and numbers are the code's."""
 
 from __future__ import annotations
 
@@ -12,10 +10,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from acceptor_words import described
 
 from housefly.cli import EPILOG, build_parser
 from housefly.config.site import Site
-from housefly.pilot.behavior.acceptor import describe
 from housefly.pilot.safety.rules import SAFETY_RULES
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -135,7 +133,7 @@ def test_every_equation_and_trap_has_a_test() -> None:
 
 
 def test_the_acceptor_is_described_as_it_is() -> None:
-    assert describe() in (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
+    assert described() in (ROOT / "docs" / "paper.md").read_text(encoding="utf-8")
 
 
 def test_every_rule_of_the_last_gate_is_explained() -> None:

@@ -1,28 +1,189 @@
-"""A room that knows where everything is flies a small drone on errands."""
+"""A room that knows where everything is flies a small drone on errands.
+
+    import housefly
+
+    site = housefly.load_site("bsen", twin__seed=7)
+    print(site.plan("entrance").path.length)
+    flight = housefly.fly("entrance", site)
+    print(flight.outcome, flight.summary.rms_error_m)
+
+Sites and rooms   load_site, LoadedSite, Site, Room, OccupancyGrid, import_ros_map, text_map,
+                  draw_room
+Flights           fly, open_flight, Flight, Summary, ReplayResult, Simulation
+Wires             launch, Bus, ZenohBus, TOPICS and each topic, PLAN_QUERY, ArDrone, run_twin
+Lab               run_campaign, CampaignResult, identify, Identified, choose_gains, Advice,
+                  judge_gains, Judgement
+The room          connect, RoomClient, play_scene, PlayedScene
+Sensors           Sensor, SensorHealth, SensorSink, MessageRate
+Messages          everything in ``housefly.messages``
+Errors            HouseflyError and those below it
+
+``docs/python.md`` says a line about each. Importing this package is quick: a name brings its module
+when it is first used.
+"""
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from housefly.app.loaded_site import LoadedSite, load_site
+    from housefly.app.public.campaign import CampaignResult, run_campaign
+    from housefly.app.public.flight import Flight, fly, open_flight
+    from housefly.app.public.gains import choose_gains, judge_gains
+    from housefly.app.public.identification import identify
+    from housefly.app.public.launch import launch
+    from housefly.app.public.scene import PlayedScene, play_scene
+    from housefly.app.public.simulation import Simulation
+    from housefly.bus.bus import Bus
+    from housefly.bus.topics import (
+        DEPTH_TOPIC,
+        FRAME_TOPIC,
+        LINK_TOPIC,
+        OBSTACLE_TOPIC,
+        ORDER_TOPIC,
+        PLAN_QUERY,
+        ROOM_NEWS_TOPIC,
+        SENSOR_TOPIC,
+        STEP_TOPIC,
+        TOPICS,
+        VIDEO_TOPIC,
+    )
+    from housefly.bus.zenoh_bus import ZenohBus
+    from housefly.config.site import Site
+    from housefly.drones.ardrone.driver import ArDrone
+    from housefly.errors import (
+        ConfigError,
+        EditsError,
+        HouseflyError,
+        LinkError,
+        MissingPartError,
+        RecordingError,
+        RoomError,
+        StaleEdits,
+        StoreError,
+        ThingError,
+        WireError,
+    )
+    from housefly.hub.client.connect import connect
     from housefly.hub.client.room_client import RoomClient
+    from housefly.lab.identification.result import Identified
+    from housefly.lab.tuning.advice import Advice, Judgement
+    from housefly.messages import (
+        LEVEL,
+        Action,
+        Behavior,
+        Command,
+        Covariance,
+        DepthImage,
+        DroneStatus,
+        Estimate,
+        Event,
+        Fact,
+        Facts,
+        Inputs,
+        LinkStatus,
+        Observation,
+        Obstacle,
+        Order,
+        OrderKind,
+        Outputs,
+        Path,
+        Phase,
+        PilotStep,
+        PlanAnswer,
+        Pose,
+        Reference,
+        RoomEvent,
+        RoomNews,
+        SafetyMode,
+        Scan,
+        SensorReport,
+        Setpoint,
+        Severity,
+        Sighting,
+        Telemetry,
+        TrackedFrame,
+        VideoFrame,
+    )
+    from housefly.record.replay import ReplayResult
+    from housefly.record.summary import Summary
+    from housefly.room.draw import draw_room, text_map
+    from housefly.room.grid import OccupancyGrid
+    from housefly.room.model import Room
+    from housefly.room.ros_map import import_ros_map
+    from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
+    from housefly.sensors.message_rate import MessageRate
+    from housefly.twin.process import run_twin
+
+# fmt: off
+__all__ = [
+    "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
+    "PLAN_QUERY", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC", "STEP_TOPIC", "TOPICS", "VIDEO_TOPIC",
+    "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Command",
+    "ConfigError", "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event",
+    "Fact", "Facts", "Flight", "HouseflyError", "Identified", "Inputs", "Judgement",
+    "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation",
+    "Obstacle", "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase", "PilotStep",
+    "PlanAnswer", "PlayedScene", "Pose", "RecordingError", "Reference", "ReplayResult", "Room",
+    "RoomClient", "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor",
+    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "Sighting",
+    "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "Telemetry", "ThingError",
+    "TrackedFrame", "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect",
+    "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
+    "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
+]
+# fmt: on
+
+_MODULES = {
+    "app.loaded_site": "LoadedSite load_site",
+    "app.public.campaign": "CampaignResult run_campaign",
+    "app.public.flight": "Flight fly open_flight",
+    "app.public.gains": "choose_gains judge_gains",
+    "app.public.identification": "identify",
+    "app.public.launch": "launch",
+    "app.public.scene": "PlayedScene play_scene",
+    "app.public.simulation": "Simulation",
+    "bus.bus": "Bus",
+    "bus.topics": (
+        "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
+        " ROOM_NEWS_TOPIC SENSOR_TOPIC STEP_TOPIC TOPICS VIDEO_TOPIC"
+    ),
+    "bus.zenoh_bus": "ZenohBus",
+    "config.site": "Site",
+    "drones.ardrone.driver": "ArDrone",
+    "errors": (
+        "ConfigError EditsError HouseflyError LinkError MissingPartError RecordingError"
+        " RoomError StaleEdits StoreError ThingError WireError"
+    ),
+    "hub.client.connect": "connect",
+    "hub.client.room_client": "RoomClient",
+    "lab.identification.result": "Identified",
+    "lab.tuning.advice": "Advice Judgement",
+    "record.replay": "ReplayResult",
+    "record.summary": "Summary",
+    "room.draw": "draw_room text_map",
+    "room.grid": "OccupancyGrid",
+    "room.model": "Room",
+    "room.ros_map": "import_ros_map",
+    "sensors.contracts": "Sensor SensorHealth SensorSink",
+    "sensors.message_rate": "MessageRate",
+    "twin.process": "run_twin",
+}
+"""Names by the module that they come from; all others come from ``housefly.messages``."""
+_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
 
 
-def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
-    """Return a line to a room that runs on this machine, or to one at an address.
+def __dir__() -> list[str]:
+    return list(__all__)
 
-    Args:
-        site: name of the site; "" takes the room that was started last.
-        address: of a console elsewhere, for example http://10.0.0.7:8080, with its ``key``.
-        key: bearer token of that run.
 
-    Raises:
-        LinkError: no room is running here.
-    """
-    from housefly.hub.client.room_client import RoomClient
-    from housefly.hub.client.discovery import find
+if not TYPE_CHECKING:  # or every misspelt name would pass the type check
 
-    if address:
-        return RoomClient(address, key)
-    place = find(site)
-    return RoomClient(place.address, place.key, port=place.port)
+    def __getattr__(name: str) -> object:
+        if name not in __all__:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = getattr(import_module(f"housefly.{_MODULE_OF.get(name, 'messages')}"), name)
+        globals()[name] = value
+        return value

@@ -6,9 +6,12 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from math import inf
 from pathlib import Path
+from typing import Any
 
 import pytest
+from gate_bench import blind
 
 from housefly.app.identification_flight import IdentificationFlight, fly_identification_lockstep
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
@@ -21,8 +24,12 @@ from housefly.lab.identification.maneuver import IdentificationManeuver
 from housefly.lab.identification.pattern import blocks
 from housefly.lab.identification.result import Limits, fit_constants
 from housefly.lab.identification.samples import samples_of
-from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode
-from housefly.pilot.safety.gate import Gate, GateVerdict
+from housefly.messages import Action, DroneStatus, Phase, PilotStep
+from housefly.pilot import assembly
+from housefly.pilot.safety.gate import Gate
+from housefly.pilot.safety.limits import CommandLimits
+from housefly.pilot.site_parameters import pilot_parameters
+from housefly.pilot.step import PilotParameters
 from housefly.twin.world import SimulatedWorld
 
 LIMITS = Limits(0.21, 0.7, 1.75)
@@ -86,7 +93,9 @@ def test_the_hidden_constants_of_a_simulated_drone_are_found(seed: int) -> None:
         if step.outputs.estimate and step.now > began and step.outputs.phase is Phase.HOLDING
     ]
     assert all(inside) and len(inside) > 1000
-    found = fit_constants(samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), LIMITS)
+    found = fit_constants(
+        samples_of(steps, tuple(maneuver.flown), believed.site.tracking.body), LIMITS
+    )
     assert not found.problems
     truth = {"attitude_lag": 5.0 + seed, "attitude_gain": 0.9, "drag": 0.4, "climb_lag": 2.0}
     for key, value in truth.items():
@@ -174,24 +183,24 @@ def broken_flight(
     return outcome, steps, maneuver
 
 
-def test_what_a_maneuver_asks_goes_through_the_last_gate(monkeypatch: pytest.MonkeyPatch) -> None:
+def unlimited(*site: Any) -> PilotParameters:
+    return pilot_parameters(*site)._replace(limits=CommandLimits(inf, inf, inf))
+
+
+@pytest.mark.parametrize(("guarded", "tilt"), [(True, 0.21), (False, 3.0)])
+def test_what_a_maneuver_asks_goes_through_the_last_gate(
+    guarded: bool, tilt: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
     loaded = open_site(read_site("bsen"))
     monkeypatch.setattr(
         "housefly.lab.identification.pattern.Block.asked", lambda self, elapsed: 3.0
     )
-    biggest: list[float] = []
-    for judge in (
-        Gate.judge,
-        lambda self, command, facts: GateVerdict(command, SafetyMode.NOMINAL),
-    ):
-        monkeypatch.setattr(Gate, "judge", judge)
-        _, steps, _, _ = flight(loaded, loaded, repeats=1)
-        flown = [
-            step.outputs.command for step in steps if step.outputs.command.action is Action.FLY
-        ]
-        biggest.append(max(abs(command.setpoint.theta) for command in flown))
-    assert biggest[0] == pytest.approx(0.21)
-    assert biggest[1] == pytest.approx(3.0)
+    if not guarded:
+        monkeypatch.setattr(Gate, "assess", lambda self, inputs: blind(inputs))
+        monkeypatch.setattr(assembly, "pilot_parameters", unlimited)
+    _, steps, _, _ = flight(loaded, loaded, repeats=1)
+    flown = [step.outputs.command for step in steps if step.outputs.command.action is Action.FLY]
+    assert max(abs(command.setpoint.theta) for command in flown) == pytest.approx(tilt)
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,10 @@ from math import nan
 from typing import Any
 
 import pytest
+from gate_bench import blind
 
 from housefly.geometry import distance
-from housefly.messages import Action, Command, DroneStatus, OrderKind, Phase, SafetyMode
-from housefly.pilot.safety.gate import GateVerdict
+from housefly.messages import Action, DroneStatus, OrderKind, Phase, SafetyMode
 
 Fly = Callable[..., Any]
 
@@ -58,22 +58,18 @@ def test_tracking_older_than_two_seconds_lands_and_nothing_moves_without_a_fresh
     flight.until(lambda o: o.phase is Phase.LOOKING)
 
 
-def _straight_through(gate: Any) -> Callable[[Command, Any], GateVerdict]:
-    return lambda command, facts: GateVerdict(command, SafetyMode.NOMINAL)
-
-
 def test_without_the_gate_the_same_loss_of_tracking_does_harm(fly: Fly) -> None:
     strayed = {}
-    for gated in (True, False):
+    for guarded in (True, False):
         flight = fly(wind=(0.0, 0.0))
         flight.take_off()
         flight.wind = (0.3, 0.2)
-        if not gated:
-            flight.pilot._gate.judge = _straight_through(flight.pilot._gate)
+        if not guarded:
+            flight.pilot._gate.assess = blind
         flight.tracking.gaps = ((flight.now, 1e9),)
         start = (flight.body.x, flight.body.y)
         flight.run(8.0)
-        strayed[gated] = distance((flight.body.x, flight.body.y), start)
+        strayed[guarded] = distance((flight.body.x, flight.body.y), start)
     assert strayed[True] < 0.5
     assert strayed[False] > 2.0
 
@@ -147,7 +143,7 @@ def test_a_drone_blown_out_of_its_map_is_landed(fly: Fly) -> None:
     assert flight.told("outside_fence")
 
 
-def test_a_drone_that_lands_by_itself_or_cuts_out_ends_the_errand_in_words(fly: Fly) -> None:
+def test_a_drone_that_lands_by_itself_or_cuts_out_ends_the_mission_in_words(fly: Fly) -> None:
     flight = cruising(fly())
     flight._become(DroneStatus.LANDING)
     landed(flight)

@@ -13,9 +13,9 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from housefly import navigator
 from housefly.geometry import stopping_distance
 from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
+from housefly.pilot import navigator
 from housefly.pilot.assembly import make_pilot, warm_up
 from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
 from housefly.pilot.behavior.mission_signals import WAITING_TIMEOUT
@@ -97,7 +97,7 @@ def test_a_chair_put_on_the_path_is_never_touched_and_the_drone_arrives(
     assert flight.told("way_blocked") == (metres < 1.5)
 
 
-def test_it_stops_within_one_stopping_distance_and_three_tenths_and_has_a_new_way_three_tenths_later(
+def test_it_stops_within_one_stopping_distance_and_three_tenths_and_soon_has_a_new_way(
     fly: Fly,
 ) -> None:
     flight = underway(fly)

@@ -61,7 +61,7 @@ def test_land_comes_down_where_the_drone_is(fly: Fly) -> None:
     assert flight.status is DroneStatus.LANDED and outputs.command.action is Action.IDLE
 
 
-def test_hover_ends_the_errand_and_holds_here(fly: Fly) -> None:
+def test_hover_ends_the_mission_and_holds_here(fly: Fly) -> None:
     flight = fly()
     flight.depart(6.0)
     outputs = flight.step(flight.order(OrderKind.HOVER))

@@ -165,7 +165,7 @@ async def test_the_drone_serves_on_while_its_camera_is_killed_and_comes_back(sta
     (camera,) = [
         child
         for child in psutil.Process(process.pid).children()
-        if "camera_child" in " ".join(child.cmdline())
+        if "camera.child" in " ".join(child.cmdline())
     ]
     camera.kill()
     text = await line(process)

@@ -48,16 +48,16 @@ class DepthService:
     def reports(self) -> tuple[SensorReport, ...]:
         """Return the state of each camera, and of a sender that is no camera of this site."""
         with self._lock:
-            told = [
+            reports = [
                 self._report(name, rate, self._clock.now()) for name, rate in self._rates.items()
             ]
-            return (*told, *self._strangers(self._clock.now()))
+            return (*reports, *self._strangers(self._clock.now()))
 
     def _report(self, name: str, rate: MessageRate, now: float) -> SensorReport:
         age = rate.age(now)
-        is_heard = age <= CAMERA_SILENT_AFTER
-        problem = self._refusal(name, now) or ("" if is_heard else f"{name}: no depth images")
-        return SensorReport(name, "depth camera", is_heard, rate.rate_hz(now), age, problem)
+        is_sending = age <= CAMERA_SILENT_AFTER
+        problem = self._refusal(name, now) or ("" if is_sending else f"{name}: no depth images")
+        return SensorReport(name, "depth camera", is_sending, rate.rate_hz(now), age, problem)
 
     def _strangers(self, now: float) -> tuple[SensorReport, ...]:
         problem = self._refusal("", now)

@@ -191,7 +191,7 @@ async def _fly(
     )
     interrupted = threading.Event()
 
-    def heard(step: PilotStep) -> None:
+    def on_pilot_step(step: PilotStep) -> None:
         on_step(step)
         if flight.outcome or interrupted.is_set():
             return
@@ -208,7 +208,7 @@ async def _fly(
     loop = asyncio.get_running_loop()
     for number in (signal.SIGINT, signal.SIGTERM):
         loop.add_signal_handler(number, interrupt)
-    subscription = bus.subscribe(STEP_TOPIC, heard)
+    subscription = bus.subscribe(STEP_TOPIC, on_pilot_step)
     try:
         await shell.run()
     finally:

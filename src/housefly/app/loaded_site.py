@@ -10,6 +10,8 @@ from housefly import sites
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, EditsError
+from housefly.geometry import Vec2
+from housefly.messages import PlanAnswer
 from housefly.room.edit_versions import EditVersions
 from housefly.room.edits import edited, room_of
 from housefly.room.files import load_room
@@ -25,6 +27,40 @@ class LoadedSite:
     site: Site
     room: Room
     grid: OccupancyGrid
+
+    def plan(self, goal: str | Vec2, start: str | Vec2 = "home") -> PlanAnswer:
+        """Return the way from a start to a goal, or the reason why there is none.
+
+        Both are the name of a place, or world xy [m]. Raises ConfigError for an unknown place.
+        """
+        from housefly.pilot.navigator import RoomNavigator
+
+        navigator = RoomNavigator(self.site, self.room, self.grid)
+        return navigator.route(self.point_of(start), self.point_of(goal))
+
+    def point_of(self, place: str | Vec2) -> Vec2:
+        """Return where the drone hovers at a place [m]; raises ConfigError for an unknown one."""
+        if not isinstance(place, str):
+            return place
+        try:
+            return self.room.place(place).viewpoint
+        except KeyError as error:
+            raise ConfigError("place", str(error.args[0])) from error
+
+
+def load_site(name: str = "bsen", **changes: Any) -> LoadedSite:
+    """Load a site with its room and map.
+
+    Args:
+        name: a site file, a folder with ``site.toml``, or the name of a shipped site.
+        changes: of its keys (``docs/site.md``), with two underscores for the dot:
+            ``twin__seed=7``.
+
+    Raises:
+        ConfigError: naming the key, the value and what is allowed.
+        RoomError: the room cannot be read.
+    """
+    return open_site(read_site(name, **changes))
 
 
 def site_file(name: str) -> Path:

@@ -82,19 +82,19 @@ class PerceptionProcess:
         )
 
     async def _report_sensors(self) -> None:
-        told: tuple[str, ...] = ()
+        printed: tuple[str, ...] = ()
         while True:
             await asyncio.sleep(_REPORT_PERIOD)
             reports = self._reports()
             for report in reports:
                 self._bus.publish(SENSOR_TOPIC, report)
             problems = tuple(report.problem for report in reports if report.problem)
-            if problems != told:
+            if problems != printed:
                 print(
                     f"perception: {'; '.join(problems) or 'everything that looks is heard'}",
                     flush=True,
                 )
-                told = problems
+                printed = problems
 
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:

@@ -22,7 +22,7 @@ class PilotQueryServer:
 
     def __init__(self, loaded: LoadedSite, bus: Bus) -> None:
         self._room = to_json(room_view(loaded))
-        self._premises = loaded
+        self._loaded = loaded
         self._pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
         self._drone_at: Vec2 = loaded.room.home
         self._open = [
@@ -47,7 +47,7 @@ class PilotQueryServer:
         start = request.start or self._drone_at
         if request.place:
             try:
-                goal = self._premises.room.place(request.place).viewpoint
+                goal = self._loaded.room.place(request.place).viewpoint
             except KeyError as error:
                 return PlanAnswer(start, start, None, str(error.args[0]))
         elif request.goal is not None:

@@ -8,7 +8,6 @@ from math import inf
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from housefly.app.console_camera import ConsoleCamera
 from housefly.app.headless import fly_over_wires
@@ -32,6 +31,7 @@ from housefly.lab.reproduction.angular_step import AngularStep, fit_step
 from housefly.lab.reproduction.fig11_angles import ALPHA
 from housefly.lab.reproduction.flight import FlightTracks, flight_tracks
 from housefly.messages import Order, OrderKind, PilotStep
+from housefly.numeric import FloatArray
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
 from housefly.twin.world import SimulatedWorld
@@ -39,7 +39,6 @@ from housefly.twin.world import SimulatedWorld
 _GOAL = "entrance"
 _LOOK = 4.0
 """How long the drone looks [s]."""
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

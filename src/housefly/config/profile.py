@@ -11,7 +11,7 @@ from housefly.config.toml import read_toml
 from housefly.errors import ConfigError
 
 
-class ConstantOf(NamedTuple):
+class DroneConstant(NamedTuple):
     """One constant of a drone.
 
     Attributes:
@@ -27,17 +27,17 @@ class ConstantOf(NamedTuple):
     meaning: str
 
 
-CONSTANTS: dict[str, ConstantOf] = {
-    "attitude_gain": ConstantOf(
+CONSTANTS: dict[str, DroneConstant] = {
+    "attitude_gain": DroneConstant(
         "1", 0.2, 2.0, "c / lambda of paper eq. (22): achieved over commanded angle"
     ),
-    "attitude_lag": ConstantOf(
+    "attitude_lag": DroneConstant(
         "1/s", 0.5, 50.0, "lambda of paper eq. (22): pole of the attitude response"
     ),
-    "command_delay": ConstantOf("s", 0.0, 0.5, "from command to first reaction"),
-    "drag": ConstantOf("1/s", 0.0, 5.0, "linear drag over mass"),
-    "climb_lag": ConstantOf("1/s", 0.2, 50.0, "pole of the climb rate response"),
-    "yaw_lag": ConstantOf("1/s", 0.2, 50.0, "pole of the yaw rate response"),
+    "command_delay": DroneConstant("s", 0.0, 0.5, "from command to first reaction"),
+    "drag": DroneConstant("1/s", 0.0, 5.0, "linear drag over mass"),
+    "climb_lag": DroneConstant("1/s", 0.2, 50.0, "pole of the climb rate response"),
+    "yaw_lag": DroneConstant("1/s", 0.2, 50.0, "pole of the yaw rate response"),
 }
 """By the key that the constant has in ``[drone]`` of a site file."""
 

@@ -28,6 +28,7 @@ from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
 from housefly.config.twin import TwinConfig
 from housefly.config.validation import validated
 from housefly.config.web import WebConfig
+from housefly.errors import ConfigError
 
 Mode = Literal["default", "paper"]
 
@@ -127,6 +128,8 @@ def changed(site: Site, **values: Any) -> Site:
         *parents, leaf = key.split("__")
         branch = tree
         for parent in parents:
-            branch = branch[parent]
+            branch = branch.get(parent)
+            if not isinstance(branch, dict):
+                raise ConfigError(key.replace("__", "."), "is not a known key")
         branch[leaf] = value
     return site_from_tree(tree)

@@ -89,7 +89,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         key = os.environ.get(ROOM_KEY, "")
         asyncio.run(
-            _run_hub(site_from_file(options.site), options.site.parent, options.bus, options.port, key)
+            _run_hub(
+                site_from_file(options.site), options.site.parent, options.bus, options.port, key
+            )
         )
     except HouseflyError as error:
         print(f"hub: {error}", file=sys.stderr)

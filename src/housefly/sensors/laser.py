@@ -12,12 +12,12 @@ from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
 from housefly.wires.scip import (
-    ScipScan,
     MeasureRequest,
     PlainRequest,
     ScannerParameters,
     ScipReply,
     ScipRequest,
+    ScipScan,
     decode_measurement,
     decode_reply,
     encode_request,

@@ -7,10 +7,6 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.config.site import Site
-from housefly.errors import RoomError
-from housefly.lab.identification.box import Box, find_box, free_reach
-from housefly.lab.identification.maneuver import REST_TIME, IdentificationManeuver
 from housefly.lab.identification.pattern import (
     TILT_AXES,
     Axis,
@@ -19,13 +15,9 @@ from housefly.lab.identification.pattern import (
     excursion,
     largest_excursion,
 )
-from housefly.messages import Action, Command, Estimate
 from housefly.pilot.control.model import Constants, DroneState, drone_step
-from housefly.room.files import load_room
-from housefly.room.grid import build_grid
 
 PLAN = blocks(4, 0.21)
-HOLD = Command(Action.HOVER)
 
 
 @settings(max_examples=40, deadline=None)
@@ -77,80 +69,3 @@ def test_a_block_asks_of_its_own_axis_alone(block: Block) -> None:
     }
     assert asked.pop(block.axis) == block.amplitude
     assert set(asked.values()) == {0.0}
-
-
-@pytest.fixture(scope="module")
-def grid() -> object:
-    return build_grid(load_room("bsen"), Site())
-
-
-def test_the_box_is_free_air_and_near_the_pad(grid: object) -> None:
-    room = load_room("bsen")
-    box = find_box(grid, room.home, 0.62, 1.1)  # type: ignore[arg-type]
-    assert free_reach(grid, box.centre) >= 0.6  # type: ignore[arg-type]
-    assert np.hypot(box.centre[0] - room.home[0], box.centre[1] - room.home[1]) < 4.0
-
-
-def test_a_room_without_so_much_room_says_where_the_most_is(grid: object) -> None:
-    with pytest.raises(
-        RoomError, match=r"no free square of 6\.0 m anywhere: the most room is .* around \("
-    ):
-        find_box(grid, (10.0, 2.0), 3.0, 1.1)  # type: ignore[arg-type]
-
-
-def at(x: float, now: float, *, age: float = 0.01, speed: float = 0.0) -> Estimate:
-    return Estimate(now, (x, 0.0, 1.1), (speed, 0.0, 0.0), 0.0, age, 0.001)
-
-
-def begun() -> tuple[IdentificationManeuver, float]:
-    """Return a maneuver in the middle of its first block, and the time."""
-    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
-    while not maneuver.flown:
-        maneuver.propose(now, at(0.0, now), HOLD)
-        now += 0.01
-    for _ in range(20):
-        command = maneuver.propose(now, at(0.05, now), HOLD)
-        assert command.setpoint.theta == PLAN[0].amplitude
-        now += 0.01
-    return maneuver, now
-
-
-def test_a_block_begins_only_after_rest_in_the_middle() -> None:
-    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
-    for _ in range(300):
-        assert maneuver.propose(now, at(0.0, now, speed=0.2), HOLD) is HOLD
-        now += 0.01
-    calm_since = now
-    while not maneuver.flown:
-        maneuver.propose(now, at(0.0, now), HOLD)
-        now += 0.01
-    assert maneuver.flown[0].began - calm_since == pytest.approx(REST_TIME, abs=0.02)
-
-
-@pytest.mark.parametrize(
-    ("x", "age", "later", "words"),
-    [
-        (0.7, 0.01, 0.01, "left the box"),
-        (0.05, 0.3, 0.01, "tracking was lost for 0.30 s"),
-        (0.05, 0.01, 0.5, "interrupted in the middle of a step"),
-    ],
-)
-def test_a_block_is_given_up_and_never_taken_up_again(
-    x: float, age: float, later: float, words: str
-) -> None:
-    maneuver, now = begun()
-    now += later
-    assert maneuver.propose(now, at(x, now, age=age), HOLD) is HOLD
-    assert words in maneuver.problem
-    assert maneuver.finished
-    for _ in range(100):
-        now += 0.01
-        assert maneuver.propose(now, at(0.0, now), HOLD) is HOLD
-
-
-def test_a_drone_that_never_rests_is_given_up() -> None:
-    maneuver, now = IdentificationManeuver(PLAN, Box((0.0, 0.0), 0.62, 1.1)), 0.0
-    while not maneuver.finished and now < 60.0:
-        maneuver.propose(now, at(0.0, now, speed=0.5), HOLD)
-        now += 0.05
-    assert "did not come to rest within 25 s" in maneuver.problem

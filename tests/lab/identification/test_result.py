@@ -71,7 +71,9 @@ def test_what_is_left_is_the_noise_of_tracking(fly_pattern: Fly) -> None:
 def test_a_model_without_the_delay_would_be_noticed(fly_pattern: Fly) -> None:
     blocks = fly_pattern(Constants(7.0, 1.0, 0.58, 1.4, 15.0), 0.1, 7)
     early = tuple(replace(block, sent_at=block.sent_at + 0.1) for block in blocks)
-    right, wrong = (fit_constants(flown, LIMITS).constants["command_delay"] for flown in (blocks, early))
+    right, wrong = (
+        fit_constants(flown, LIMITS).constants["command_delay"] for flown in (blocks, early)
+    )
     assert right.low <= 0.1 <= right.high
     assert not wrong.low <= 0.1 <= wrong.high
 
@@ -106,7 +108,9 @@ def test_no_excitation_is_refused(flown: tuple[Samples, ...]) -> None:
         replace(block, sent=0.0 * block.sent) if block.block.axis is Axis.ROLL else block
         for block in flown
     )
-    assert "roll: nothing was commanded in a step (no excitation)" in only(fit_constants(still, LIMITS))
+    assert "roll: nothing was commanded in a step (no excitation)" in only(
+        fit_constants(still, LIMITS)
+    )
 
 
 def test_a_saturated_command_is_refused(flown: tuple[Samples, ...]) -> None:

@@ -50,7 +50,8 @@ def test_the_recommended_pair_keeps_every_promise(
     assert found.margins.gain >= MIN_GAIN_MARGIN and found.margins.phase >= MIN_PHASE_MARGIN
     assert found.margins.delay >= max(MIN_DELAY_MARGIN, 1.0 / rate)
     assert all(
-        wrong.gain >= WRONG_LAG_GAIN_MARGIN and wrong.phase >= WRONG_LAG_PHASE_MARGIN for _, wrong in found.wrong_lag
+        wrong.gain >= WRONG_LAG_GAIN_MARGIN and wrong.phase >= WRONG_LAG_PHASE_MARGIN
+        for _, wrong in found.wrong_lag
     )
     assert found.loop.beta < lag * found.loop.alpha
     assert found.loop.beta * question.step <= GRAVITY * 0.2132

@@ -145,9 +145,7 @@ def test_the_law_for_any_heading_is_an_exact_inverse_and_the_papers_at_its_two_h
         assert is_zero(roll.subs(psi, heading) - PRINTED_21.subs(turned, simultaneous=True))
 
 
-def test_equations_24_and_25_are_the_transforms_of_22_and_23_with_the_static_gain_c_over_lambda() -> (
-    None
-):
+def test_equations_24_and_25_are_the_transforms_of_22_and_23_with_gain_c_over_lambda() -> None:
     answer, asked = sp.symbols("Theta Theta_des")
     transfer = sp.solve(sp.Eq(s * answer + lam * answer, c * asked), answer)[0] / asked
     assert is_zero(transfer - c / (s + lam))
@@ -177,7 +175,7 @@ def test_with_the_lag_the_loop_is_stable_exactly_when_beta_is_below_lambda_alpha
 
 
 def test_the_remark_after_21_turns_the_sign_of_the_gains_that_15_asks_for() -> None:
-    """With x := x_ref - x and x' := -x' in the law, the error obeys (13) with both gains negated."""
+    """With x := x_ref - x and x' := -x', the error obeys (13) with both gains negated."""
     a, b, reference, pole = sp.symbols("a b r s", real=True)
     place = sp.Function("x")(t)
     law = {place.diff(t, 2): a * (0 - place.diff(t)) + b * (reference - place)}

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from math import atan2, pi
+from math import atan2, hypot, pi
 
 import numpy as np
 import pytest
@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from housefly.config.site import Site
 from housefly.geometry import GRAVITY
+from housefly.pilot.behavior.acceptor import AcceptorState
 from housefly.pilot.control.steering import (
     ControlOutput,
     ControlReference,
@@ -17,10 +18,13 @@ from housefly.pilot.control.steering import (
     paper_control_output,
 )
 from housefly.pilot.estimation.estimator import ControlState
-from housefly.pilot.safety.limits import limited, too_old
 from housefly.pilot.site_parameters import gains_of
 
-GAINS = gains_of(Site())
+SITE = Site()
+GAINS = gains_of(SITE.drone, SITE.control, SITE.limits)
+HERE = ControlState((1.0, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
+AT_REST = ControlReference((1.0, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
+pair = st.tuples(st.floats(-5.0, 5.0), st.floats(-5.0, 5.0))
 pairs = st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4))
 aims = st.builds(ControlReference, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
 wheres = st.builds(ControlState, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
@@ -70,20 +74,19 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
         where._replace(disturbance=(0.0, 0.0)),
         GAINS,
     )
-    assert paper_control_output(0, aim, where, GAINS) == ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
-    assert tuple(paper_control_output(1, aim, where, GAINS)) == pytest.approx(
-        (0.0, 0.0, whole.vz, 0.0, 0.0), abs=1e-12
-    )
-    yaw_only = paper_control_output(2, aim, where, GAINS)
-    assert yaw_only[:3] == (0.0, 0.0, 0.0) and abs(yaw_only.yaw_rate) == pytest.approx(
-        abs(whole.yaw_rate), abs=1e-9
-    )
+    still = paper_control_output(AcceptorState.HOVER, aim, where, GAINS)
+    assert still == ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+    climb = paper_control_output(AcceptorState.ALTITUDE_CONTROL, aim, where, GAINS)
+    assert tuple(climb) == pytest.approx((0.0, 0.0, whole.vz, 0.0, 0.0), abs=1e-12)
+    turn = paper_control_output(AcceptorState.YAW_CONTROL, aim, where, GAINS)
+    assert turn[:3] == (0.0, 0.0, 0.0)
+    assert abs(turn.yaw_rate) == pytest.approx(abs(whole.yaw_rate), abs=1e-9)
     e = np.array(aim.position) - where.position
     a = GAINS.beta * e - GAINS.alpha * np.array(where.velocity)
     sign = 1.0 if heading == 0.0 else -1.0
     theta = atan2(sign * a[0], GRAVITY)
     phi = -atan2(np.cos(theta) * sign * a[1], GRAVITY)
-    path = paper_control_output(3, aim, where, GAINS)
+    path = paper_control_output(AcceptorState.PATH_TRACKING, aim, where, GAINS)
     assert path[:2] == pytest.approx(
         (np.clip(theta, -0.21, 0.21), np.clip(phi, -0.21, 0.21)), abs=1e-12
     )
@@ -93,19 +96,52 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
 def test_without_the_wrap_the_heading_error_at_the_cut_is_a_full_turn() -> None:
     aim = ControlReference((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, pi)
     where = ControlState((0.0, 0.0), (0.0, 0.0), (0.0, 0.0), 1.0, -pi + 0.01)
-    assert paper_control_output(2, aim, where, GAINS).yaw_rate == pytest.approx(-0.01 * GAINS.yaw)
+    asked = paper_control_output(AcceptorState.YAW_CONTROL, aim, where, GAINS)
+    assert asked.yaw_rate == pytest.approx(-0.01 * GAINS.yaw)
+    literal = GAINS._replace(wraps=False)
+    unwrapped = paper_control_output(AcceptorState.YAW_CONTROL, aim, where, literal)
+    assert unwrapped.yaw_rate == GAINS.turn_max
+
+
+def test_a_drone_that_is_where_it_should_be_is_told_nothing() -> None:
+    s = control_output(AT_REST, HERE, GAINS)
+    assert tuple(s) == pytest.approx((0.0, 0.0, 0.0, 0.0, 0.0))
+
+
+def test_a_drone_that_moves_with_its_reference_is_only_told_to_overcome_drag() -> None:
+    delay = SITE.drone.command_delay
+    aim = ControlReference((1.0, 2.0), (0.5, 0.0), (0.0, 0.0), 1.1, 0.0)
+    where = ControlState((1.0 + 0.5 * delay, 2.0), (0.5, 0.0), (0.0, 0.0), 1.1, 0.0)
+    leaned = SITE.drone.drag * 0.5 / GRAVITY
+    assert control_output(aim, where, GAINS).theta == pytest.approx(leaned, abs=1e-3)
+
+
+def test_a_disturbance_is_leaned_against() -> None:
+    pushed = ControlState((1.0, 2.0), (0.0, 0.0), (0.2, -0.1), 1.1, 0.0)
+    s = control_output(AT_REST, pushed, GAINS)
+    assert s.theta < 0.0 and s.phi < 0.0
+
+
+@given(pair, pair, st.floats(-pi, pi))
+def test_mode_default_never_tilts_further_than_allowed_in_any_direction(
+    place: tuple[float, float], v: tuple[float, float], yaw: float
+) -> None:
+    s = control_output(AT_REST, ControlState(place, v, (0.0, 0.0), 0.0, yaw), GAINS)
+    assert hypot(s.theta, s.phi) <= SITE.limits.tilt_max + 1e-12
     assert (
-        paper_control_output(2, aim, where, GAINS._replace(wraps=False)).yaw_rate == GAINS.turn_max
+        abs(s.vz) <= SITE.limits.vertical_speed_max and abs(s.yaw_rate) <= SITE.limits.yaw_rate_max
     )
 
 
-@given(st.tuples(*[st.floats(-5.0, 5.0)] * 4))
-def test_limits_make_smaller_and_never_larger(asked: tuple[float, float, float, float]) -> None:
-    passed = limited(*asked, 0.21, 0.7, 1.75)
-    assert passed == pytest.approx(
-        tuple(np.clip(asked, [-0.21, -0.21, -0.7, -1.75], [0.21, 0.21, 0.7, 1.75]))
-    )
+@pytest.mark.parametrize("yaw", [0.0, pi])
+def test_mode_paper_pushes_towards_the_waypoint_at_both_of_its_headings(yaw: float) -> None:
+    aim = ControlReference((1.5, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, yaw)
+    where = HERE._replace(yaw=yaw)
+    asked = paper_control_output(AcceptorState.PATH_TRACKING, aim, where, GAINS)
+    assert (asked.theta > 0.0) == (yaw == 0.0)
 
 
-def test_an_age_that_is_no_number_is_too_old() -> None:
-    assert too_old(float("nan"), 1.0) and too_old(1.1, 1.0) and not too_old(1.0, 1.0)
+def test_mode_paper_clips_each_axis_by_itself() -> None:
+    far = ControlReference((9.0, 2.3), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
+    s = paper_control_output(AcceptorState.PATH_TRACKING, far, HERE, GAINS)
+    assert s.theta == SITE.limits.tilt_max and 0.0 < -s.phi < SITE.limits.tilt_max

@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint
-from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS
+from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint, Severity
+from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, GateNotices, GateVerdict
 from housefly.pilot.safety.rules import (
     AIRBORNE_STATUSES,
     MODE_SEVERITY,
@@ -24,6 +24,9 @@ LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
 FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
+CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
+OLD = GateVerdict(Command(Action.HOVER), SafetyMode.LEVEL, "tracking_old", "old")
+LOST = GateVerdict(Command(Action.HOVER), SafetyMode.LAND, "tracking_lost", "lost")
 BOLDNESS = {
     Action.FLY: 3,
     Action.TAKE_OFF: 3,
@@ -198,3 +201,27 @@ def test_every_rule_has_words_and_a_name_of_its_own() -> None:
     assert len({rule.code for rule in SAFETY_RULES}) == len(SAFETY_RULES)
     for rule in SAFETY_RULES:
         assert rule.words(FINE, LIMITS)
+
+
+def test_a_trouble_is_told_at_once_and_its_end_when_it_has_lasted() -> None:
+    notices = GateNotices()
+    assert [event.code for event in notices.update(OLD, 1.0)] == ["tracking_old"]
+    assert notices.update(OLD, 1.5) == ()
+    assert notices.update(CLEAR, 2.0) == ()
+    assert [event.code for event in notices.update(CLEAR, 3.0)] == ["safety_clear"]
+    assert notices.update(CLEAR, 9.0) == ()
+
+
+def test_a_trouble_that_comes_and_goes_is_told_once() -> None:
+    notices = GateNotices()
+    told = [
+        event for n in range(100) for event in notices.update(OLD if n % 4 < 2 else CLEAR, 0.1 * n)
+    ]
+    assert len(told) == 1
+
+
+def test_a_worse_trouble_is_told_although_another_is_known() -> None:
+    notices = GateNotices()
+    notices.update(OLD, 1.0)
+    (worse,) = notices.update(LOST, 2.0)
+    assert worse.severity is Severity.FAULT and worse.text == "lost"

@@ -209,7 +209,7 @@ async def test_a_client_learns_who_serves_and_what_is_tracked(loopback: str) -> 
 async def test_a_client_that_falls_silent_gets_no_more_frames(
     loopback: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(natnet_server, "LEASE", 0.3)
+    monkeypatch.setattr(natnet_server, "_CLIENT_TIMEOUT", 0.3)
     async with served(loopback) as server:
         silent, alive = await Client.to(loopback), await Client.to(loopback)
         for client in (silent, alive):

@@ -1,1 +1,1 @@
-"""The closed loop for thousands of drones at once, made of the functions that the live pilot calls."""
+"""The closed loop for thousands of drones at once, with the compiled step of the live pilot."""

@@ -12,9 +12,8 @@ from housefly.pilot.behavior.path_progress import PathProgress
 from housefly.pilot.control.steering import Gains
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
 from housefly.pilot.estimation.estimator import EstimatorParameters, PoseEstimate, axis_model
-from housefly.pilot.step import PilotParameters
 from housefly.pilot.safety.limits import CommandLimits
-from housefly.pilot.step import Guidance, StepState, progress_started
+from housefly.pilot.step import Guidance, PilotParameters, StepState, progress_started
 
 
 class TaskState(NamedTuple):

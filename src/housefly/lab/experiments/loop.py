@@ -180,7 +180,7 @@ def ticks_of(route: Route, case: Any) -> int:
 
 @compiled
 def _prepared(case: Any, desk: Desk) -> Camera:
-    """Clear the desk and return the tracking system; its frames begin anywhere in their interval."""
+    """Clear the desk and return the tracking system; its first frame comes at random."""
     sown(desk.random, case.seed)
     cleared(desk.score[0])
     for row in range(desk.history.size):

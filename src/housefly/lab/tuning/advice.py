@@ -184,7 +184,10 @@ def _keeps(question: GainQuestion, loop: Loop) -> bool:
     return (
         is_stable(later)
         and _has(loop, MIN_GAIN_MARGIN, MIN_PHASE_MARGIN)
-        and all(is_stable(other) and _has(other, WRONG_LAG_GAIN_MARGIN, WRONG_LAG_PHASE_MARGIN) for other in wrong)
+        and all(
+            is_stable(other) and _has(other, WRONG_LAG_GAIN_MARGIN, WRONG_LAG_PHASE_MARGIN)
+            for other in wrong
+        )
     )
 
 

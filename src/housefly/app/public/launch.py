@@ -1,0 +1,57 @@
+"""Starts the processes of a site and joins their bus."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from housefly.app.compiling import CompiledPart, compile_once
+from housefly.app.launcher import Launcher, processes_of
+from housefly.app.loaded_site import LoadedSite, with_newest_edits
+from housefly.app.ports import refuse_taken_ports
+from housefly.app.public.temporary_folder import TemporaryFolder
+from housefly.app.readiness import Readiness
+from housefly.app.runtime import discovery_entry, new_runtime
+from housefly.bus.bus import Bus
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.errors import LinkError
+from housefly.hub.client.discovery import announced
+
+_START_TIMEOUT = 60.0
+"""Longest time until pilot, tracking and drone answer [s]."""
+
+
+@contextmanager
+def launch(loaded: LoadedSite, *, logs: str | Path | None = None) -> Iterator[Bus]:
+    """Start everything that a site needs but the console, and yield its bus when it can fly.
+
+    Pilot, hub and, where the site enables it, the simulated room run as processes of their own
+    until the block ends; the drone lands first. ``connect`` finds the room meanwhile.
+
+    Args:
+        loaded: what to start, with the newest places and zones of the ROOM screen.
+        logs: folder for the output of the processes; None takes a temporary one.
+
+    Raises:
+        LinkError: a port is taken, or something did not answer in time.
+    """
+    site, _ = with_newest_edits(loaded.site)
+    refuse_taken_ports(site, web=False)
+    compile_once(CompiledPart.CHAIN, lambda words: None)
+    temporary = TemporaryFolder() if logs is None else None
+    folder = temporary.path if temporary else Path(logs or "")
+    folder.mkdir(parents=True, exist_ok=True)
+    runtime = new_runtime(site, folder)
+    has_video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
+    with (
+        announced(discovery_entry(runtime)),
+        Launcher(runtime, folder, processes_of(runtime, web=False)),
+        ZenohBus(connect=runtime.bus) as bus,
+    ):
+        missing = Readiness(runtime.site(), bus, web=False, video=has_video).wait(_START_TIMEOUT)
+        if missing:
+            raise LinkError(f"not ready after {_START_TIMEOUT:.0f} s: {missing}")
+        yield bus
+    if temporary is not None:
+        temporary.remove()

@@ -1,0 +1,68 @@
+"""The simulated room with a pilot in it, for a loop of one's own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from housefly.app.loaded_site import LoadedSite
+from housefly.app.lockstep_perception import LockstepPerception
+from housefly.messages import Estimate, Inputs, Order, PilotStep
+from housefly.pilot.assembly import make_pilot
+from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.movable import Movable
+from housefly.twin.people import load_scene
+from housefly.twin.world import SimulatedWorld
+
+
+class Simulation:
+    """The simulated room and its pilot on a stepped clock.
+
+    One round is ``advance``, ``inputs``, ``step``. In between, the world can be changed, and so can
+    what the pilot is given; no round is skipped.
+
+    Args:
+        loaded: site, room and map.
+        movables: things that no map shows.
+
+    Attributes:
+        world: the simulated room, its visitor and its movable things.
+        pilot: the pilot that ``step`` asks.
+    """
+
+    def __init__(self, loaded: LoadedSite, movables: tuple[Movable, ...] = ()) -> None:
+        site = loaded.site
+        scene = load_scene(site.twin.scene) if site.twin.scene else None
+        self.world = SimulatedWorld(site, loaded.room, scene, movables)
+        self.pilot = make_pilot(site, loaded.room, loaded.grid)
+        self._room = LockstepRoom(self.world, site)
+        self._perception = LockstepPerception(loaded, self.world)
+        self._period = 1.0 / site.control.rate_hz
+        self._estimate: Estimate | None = None
+        self._sequence = 0
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        return self._room.now
+
+    def advance(self) -> None:
+        """Let the world run for one period of the pilot."""
+        self._room.advance(self._period)
+
+    def inputs(self, *orders: Order) -> Inputs:
+        """Return what the pilot is told now; the orders count as given now."""
+        return Inputs(
+            self._room.sightings(),
+            self._room.telemetry(),
+            tuple(replace(order, issued_at=self.now) for order in orders),
+            self._perception.update(self.now, self._estimate),
+        )
+
+    def step(self, inputs: Inputs) -> PilotStep:
+        """Let the pilot decide, and hand its command to the drone."""
+        outputs = self.pilot.step(self.now, inputs)
+        self._estimate = outputs.estimate
+        self._room.send(outputs.command)
+        step = PilotStep(self._sequence, self.now, inputs, outputs)
+        self._sequence += 1
+        return step

@@ -1,0 +1,103 @@
+"""The questions of a room as methods, for whoever can ask it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.geometry import Vec3
+from housefly.hub.api.answers import (
+    EventAnswer,
+    EventsAnswer,
+    PictureAnswer,
+    PlacedAnswer,
+    PlacedThing,
+    SensorAnswer,
+    SensorsAnswer,
+    ThingAnswer,
+    ThingsAnswer,
+    TrajectoryAnswer,
+    WhereAnswer,
+)
+from housefly.hub.api.questions import (
+    CatalogueQuestion,
+    ContentsQuestion,
+    EventsQuestion,
+    NearQuestion,
+    PictureQuestion,
+    Question,
+    SensorsQuestion,
+    TrajectoryQuestion,
+    WhereQuestion,
+)
+
+
+class RoomQueries(ABC):
+    """Asks one room, running or remembered."""
+
+    @abstractmethod
+    def ask(self, question: Question) -> Any:
+        """Return the answer to a question; raises ThingError if there is no such thing."""
+
+    def where(self, thing: str, at: float | None = None) -> WhereAnswer:
+        """Return where a thing is, by id, name or alias, now or at a time [Unix time, s]."""
+        answer: WhereAnswer = self.ask(WhereQuestion(thing, at))
+        return answer
+
+    def things(self, kind: str = "") -> tuple[ThingAnswer, ...]:
+        """Return the catalogue, of one kind or all of it."""
+        answer: ThingsAnswer = self.ask(CatalogueQuestion(kind))
+        return answer.things
+
+    def near(self, what: str | Vec3, radius: float, kind: str = "") -> tuple[PlacedThing, ...]:
+        """Return what is within a radius [m] of a thing or of a point [m], the closest first."""
+        question = (
+            NearQuestion(radius, thing=what, kind=kind)
+            if isinstance(what, str)
+            else NearQuestion(radius, "", *what, kind)
+        )
+        answer: PlacedAnswer = self.ask(question)
+        return answer.things
+
+    def contents(self, thing: str, at: float | None = None) -> tuple[PlacedThing, ...]:
+        """Return everything inside a thing, however deep, now or at a time [Unix time, s]."""
+        answer: PlacedAnswer = self.ask(ContentsQuestion(thing, at))
+        return answer.things
+
+    def trajectory(
+        self, thing: str, since: float, until: float | None = None, every: float = 0.0
+    ) -> NDArray[np.float64]:
+        """Return where a thing was: rows of Unix time [s], x, y, z [m], shape (n, 4)."""
+        answer: TrajectoryAnswer = self.ask(TrajectoryQuestion(thing, since, until, every))
+        return np.array(answer.rows, dtype=float).reshape(-1, 4)
+
+    def events(
+        self,
+        since: float = 0.0,
+        until: float | None = None,
+        thing: str = "",
+        kind: str = "",
+        cause: str = "",
+        limit: int = 200,
+    ) -> tuple[EventAnswer, ...]:
+        """Return the newest ``limit`` events between two times [Unix time, s], sorted by time."""
+        answer: EventsAnswer = self.ask(EventsQuestion(since, until, thing, kind, cause, limit))
+        return answer.events
+
+    def sensors(self) -> tuple[SensorAnswer, ...]:
+        """Return the health of every sensor."""
+        answer: SensorsAnswer = self.ask(SensorsQuestion())
+        return answer.sensors
+
+    def memory(self) -> str:
+        """Return the state of the room's memory in words."""
+        answer: SensorsAnswer = self.ask(SensorsQuestion())
+        return answer.memory
+
+    def picture(self, at: float | None = None) -> PictureAnswer:
+        """Return everything that has a place, now or at a time [Unix time, s]."""
+        answer: PictureAnswer = self.ask(PictureQuestion(at))
+        return answer

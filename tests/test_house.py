@@ -1,0 +1,47 @@
+"""The house stays one that a newcomer can enter: names, lines, layers, the walk."""
+
+from __future__ import annotations
+
+import ast
+import importlib.util
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+SHARED_NAMES = {"main": "the entry point of every process and of the command line"}
+"""Names that several modules define, and why."""
+
+_spec = importlib.util.spec_from_file_location("house", ROOT / "scripts" / "house.py")
+assert _spec is not None and _spec.loader is not None
+house = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(house)
+
+
+def test_no_two_functions_or_classes_share_a_name_without_a_reason() -> None:
+    twice = {name for name, places in house.public_definitions().items() if len(places) > 1}
+    assert twice == set(SHARED_NAMES)
+
+
+def test_no_line_is_longer_than_a_hundred_columns() -> None:
+    assert house.long_lines() == []
+
+
+def test_the_walk_from_a_sighting_to_a_command_is_thirty_modules() -> None:
+    assert len(house.walk()) <= 30
+
+
+def test_packages_and_loose_modules_stay_few() -> None:
+    packages = [path for path in house.PACKAGE.iterdir() if (path / "__init__.py").exists()]
+    assert len(packages) <= 17
+    assert len(list(house.PACKAGE.glob("*.py"))) - 1 <= 5
+
+
+@pytest.mark.parametrize("folder", ["pilot", "lab/experiments"])
+def test_no_state_of_the_step_is_built_by_position(folder: str) -> None:
+    """Swapping two of five nested fields would pass the type check."""
+    nested = {"EstimatorState", "StepState", "PilotParameters", "EstimatorParameters", "Guidance"}
+    for path in (house.PACKAGE / folder).rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                assert node.func.id not in nested or not node.args, f"{path}:{node.lineno}"
