@@ -29,12 +29,16 @@ FULL_RATE, THIN_RATE = 100.0, 10.0
 READER = """
 import sys, time
 from housefly.hub.store.open import open_store
+from housefly.hub.things.world_model import WorldModel
 store = open_store(sys.argv[1])
 end = time.monotonic() + float(sys.argv[2])
 while time.monotonic() < end:
     begin = time.perf_counter()
-    found = store.latest_at(time.time(), "thing-7")
-    print(1e3 * (time.perf_counter() - begin), bool(found))
+    world = WorldModel()
+    for sample in store.latest_at(time.time(), "thing-7"):
+        world.observe(sample)
+    found = world.where("thing-7")
+    print(1e3 * (time.perf_counter() - begin), found.position is not None)
     time.sleep(0.005)
 """
 
@@ -126,7 +130,7 @@ def writing(folder: Path) -> list[list[object]]:
         ],
         ["size of a row in the file", f"{size:.0f} B", ""],
         [
-            f"where is X, from another process meanwhile ({len(asked)} questions): p50",
+            f"where is X, fused, from another process meanwhile ({len(asked)} questions): p50",
             f"{percentile(asked, 0.5):.2f} ms",
             "",
         ],

@@ -13,12 +13,11 @@ columns, rows = site.grid.shape
 print(f"{site.room.name}: {columns} x {rows} cells of {site.grid.resolution} m")
 
 answer = site.plan("entrance")
-assert answer.path is not None
-size = (
-    f"{answer.path.length:.2f} m, {answer.duration:.0f} s, clearance {answer.path.clearance:.2f} m"
-)
-print(f"to the entrance: {size}")
-print(" -> ".join(f"({x:.2f}, {y:.2f})" for x, y in answer.path.waypoints))
+path = answer.path
+assert path is not None
+words = f"{path.length:.2f} m, {answer.duration:.0f} s, clearance {path.clearance:.2f} m"
+print(f"to the entrance: {words}")
+print(" -> ".join(f"({x:.2f}, {y:.2f})" for x, y in path.waypoints))
 
 refused = site.plan((12.2, 2.5))
 print(f"into the sofa: {refused.reason}; nearest place that works: {refused.suggestion}")

@@ -11,13 +11,14 @@ import housefly
 
 LOST_FROM, LOST_TO = 15.0, 18.0
 
+GO = housefly.Order(housefly.OrderKind.GO, place="entrance")
 simulation = housefly.Simulation(housefly.load_site("bsen"))
-orders = [housefly.Order(housefly.OrderKind.GO, place="entrance")]
 mode, phase = housefly.SafetyMode.NOMINAL, housefly.Phase.IDLE
 
 while simulation.now < LOST_TO or phase is not housefly.Phase.IDLE:
     simulation.advance()
-    inputs = simulation.inputs(*(orders.pop() for _ in orders if simulation.now > 0.5))
+    is_waiting = phase is housefly.Phase.IDLE and simulation.now > 0.5
+    inputs = simulation.inputs(GO) if is_waiting else simulation.inputs()
     if LOST_FROM <= simulation.now < LOST_TO:
         inputs = replace(inputs, sightings=())
     outputs = simulation.step(inputs).outputs

@@ -12,9 +12,8 @@ from mcap_ros2.decoder import DecoderFactory
 import housefly
 
 flight = housefly.fly("sofa", housefly.load_site("bsen"), look_s=1.0)
-print(
-    f"{flight.outcome}; files: {', '.join(sorted(file.name for file in flight.folder.iterdir()))}"
-)
+files = ", ".join(sorted(file.name for file in flight.folder.iterdir()))
+print(f"{flight.outcome}; files: {files}")
 
 with (flight.folder / "flight.mcap").open("rb") as stream:
     reader = make_reader(stream, decoder_factories=[DecoderFactory()])

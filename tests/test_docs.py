@@ -22,7 +22,7 @@ PAGES = sorted(
 )
 SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
 REFERENCE = re.compile(r"`([\w/.]+\.py)(?:::([\w.]+))?`")
-COMMAND = re.compile(r"(?:^|\s)(?:\.venv/bin/)?housefly (?=[a-z-])(.*)$")
+COMMAND = re.compile(r"(?:^|\s)(?:\.venv/bin/)?housefly (?!import )(?=[a-z-])(.*)$")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 FUNCTIONS = ast.FunctionDef | ast.AsyncFunctionDef
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")

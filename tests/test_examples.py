@@ -115,8 +115,7 @@ def test_hidden_constants_are_identified() -> None:
     output = run("09_identify_your_drone.py")
     assert_in_order(
         output,
-        "24 blocks in a box",
-        "completed",
+        "24 blocks were flown",
         "attitude_lag",
         "true 5.5",
         "the profile may be written",

@@ -3,9 +3,9 @@
     import housefly
 
     site = housefly.load_site("bsen", twin__seed=7)
-    print(site.plan("entrance").path.length)
+    print(f"{site.plan('entrance').path.length:.2f} m to the entrance")
     flight = housefly.fly("entrance", site)
-    print(flight.outcome, flight.summary.rms_error_m)
+    print(f"{flight.outcome}, {1000 * flight.summary.rms_error_m:.0f} mm off the path")
 
 Sites and rooms   load_site, LoadedSite, Site, Room, OccupancyGrid, import_ros_map, text_map,
                   draw_room

@@ -12,7 +12,7 @@ from housefly.messages import Observation, RoomEvent
 def test_what_somebody_took_is_with_them_until_it_is_put_somewhere(house) -> None:
     loaded = open_site(read_site("bsen"))
     service = SituationService(loaded.site, loaded.room, house.memory, house.status)
-    house.memory.add_things(Thing("person-1", "the resident", ThingKind.PERSON))
+    house.memory.world.add_thing(Thing("person-1", "the resident", ThingKind.PERSON))
     begin = house.now - 30.0
     for quarter in range(120):
         at = begin + 0.25 * quarter

@@ -75,7 +75,7 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
         hub = Hub(site, tmp_path, console.bus.join())
         hub.status.add_health_source(lambda: HEALTH)
         found = Room(hub, console, time.time())
-        hub.memory.add_things(
+        for thing in (
             Thing("cup", "the red cup", aliases=("mug",)),
             Thing("cabinet", "the cabinet", ThingKind.FURNITURE, position=(6.0, 2.5, 0.6)),
             Thing(
@@ -85,7 +85,8 @@ async def room(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Roo
                 position=(1.0, 3.0, 0.6),
             ),
             Thing("person-1", "the resident", ThingKind.PERSON),
-        )
+        ):
+            hub.memory.world.add_thing(thing)
         found.see("cup", inside="refrigerator-2", source="refrigerator", ago=120.0)
         found.see("cup", inside="cabinet", source="cabinet", ago=30.0)
         found.see("person-1", (2.0, 3.0, 0.0), ago=100.0)

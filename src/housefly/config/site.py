@@ -126,7 +126,7 @@ def changed(site: Site, **values: Any) -> Site:
     tree = site.model_dump()
     for key, value in values.items():
         *parents, leaf = key.split("__")
-        branch = tree
+        branch: Any = tree
         for parent in parents:
             branch = branch.get(parent)
             if not isinstance(branch, dict):

@@ -57,13 +57,6 @@ class RoomMemory:
         for listener in self._listeners:
             listener(item)
 
-    def add_things(self, *things: Thing) -> None:
-        """Add or replace things; raises ThingError if one would be inside itself."""
-        with self.lock:
-            for thing in things:
-                self.world.add_thing(thing)
-        self.writer.write_all(things)
-
     @contextmanager
     def store(self) -> Iterator[Store]:
         """Lend the store to one thread at a time; raises StoreError after ``close``."""

@@ -115,7 +115,7 @@ class DepthTracker:
             replace(_named(track, image), confidence=0.0, seen_at=image.captured_at)
             for track in tracks.gone
         )
-        return TrackingResult((*(_named(track, image) for track in confirmed), *gone), confirmed)
+        return TrackingResult((*(_named(track, image) for track in confirmed), *gone))
 
 
 def depth_view(image: DepthImage) -> _DepthView:

@@ -9,7 +9,7 @@ import numpy as np
 
 from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
-from housefly.messages import Observation, Obstacle, Scan
+from housefly.messages import Obstacle, Scan
 from housefly.numeric import FloatArray
 from housefly.perception.background import expected_ranges
 from housefly.perception.clusters import clusters_of, foreground
@@ -47,12 +47,10 @@ class TrackingResult:
     Attributes:
         obstacles: the confirmed ones as the pilot receives them; a lost one comes once more with
             confidence 0.
-        tracks: the confirmed tracks.
         problem: why the input was refused, in words, or "".
     """
 
     obstacles: tuple[Obstacle, ...] = ()
-    tracks: tuple[ObstacleTrack, ...] = ()
     problem: str = ""
 
 
@@ -103,7 +101,7 @@ class LaserTracker:
         )
         confirmed = tuple(track for track in self._tracks.tracks if track.confirmed)
         gone = tuple(_gone(track, scan.captured_at) for track in self._tracks.gone)
-        return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone), confirmed)
+        return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone))
 
     def _background(self, scan: Scan, laser: LaserConfig) -> FloatArray:
         key = (scan.source, scan.first_angle, scan.step, len(scan.ranges))
@@ -167,34 +165,6 @@ def obstacle_of(track: ObstacleTrack) -> Obstacle:
         confidence=track.confidence,
         seen_at=track.seen_at,
         source=_SOURCE,
-    )
-
-
-def observation_of(
-    track: ObstacleTrack, unix_offset: float, height: float, received_at: float
-) -> Observation:
-    """Return a track as an observation; what has walked is a person.
-
-    Args:
-        track: the track.
-        unix_offset: Unix time minus our monotonic clock [s].
-        height: of the scanner's plane [m].
-        received_at: when the scan arrived [s, our monotonic clock].
-    """
-    kind = "person" if track.walked else "object"
-    variance = track.motion.pp
-    return Observation(
-        thing=f"{kind}-{track.number}",
-        source=_SOURCE,
-        captured_at=track.seen_at + unix_offset,
-        received_at=received_at + unix_offset,
-        position=(*track.motion.position, height),
-        covariance=(variance, 0.0, 0.0, variance, 0.0, 1.0),
-        facts=(
-            ("radius", track.shape.radius),
-            ("vx", track.velocity[0]),
-            ("vy", track.velocity[1]),
-        ),
     )
 
 

@@ -28,8 +28,6 @@ _SIZE_GAIN = 0.2
 """Weight of a new scan in the smoothed size."""
 _STANDING_SPEED = 0.2
 """Slower things count as standing [m/s]."""
-_WALKED_DISTANCE = 0.5
-"""A thing that moved farther than this from its first position is a person [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,21 +38,17 @@ class ObstacleTrack:
         number: unique, never reused.
         motion: state of its filter.
         shape: the newest cluster; its radius is smoothed.
-        first: where it was first seen [m].
         hits: scans that showed it.
         misses: scans in a row that saw through its place.
         seen_at: when it was last seen [s].
-        walked: whether it moved away from where it was first seen.
     """
 
     number: int
     motion: MotionState
     shape: Cluster
-    first: Vec2
     hits: int = 1
     misses: int = 0
     seen_at: float = 0.0
-    walked: bool = False
 
     @property
     def confirmed(self) -> bool:
@@ -81,7 +75,6 @@ class ObstacleTrack:
             and (1.0 - _SIZE_GAIN) * (self.shape.radius or cluster.radius)
             + _SIZE_GAIN * cluster.radius
         )
-        walked = self.walked or distance(motion.position, self.first) > _WALKED_DISTANCE
         shape = replace(cluster, radius=radius)
         return replace(
             self,
@@ -90,7 +83,6 @@ class ObstacleTrack:
             hits=self.hits + 1,
             misses=0,
             seen_at=at,
-            walked=walked,
         )
 
 
@@ -135,9 +127,7 @@ class TrackSet:
             (gone if ended else kept).append(left)
         free = [cluster for index, cluster in enumerate(clusters) if index not in pairs.values()]
         born = [
-            ObstacleTrack(
-                self.next_number + n, MotionState(at, c.position), c, c.position, seen_at=at
-            )
+            ObstacleTrack(self.next_number + n, MotionState(at, c.position), c, seen_at=at)
             for n, c in enumerate(free)
         ]
         return TrackSet(

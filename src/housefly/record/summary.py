@@ -49,8 +49,8 @@ class Summary:
         mode: default or paper.
         seed: of the simulated room; None with real hardware.
         duration_s: from the first step of the errand to its last.
-        path_length_m: planned length of the way to the goal.
-        flown_length_m: length of the way that the drone took in the air, from the estimate.
+        path_length_m: planned length of the path to the goal.
+        flown_length_m: length flown in the air, from the estimate.
         rms_error_m, max_error_m: distance of the sightings from the planned path while flying to
             the goal and back.
         arrival_error_m: mean distance of the sightings from the goal's viewpoint while looking.
@@ -64,7 +64,7 @@ class Summary:
         battery_used: charge at the start less charge at the end.
         safety_modes: decisions of the last gate that occurred, mildest first.
         steps, missing_steps: steps recorded, and gaps between them.
-        events: everything that people were told.
+        events: everything that was reported.
         problems: what went wrong with the recording itself.
     """
 

@@ -9,7 +9,7 @@ import pytest
 from housefly.cli import main
 from housefly.errors import HouseflyError
 
-DUMP = Path(__file__).resolve().parents[1] / "store" / "data" / "bsen_now.json"
+DUMP = Path(__file__).resolve().parents[2] / "hub" / "store" / "data" / "bsen_now.json"
 
 
 @pytest.fixture(autouse=True)

@@ -26,15 +26,14 @@ from housefly.messages import (
     OrderKind,
     Outputs,
     Pose,
-    SafetyMode,
     Sighting,
     Telemetry,
 )
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.acceptor import STATES
 from housefly.pilot.navigator import RoomNavigator
+from housefly.pilot.safety.rules import MODE_SEVERITY
 
-SAFETY = {SafetyMode.NOMINAL: 0, SafetyMode.LEVEL: 1, SafetyMode.LAND: 2}
 SETTLE = 0.3
 """The drone is found in the air and waits so long before it is ordered to go [s]."""
 SIGNALS = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
@@ -124,7 +123,7 @@ def _sighting(site: Site, row: Any) -> Sighting:
 def _write(row: Any, outputs: Outputs) -> None:
     setpoint, estimate, reference = outputs.command.setpoint, outputs.estimate, outputs.reference
     row["flying"] = outputs.command.action is Action.FLY
-    row["behavior"], row["safety"] = STATES.index(outputs.behavior), SAFETY[outputs.safety]
+    row["behavior"], row["safety"] = STATES.index(outputs.behavior), MODE_SEVERITY[outputs.safety]
     for name, value in zip(
         SIGNALS, (setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate), strict=True
     ):

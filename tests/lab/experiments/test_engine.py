@@ -144,7 +144,9 @@ def test_where_the_room_lies_does_not_matter(x: float, y: float, mode: str) -> N
 
 
 def test_the_paths_wish_for_a_heading_at_the_end_is_met() -> None:
-    trace = fly_traced(cases(Site(), 1), FlightPlan(Task.PATH, PATH.waypoints, 20.0, arrival_yaw=-2.0))
+    trace = fly_traced(
+        cases(Site(), 1), FlightPlan(Task.PATH, PATH.waypoints, 20.0, arrival_yaw=-2.0)
+    )
     assert trace["psi"][-1] == pytest.approx(-2.0, abs=0.02)
 
 

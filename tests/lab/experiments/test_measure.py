@@ -11,11 +11,14 @@ from housefly.lab.experiments.engine import fly_many, fly_traced
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.outcomes import OUTCOME
 from housefly.lab.experiments.route import off_line, route_of
+from housefly.pilot.safety.limits import SafetyCode
 
 CORNER = ((1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (3.0, 2.5))
 
 
-def by_hand(trace: np.ndarray, mission: FlightPlan, eps3: float, tilt_max: float) -> dict[str, float]:
+def by_hand(
+    trace: np.ndarray, mission: FlightPlan, eps3: float, tilt_max: float
+) -> dict[str, float]:
     """The same measures from the whole record, with NumPy."""
     task = trace[trace["t"] >= mission.settle - 1e-9]
     looks = task[::2]
@@ -46,7 +49,7 @@ def by_hand(trace: np.ndarray, mission: FlightPlan, eps3: float, tilt_max: float
         "estimate_rms": np.sqrt(
             np.mean(sum((looks[f"est_{axis}"] - looks[axis]) ** 2 for axis in "xyz"))
         ),
-        "levelled": np.mean(task["safety"] == 1),
+        "levelled": np.mean(task["safety"] == SafetyCode.LEVEL),
         "ended_at": trace["t"][-1],
     }
 
@@ -122,6 +125,6 @@ def test_a_drone_that_is_lost_ends_unstable_with_finite_numbers(columns: dict[st
 def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() -> None:
     drone = cases(Site(), 1, mocap_dropout=1.0)
     trace = fly_traced(drone, FlightPlan(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
-    assert trace["safety"][trace["t"] < 0.25].tolist() == [0] * 25 or trace["safety"][20] == 0
-    assert trace["safety"][100] == 1 and trace["safety"][-1] == 2
+    assert trace["safety"][20] == SafetyCode.NOMINAL
+    assert trace["safety"][100] == SafetyCode.LEVEL and trace["safety"][-1] == SafetyCode.LAND
     assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)

@@ -77,8 +77,10 @@ class PlayedScene(RoomQueries):
             for message in devices.messages(elapsed, now):
                 sent = Delivered(message.address, message.channel, message.payload, now)
                 reading = decode_reading(sent, tags)
-                for item in (*reading.observations, *reading.events):
-                    self._memory.add(item)
+                for observation in reading.observations:
+                    self._memory.add(observation)
+                for event in reading.events:
+                    self._memory.add(event)
             situations.update(now)
 
 

@@ -53,9 +53,9 @@ class _Plot:
     Attributes:
         measure: what is drawn.
         across: column of the grid along x.
-        lines: column told apart by colour, or None.
+        lines: column distinguished by colour, or None.
         rows: column along y of a heat map, or None.
-        split: columns told apart by panels.
+        split: columns distinguished by panels.
         field: value, low and high of the measure; one axis a column: ``split``, then ``lines`` or
             ``rows``, then ``across``.
         values: of each column.

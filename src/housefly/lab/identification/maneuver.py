@@ -21,7 +21,7 @@ _MAX_INTERRUPTION = 0.15
 
 
 class IdentificationManeuver:
-    """Implements ``behavior.maneuver.Maneuver``: replaces the pilot's command while it holds.
+    """Implements ``pilot.contracts.Maneuver``: replaces the pilot's command while it holds.
 
     Attributes:
         problem: why the test was given up, "" while it was not.

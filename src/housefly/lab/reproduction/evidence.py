@@ -60,7 +60,7 @@ def gather(
     Args:
         site: whose room, drone and gains; its seed draws the drones.
         seeds: drones for each cell of a table.
-        on_progress: told the share of flights that have ended.
+        on_progress: called with the share of flights that have ended.
         changes: columns replaced in single trials, by key.
     """
     edge_seeds = min(seeds, _EDGE_SEEDS)

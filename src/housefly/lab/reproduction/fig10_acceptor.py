@@ -133,7 +133,7 @@ def _arrow(axes: Any, state: Behavior, target: Behavior, names: tuple[str, ...])
         0.5 * (start[0] + end[0]) + _BEND * (end[1] - start[1]),
         0.5 * (start[1] + end[1]) - _BEND * (end[0] - start[0]),
     )
-    # Nearer to where the arrow begins: the label of the way back stands elsewhere.
+    # Close to the start of the arrow, clear of the label of the opposite arrow.
     x, y = (
         (1 - _LABEL_AT) ** 2 * a + 2 * _LABEL_AT * (1 - _LABEL_AT) * c + _LABEL_AT**2 * b
         for a, b, c in zip(start, end, bend, strict=True)

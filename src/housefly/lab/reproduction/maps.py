@@ -43,15 +43,15 @@ class MapFacts:
         wrong: how many of them differ.
         detour: length over four moves divided by that of the straightened way; mean over the room's
             places.
-        bare_clearance: smallest gap between hull and obstacles on the ways to all places, hull
+        bare_clearance: smallest gap between hull and obstacles on the paths to all places, hull
             turned its worst way, without virtual obstacles [m]; negative: it touches.
         clearance: the same with those of the site file [m].
         drawn: number of virtual obstacles.
         legs: legs of the service's way.
         legs_along_y: how many of them are neither towards +x nor -x.
-        boxes: unexpected boxes put on the way, one after another.
-        hit_static: how many the way planned before touches.
-        hit_updated: how many the way planned on the updated map touches; where there is no way, the
+        boxes: unexpected boxes put on the path, one after another.
+        hit_static: how many the path planned before touches.
+        hit_updated: how many the path planned on the updated map touches; without a path, the
             planner says so.
     """
 

@@ -130,7 +130,7 @@ def fly_trials(
     Args:
         site: whose drone, room and stream are meant.
         seeds: drones a trial.
-        on_landed: told of flights that have ended.
+        on_landed: called with the number of flights that have just ended.
         changes: columns replaced in single trials, by key: what the tests turn to see a verdict
             flip.
         only: keys of the trials to fly; all when empty.
