@@ -27,8 +27,8 @@ TRACE = np.dtype(
 )
 """One tick. SI units; truth without prefix, ``est_`` estimate, ``ref_`` reference, ``ask_`` what
 control asks (``ask_tilt``: the length that it would tilt without a limit), ``cmd_`` what left the
-gate. ``flying`` 0: the drone's own hover. ``behavior``: the acceptor's state. ``safety``: 0
-nominal, 1 level, 2 land. ``sightings``: how many arrived; ``seen_*``: the newest of them.
+gate. ``flying`` 0: the drone's own hover. ``behavior``: an ``AcceptorState``. ``safety``: a
+``SafetyCode``. ``sightings``: how many arrived; ``seen_*``: the newest of them.
 """
 Trace = NDArray[Any]
 """Structured array of dtype ``TRACE``."""
