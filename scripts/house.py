@@ -47,7 +47,8 @@ def public_definitions(package: Path = PACKAGE) -> dict[str, list[str]]:
 def long_lines(root: Path = ROOT) -> list[str]:
     """Return file and number of every line that is too long.
 
-    In prose, tables, links, messages on the wire and single words may be, and what a type checker is told at the end.
+    In prose, tables, links, messages on the wire and single words may be; so may a line with
+    its word to the type checker.
     """
     found = []
     for path in sorted(path for folder in (*CODE, "docs") for path in (root / folder).rglob("*")):

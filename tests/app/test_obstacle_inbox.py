@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from housefly.app.obstacle_inbox import REFUSED_OBSTACLE_SHOWN_FOR, ObstacleInbox
 from housefly.clock import SteppedClock
 from housefly.messages import Obstacle
-from housefly.pilot.planning.obstacles import MOST, fault_of
+from housefly.pilot.planning.obstacles import OBSTACLES_MAX, obstacle_fault
 
 EXTENT = (0.0, 0.0, 10.0, 5.0)
 
@@ -39,7 +39,7 @@ def test_what_comes_out_is_sound_and_the_newest_word_of_each(told: list[Obstacle
     for obstacle in told:
         inbox.add(obstacle)
     taken = inbox.drain()
-    assert not any(fault_of(obstacle, 10.0, EXTENT) for obstacle in taken)
+    assert not any(obstacle_fault(obstacle, 10.0, EXTENT) for obstacle in taken)
     assert len({(o.source, o.id) for o in taken}) == len(taken)
     assert inbox.drain() == ()
 
@@ -64,4 +64,4 @@ def test_a_flood_is_cut_down() -> None:
     inbox, _ = inbox_and_clock()
     for number in range(1000):
         inbox.add(Obstacle(str(number), (1.0, 1.0), seen_at=10.0))
-    assert len(inbox.drain()) == MOST and inbox.refused == 1000 - MOST
+    assert len(inbox.drain()) == OBSTACLES_MAX and inbox.refused == 1000 - OBSTACLES_MAX

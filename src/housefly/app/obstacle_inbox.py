@@ -6,7 +6,7 @@ from math import inf
 
 from housefly.clock import Clock
 from housefly.messages import Obstacle
-from housefly.pilot.planning.obstacles import MOST, Extent, fault_of
+from housefly.pilot.planning.obstacles import OBSTACLES_MAX, MapExtent, obstacle_fault
 
 REFUSED_OBSTACLE_SHOWN_FOR = 5.0
 """A refusal is shown for this long [s]."""
@@ -23,7 +23,7 @@ class ObstacleInbox:
         refused: how many were wrong or too many.
     """
 
-    def __init__(self, extent: Extent, clock: Clock) -> None:
+    def __init__(self, extent: MapExtent, clock: Clock) -> None:
         self.refused = 0
         self._extent, self._clock = extent, clock
         self._waiting: dict[tuple[str, str], Obstacle] = {}
@@ -42,9 +42,9 @@ class ObstacleInbox:
         """Add an obstacle, or refuse it."""
         now = self._clock.now()
         name = obstacle.source, obstacle.id
-        fault = fault_of(obstacle, now, self._extent)
-        if not fault and name not in self._waiting and len(self._waiting) >= MOST:
-            fault = f"there are more than {MOST} at once"
+        fault = obstacle_fault(obstacle, now, self._extent)
+        if not fault and name not in self._waiting and len(self._waiting) >= OBSTACLES_MAX:
+            fault = f"there are more than {OBSTACLES_MAX} at once"
         if fault:
             self.refused += 1
             self._problem, self._problem_at = (

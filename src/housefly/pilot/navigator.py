@@ -15,7 +15,7 @@ from housefly.pilot.behavior.mission import STAY, Mission, Refused
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid
-from housefly.pilot.planning.obstacles import Memory, fault_of, rows_of
+from housefly.pilot.planning.obstacles import ObstacleMemory, obstacle_fault, obstacle_rows
 from housefly.pilot.planning.planner import plan
 from housefly.room.grid import OccupancyGrid, extent_of, inflation
 from housefly.room.model import Room
@@ -49,8 +49,8 @@ class RoomNavigator:
             site.map.flight_height + site.map.half_band,
         )
         self._furniture = TrackedFurniture(site, room)
-        self._memory = Memory()
-        self._soon, self._names = rows_of((), 0.0, 0.0, self._band)
+        self._memory = ObstacleMemory()
+        self._soon, self._names = obstacle_rows((), 0.0, 0.0, self._band)
         self._refreshed = 0.0
 
     def update(
@@ -58,7 +58,7 @@ class RoomNavigator:
     ) -> list[str]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
         known = (*obstacles, *self._furniture.step(sightings, now))
-        faults = [(obstacle, fault_of(obstacle, now, self._extent)) for obstacle in known]
+        faults = [(obstacle, obstacle_fault(obstacle, now, self._extent)) for obstacle in known]
         accepted = [obstacle for obstacle, fault in faults if not fault]
         is_due = now - self._refreshed >= MAP_REFRESH_PERIOD
         if accepted or (self._memory.obstacles and is_due):
@@ -66,15 +66,19 @@ class RoomNavigator:
         return [f"{obstacle.source or 'somebody'}: {fault}" for obstacle, fault in faults if fault]
 
     def _refresh(self, accepted: list[Obstacle], now: float) -> None:
-        self._memory, self._refreshed = self._memory.after(accepted, now), now
-        self._soon, self._names = rows_of(self._memory.obstacles, now, WATCH_HORIZON, self._band)
+        self._memory, self._refreshed = self._memory.updated(accepted, now), now
+        self._soon, self._names = obstacle_rows(
+            self._memory.obstacles, now, WATCH_HORIZON, self._band
+        )
         self._live = None
 
     @property
     def _grid(self) -> OccupancyGrid:
         """The map of now; made when somebody plans, because most steps of the pilot do not."""
         if self._live is None:
-            later, _ = rows_of(self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band)
+            later, _ = obstacle_rows(
+                self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band
+            )
             self._live = live_grid(self._static, later, self._distances.reach)
         return self._live
 

@@ -46,8 +46,8 @@ PHASE_ACTIONS = {
     Phase.TAKING_OFF: Action.TAKE_OFF,
     Phase.LANDING: Action.LAND,
 }
-BEHAVIORS = tuple(Behavior)
-NOWHERE = PoseEstimate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+_BEHAVIORS = tuple(Behavior)
+_NOWHERE = PoseEstimate(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 class Pilot:
@@ -134,7 +134,7 @@ class Pilot:
 
     def _estimated(self, now: float) -> tuple[PoseEstimate, Estimate | None]:
         assert self._estimator is not None
-        return self._estimator.estimate(now) or (NOWHERE, None)
+        return self._estimator.estimate(now) or (_NOWHERE, None)
 
     # --- map and mission ---
 
@@ -265,7 +265,7 @@ class Pilot:
             command=verdict.command,
             estimate=estimate,
             reference=self._reference(),
-            behavior=BEHAVIORS[self._step.acceptor.state],
+            behavior=_BEHAVIORS[self._step.acceptor.state],
             phase=mission.phase,
             safety=verdict.mode,
             goal_name=mission.mission.name,

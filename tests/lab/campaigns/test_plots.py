@@ -15,7 +15,7 @@ from housefly.errors import RecordingError
 from housefly.lab.campaigns.plots import draw_campaign
 from housefly.lab.campaigns.spec import CampaignSpec, spec_from_tree
 from housefly.lab.campaigns.summary import GridPoint
-from housefly.lab.experiments.intervals import NOTHING, Estimate
+from housefly.lab.experiments.intervals import NOTHING, IntervalEstimate
 
 RATES = [10, 20, 30, 50, 100]
 
@@ -34,13 +34,13 @@ def cells_of(spec: CampaignSpec, empty: int = 0) -> tuple[GridPoint, ...]:
         found = (
             NOTHING
             if number >= len(points) - empty
-            else Estimate(value, value - 0.05, value + 0.05)
+            else IntervalEstimate(value, value - 0.05, value + 0.05)
         )
         cells.append(
             GridPoint(
                 tuple(float(x) for x in point),
                 10,
-                {"stable": Estimate(1.0, 0.9, 1.0), "rms_error": found},
+                {"stable": IntervalEstimate(1.0, 0.9, 1.0), "rms_error": found},
             )
         )
     return tuple(cells)
@@ -147,6 +147,7 @@ def test_words_along_an_axis_are_points_and_no_line(tmp_path: Path) -> None:
 def test_nan_bounds_do_not_break_a_line(tmp_path: Path) -> None:
     spec = spec_of({"mocap_rate_hz": [10, 20]})
     cells = tuple(
-        GridPoint(cell.values, 1, {"rms_error": Estimate(0.1, nan, nan)}) for cell in cells_of(spec)
+        GridPoint(cell.values, 1, {"rms_error": IntervalEstimate(0.1, nan, nan)})
+        for cell in cells_of(spec)
     )
     assert draw_campaign(spec, cells, "rms_error", tmp_path / "rms_error")

@@ -21,7 +21,7 @@ from housefly.lab.campaigns.summary import (
     value_text,
     write_summary,
 )
-from housefly.lab.experiments.intervals import NOTHING, Estimate, mean, share
+from housefly.lab.experiments.intervals import NOTHING, IntervalEstimate, mean, share
 from housefly.lab.experiments.outcomes import OUTCOME
 
 
@@ -87,17 +87,17 @@ def test_the_file_of_the_summary_has_words_and_bounds(
 @pytest.mark.parametrize(
     ("measure", "estimate", "words"),
     [
-        ("rms_error", Estimate(0.01484, 0.0137, 0.0158), "0.0148 ± 0.0011"),
-        ("arrival_time", Estimate(17.26, 16.9, 17.6), "17.26 ± 0.35"),
-        ("ended_at", Estimate(1234.5, 1100.0, 1369.0), "1234 ± 134"),
-        ("rms_error", Estimate(0.5, 0.5, 0.5), "0.500 ± 0.000"),
-        ("rms_error", Estimate(0.5, nan, nan), "0.5"),
+        ("rms_error", IntervalEstimate(0.01484, 0.0137, 0.0158), "0.0148 ± 0.0011"),
+        ("arrival_time", IntervalEstimate(17.26, 16.9, 17.6), "17.26 ± 0.35"),
+        ("ended_at", IntervalEstimate(1234.5, 1100.0, 1369.0), "1234 ± 134"),
+        ("rms_error", IntervalEstimate(0.5, 0.5, 0.5), "0.500 ± 0.000"),
+        ("rms_error", IntervalEstimate(0.5, nan, nan), "0.5"),
         ("rms_error", NOTHING, "-"),
-        ("stable", Estimate(0.961, 0.87, 0.989), "96 % (87 to 99)"),
+        ("stable", IntervalEstimate(0.961, 0.87, 0.989), "96 % (87 to 99)"),
     ],
 )
 def test_estimates_are_told_with_the_digits_that_mean_something(
-    measure: str, estimate: Estimate, words: str
+    measure: str, estimate: IntervalEstimate, words: str
 ) -> None:
     assert estimate_text(measure, estimate) == words
 

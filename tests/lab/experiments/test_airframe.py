@@ -6,7 +6,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from housefly.config.site import Site
-from housefly.lab.experiments.airframe import ORDER, ORDERS, airframe_of, carried_on, gusted
+from housefly.lab.experiments.airframe import (
+    ORDER,
+    ORDER_RING_SIZE,
+    airframe_of,
+    carried_on,
+    gusted,
+)
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.random import sown
 from housefly.lab.experiments.tracking_noise import FRAME, FRAMES, Camera, stream_begun
@@ -18,14 +24,14 @@ BLIND = Camera(1e-6, 0.999, 0.0, 0.0, 0.0, 0.0)
 def flown(case: np.ndarray, theta: list[float]) -> list[DroneState]:
     """Fly one pitch a tick and return the drone at each tick."""
     orders, frames, random = (
-        np.zeros(ORDERS, ORDER),
+        np.zeros(ORDER_RING_SIZE, ORDER),
         np.zeros(FRAMES, FRAME),
         np.zeros(1, np.uint64),
     )
     air, stream, body = airframe_of(case), stream_begun(BLIND), DroneState(z=1.0)
     bodies = [body]
     for tick, angle in enumerate(theta):
-        orders[tick & (ORDERS - 1)] = (1, angle, 0.0, 0.0, 0.0)
+        orders[tick & (ORDER_RING_SIZE - 1)] = (1, angle, 0.0, 0.0, 0.0)
         now = tick / float(case["rate_hz"])
         body, stream = carried_on(
             body, stream, tick, now, air, (0.0, 0.0), orders, BLIND, frames, random

@@ -15,8 +15,12 @@ from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Obstacle, Pose, Sighting
-from housefly.pilot.planning.furniture import SOURCE, TELL_PERIOD, TrackedFurniture
-from housefly.pilot.planning.obstacles import FREED_AFTER, Memory, fault_of
+from housefly.pilot.planning.furniture import (
+    FURNITURE_REPORT_PERIOD,
+    FURNITURE_SOURCE,
+    TrackedFurniture,
+)
+from housefly.pilot.planning.obstacles import FREED_AFTER, ObstacleMemory, obstacle_fault
 from housefly.room.bsen import bsen
 
 TABLE = FurnitureConfig(
@@ -51,13 +55,13 @@ def test_the_footprint_lies_where_the_body_says(x: float, y: float, yaw: float) 
     assert cos(table.yaw - yaw - 0.5) == pytest.approx(1.0)
     assert (table.id, table.source, table.size, table.bottom, table.top) == (
         "table",
-        SOURCE,
+        FURNITURE_SOURCE,
         (1.2, 0.6),
         0.0,
         0.75,
     )
     assert table.confidence == 1.0 and table.velocity == (0.0, 0.0)
-    assert not fault_of(table, 1.02, EXTENT)
+    assert not obstacle_fault(table, 1.02, EXTENT)
 
 
 def test_a_body_that_is_no_furniture_is_nothing() -> None:
@@ -68,19 +72,19 @@ def test_a_body_that_is_no_furniture_is_nothing() -> None:
 def test_what_stands_still_is_told_a_few_times_a_second_and_what_is_moved_at_once() -> None:
     furniture = tracked(TABLE)
     told = [len(furniture.step((seen(0.01 * n),), 0.01 * n)) for n in range(200)]
-    assert sum(told) == pytest.approx(2.0 / TELL_PERIOD, abs=2)
+    assert sum(told) == pytest.approx(2.0 / FURNITURE_REPORT_PERIOD, abs=2)
     assert furniture.step((seen(2.0, 2.05),), 2.0)
 
 
 def test_what_is_not_seen_is_believed_as_long_as_the_site_says_and_then_forgotten() -> None:
-    furniture, memory = tracked(TABLE), Memory()
-    memory = memory.after(furniture.step((seen(0.0),), 0.0), 0.0)
+    furniture, memory = tracked(TABLE), ObstacleMemory()
+    memory = memory.updated(furniture.step((seen(0.0),), 0.0), 0.0)
     freed = inf
     for n in range(1, 1000):
-        memory = memory.after(furniture.step((), 0.01 * n), 0.01 * n)
+        memory = memory.updated(furniture.step((), 0.01 * n), 0.01 * n)
         freed = freed if memory.obstacles else min(freed, 0.01 * n)
     assert (
-        TABLE.remembered + FREED_AFTER - TELL_PERIOD - 0.02
+        TABLE.remembered + FREED_AFTER - FURNITURE_REPORT_PERIOD - 0.02
         <= freed
         <= TABLE.remembered + FREED_AFTER + 0.02
     )
@@ -98,10 +102,10 @@ def test_what_is_pushed_has_its_velocity_and_none_when_it_is_let_go_or_not_seen(
 
 
 def test_what_is_put_elsewhere_is_nowhere_else_and_does_not_race() -> None:
-    furniture, memory = tracked(TABLE), Memory()
+    furniture, memory = tracked(TABLE), ObstacleMemory()
     for n in range(100):
         x = 2.0 if n < 50 else 7.0
-        memory = memory.after(furniture.step((seen(0.01 * n, x),), 0.01 * n), 0.01 * n)
+        memory = memory.updated(furniture.step((seen(0.01 * n, x),), 0.01 * n), 0.01 * n)
         (table,) = memory.obstacles
         assert table.position[0] == pytest.approx(x + 0.3) and table.velocity == (0.0, 0.0)
 
@@ -110,13 +114,13 @@ def test_what_the_room_model_has_stands_there_until_it_is_seen_and_is_never_forg
     shelf = FurnitureConfig(
         name="shelf", body="Shelf", model="smart shelf", width=0.35, top=1.0, remembered=5.0
     )
-    furniture, memory = tracked(shelf), Memory()
+    furniture, memory = tracked(shelf), ObstacleMemory()
     for n in range(3000):
         seen_now = (seen(0.01 * n, 3.0, body="Shelf"),) if n == 1000 else ()
-        memory = memory.after(furniture.step(seen_now, 0.01 * n), 0.01 * n)
+        memory = memory.updated(furniture.step(seen_now, 0.01 * n), 0.01 * n)
         (known,) = memory.obstacles
         assert known.position == pytest.approx((11.5, 4.2) if n < 1000 else (3.0, 1.0), abs=0.02)
-        assert not fault_of(known, 0.01 * n, EXTENT)
+        assert not obstacle_fault(known, 0.01 * n, EXTENT)
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from housefly.geometry import Vec2, rotate
 from housefly.geometry import quaternion_from_euler as turned
 from housefly.messages import Obstacle
 from housefly.pilot.planning.live import distances_for, first_block, gap, live_grid
-from housefly.pilot.planning.obstacles import rows_of
+from housefly.pilot.planning.obstacles import obstacle_rows
 from housefly.pilot.planning.planner import plan
 from housefly.room.grid import Cell, OccupancyGrid
 
@@ -35,7 +35,7 @@ def hall(edge: float = 0.1) -> OccupancyGrid:
 
 
 def rows(*obstacles: Obstacle, now: float = 0.0, horizon: float = 0.0) -> np.ndarray:
-    return rows_of(obstacles, now, horizon, BAND)[0]
+    return obstacle_rows(obstacles, now, horizon, BAND)[0]
 
 
 finite = st.floats(-1.0, 9.0)

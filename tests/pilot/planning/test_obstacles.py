@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 from housefly.messages import Obstacle
 from housefly.pilot.planning.obstacles import (
-    ENOUGH,
+    CERTAINTY_HALF_LIFE,
+    CERTAINTY_MIN,
     FREED_AFTER,
-    HALF_LIFE,
-    MOST,
-    Memory,
-    belief,
-    fault_of,
+    OBSTACLES_MAX,
+    ObstacleMemory,
+    certainty_now,
+    obstacle_fault,
 )
 
 EXTENT = (0.0, 0.0, 10.0, 5.0)
@@ -34,44 +34,47 @@ seen = st.builds(
 def test_what_is_remembered_is_the_newest_word_of_each_and_believable(
     heard: list[Obstacle], now: float
 ) -> None:
-    memory = Memory().after(heard, now)
+    memory = ObstacleMemory().updated(heard, now)
     names = [(o.source, o.id) for o in memory.obstacles]
     assert names == sorted(set(names))
     for obstacle in memory.obstacles:
         same = [o for o in heard if (o.source, o.id) == (obstacle.source, obstacle.id)]
         assert obstacle.seen_at == max(o.seen_at for o in same)
-        assert belief(obstacle, now) >= ENOUGH
-    assert memory.after((), now) is memory
+        assert certainty_now(obstacle, now) >= CERTAINTY_MIN
+    assert memory.updated((), now) is memory
 
 
 @given(seen, st.lists(st.floats(0.0, 10.0), min_size=2, max_size=10))
 def test_belief_never_grows_while_nobody_looks(obstacle: Obstacle, times: list[float]) -> None:
-    beliefs = [belief(obstacle, at) for at in sorted(times)]
+    beliefs = [certainty_now(obstacle, at) for at in sorted(times)]
     assert all(later <= earlier for earlier, later in pairwise(beliefs))
 
 
 def test_one_of_full_confidence_is_forgotten_after_the_time_that_is_documented() -> None:
-    memory = Memory().after((Obstacle("chair", (1.0, 1.0), seen_at=5.0),), 5.0)
-    assert memory.after((), 5.0 + FREED_AFTER).obstacles
-    assert not memory.after((), 5.0 + FREED_AFTER + 0.01).obstacles
-    assert 0.5 ** (FREED_AFTER / HALF_LIFE) == ENOUGH
+    memory = ObstacleMemory().updated((Obstacle("chair", (1.0, 1.0), seen_at=5.0),), 5.0)
+    assert memory.updated((), 5.0 + FREED_AFTER).obstacles
+    assert not memory.updated((), 5.0 + FREED_AFTER + 0.01).obstacles
+    assert 0.5 ** (FREED_AFTER / CERTAINTY_HALF_LIFE) == CERTAINTY_MIN
 
 
 def test_old_words_do_not_replace_new_ones_and_gone_means_gone() -> None:
     chair = Obstacle("chair", (1.0, 1.0), seen_at=5.0)
-    memory = Memory().after((chair,), 5.0)
-    assert memory.after((replace(chair, position=(9.0, 9.0), seen_at=4.0),), 5.0) == memory
-    assert not memory.after((replace(chair, confidence=0.0, seen_at=5.1),), 5.1).obstacles
+    memory = ObstacleMemory().updated((chair,), 5.0)
+    assert memory.updated((replace(chair, position=(9.0, 9.0), seen_at=4.0),), 5.0) == memory
+    assert not memory.updated((replace(chair, confidence=0.0, seen_at=5.1),), 5.1).obstacles
 
 
 def test_no_more_are_kept_than_allowed_and_the_most_believable_stay() -> None:
     crowd = tuple(
         Obstacle(f"{n:04}", (1.0, 1.0), confidence=0.3 + n / 1000, seen_at=1.0)
-        for n in range(MOST + 30)
+        for n in range(OBSTACLES_MAX + 30)
     )
-    kept = Memory().after(crowd, 1.0).obstacles
+    kept = ObstacleMemory().updated(crowd, 1.0).obstacles
     assert {o.id for o in kept} == {o.id for o in crowd[30:]}
 
 
 def test_a_sound_obstacle_has_no_fault() -> None:
-    assert fault_of(Obstacle("chair", (1.0, 1.0), 0.3, (0.5, 0.5), seen_at=1.0), 1.0, EXTENT) == ""
+    assert (
+        obstacle_fault(Obstacle("chair", (1.0, 1.0), 0.3, (0.5, 0.5), seen_at=1.0), 1.0, EXTENT)
+        == ""
+    )

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from housefly.errors import MissingPartError, RecordingError
 from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
-from housefly.lab.experiments.intervals import Estimate, mean, share
+from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
 from housefly.lab.experiments.outcomes import MEASURES
 
 try:
@@ -37,7 +37,7 @@ class GridPoint:
 
     values: tuple[float, ...]
     drones: int
-    estimates: dict[str, Estimate]
+    estimates: dict[str, IntervalEstimate]
 
 
 def summarize_campaign(spec: CampaignSpec, results: Path) -> tuple[GridPoint, ...]:
@@ -50,7 +50,7 @@ def summarize_campaign(spec: CampaignSpec, results: Path) -> tuple[GridPoint, ..
     order = np.argsort(cells, kind="stable")
     bounds = np.searchsorted(cells[order], np.arange(spec.points + 1))
     stable = _column(results, "stable")[order] == 1.0
-    estimates: list[dict[str, Estimate]] = [{} for _ in range(spec.points)]
+    estimates: list[dict[str, IntervalEstimate]] = [{} for _ in range(spec.points)]
     for measure in MEASURES:
         numbers = _column(results, measure.name)[order]
         for cell, (first, last) in enumerate(pairwise(bounds)):
@@ -76,7 +76,7 @@ def value_text(column: str, value: float) -> str:
     return words[int(value)] if words else f"{value:g}"
 
 
-def estimate_text(measure: str, estimate: Estimate) -> str:
+def estimate_text(measure: str, estimate: IntervalEstimate) -> str:
     """Return an estimate with its interval as people write it."""
     value, low, high = estimate
     if not np.isfinite(value):

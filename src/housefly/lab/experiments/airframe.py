@@ -22,7 +22,7 @@ GUST_TIME = 1.0
 """Correlation time of gusts [s]."""
 ORDER = np.dtype([("flying", "i8")] + [(name, "f8") for name in ("theta", "phi", "vz", "yaw_rate")])
 """What left the pilot's gate; not flying is the drone's own hover."""
-ORDERS = 128
+ORDER_RING_SIZE = 128
 """Orders kept: more than half a second at 200 Hz."""
 Orders = NDArray[Any]
 """Ring of ``ORDERS`` orders."""

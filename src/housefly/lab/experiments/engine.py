@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from housefly.lab.experiments.cases import Cases
 from housefly.lab.experiments.flight_plan import FlightPlan
-from housefly.lab.experiments.loop import Record, desk, fly_rows, ticks_of
+from housefly.lab.experiments.loop import Record, flight_buffers, fly_rows, ticks_of
 from housefly.lab.experiments.outcomes import OUTCOME, Outcomes
 from housefly.lab.experiments.route import Route, route_of
 from housefly.lab.experiments.trace import SEEN, TRACE, Trace
@@ -76,7 +76,7 @@ def fly_recorded(cases: Cases, mission: FlightPlan) -> tuple[Trace, NDArray[Any]
     frames = int(2.0 + mission.duration * float(cases["mocap_rate_hz"][0]))
     record = Record(np.zeros(ticks, TRACE), np.zeros(frames, SEEN))
     outcomes = np.zeros(1, OUTCOME)
-    fly_rows(cases, 0, 1, route, desk(cases), record, outcomes)
+    fly_rows(cases, 0, 1, route, flight_buffers(cases), record, outcomes)
     flown = np.count_nonzero(record.ticks["t"]) + 1
     return record.ticks[:flown], record.seen[record.seen["captured_at"] > 0.0]
 
@@ -91,5 +91,5 @@ def _yield() -> None:
 
 def _fly_chunk(cases: Cases, start: int, route: Route, outcomes: Outcomes) -> int:
     stop = min(start + CHUNK, len(cases))
-    fly_rows(cases, start, stop, route, desk(cases[start:stop]), UNWRITTEN, outcomes)
+    fly_rows(cases, start, stop, route, flight_buffers(cases[start:stop]), UNWRITTEN, outcomes)
     return stop - start

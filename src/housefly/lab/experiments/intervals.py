@@ -15,11 +15,11 @@ try:
 except ImportError as error:
     raise MissingPartError("scipy (intervals)", "pip install 'housefly[lab]'") from error
 
-LEVEL = 0.95
+CONFIDENCE_LEVEL = 0.95
 """Confidence of every interval."""
 
 
-class Estimate(NamedTuple):
+class IntervalEstimate(NamedTuple):
     """A number with its interval; nan where it cannot be given."""
 
     value: float
@@ -32,10 +32,10 @@ class Estimate(NamedTuple):
         return 0.5 * (self.high - self.low)
 
 
-NOTHING = Estimate(nan, nan, nan)
+NOTHING = IntervalEstimate(nan, nan, nan)
 
 
-def mean(samples: ArrayLike) -> Estimate:
+def mean(samples: ArrayLike) -> IntervalEstimate:
     """Return the mean of the finite samples with Student's t interval; without an interval below
     two samples.
     """
@@ -45,19 +45,21 @@ def mean(samples: ArrayLike) -> Estimate:
         return NOTHING
     middle = float(numbers.mean())
     if numbers.size == 1:
-        return Estimate(middle, nan, nan)
+        return IntervalEstimate(middle, nan, nan)
     reach = _student(numbers.size - 1) * float(numbers.std(ddof=1)) / float(np.sqrt(numbers.size))
-    return Estimate(middle, middle - reach, middle + reach)
+    return IntervalEstimate(middle, middle - reach, middle + reach)
 
 
-def share(hits: ArrayLike) -> Estimate:
+def share(hits: ArrayLike) -> IntervalEstimate:
     """Return the share of true samples with Wilson's interval, which is honest at 0 and at 1."""
     truths = np.asarray(hits, dtype=bool)
     if not truths.size:
         return NOTHING
-    interval = stats.binomtest(int(truths.sum()), truths.size).proportion_ci(LEVEL, method="wilson")
-    return Estimate(float(truths.mean()), float(interval.low), float(interval.high))
+    interval = stats.binomtest(int(truths.sum()), truths.size).proportion_ci(
+        CONFIDENCE_LEVEL, method="wilson"
+    )
+    return IntervalEstimate(float(truths.mean()), float(interval.low), float(interval.high))
 
 
 def _student(freedom: int) -> float:
-    return float(stats.t.ppf(0.5 + 0.5 * LEVEL, freedom))
+    return float(stats.t.ppf(0.5 + 0.5 * CONFIDENCE_LEVEL, freedom))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from housefly.lab.experiments.airframe import (
     ORDER,
-    ORDERS,
+    ORDER_RING_SIZE,
     Orders,
     airframe_of,
     carried_on,
@@ -62,11 +62,11 @@ from housefly.pilot.step import (
     step_commanded,
 )
 
-TICK_MAX = 0.1
+_TICK_MAX = 0.1
 """The references move on by no more than this in a tick [s], as in the live pilot."""
 
 
-class Desk(NamedTuple):
+class FlightBuffers(NamedTuple):
     """Rings and records that a flight writes to; used again by the next."""
 
     history: CommandHistory
@@ -83,13 +83,13 @@ class Record(NamedTuple):
     seen: NDArray[Any]
 
 
-def desk(cases: NDArray[Any]) -> Desk:
+def flight_buffers(cases: NDArray[Any]) -> FlightBuffers:
     """Return the rings for flights of these cases."""
     seconds = SIGHTING_AGE_MAX + 0.1 + float(cases["model_delay"].max(initial=0.0))
     spans = int(seconds * float(cases["rate_hz"].max(initial=1.0))) + 8
-    return Desk(
+    return FlightBuffers(
         np.zeros(1 << (spans - 1).bit_length(), COMMAND_SPAN),
-        np.zeros(ORDERS, ORDER),
+        np.zeros(ORDER_RING_SIZE, ORDER),
         np.zeros(FRAMES, FRAME),
         np.zeros(1, np.uint64),
         np.zeros(1, SCORE),
@@ -98,33 +98,43 @@ def desk(cases: NDArray[Any]) -> Desk:
 
 @compiled
 def fly_rows(
-    cases: Any, start: int, stop: int, route: Route, desk: Desk, record: Record, outcomes: Any
+    cases: Any,
+    start: int,
+    stop: int,
+    route: Route,
+    flight_buffers: FlightBuffers,
+    record: Record,
+    outcomes: Any,
 ) -> None:
     """Fly the cases from ``start`` to ``stop`` one after the other and write their outcomes."""
     for row in range(start, stop):
-        fly(cases[row], route, desk, record, outcomes[row])
+        _fly_case(cases[row], route, flight_buffers, record, outcomes[row])
 
 
 @compiled
-def fly(case: Any, route: Route, desk: Desk, record: Record, outcome: Any) -> None:
+def _fly_case(
+    case: Any, route: Route, flight_buffers: FlightBuffers, record: Record, outcome: Any
+) -> None:
     """Fly one case and write its outcome; every tick goes to the record when that has room."""
     params, air = parameters_of_case(case), airframe_of(case)
-    camera = _prepared(case, desk)
-    score, stream, gust = desk.score[0], stream_begun(camera), (0.0, 0.0)
+    camera = _prepared(case, flight_buffers)
+    score, stream, gust = flight_buffers.score[0], stream_begun(camera), (0.0, 0.0)
     start = route.path.waypoints
     body = DroneState(
         start[0, 0], start[0, 1], route.height, route.yaw, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     )
-    estimator = estimator_created(desk.history, params.estimator, 0.0)
+    estimator = estimator_created(flight_buffers.history, params.estimator, 0.0)
     state, task = INITIAL_STEP, task_created(route)
     before, ended_at = -inf, route.duration
     every = max(1, floor(case.rate_hz * PERIOD + 0.5))
     for tick in range(ticks_of(route, case) + 1):
         now = tick / case.rate_hz
-        dt = min(now - before, TICK_MAX)
+        dt = min(now - before, _TICK_MAX)
         before = now
-        estimator, stream = _estimated(estimator, stream, desk, params.estimator, record, tick, now)
-        here = pose_estimate(estimator, desk.history, params.estimator, now)
+        estimator, stream = _estimated(
+            estimator, stream, flight_buffers, params.estimator, record, tick, now
+        )
+        here = pose_estimate(estimator, flight_buffers.history, params.estimator, now)
         active = estimator.gate.initialized
         task, progress, guidance = guided(task, state, route, params, here, active, now)
         age = now - max(estimator.gate.last_capture, 0.0)
@@ -132,7 +142,7 @@ def fly(case: Any, route: Route, desk: Desk, record: Record, outcome: Any) -> No
         state, estimator, output = step_commanded(
             StepState(progress=progress, yaw=state.yaw, acceptor=state.acceptor, gate=state.gate),
             estimator,
-            desk.history,
+            flight_buffers.history,
             params,
             here,
             guidance,
@@ -143,7 +153,7 @@ def fly(case: Any, route: Route, desk: Desk, record: Record, outcome: Any) -> No
             now,
             dt,
         )
-        order = desk.orders[tick & (desk.orders.size - 1)]
+        order = flight_buffers.orders[tick & (flight_buffers.orders.size - 1)]
         _send(order, output.command)
         if tick < record.ticks.size:
             _write(record.ticks[tick], now, body, here, age, state, output, order, route.height)
@@ -156,7 +166,7 @@ def fly(case: Any, route: Route, desk: Desk, record: Record, outcome: Any) -> No
             if state.gate == SafetyCode.LAND or not is_there:
                 ended_at = now
                 break
-        gust = gusted(gust, air, desk.random)
+        gust = gusted(gust, air, flight_buffers.random)
         body, stream = carried_on(
             body,
             stream,
@@ -164,10 +174,10 @@ def fly(case: Any, route: Route, desk: Desk, record: Record, outcome: Any) -> No
             now,
             air,
             gust,
-            desk.orders,
+            flight_buffers.orders,
             camera,
-            desk.frames,
-            desk.random,
+            flight_buffers.frames,
+            flight_buffers.random,
         )
     summed_up(score, route, ended_at, outcome)
 
@@ -179,13 +189,13 @@ def ticks_of(route: Route, case: Any) -> int:
 
 
 @compiled
-def _prepared(case: Any, desk: Desk) -> Camera:
+def _prepared(case: Any, flight_buffers: FlightBuffers) -> Camera:
     """Clear the desk and return the tracking system; its first frame comes at random."""
-    sown(desk.random, case.seed)
-    cleared(desk.score[0])
-    for row in range(desk.history.size):
-        desk.history[row].pieces = 0
-    phase = uniform(desk.random)
+    sown(flight_buffers.random, case.seed)
+    cleared(flight_buffers.score[0])
+    for row in range(flight_buffers.history.size):
+        flight_buffers.history[row].pieces = 0
+    phase = uniform(flight_buffers.random)
     return Camera(
         case.mocap_rate_hz,
         phase,
@@ -200,21 +210,21 @@ def _prepared(case: Any, desk: Desk) -> Camera:
 def _estimated(
     estimator: EstimatorState,
     stream: Stream,
-    desk: Desk,
+    flight_buffers: FlightBuffers,
     params: EstimatorParameters,
     record: Record,
     tick: int,
     now: float,
 ) -> tuple[EstimatorState, Stream]:
     """Return estimator and stream after everything that has arrived by now [s]."""
-    while is_due(stream, desk.frames, now):
-        frame = desk.frames[stream.delivered & (desk.frames.size - 1)]
-        _, estimator = estimator_updated(estimator, desk.history, params, frame, now)
+    while is_due(stream, flight_buffers.frames, now):
+        frame = flight_buffers.frames[stream.delivered & (flight_buffers.frames.size - 1)]
+        _, estimator = estimator_updated(estimator, flight_buffers.history, params, frame, now)
         if tick < record.ticks.size:
             traced_sighting(record.ticks[tick], frame)
             noted(record.seen, stream.delivered, tick, frame)
         stream = delivered(stream)
-    return estimator_advanced(estimator, desk.history, params, now), stream
+    return estimator_advanced(estimator, flight_buffers.history, params, now), stream
 
 
 @compiled

@@ -6,7 +6,7 @@ from math import degrees
 
 import numpy as np
 
-from housefly.lab.experiments.intervals import Estimate, mean, share
+from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
 from housefly.lab.reproduction.routes import PAPER_CELL
@@ -195,11 +195,11 @@ def _hover(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.FAILS, text)
 
 
-def _arrived(evidence: Evidence, key: str) -> Estimate:
+def _arrived(evidence: Evidence, key: str) -> IntervalEstimate:
     return share(np.isfinite(evidence.trials[key]["arrival_time"]))
 
 
-def _inside(evidence: Evidence, key: str) -> Estimate:
+def _inside(evidence: Evidence, key: str) -> IntervalEstimate:
     return share(evidence.trials[key]["arrival_error"] < _IN_CELL)
 
 

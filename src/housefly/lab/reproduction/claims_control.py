@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from housefly.lab.experiments.intervals import Estimate, mean, share
+from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
 from housefly.lab.reproduction.ruling import (
@@ -186,7 +186,7 @@ def _kalman_good(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.CONDITION, "As long as its frames are fresh. " + text)
 
 
-def _stable(evidence: Evidence, key: str) -> Estimate:
+def _stable(evidence: Evidence, key: str) -> IntervalEstimate:
     return share(evidence.trials[key]["stable"] == 1.0)
 
 

@@ -12,7 +12,7 @@ from scipy.sparse.csgraph import dijkstra
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, distance
 from housefly.lab.reproduction.routes import MappedSite, mapped_site, service_path
-from housefly.pilot.planning.dijkstra import UNREACHED, Free, distances
+from housefly.pilot.planning.dijkstra import UNREACHED, FreeMask, distances
 from housefly.pilot.planning.planner import path_clearance, path_length, plan
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, build_grid
@@ -77,7 +77,7 @@ class MapFacts:
 def survey(site: Site) -> MapFacts:
     """Return the facts about the site's room."""
     paper, default = mapped_site(site, "paper"), mapped_site(site, "default")
-    free: Free = paper.grid.cells == Cell.FREE
+    free: FreeMask = paper.grid.cells == Cell.FREE
     pairs, wrong = _compared(free, free)
     way = service_path(paper).waypoints
     boxes, hit_static, hit_updated = _unexpected(default)
@@ -104,7 +104,7 @@ def survey(site: Site) -> MapFacts:
     )
 
 
-def _compared(free: Free, believed: Free) -> tuple[int, int]:
+def _compared(free: FreeMask, believed: FreeMask) -> tuple[int, int]:
     """Return how many pairs of free cells were compared, and how many differ from scipy's.
 
     Args:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from math import isfinite
 from typing import NamedTuple
 
-from housefly.lab.experiments.intervals import Estimate
+from housefly.lab.experiments.intervals import IntervalEstimate
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import ClaimFinding, Verdict
 
@@ -52,12 +52,12 @@ def percent(share: float) -> str:
     return f"{100 * share:.0f} %"
 
 
-def percents(share: Estimate) -> str:
+def percents(share: IntervalEstimate) -> str:
     """Return a share with its interval as percentages."""
     return f"{percent(share.value)} ({100 * share.low:.0f} to {100 * share.high:.0f})"
 
 
-def centimetres(length: Estimate) -> str:
+def centimetres(length: IntervalEstimate) -> str:
     """Return a mean length [m] with half its interval, in cm."""
     half = f" ± {100 * length.half:.1f}" if isfinite(length.half) else ""
     return f"{100 * length.value:.1f}{half} cm"

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator, ScalarFormatter
 
-from housefly.lab.experiments.intervals import Estimate, mean
+from housefly.lab.experiments.intervals import IntervalEstimate, mean
 from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Exhibit
@@ -121,7 +121,12 @@ def _distance(figure: Figure, evidence: Evidence) -> None:
 
 
 def _line(
-    axes: Axes, numbers: Sequence[Estimate], colour: str, marker: str, name: str, dashes: str = "-"
+    axes: Axes,
+    numbers: Sequence[IntervalEstimate],
+    colour: str,
+    marker: str,
+    name: str,
+    dashes: str = "-",
 ) -> None:
     middle = np.array([number.value for number in numbers])
     reach = np.nan_to_num([number.half for number in numbers])

@@ -8,7 +8,7 @@ from itertools import product
 import numpy as np
 
 from housefly.config.site import Mode
-from housefly.lab.experiments.intervals import Estimate, mean, share
+from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
 from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
@@ -193,7 +193,7 @@ def _cell(outcomes: Outcomes, question: _Measure) -> str:
     return _number(mean(outcomes[question.measure][stable]), question.scale, question.digits)
 
 
-def _number(estimate: Estimate, scale: float, digits: int) -> str:
+def _number(estimate: IntervalEstimate, scale: float, digits: int) -> str:
     if not np.isfinite(estimate.value):
         return _NO_NUMBER
     middle = f"{scale * estimate.value:.{digits}f}"

@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.numeric import compiled_with_arrays
+from housefly.room.grid import CellIndex
 
-Distances = NDArray[np.int32]
-Free = NDArray[np.bool_]
-CellIndex = tuple[int, int]
+CellDistances = NDArray[np.int32]
+FreeMask = NDArray[np.bool_]
+
 
 UNREACHED = -1
 
@@ -73,7 +74,7 @@ def _walk_back(distance: Any, stride: int, goal: int, out: Any) -> int:
     return count + 1
 
 
-def distances(free: Free, start: CellIndex, goal: CellIndex | None = None) -> Distances:
+def distances(free: FreeMask, start: CellIndex, goal: CellIndex | None = None) -> CellDistances:
     """Return the number of moves from ``start`` to each cell, UNREACHED where there is no way;
     shape of ``free``.
 
@@ -86,7 +87,7 @@ def distances(free: Free, start: CellIndex, goal: CellIndex | None = None) -> Di
     return np.ascontiguousarray(flat.reshape(-1, stride)[1:-1, 1:-1])
 
 
-def shortest_path(free: Free, start: CellIndex, goal: CellIndex) -> tuple[CellIndex, ...]:
+def shortest_path(free: FreeMask, start: CellIndex, goal: CellIndex) -> tuple[CellIndex, ...]:
     """Return the cells of a shortest path from start to goal, both included; empty when there is no
     way.
 
@@ -101,7 +102,7 @@ def shortest_path(free: Free, start: CellIndex, goal: CellIndex) -> tuple[CellIn
     return tuple((int(cell) // stride - 1, int(cell) % stride - 1) for cell in out[::-1])
 
 
-def _search(free: Free, start: CellIndex, goal: CellIndex | None) -> tuple[Distances, int]:
+def _search(free: FreeMask, start: CellIndex, goal: CellIndex | None) -> tuple[CellDistances, int]:
     padded = np.zeros((free.shape[0] + 2, free.shape[1] + 2), dtype=np.bool_)
     padded[1:-1, 1:-1] = free
     stride = padded.shape[1]

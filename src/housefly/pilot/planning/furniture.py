@@ -17,28 +17,28 @@ from housefly.config.site import Site
 from housefly.geometry import Vec2, distance, wrap_angle
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
-from housefly.pilot.planning.obstacles import AHEAD_OF_TIME, FASTEST
+from housefly.pilot.planning.obstacles import OBSTACLE_CLOCK_TOLERANCE, OBSTACLE_SPEED_MAX
 from housefly.room.model import Room
 from housefly.room.tracked import Stand, footprint_of, stand_of
 
-SOURCE = "tracking"
+FURNITURE_SOURCE = "tracking"
 """Source of these obstacles."""
-TELL_PERIOD = 0.25
+FURNITURE_REPORT_PERIOD = 0.25
 """A thing that stands still is told again after this [s]: far less than its confidence needs to
 fade.
 """
 SHIFTED, TURNED = 0.01, 0.02
 """A thing is told at once when it moved by this [m] or turned by this [rad]."""
-WINDOW = 0.3
+VELOCITY_WINDOW = 0.3
 """Velocity is how far it moved in this time [s]; a thing that is not seen for as long counts as
 standing.
 """
-STANDING = 0.1
+STANDING_SPEED_MAX = 0.1
 """Slower things count as standing [m/s]."""
 
 
 @dataclass(frozen=True, slots=True)
-class Whereabouts:
+class TrackedPose:
     """Where one thing is.
 
     Attributes:
@@ -57,19 +57,19 @@ class Whereabouts:
     since: float
     came_from: Vec2
 
-    def after(self, at: float, middle: Vec2, yaw: float) -> Whereabouts:
+    def updated(self, at: float, middle: Vec2, yaw: float) -> TrackedPose:
         """Return where it is after a newer sighting."""
         passed = at - self.since
-        if passed < WINDOW:
-            return Whereabouts(at, middle, yaw, self.velocity, self.since, self.came_from)
+        if passed < VELOCITY_WINDOW:
+            return TrackedPose(at, middle, yaw, self.velocity, self.since, self.came_from)
         velocity = (
             (middle[0] - self.came_from[0]) / passed,
             (middle[1] - self.came_from[1]) / passed,
         )
         # What is faster was put down elsewhere while nobody looked, or tracking took another body
         # for it.
-        moves = STANDING < hypot(*velocity) < FASTEST
-        return Whereabouts(at, middle, yaw, velocity if moves else (0.0, 0.0), at, middle)
+        moves = STANDING_SPEED_MAX < hypot(*velocity) < OBSTACLE_SPEED_MAX
+        return TrackedPose(at, middle, yaw, velocity if moves else (0.0, 0.0), at, middle)
 
 
 class TrackedFurniture:
@@ -85,7 +85,7 @@ class TrackedFurniture:
         self._pieces = {piece.body: piece for piece in site.furniture}
         stands = {piece.body: stand_of(room, piece) for piece in site.furniture}
         self._stands = {body: stand for body, stand in stands.items() if stand is not None}
-        self._places: dict[str, Whereabouts] = {}
+        self._places: dict[str, TrackedPose] = {}
         self._told: dict[str, Obstacle] = {}
 
     def step(self, sightings: Iterable[Sighting], now: float) -> tuple[Obstacle, ...]:
@@ -112,33 +112,55 @@ class TrackedFurniture:
         is_sane = all(
             isfinite(number) for number in (at, *sighting.pose.position, *sighting.pose.orientation)
         )
-        if not is_sane or at > now + AHEAD_OF_TIME or (known is not None and at <= known.at):
+        if (
+            not is_sane
+            or at > now + OBSTACLE_CLOCK_TOLERANCE
+            or (known is not None and at <= known.at)
+        ):
             return
         middle, yaw = footprint_of(self._pieces[sighting.body], sighting.pose)
-        fresh = Whereabouts(at, middle, yaw, (0.0, 0.0), at, middle)
-        self._places[sighting.body] = fresh if known is None else known.after(at, middle, yaw)
+        fresh = TrackedPose(at, middle, yaw, (0.0, 0.0), at, middle)
+        self._places[sighting.body] = fresh if known is None else known.updated(at, middle, yaw)
 
     def _standing(self, body: str, stand: Stand, now: float) -> Obstacle:
         """Return a thing that was never seen, where the room model has it."""
         name, band = self._pieces[body].name, (stand.bottom, stand.top)
         return Obstacle(
-            name, stand.middle, 0.0, stand.size, stand.yaw, *band, (0.0, 0.0), 1.0, now, SOURCE
+            name,
+            stand.middle,
+            0.0,
+            stand.size,
+            stand.yaw,
+            *band,
+            (0.0, 0.0),
+            1.0,
+            now,
+            FURNITURE_SOURCE,
         )
 
-    def _obstacle(self, body: str, place: Whereabouts, now: float) -> Obstacle | None:
+    def _obstacle(self, body: str, place: TrackedPose, now: float) -> Obstacle | None:
         """Return one thing as an obstacle of now, or None when it is forgotten."""
         piece, unseen = self._pieces[body], now - place.at
         if unseen > piece.remembered and body not in self._stands:
             return None
-        velocity = place.velocity if unseen < WINDOW else (0.0, 0.0)
+        velocity = place.velocity if unseen < VELOCITY_WINDOW else (0.0, 0.0)
         size, band = (piece.length, piece.width), (piece.bottom, piece.top)
         return Obstacle(
-            piece.name, place.middle, 0.0, size, place.yaw, *band, velocity, 1.0, now, SOURCE
+            piece.name,
+            place.middle,
+            0.0,
+            size,
+            place.yaw,
+            *band,
+            velocity,
+            1.0,
+            now,
+            FURNITURE_SOURCE,
         )
 
     def _is_news(self, body: str, obstacle: Obstacle) -> bool:
         told = self._told.get(body)
-        if told is None or obstacle.seen_at - told.seen_at >= TELL_PERIOD:
+        if told is None or obstacle.seen_at - told.seen_at >= FURNITURE_REPORT_PERIOD:
             return True
         return (
             distance(told.position, obstacle.position) > SHIFTED

@@ -18,14 +18,14 @@ from housefly.geometry import Vec2
 from housefly.numeric import FloatArray, compiled
 from housefly.room.grid import Cell, OccupancyGrid
 
-SAMPLE = 0.05
+PATH_SAMPLE = 0.05
 """A path is looked at every so often [m]."""
-RECEDING = 1e-3
+RECEDING_TOLERANCE = 1e-3
 """A drone that is too close already may go where it gets no closer than this from one sample to the
 next [m].
 """
 
-FREE, OCCUPIED, INFLATED, OUTSIDE = (
+_FREE, OCCUPIED, INFLATED, OUTSIDE = (
     int(Cell.FREE),
     int(Cell.OCCUPIED),
     int(Cell.INFLATED),
@@ -34,7 +34,7 @@ FREE, OCCUPIED, INFLATED, OUTSIDE = (
 
 
 @dataclass(frozen=True, slots=True)
-class Distances:
+class KeepDistances:
     """How far the drone's middle keeps from an obstacle.
 
     Attributes:
@@ -46,7 +46,7 @@ class Distances:
     tight: float
 
 
-def distances_for(keep: float, give: float, resolution: float) -> Distances:
+def distances_for(keep: float, give: float, resolution: float) -> KeepDistances:
     """Return the distances that make every path through open cells free.
 
     Args:
@@ -57,7 +57,7 @@ def distances_for(keep: float, give: float, resolution: float) -> Distances:
     """
     half_diagonal = resolution / sqrt(2.0)
     tight = keep - min(half_diagonal, give)
-    return Distances(tight + half_diagonal, tight)
+    return KeepDistances(tight + half_diagonal, tight)
 
 
 @compiled
@@ -76,7 +76,7 @@ def gap(row: Any, x: float, y: float) -> float:
 
 
 @compiled
-def standing(row: Any, x: float, y: float) -> float:
+def standing_gap(row: Any, x: float, y: float) -> float:
     """Return the same distance [m] to where the row's obstacle was seen, wherever it may go."""
     u = max(abs((x - row[0]) * row[4] + (y - row[1]) * row[5]) - row[2], 0.0)
     v = max(abs((y - row[1]) * row[4] - (x - row[0]) * row[5]) - row[3], 0.0)
@@ -119,7 +119,7 @@ def _grow(
                     continue
                 if near <= touch:
                     cells[i, j] = OCCUPIED
-                elif near < reach and cells[i, j] == FREE:
+                elif near < reach and cells[i, j] == _FREE:
                     cells[i, j] = INFLATED
 
 
@@ -141,7 +141,7 @@ def _first_block(
                 x, y = points[leg, 0] + dx * n / count, points[leg, 1] + dy * n / count
                 near = gap(rows[k], x, y)
                 if near < tight:
-                    present = min(present, standing(rows[k], x, y))
+                    present = min(present, standing_gap(rows[k], x, y))
                 if near < nearest:
                     nearest, which = near, k
             is_first = leg == 0 and n == 0
@@ -184,4 +184,6 @@ def first_block(rows: FloatArray, points: tuple[Vec2, ...], tight: float) -> tup
     """
     if not len(rows) or len(points) < 2:
         return inf, -1
-    return _first_block(rows, np.array(points, dtype=np.float64), tight, SAMPLE, RECEDING)
+    return _first_block(
+        rows, np.array(points, dtype=np.float64), tight, PATH_SAMPLE, RECEDING_TOLERANCE
+    )

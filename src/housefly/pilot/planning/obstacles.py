@@ -19,27 +19,27 @@ from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
 
-HALF_LIFE = 1.0
+CERTAINTY_HALF_LIFE = 1.0
 """An obstacle that is not seen is half as believable after this [s]."""
-ENOUGH = 0.25
+CERTAINTY_MIN = 0.25
 """Obstacles less believable than this do not count."""
 FREED_AFTER = 2.0
 """An obstacle of full confidence that is not seen any more frees its cells after this [s]."""
-MOST = 64
+OBSTACLES_MAX = 64
 """No more obstacles than this are kept; the most believable stay."""
-LARGEST = 5.0
+OBSTACLE_SIZE_MAX = 5.0
 """No obstacle reaches farther from its middle than this [m]."""
-FASTEST = 3.0
+OBSTACLE_SPEED_MAX = 3.0
 """No obstacle moves faster than this [m/s]."""
-AHEAD_OF_TIME = 0.05
+OBSTACLE_CLOCK_TOLERANCE = 0.05
 """How far a capture time may lie in the future [s]: clocks of two processes on one machine agree
 better.
 """
 
-Extent = tuple[float, float, float, float]
+MapExtent = tuple[float, float, float, float]
 
 
-def fault_of(obstacle: Obstacle, now: float, extent: Extent) -> str:
+def obstacle_fault(obstacle: Obstacle, now: float, extent: MapExtent) -> str:
     """Return why an obstacle is not believed, in words, or "".
 
     Args:
@@ -62,45 +62,52 @@ def fault_of(obstacle: Obstacle, now: float, extent: Extent) -> str:
         return "not all its numbers are finite"
     if not 0.0 <= obstacle.confidence <= 1.0:
         return "its confidence does not lie between 0 and 1"
-    if obstacle.radius < 0.0 or min(obstacle.size) < 0.0 or _reach(obstacle) > LARGEST:
-        return f"its size makes no sense (at most {LARGEST:.0f} m)"
-    if hypot(*obstacle.velocity) > FASTEST:
-        return f"it is faster than {FASTEST:.0f} m/s"
-    if obstacle.seen_at > now + AHEAD_OF_TIME:
+    if obstacle.radius < 0.0 or min(obstacle.size) < 0.0 or _reach(obstacle) > OBSTACLE_SIZE_MAX:
+        return f"its size makes no sense (at most {OBSTACLE_SIZE_MAX:.0f} m)"
+    if hypot(*obstacle.velocity) > OBSTACLE_SPEED_MAX:
+        return f"it is faster than {OBSTACLE_SPEED_MAX:.0f} m/s"
+    if obstacle.seen_at > now + OBSTACLE_CLOCK_TOLERANCE:
         return "it was seen in the future"
     (x, y), (x_min, y_min, x_max, y_max) = obstacle.position, extent
-    if not (x_min - LARGEST <= x <= x_max + LARGEST and y_min - LARGEST <= y <= y_max + LARGEST):
+    if not (
+        x_min - OBSTACLE_SIZE_MAX <= x <= x_max + OBSTACLE_SIZE_MAX
+        and y_min - OBSTACLE_SIZE_MAX <= y <= y_max + OBSTACLE_SIZE_MAX
+    ):
         return "it lies far outside the map"
     return ""
 
 
-def belief(obstacle: Obstacle, now: float) -> float:
+def certainty_now(obstacle: Obstacle, now: float) -> float:
     """Return how far an obstacle is believed now, 0 to 1."""
     age = max(0.0, now - obstacle.seen_at)
-    return float(obstacle.confidence * 0.5 ** (age / HALF_LIFE))
+    return float(obstacle.confidence * 0.5 ** (age / CERTAINTY_HALF_LIFE))
 
 
 @dataclass(frozen=True, slots=True)
-class Memory:
+class ObstacleMemory:
     """The obstacles that count, the newest word of each; in the order of source and id."""
 
     obstacles: tuple[Obstacle, ...] = ()
 
-    def after(self, heard: Iterable[Obstacle], now: float) -> Memory:
+    def updated(self, heard: Iterable[Obstacle], now: float) -> ObstacleMemory:
         """Return the memory after new words of obstacles, without those that are forgotten."""
         known = {(obstacle.source, obstacle.id): obstacle for obstacle in self.obstacles}
         for obstacle in heard:
             name = obstacle.source, obstacle.id
             if name not in known or known[name].seen_at <= obstacle.seen_at:
                 known[name] = obstacle
-        counting = [name for name in sorted(known) if belief(known[name], now) >= ENOUGH]
-        if len(counting) > MOST:
-            counting = sorted(sorted(counting, key=lambda name: -belief(known[name], now))[:MOST])
+        counting = [
+            name for name in sorted(known) if certainty_now(known[name], now) >= CERTAINTY_MIN
+        ]
+        if len(counting) > OBSTACLES_MAX:
+            counting = sorted(
+                sorted(counting, key=lambda name: -certainty_now(known[name], now))[:OBSTACLES_MAX]
+            )
         obstacles = tuple(known[name] for name in counting)
-        return self if obstacles == self.obstacles else Memory(obstacles)
+        return self if obstacles == self.obstacles else ObstacleMemory(obstacles)
 
 
-def rows_of(
+def obstacle_rows(
     obstacles: Iterable[Obstacle], now: float, horizon: float, band: Vec2
 ) -> tuple[FloatArray, tuple[str, ...]]:
     """Return the ground that obstacles may cover until a time ahead, one row each, and the names

@@ -11,9 +11,14 @@ import numpy as np
 
 from housefly.geometry import Vec2, distance
 from housefly.messages.steering import Path, PlanAnswer
-from housefly.pilot.planning.dijkstra import UNREACHED, CellIndex, Free, distances, shortest_path
+from housefly.pilot.planning.dijkstra import (
+    UNREACHED,
+    FreeMask,
+    distances,
+    shortest_path,
+)
 from housefly.pilot.planning.shortcut import sees, straightened
-from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.grid import Cell, CellIndex, OccupancyGrid
 
 WHY_NOT = {
     Cell.OCCUPIED: "lies in an obstacle",
@@ -43,7 +48,7 @@ def plan(
             corners, and the last waypoint is the goal itself.
         shortcut: straighten the path at any angle.
     """
-    free: Free = grid.cells == Cell.FREE
+    free: FreeMask = grid.cells == Cell.FREE
     objection = _objection(grid, "start", start)
     if objection:
         return PlanAnswer(start, goal, None, objection, _nearest(grid, free, start))
@@ -96,7 +101,7 @@ def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
     return f"the {name} {_words(point)} {WHY_NOT[grid.kind(cell)].format(clearance=clearance)}"
 
 
-def _nearest(grid: OccupancyGrid, allowed: Free, point: Vec2) -> Vec2 | None:
+def _nearest(grid: OccupancyGrid, allowed: FreeMask, point: Vec2) -> Vec2 | None:
     """Return the middle of the allowed cell nearest to a point [m]; the first in (ix, iy) order
     among equals.
     """

@@ -10,7 +10,7 @@ from housefly.geometry import Vec2
 from housefly.numeric import compiled
 from housefly.room.grid import Cell, OccupancyGrid
 
-FREE = int(Cell.FREE)
+_FREE = int(Cell.FREE)
 TOUCH = 1e-6
 """Cells closer to the leg than this [cell edges] count as touched."""
 
@@ -36,7 +36,7 @@ def _sees(cells: Any, x0: float, y0: float, x1: float, y1: float) -> bool:
             yb = y0 + slope * (min(max(i + 1 + TOUCH, x0), x1) - x0)
             bottom, top = floor(min(ya, yb) - TOUCH), floor(max(ya, yb) + TOUCH)
         for j in range(bottom, top + 1):
-            if cells[i, j] != FREE:
+            if cells[i, j] != _FREE:
                 return False
     return True
 
