@@ -75,7 +75,7 @@ def test_a_recording_that_was_cut_short_gives_what_is_readable(
 
 
 @settings(
-    max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+    max_examples=30, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
 @given(data=st.data())
 def test_a_damaged_recording_is_a_recording_error_and_nothing_else(

@@ -135,7 +135,7 @@ def test_with_perfect_tracking_stability_ends_where_routh_says(
         assert period_of(fast).growth > 1.0
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=4, deadline=None)
 @given(
     st.floats(0.6, 1.8),
     st.floats(4.0, 12.0),
