@@ -83,9 +83,7 @@ class RoomNavigator:
         return self._live
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:
-        """Return what blocks the rest of a path, from a place [m] by the next waypoint to its end;
-        None when it is free.
-        """
+        """Return what blocks the rest of a path from a place [m] on; None when it is free."""
         if not len(self._soon):
             return None
         along, row = first_block(

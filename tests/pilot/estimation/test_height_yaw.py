@@ -45,7 +45,7 @@ def test_a_jump_is_refused_and_while_refusing_the_doubt_stays(
 ) -> None:
     believed, without, _ = height_yaw_updated(u, u.z.x + jump, u.yaw.x, 1.02, refusing, NOISE)
     assert not believed
-    assert (without.z_doubt == u.z_doubt) == refusing
+    assert (without.z_innovation == u.z_innovation) == refusing
 
 
 @given(uprights, st.floats(0.0, 3.0))

@@ -53,4 +53,4 @@ def test_the_papers_filter_judges_by_its_doubt(
     p = PaperFilterState(x, y, 0.0, 0.0, 0.0, 1e-6)
     believed, kept = paper_filter_gated(p, x.x + off, y.x, refusing, NOISE**2)
     doubt = 1e-6 if refusing else x.xx + NOISE**2
-    assert kept.doubt == doubt and believed == within_gate(off * off, doubt, 0.15)
+    assert kept.innovation_variance == doubt and believed == within_gate(off * off, doubt, 0.15)

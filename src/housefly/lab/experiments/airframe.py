@@ -1,6 +1,4 @@
-"""The simulated drone of an experiment: reduced-order dynamics, orders that act late, gusts, and
-its own hover.
-"""
+"""The simulated drone of an experiment: late commands, gusts, and its own hover."""
 
 from __future__ import annotations
 

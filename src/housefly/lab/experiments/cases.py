@@ -1,5 +1,4 @@
-"""What may differ between the drones of an experiment: one row a drone, one named column a
-quantity.
+"""What may differ between the drones of an experiment: a row a drone, a column a quantity.
 
 The same table declares the columns, their units and ranges, and where a site gives their values.
 Campaign files, results and the compiled loop all use these names.
@@ -131,8 +130,7 @@ Cases = NDArray[Any]
 
 
 def cases(site: Site, count: int = 1, **columns: Any) -> Cases:
-    """Return ``count`` drones of a site, with some columns replaced by a number or by ``count``
-    numbers.
+    """Return ``count`` drones of a site, some columns replaced by one number or ``count``.
 
     Raises:
         ConfigError: naming the column, the value and the allowed range.
@@ -150,9 +148,7 @@ def cases(site: Site, count: int = 1, **columns: Any) -> Cases:
 
 
 def checked(name: str, values: NDArray[Any]) -> NDArray[Any]:
-    """Return the values of one column; raises ConfigError when one is not a number in the column's
-    range.
-    """
+    """Return the values of one column; raises ConfigError outside the column's range."""
     if name == "seed":
         return values
     parameter = BY_NAME[name]

@@ -68,9 +68,7 @@ def fly_traced(cases: Cases, mission: FlightPlan) -> Trace:
 
 
 def fly_recorded(cases: Cases, mission: FlightPlan) -> tuple[Trace, NDArray[Any]]:
-    """Fly the first case and return every tick and, with the tick at which it arrived, every
-    sighting (``trace.SEEN``).
-    """
+    """Fly the first case; return every tick, and every sighting with its tick (``trace.SEEN``)."""
     route = route_of(mission)
     ticks = ticks_of(route, cases[0]) + 1
     frames = int(2.0 + mission.duration * float(cases["mocap_rate_hz"][0]))

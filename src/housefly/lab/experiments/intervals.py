@@ -36,9 +36,7 @@ NOTHING = IntervalEstimate(nan, nan, nan)
 
 
 def mean(samples: ArrayLike) -> IntervalEstimate:
-    """Return the mean of the finite samples with Student's t interval; without an interval below
-    two samples.
-    """
+    """Return the mean of the finite samples with Student's t interval."""
     numbers = np.asarray(samples, dtype=float)
     numbers = numbers[np.isfinite(numbers)]
     if not numbers.size:

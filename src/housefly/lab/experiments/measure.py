@@ -1,6 +1,4 @@
-"""Measures a flight as it goes: the truth against path, reference and estimate, a few numbers kept,
-nothing recorded.
-"""
+"""Measures a flight as it goes: the truth against path, reference and estimate."""
 
 from __future__ import annotations
 

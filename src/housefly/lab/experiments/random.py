@@ -1,5 +1,4 @@
-"""Random numbers that belong to one drone alone: a counter mixed into bits (splitmix64, Steele, Lea
-and Flood 2014).
+"""Random numbers of one drone alone: a counter mixed into bits (splitmix64, Steele 2014).
 
 The state is the counter, one 64-bit number in an array of one, so a drone's numbers depend on its
 own seed and on nothing else.

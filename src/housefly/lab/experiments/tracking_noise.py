@@ -1,6 +1,4 @@
-"""The simulated tracking system: frames at a rate, noisy, some lost, each arriving late; a late one
-holds up those behind.
-"""
+"""The simulated tracking system: frames at a rate, noisy, some lost, each arriving late."""
 
 from __future__ import annotations
 
@@ -42,9 +40,7 @@ class Camera(NamedTuple):
 
 
 class Stream(NamedTuple):
-    """How many frames were exposed, sent and delivered, when the next is exposed and when the last
-    sent one arrives [s].
-    """
+    """How many frames were exposed, sent and delivered, and the times of the next [s]."""
 
     exposed: int
     sent: int
@@ -70,9 +66,7 @@ def exposed(
     start: float,
     dt: float,
 ) -> Stream:
-    """Return the stream after a step of the drone of dt [s] from ``start`` [s], whatever was
-    exposed in it sent off.
-    """
+    """Return the stream after dt [s] from ``start`` [s], with what was exposed sent off."""
     while stream.next_at < start + dt:
         frame = stream.exposed
         following = (frame + 1 + camera.phase) / camera.rate_hz

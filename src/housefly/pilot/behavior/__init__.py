@@ -1,1 +1,1 @@
-"""The finite state acceptor (paper V-B) and the errand."""
+"""The finite state acceptor (paper V-B), the reference, and the mission."""

@@ -106,9 +106,7 @@ def steady_conditions(
     eps2: float,
     eps3: float,
 ) -> int:
-    """Return q1..q4 as bits, mended: a state is left at half the tolerance that enters it, and
-    exactly one bit is set.
-    """
+    """Return q1..q4 as bits, mended: exactly one is set, with hysteresis of half the tolerance."""
     q1 = abs(height_error) > (0.5 * eps1 if state == AcceptorState.ALTITUDE_CONTROL else eps1)
     q2 = not q1 and abs(yaw_error) > (0.5 * eps2 if state == AcceptorState.YAW_CONTROL else eps2)
     q3 = (
@@ -122,8 +120,7 @@ def steady_conditions(
 
 @compiled
 def next_state(state: int, since: float, conditions: int, now: float, dwell: float) -> int:
-    """Return the state after one look at the conditions; REST counts at once, the rest after
-    ``dwell`` [s].
+    """Return the next state; REST counts at once, the other conditions after ``dwell`` [s].
 
     Args:
         state: present one, an index into ``STATES``.

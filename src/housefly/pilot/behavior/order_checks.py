@@ -1,6 +1,4 @@
-"""Whether an order may be obeyed: one table of rules, each with the words that a person reads when
-it may not.
-"""
+"""Whether an order may be obeyed: one table of checks, each with the words for a refusal."""
 
 from __future__ import annotations
 

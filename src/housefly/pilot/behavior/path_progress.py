@@ -17,7 +17,7 @@ REFERENCE_ACCELERATION = 0.4
 give.
 """
 HEADING_LOOKAHEAD = 0.5
-"""The nose points to where the path will be after this distance [m], so that turns begin before
+"""The drone looks to where the path will be after this distance [m], so that turns begin before
 corners.
 """
 HEADING_FREEZE = 0.25
@@ -47,9 +47,7 @@ class PathProgress(NamedTuple):
 
 
 class TrajectorySetpoint(NamedTuple):
-    """What a reference wants: position [m], velocity [m/s], acceleration [m/s^2], heading [rad, nan
-    keeps it], next waypoint.
-    """
+    """Place [m], velocity [m/s], acceleration [m/s^2] and heading [rad, nan keeps it] to track."""
 
     x: float
     y: float
@@ -66,9 +64,7 @@ class TrajectorySetpoint(NamedTuple):
 def speed_allowed(
     s: float, leg: int, wanted: float, marks: FloatArray, speeds: FloatArray, acceleration: float
 ) -> float:
-    """Return the highest speed [m/s], no higher than wanted, from which every mark ahead can be
-    passed at its own speed.
-    """
+    """Return the highest speed [m/s] from which every mark ahead can be passed at its own."""
     squared = wanted * wanted
     for mark in range(leg + 1, marks.size):
         braking = 2.0 * acceleration * (marks[mark] - s)
@@ -89,9 +85,7 @@ def profile_travelled(
     acceleration: float,
     dt: float,
 ) -> tuple[float, float]:
-    """Return arc length [m] and speed [m/s] after dt [s], wanting a speed and respecting the marks
-    ahead.
-    """
+    """Return arc length [m] and speed [m/s] after dt [s], respecting the marks ahead."""
     end = marks[-1]
     target = speed_allowed(s, leg, wanted, marks, speeds, acceleration)
     faster, slower = v + acceleration * dt, v - 1.5 * acceleration * dt

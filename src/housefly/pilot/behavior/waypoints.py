@@ -1,6 +1,4 @@
-"""The reference of mode paper: the centre of the next cell, target velocity zero, psi_ref 0 or pi
-by the leg's direction in x.
-"""
+"""The reference of mode paper: the centre of the next cell, at rest, heading 0 or pi."""
 
 from __future__ import annotations
 
@@ -20,8 +18,7 @@ def paper_heading(yaw: float) -> float:
 def waypoint_advanced(
     index: int, yaw: float, points: FloatArray, x: float, y: float, eps3: float
 ) -> tuple[int, float]:
-    """Return the waypoint and heading [rad] after one look: on to the next when q4 holds, the drone
-    nearer than eps3 [m].
+    """Return waypoint and heading [rad]: the next ones when q4 holds, nearer than eps3 [m].
 
     Args:
         index: waypoint that the drone is sent to.

@@ -1,4 +1,4 @@
-"""Where the nose should point: the path's wish, turned to no faster than a film can follow."""
+"""The heading to fly: the path's wish, turned to no faster than a film can follow."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class YawReference(NamedTuple):
     """Headings [rad].
 
     Attributes:
-        target: where the nose shall point in the end.
-        reference: where it should point now; nan before there is anything to track.
+        target: the heading in the end.
+        reference: the heading now; nan before there is anything to track.
     """
 
     target: float
@@ -27,20 +27,20 @@ class YawReference(NamedTuple):
 
 @compiled
 def yaw_reference_advanced(
-    nose: YawReference, wish: float, yaw: float, turn_max: float
+    before: YawReference, wish: float, yaw: float, turn_max: float
 ) -> YawReference:
     """Return the wanted headings after one look.
 
     Args:
-        nose: before.
-        wish: what the reference wants [rad]; nan keeps the last target, or the present heading when
-            there is none.
+        before: at the last look.
+        wish: what the path or the task wants [rad]; nan keeps the last target, or the present
+            heading when there is none.
         yaw: present heading [rad].
         turn_max: largest turn of the reference in this look [rad]; infinite lets it jump.
     """
-    kept = yaw if isnan(nose.reference) else nose.target
+    kept = yaw if isnan(before.reference) else before.target
     target = kept if isnan(wish) else wish
     if turn_max > 7.0:
         return YawReference(target, target)
-    last = yaw if isnan(nose.reference) else nose.reference
+    last = yaw if isnan(before.reference) else before.reference
     return YawReference(target, wrapped(last + clipped(wrapped(target - last), turn_max)))

@@ -22,8 +22,7 @@ from housefly.numeric import clipped, compiled, wrapped
 def demand(
     error: float, error_rate: float, feed_forward: float, alpha: float, beta: float
 ) -> float:
-    """Return the wanted acceleration [m/s^2] of one world axis: a = beta e + alpha e' +
-    feed-forward.
+    """Return the wanted acceleration [m/s^2] of an axis: beta e + alpha e' + feed-forward.
 
     Args:
         error: reference minus estimate [m].
@@ -37,8 +36,7 @@ def demand(
 
 @compiled
 def tilt(ax: float, ay: float, psi: float, gain: float) -> tuple[float, float]:
-    """Return pitch theta and roll phi [rad] that accelerate by (ax, ay) [m/s^2] in the world at
-    heading psi [rad].
+    """Return pitch and roll [rad] that accelerate by (ax, ay) [m/s^2] in the world at psi [rad].
 
     Eqs. (20)-(21) for any heading, divided by the inner loop's static gain c / lambda of eqs.
     (22)-(23).
@@ -67,9 +65,7 @@ def paper_tilt(ax: float, ay: float, facing: float, gain: float) -> tuple[float,
 
 @compiled
 def saturated_jointly(theta: float, phi: float, bound: float) -> tuple[float, float]:
-    """Return the pair scaled so that its length is at most ``bound`` [rad]: the direction of the
-    push is kept.
-    """
+    """Return the pair scaled to a length of at most ``bound`` [rad]: its direction is kept."""
     length = sqrt(theta * theta + phi * phi)
     if length <= bound:
         return theta, phi
@@ -84,9 +80,7 @@ def clipped_per_axis(theta: float, phi: float, bound: float) -> tuple[float, flo
 
 @compiled
 def acceleration(theta: float, phi: float, psi: float) -> tuple[float, float]:
-    """Return the world acceleration [m/s^2] at an attitude [rad]: eqs. (8)-(9) for any heading,
-    thrust holding the height.
-    """
+    """Return the world acceleration [m/s^2] at an attitude [rad], eqs. (8)-(9), height held."""
     c, s, lean = cos(psi), sin(psi), tan(theta)
     # 1 / cos(theta) = sqrt(1 + tan^2) for any tilt that is flown, and a tangent costs no more than
     # a sine

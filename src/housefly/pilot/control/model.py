@@ -17,9 +17,7 @@ HOVER_BRAKE = 1.5
 
 
 class DroneState(NamedTuple):
-    """State of the reduced-order drone: world position [m], heading [rad], rates [m/s, rad/s],
-    attitude [rad].
-    """
+    """The reduced-order drone: place [m], heading [rad], rates [m/s, rad/s], attitude [rad]."""
 
     x: float = 0.0
     y: float = 0.0
@@ -114,9 +112,7 @@ def moved(
 def between(
     before: DroneState, after: DroneState, dt: float, part: float
 ) -> tuple[float, float, float, float]:
-    """Return position [m] and heading [rad] ``part`` [s] after the beginning of a step of dt [s];
-    speeds change evenly.
-    """
+    """Return place [m] and heading [rad] ``part`` [s] into a step of dt [s]."""
     share = 0.5 * part * part / dt
     x = before.x + part * before.vx + share * (after.vx - before.vx)
     y = before.y + part * before.vy + share * (after.vy - before.vy)
@@ -131,9 +127,7 @@ def between(
 
 @compiled
 def hover_tilt(body: DroneState, wind: tuple[float, float], tilt_max: float) -> tuple[float, float]:
-    """Return pitch and roll [rad] that the drone gives itself when it hovers: it brakes, and leans
-    against what pushes it.
-    """
+    """Return pitch and roll [rad] of the drone's own hover: it brakes and leans against pushes."""
     theta, phi = tilt(
         -HOVER_BRAKE * body.vx - wind[0], -HOVER_BRAKE * body.vy - wind[1], body.psi, 1.0
     )

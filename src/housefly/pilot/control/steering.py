@@ -96,9 +96,7 @@ def control_output(aim: ControlReference, where: ControlState, gains: Gains) -> 
 def paper_control_output(
     state: int, aim: ControlReference, where: ControlState, gains: Gains
 ) -> ControlOutput:
-    """Return what mode paper asks in a state of the acceptor: only its own axis, the others are
-    level or still.
-    """
+    """Return what mode paper asks in a state of the acceptor: its own axis only."""
     if state == AcceptorState.ALTITUDE_CONTROL:
         return ControlOutput(0.0, 0.0, _climb(aim, where, gains), 0.0, 0.0)
     if state == AcceptorState.YAW_CONTROL:

@@ -1,5 +1,4 @@
-"""A two-state Kalman filter as compiled scalar functions: a value and its rate, pushed by a known
-acceleration.
+"""A constant-velocity Kalman filter, compiled: a value and its rate, and a known acceleration.
 
 Serves height and yaw in both modes, and x and y in mode paper (state x, x', input = command, as in
 paper V-D).

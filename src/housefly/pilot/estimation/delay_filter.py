@@ -1,5 +1,4 @@
-"""The state of mode default's filter where it was last measured, and the way that leads from there
-to when a command will act.
+"""Mode default's filter: the state at the last measurement, and the way from there to later.
 
 A measurement tells where the drone *was*. The commands given since then, and those that it has not
 yet felt, say how it goes on. The time between two looks at the clock is a *span*: one command, in
@@ -105,7 +104,7 @@ def delay_filter_initialized(
     y: float,
     first: AxisCovariance,
 ) -> DelayFilterState:
-    """Return the horizon of a drone first seen at rest at (x, y) [m] at a time [s]."""
+    """Return the state of a drone first seen at rest at (x, y) [m] at a time [s]."""
     there = AxesAt(
         _span_index(h, spans, delay, at),
         AxisState(x, 0.0, 0.0, 0.0),
@@ -121,9 +120,7 @@ def delay_filter_initialized(
 def command_recorded(
     h: DelayFilterState, spans: CommandHistory, ux: float, uy: float, flown: bool
 ) -> None:
-    """Put the newest span under a command: world acceleration [m/s^2]; not flown means that the
-    drone flies itself.
-    """
+    """Put the newest span under a world acceleration [m/s^2], or the drone's own hover."""
     row = spans[h.newest & (spans.size - 1)]
     row.flown = 1 if flown else 0
     row.ux = ux if flown else 0.0
@@ -134,9 +131,7 @@ def command_recorded(
 def delay_filter_advanced(
     h: DelayFilterState, spans: CommandHistory, model: AxisModel, delay: float, now: float
 ) -> DelayFilterState:
-    """Return the horizon with the newest span ended now [s] and the next one begun under the same
-    command.
-    """
+    """Return the state with the newest span ended now [s] and the next one begun."""
     ring = spans.size - 1
     row, following = spans[h.newest & ring], spans[(h.newest + 1) & ring]
     if now - row.sent <= TIME_TOLERANCE:
@@ -205,9 +200,7 @@ def delay_filter_updated(
     y: float,
     variance: float,
 ) -> DelayFilterState:
-    """Return the horizon after a measurement (x, y) [m] of a variance [m^2] at the time ``at`` [s]
-    that was reached.
-    """
+    """Return the state after a measurement (x, y) [m] of a variance [m^2] at a time [s]."""
     p = there.covariance
     known = AxesAt(
         there.span,
@@ -224,9 +217,7 @@ def delay_filter_updated(
 def history_trimmed(
     h: DelayFilterState, spans: CommandHistory, model: AxisModel, delay: float, at: float
 ) -> DelayFilterState:
-    """Return the horizon standing at a later time [s], before which nothing can be measured any
-    more.
-    """
+    """Return the state carried to a time [s] before which nothing can be measured any more."""
     if at <= h.at:
         return h
     return _span_split(
@@ -295,9 +286,7 @@ def _step_count(seconds: float) -> int:
 
 @compiled
 def _span_index(h: DelayFilterState, spans: CommandHistory, delay: float, at: float) -> int:
-    """Return the number of the span whose command acts at a time [s]; the one of the measurement
-    when that lies after it.
-    """
+    """Return the number of the span whose command acts at a time [s]."""
     ring = spans.size - 1
     span = h.newest
     while span > h.span and spans[span & ring].sent + delay > at + TIME_TOLERANCE:

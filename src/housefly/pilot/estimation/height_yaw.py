@@ -1,6 +1,4 @@
-"""Height and yaw: two small constant-rate filters, the same in both modes, with the innovation gate
-for the whole pose.
-"""
+"""Height and yaw: two constant-velocity filters, the same in both modes, and the pose's gate."""
 
 from __future__ import annotations
 
@@ -35,19 +33,19 @@ class HeightYawState(NamedTuple):
     Attributes:
         z, yaw: filter states at the last sighting.
         at: when that was captured [s].
-        z_doubt, yaw_doubt: variance by which the next sighting is judged [m^2, rad^2].
+        z_innovation, yaw_innovation: variance by which the next sighting is judged [m^2, rad^2].
     """
 
     z: ConstantVelocity
     yaw: ConstantVelocity
     at: float
-    z_doubt: float
-    yaw_doubt: float
+    z_innovation: float
+    yaw_innovation: float
 
 
 @compiled
 def within_gate(distance_squared: float, variance: float, floor: float) -> bool:
-    """Return whether an innovation is small enough to be believed."""
+    """Return whether an innovation is small enough."""
     return distance_squared <= max(
         INNOVATION_GATE_SIGMAS * INNOVATION_GATE_SIGMAS * variance, floor * floor
     )
@@ -60,54 +58,52 @@ def height_yaw_initialized(
     """Return height and heading first seen at a time [s]."""
     z_variance, yaw_variance = _variances(position_noise)
     return HeightYawState(
-        ConstantVelocity(z, 0.0, z_variance, 0.0, INITIAL_RATE_VARIANCE),
-        ConstantVelocity(yaw, 0.0, yaw_variance, 0.0, INITIAL_RATE_VARIANCE),
-        at,
-        z_variance,
-        yaw_variance,
+        z=ConstantVelocity(z, 0.0, z_variance, 0.0, INITIAL_RATE_VARIANCE),
+        yaw=ConstantVelocity(yaw, 0.0, yaw_variance, 0.0, INITIAL_RATE_VARIANCE),
+        at=at,
+        z_innovation=z_variance,
+        yaw_innovation=yaw_variance,
     )
 
 
 @compiled
 def height_yaw_at(u: HeightYawState, now: float) -> tuple[float, float, float]:
-    """Return height [m], climb rate [m/s] and yaw [rad] now [s], extrapolated no further than
-    ``BLIND_REACH``.
-    """
+    """Return height [m], climb rate [m/s] and yaw [rad] now [s], extrapolated for a while."""
     ahead = min(max(now - u.at, 0.0), EXTRAPOLATION_MAX)
     return u.z.x + ahead * u.z.v, u.z.v, wrapped(u.yaw.x + ahead * u.yaw.v)
 
 
 @compiled
 def height_yaw_updated(
-    u: HeightYawState, z: float, yaw: float, at: float, refusing: bool, position_noise: float
+    u: HeightYawState, z: float, yaw: float, at: float, rejecting: bool, position_noise: float
 ) -> tuple[bool, HeightYawState, HeightYawState]:
-    """Return whether a pose captured at a time [s] is believed, and the states without it and with
-    it.
+    """Return whether a pose captured at a time [s] is plausible, and the states after either.
 
-    While sightings are being refused the doubt does not grow: else every jump would be believed in
-        the end.
+    While sightings are rejected the variances do not grow: any jump would pass in the end.
+
+    Returns:
+        plausible, the state after rejecting the pose, the state after accepting it.
     """
     z_variance, yaw_variance = _variances(position_noise)
     dt = at - u.at
-    z_then, yaw_then = (
-        cv_predicted(u.z, 0.0, CLIMB_PROCESS_NOISE, dt),
-        cv_predicted(u.yaw, 0.0, YAW_PROCESS_NOISE, dt),
-    )
-    z_doubt = u.z_doubt if refusing else z_then.xx + z_variance
-    yaw_doubt = u.yaw_doubt if refusing else yaw_then.xx + yaw_variance
+    z_then = cv_predicted(u.z, 0.0, CLIMB_PROCESS_NOISE, dt)
+    yaw_then = cv_predicted(u.yaw, 0.0, YAW_PROCESS_NOISE, dt)
+    z_innovation = u.z_innovation if rejecting else z_then.xx + z_variance
+    yaw_innovation = u.yaw_innovation if rejecting else yaw_then.xx + yaw_variance
     rise, turn = z - z_then.x, wrapped(yaw - yaw_then.x)
-    believed = within_gate(rise * rise, z_doubt, POSITION_GATE_FLOOR) and within_gate(
-        turn * turn, yaw_doubt, YAW_GATE_FLOOR
+    z_is_near = within_gate(rise * rise, z_innovation, POSITION_GATE_FLOOR)
+    plausible = z_is_near and within_gate(turn * turn, yaw_innovation, YAW_GATE_FLOOR)
+    rejected = HeightYawState(
+        z=u.z, yaw=u.yaw, at=u.at, z_innovation=z_innovation, yaw_innovation=yaw_innovation
     )
-    without = HeightYawState(u.z, u.yaw, u.at, z_doubt, yaw_doubt)
-    taken = HeightYawState(
-        cv_updated(z_then, rise, z_variance),
-        cv_updated(yaw_then, turn, yaw_variance),
-        at,
-        z_doubt,
-        yaw_doubt,
+    accepted = HeightYawState(
+        z=cv_updated(z_then, rise, z_variance),
+        yaw=cv_updated(yaw_then, turn, yaw_variance),
+        at=at,
+        z_innovation=z_innovation,
+        yaw_innovation=yaw_innovation,
     )
-    return believed, without, taken
+    return plausible, rejected, accepted
 
 
 @compiled

@@ -1,5 +1,4 @@
-"""One horizontal axis of the Kalman filter as compiled scalar functions: position, velocity, tilt
-acceleration, disturbance.
+"""One horizontal axis of mode default's Kalman filter, compiled.
 
     x' = v,  v' = a + d - drag v,  a' = lambda (gain u - a) + noise,  d' = noise
 
@@ -29,9 +28,7 @@ INITIAL_DISTURBANCE = 0.2
 
 
 class AxisState(NamedTuple):
-    """State of one world axis: position [m], velocity [m/s], tilt acceleration [m/s^2], disturbance
-    [m/s^2].
-    """
+    """One world axis: position [m], velocity [m/s], tilt acceleration and disturbance [m/s^2]."""
 
     x: float
     v: float
@@ -75,8 +72,7 @@ class AxisModel(NamedTuple):
 
 
 class Transition(NamedTuple):
-    """What one step does to an axis, worked out once for both: x += xv v + xa a + xd d + xu u, and
-    so on.
+    """What one step does to an axis: x += xv v + xa a + xd d + xu u, and so on.
 
     Attributes:
         xv, xa, xd, vv, va, vd, aa: entries of the transition matrix; xx and dd are 1, the others 0.
@@ -134,9 +130,7 @@ def transition(model: AxisModel, flown: bool, dt: float) -> Transition:
 
 @compiled
 def initial_covariance(variance: float, noise: float) -> AxisCovariance:
-    """Return the covariance at the first sighting: its variance [m^2], the unmodelled acceleration,
-    one sigma [m/s^2].
-    """
+    """Return the covariance at the first sighting, of its variance [m^2] and the model's noise."""
     disturbance = INITIAL_DISTURBANCE * INITIAL_DISTURBANCE
     return AxisCovariance(
         variance,

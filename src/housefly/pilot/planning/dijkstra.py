@@ -1,5 +1,4 @@
-"""Dijkstra's shortest paths on the occupancy grid as in the paper (section IV-B): 4 moves of unit
-cost, blocked edges absent.
+"""Dijkstra's shortest paths on the grid as in the paper (IV-B): 4 moves of unit cost.
 
 With equal costs Dijkstra's priority queue holds at most two different distances, so its buckets
 reduce to one first-in first-out queue: cells leave it in the order of their distance. Ties are
@@ -26,8 +25,7 @@ UNREACHED = -1
 
 @compiled_with_arrays
 def _settle(free: Any, start: int, goal: int, distance: Any, queue: Any) -> int:
-    """Fill ``distance`` (flat, preset to UNREACHED) from ``start`` until ``goal`` is settled; goal
-    -1 settles all cells.
+    """Fill the distances from ``start`` until ``goal`` is settled; goal -1 settles all cells.
 
     ``free`` and ``distance`` carry a blocked border of one cell, so that no neighbour is off the
     grid. Returns the number of settled cells.
@@ -55,9 +53,7 @@ def _settle(free: Any, start: int, goal: int, distance: Any, queue: Any) -> int:
 
 @compiled_with_arrays
 def _walk_back(distance: Any, stride: int, goal: int, out: Any) -> int:
-    """Write the cells from ``goal`` to the start into ``out``; keeps its direction as long as that
-    is a shortest way.
-    """
+    """Write the cells from ``goal`` to the start into ``out``, as straight as a shortest way is."""
     moves = (stride, 1, -stride, -1)
     cell, heading, count = goal, 0, 0
     out[0] = goal
@@ -75,8 +71,7 @@ def _walk_back(distance: Any, stride: int, goal: int, out: Any) -> int:
 
 
 def distances(free: FreeMask, start: CellIndex, goal: CellIndex | None = None) -> CellDistances:
-    """Return the number of moves from ``start`` to each cell, UNREACHED where there is no way;
-    shape of ``free``.
+    """Return the number of moves from ``start`` to each cell, UNREACHED without a way.
 
     Args:
         free: cells that may be entered, shape (nx, ny).
@@ -88,8 +83,7 @@ def distances(free: FreeMask, start: CellIndex, goal: CellIndex | None = None) -
 
 
 def shortest_path(free: FreeMask, start: CellIndex, goal: CellIndex) -> tuple[CellIndex, ...]:
-    """Return the cells of a shortest path from start to goal, both included; empty when there is no
-    way.
+    """Return the cells of a shortest path, both ends included; empty when there is no way.
 
     Among paths of equal length it walks back from the goal and turns only where it must.
     """

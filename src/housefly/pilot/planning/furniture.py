@@ -1,5 +1,4 @@
-"""Tracked furniture as obstacles: wherever tracking sees the body of a thing, its footprint is in
-the way.
+"""Tracked furniture as obstacles: its footprint, wherever tracking sees it.
 
 A thing that nobody sees any more is taken to stand where it was last seen, for as long as the site
 says; after that it is forgotten like every other obstacle. The newest sighting is believed: where
@@ -73,8 +72,7 @@ class TrackedPose:
 
 
 class TrackedFurniture:
-    """All tracked things of a site; what they did is in what was seen of them, so the same
-    sightings tell the same.
+    """All tracked things of a site; the same sightings give the same obstacles.
 
     Args:
         site: which things tracking sees.

@@ -1,5 +1,4 @@
-"""The map of this moment: the room's own grid with the obstacles of now grown on top, and whether a
-path is still free.
+"""The map of this moment: the room's grid with obstacles on top, and whether a path is free.
 
 Without obstacles it is the room's grid itself. Two distances, so that a path that was just planned
 does not count as blocked: a cell is closed when its middle is closer to an obstacle than ``reach``,
@@ -62,9 +61,7 @@ def distances_for(keep: float, give: float, resolution: float) -> KeepDistances:
 
 @compiled
 def gap(row: Any, x: float, y: float) -> float:
-    """Return the distance [m] from a point to the ground of one row of
-    ``planning.obstacles.rows_of``, 0 inside.
-    """
+    """Return the distance [m] from a point to the ground of one obstacle row, 0 inside."""
     dx, dy = x - row[0], y - row[1]
     way = row[7] * row[7] + row[8] * row[8]
     if way > 0.0:
@@ -127,9 +124,7 @@ def _grow(
 def _first_block(
     rows: Any, points: Any, tight: float, step: float, skip: float
 ) -> tuple[float, int]:
-    """Return how far along the path [m] it comes too close, and to which row; (inf, -1) when it
-    does not.
-    """
+    """Return how far along a path [m] it is too close, and to which row; (inf, -1) for never."""
     along, before, was_free = 0.0, np.inf, False
     for leg in range(points.shape[0] - 1):
         dx, dy = points[leg + 1, 0] - points[leg, 0], points[leg + 1, 1] - points[leg, 1]
@@ -175,8 +170,7 @@ def live_grid(static: OccupancyGrid, rows: FloatArray, reach: float) -> Occupanc
 
 
 def first_block(rows: FloatArray, points: tuple[Vec2, ...], tight: float) -> tuple[float, int]:
-    """Return how far along a path [m] an obstacle blocks it, and which row that is; (inf, -1) when
-    the path is free.
+    """Return how far along a path [m] which obstacle row blocks it; (inf, -1) when none does.
 
     Where the drone is too close already, the path counts as free as long as it leads away from
         where the obstacle is now: inside

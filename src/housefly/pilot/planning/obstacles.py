@@ -1,5 +1,4 @@
-"""What the pilot remembers of the obstacles that it was told of: believed or refused, ageing,
-forgotten.
+"""What the pilot remembers of the obstacles reported to it: accepted, ageing, forgotten.
 
 An obstacle that nobody sees any more is believed less and less: its confidence halves every
     ``HALF_LIFE``, and below ``ENOUGH``
@@ -110,8 +109,7 @@ class ObstacleMemory:
 def obstacle_rows(
     obstacles: Iterable[Obstacle], now: float, horizon: float, band: Vec2
 ) -> tuple[FloatArray, tuple[str, ...]]:
-    """Return the ground that obstacles may cover until a time ahead, one row each, and the names
-    that belong to the rows.
+    """Return the ground that obstacles may cover until a time ahead, and the rows' names.
 
     A row is x, y, half length, half width, cos yaw, sin yaw, radius, and the way that it moves in x
     and y [m]: from where it was seen, because it may have stopped since, to where it will be. A

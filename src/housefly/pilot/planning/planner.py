@@ -1,6 +1,4 @@
-"""Answers "how do I get from start to goal?" with a path, or with the reason in words and the
-nearest place that works.
-"""
+"""Answers "how do I get from start to goal?" with a path, or with the reason in words."""
 
 from __future__ import annotations
 
@@ -74,9 +72,7 @@ def path_length(waypoints: tuple[Vec2, ...]) -> float:
 
 
 def path_clearance(grid: OccupancyGrid, waypoints: tuple[Vec2, ...]) -> float:
-    """Return the smallest distance [m] from the path to a real obstacle, sampled every quarter of a
-    cell.
-    """
+    """Return the smallest distance [m] from the path to a real obstacle."""
     smallest = grid.clearance_at(waypoints[0])
     for a, b in pairwise(waypoints):
         steps = max(1, int(np.ceil(4.0 * distance(a, b) / grid.resolution)))
@@ -102,9 +98,7 @@ def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
 
 
 def _nearest(grid: OccupancyGrid, allowed: FreeMask, point: Vec2) -> Vec2 | None:
-    """Return the middle of the allowed cell nearest to a point [m]; the first in (ix, iy) order
-    among equals.
-    """
+    """Return the middle of the allowed cell nearest to a point [m]; the first among equals."""
     if not (isfinite(point[0]) and isfinite(point[1])) or not allowed.any():
         return None
     ix, iy = np.nonzero(allowed)

@@ -17,9 +17,7 @@ TOUCH = 1e-6
 
 @compiled
 def _sees(cells: Any, x0: float, y0: float, x1: float, y1: float) -> bool:
-    """Return whether all cells touched by the closed segment are free; coordinates in cell edges
-    from the origin.
-    """
+    """Return whether all cells touched by the closed segment are free; in cell edges."""
     nx, ny = cells.shape
     if x1 < x0:
         x0, y0, x1, y1 = x1, y1, x0, y0
@@ -47,8 +45,7 @@ def sees(grid: OccupancyGrid, start: Vec2, end: Vec2) -> bool:
 
 
 def straightened(grid: OccupancyGrid, points: Sequence[Vec2]) -> tuple[Vec2, ...]:
-    """Return the points without those that can be skipped: from each point fly straight to the
-    farthest one in sight.
+    """Return the points that are needed: from each fly straight to the farthest in sight.
 
     The result is never longer than the path given, and touches free cells only if that one does.
     """

@@ -1,6 +1,4 @@
-"""The rules of the last gate as a table: what is wrong, how bad it is, and the words for it. The
-worst wins.
-"""
+"""The rules of the last gate as a table: what is wrong, how bad it is, the words for it."""
 
 from __future__ import annotations
 
@@ -48,17 +46,13 @@ class GateInputs:
 
 @dataclass(frozen=True, slots=True)
 class Geofence:
-    """The box that the drone must stay in: map bounds x_min, y_min, x_max, y_max, and the ceiling
-    above the floor [m].
-    """
+    """The box to stay in: x_min, y_min, x_max, y_max, and the ceiling above the floor [m]."""
 
     bounds: tuple[float, float, float, float]
     ceiling: float
 
     def outside(self, position: Vec3) -> float:
-        """Return how far a point lies outside the bounds in the plane [m], 0 inside; infinite when
-        it is not a number.
-        """
+        """Return how far a point lies outside in the plane [m]; infinite when it is no number."""
         x, y, _ = position
         x_min, y_min, x_max, y_max = self.bounds
         gaps = (x_min - x, x - x_max, y_min - y, y - y_max)
