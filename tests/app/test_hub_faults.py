@@ -155,6 +155,7 @@ def test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_com
         assert flight.launcher.restarts("pilot") == 0
 
 
+@pytest.mark.interop
 def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(
     tmp_path: Path, write_site: Any
 ) -> None:
@@ -173,6 +174,7 @@ def test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes(
         assert flight.launcher.restarts("hub") == 0
 
 
+@pytest.mark.interop
 def test_a_hub_that_stands_still_disturbs_neither_the_flight_nor_stop(
     tmp_path: Path, write_site: Any
 ) -> None:

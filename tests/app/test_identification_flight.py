@@ -242,6 +242,7 @@ def test_a_bad_profile_is_named(text: str, words: str, tmp_path: Path) -> None:
 
 @pytest.mark.wire
 @pytest.mark.slow
+@pytest.mark.interop
 @pytest.mark.timeout(240)
 def test_it_flies_over_real_wires(tmp_path: Path, write_site: Callable[..., Path]) -> None:
     site = write_site(rate=30.0)

@@ -58,26 +58,53 @@ def assert_flown(
     assert flight.returncode == 0, output
 
 
+def assert_completed(out: Path) -> dict[str, Any]:
+    summary = summary_of(out)
+    assert summary["outcome"] == "completed"
+    assert summary["arrival_error_m"] < 0.3
+    assert summary["min_clearance_m"] > 0.0
+    return summary
+
+
+def assert_replays(out: Path) -> None:
+    replayed = subprocess.run(
+        [sys.executable, "-m", "housefly.cli", "replay", str(out)],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert replayed.returncode == 0, replayed.stdout
+
+
 @pytest.mark.timeout(600)
-def test_the_service_is_completed_over_real_wires_at_100_30_and_10_hz(
+def test_the_service_is_completed_over_real_wires_filmed_and_replays_bit_for_bit(
     tmp_path: Path, write_site: Any
 ) -> None:
-    sites = {rate: write_site(rate=rate, video=rate == 100) for rate in (100, 30, 10)}
+    site, out = write_site(rate=100, video=True), tmp_path / "out"
+    assert_flown(start(site, out, "entrance"), partial(start, site, out, "entrance"), out)
+    assert assert_completed(out)["video_frames"] > 300
+    with av.open(str(out / "video.mp4")) as movie:
+        frames = [frame for _, frame in zip(range(60), movie.decode(video=0), strict=False)]
+    assert len(frames) == 60
+    assert (frames[0].width, frames[0].height) == (640, 360)
+    assert_replays(out)
+
+
+@pytest.mark.interop
+@pytest.mark.timeout(600)
+def test_the_service_is_completed_over_real_wires_at_30_and_10_hz(
+    tmp_path: Path, write_site: Any
+) -> None:
+    sites = {rate: write_site(rate=rate, video=False) for rate in (30, 10)}
     flights = {rate: start(site, tmp_path / str(rate), "entrance") for rate, site in sites.items()}
     for rate, flight in flights.items():
         out = tmp_path / str(rate)
         assert_flown(flight, partial(start, sites[rate], out, "entrance"), out)
-        summary = summary_of(tmp_path / str(rate))
-        assert summary["outcome"] == "completed"
-        assert summary["arrival_error_m"] < 0.3
-        assert summary["min_clearance_m"] > 0.0
-    assert summary_of(tmp_path / "100")["video_frames"] > 300
-    with av.open(str(tmp_path / "100" / "video.mp4")) as movie:
-        frames = [frame for _, frame in zip(range(60), movie.decode(video=0), strict=False)]
-    assert len(frames) == 60
-    assert (frames[0].width, frames[0].height) == (640, 360)
+        assert_completed(out)
+    assert_replays(tmp_path / "30")
 
 
+@pytest.mark.interop
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("tracking", ["natnet", "vrpn"])
 def test_the_drone_flies_by_other_tracking_systems(
@@ -86,10 +113,7 @@ def test_the_drone_flies_by_other_tracking_systems(
     out = tmp_path / "out"
     site = write_site(tracking=tracking)
     assert_flown(start(site, out, "sofa"), partial(start, site, out, "sofa"), out)
-    summary = summary_of(out)
-    assert summary["outcome"] == "completed"
-    assert summary["arrival_error_m"] < 0.3
-    assert summary["min_clearance_m"] > 0.0
+    assert_completed(out)
 
 
 @pytest.mark.timeout(300)
@@ -105,22 +129,7 @@ def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     assert any("land" in json.dumps(event).lower() for event in summary["events"])
 
 
-@pytest.mark.timeout(300)
-def test_a_recording_made_over_the_wires_replays_bit_for_bit(
-    tmp_path: Path, write_site: Any
-) -> None:
-    out = tmp_path / "out"
-    flight = start(write_site(rate=30), out, "sofa")
-    assert flight.wait(timeout=200) == 0
-    replayed = subprocess.run(
-        [sys.executable, "-m", "housefly.cli", "replay", str(out)],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert replayed.returncode == 0, replayed.stdout
-
-
+@pytest.mark.interop
 @pytest.mark.timeout(300)
 def test_the_imported_aws_house_flies(tmp_path: Path, write_site: Any, shared_data: Path) -> None:
     house, out = tmp_path / "house", tmp_path / "out"

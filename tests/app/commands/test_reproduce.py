@@ -66,6 +66,7 @@ def test_a_bad_seed_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 @pytest.mark.wire
 @pytest.mark.browser
 @pytest.mark.slow
+@pytest.mark.interop
 @pytest.mark.timeout(300)
 def test_one_service_is_flown_over_real_wires_and_photographed(tmp_path: Path) -> None:
     assert shutil.which("chromium")
