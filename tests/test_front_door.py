@@ -235,6 +235,7 @@ def wired(loopback: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> hou
 
 
 @pytest.mark.wire
+@pytest.mark.interop
 @pytest.mark.slow
 def test_a_flight_over_real_wires_is_recorded(wired: housefly.LoadedSite) -> None:
     flight = housefly.fly((10.0, 1.5), wired, lockstep=False, look_s=0.0)
