@@ -23,8 +23,8 @@ FLY_ONE = """
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.flight_plan import Mission, Task
-fly_many(cases(Site()), Mission(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 3.0), threads=1)
+from housefly.lab.experiments.flight_plan import FlightPlan, Task
+fly_many(cases(Site()), FlightPlan(Task.PATH, ((0.0, 0.0), (1.0, 0.0)), 3.0), threads=1)
 """
 STEP_A_PILOT = """
 from housefly.app.loaded_site import open_site, read_site

@@ -173,13 +173,13 @@ async def test_the_visitor_at_the_door_wears_red() -> None:
 async def test_a_killed_child_is_replaced_and_starts_with_a_key_frame() -> None:
     async with filming() as film:
         await film.more(3)
-        first = film.camera.pid
+        first, restarts = film.camera.pid, film.camera.restarts
         assert first is not None
         os.kill(first, signal.SIGKILL)
         await film.until(lambda: film.camera.pid != first)
         before = len(film.pictures)
         await film.until(lambda: len(film.pictures) > before)
-        assert film.camera.restarts == 1
+        assert film.camera.restarts > restarts  # a busy machine may starve the next one, too
         assert film.pictures[before].keyframe
         assert film.pictures[before].number == before + 1
 
@@ -189,10 +189,12 @@ async def test_a_killed_child_is_replaced_and_starts_with_a_key_frame() -> None:
 async def test_a_child_that_starves_at_idle_priority_is_replaced_by_one_that_competes() -> None:
     async with filming() as film:
         await film.more(1)
-        first = film.camera.pid
-        assert first is not None and os.sched_getscheduler(first) == os.SCHED_IDLE
-        os.kill(first, signal.SIGSTOP)
-        await film.until(lambda: film.camera.restarts == 1)
+        first, restarts = film.camera.pid, film.camera.restarts
+        assert first is not None
+        if restarts == 0:  # else a busy machine has starved it already
+            assert os.sched_getscheduler(first) == os.SCHED_IDLE
+            os.kill(first, signal.SIGSTOP)
+            await film.until(lambda: film.camera.restarts > restarts)
         await film.more(1)
         assert (
             film.camera.pid is not None and os.sched_getscheduler(film.camera.pid) == os.SCHED_OTHER
@@ -202,12 +204,12 @@ async def test_a_child_that_starves_at_idle_priority_is_replaced_by_one_that_com
 @pytest.mark.slow
 async def test_a_child_that_hangs_is_replaced_each_time() -> None:
     async with filming() as film:
-        for times in (1, 2):
+        for _ in range(2):
             await film.more(1)
-            hung = film.camera.pid
+            hung, restarts = film.camera.pid, film.camera.restarts
             assert hung is not None
             os.kill(hung, signal.SIGSTOP)
-            await film.until(lambda times=times: film.camera.restarts == times)
+            await film.until(lambda restarts=restarts: film.camera.restarts > restarts)
             await film.more(1)
             await film.until(lambda hung=hung: not alive(hung))
 
