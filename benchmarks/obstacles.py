@@ -141,10 +141,10 @@ def planning(loaded: LoadedSite, count: int) -> tuple[list[float], list[float], 
         for n, (x, y) in enumerate(random.uniform((1.0, 6.0), (14.0, 9.0), (count, 2)))
     ]
     moved = [[Obstacle(**{**fields(o), "seen_at": 0.05 * n}) for o in crowd] for n in range(300)]
-    navigator.hear(moved[0], 0.0)
+    navigator.update(tuple(moved[0]), (), 0.0)
     hear, look, plan = [], [], []
     for n, heard in enumerate(moved):
-        hear += timed(lambda _, n=n, heard=heard: navigator.hear(heard, 0.05 * n), 1)
+        hear += timed(lambda _, n=n, heard=heard: navigator.update(tuple(heard), (), 0.05 * n), 1)
         look += timed(lambda _: navigator.block(start, path, 1), 1)
         plan += timed(lambda _: navigator.route(start, goal), 1)
     return hear[1:], look[1:], plan[1:]
