@@ -29,6 +29,7 @@ from housefly.pilot.behavior.path_progress import (
     progress_advanced,
     progress_headed,
     setpoint_at,
+    standing_setpoint,
 )
 from housefly.pilot.behavior.waypoints import paper_heading, waypoint_advanced, waypoint_setpoint
 from housefly.pilot.behavior.yaw_reference import (
@@ -139,7 +140,7 @@ class StepOutput(NamedTuple):
 
 NO_OVERRIDE = Override(False, 0.0, 0.0, 0.0, 0.0)
 INITIAL_STEP = StepState(
-    progress=PathProgress(0.0, 0.0, 0.0, 0, nan),
+    progress=PathProgress(s=0.0, v=0.0, a=0.0, leg=0, yaw=nan),
     yaw=YawReference(0.0, nan),
     acceptor=Acceptor(0, 0.0),
     gate=0,
@@ -150,7 +151,8 @@ INITIAL_STEP = StepState(
 @compiled
 def progress_started(params: PilotParameters, yaw: float) -> PathProgress:
     """Return the progress at the beginning of a path, at a heading [rad]."""
-    return PathProgress(0.0, 0.0, 0.0, 0, paper_heading(yaw) if params.is_paper else nan)
+    heading = paper_heading(yaw) if params.is_paper else nan
+    return PathProgress(s=0.0, v=0.0, a=0.0, leg=0, yaw=heading)
 
 
 @compiled
@@ -205,7 +207,7 @@ def step_commanded(
 
 @compiled
 def _held(guidance: Guidance) -> TrajectorySetpoint:
-    return TrajectorySetpoint(guidance.x, guidance.y, 0.0, 0.0, 0.0, 0.0, guidance.yaw, 0, True)
+    return standing_setpoint(guidance.x, guidance.y, guidance.yaw, 0, True)
 
 
 @compiled

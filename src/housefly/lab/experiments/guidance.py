@@ -73,7 +73,7 @@ def parameters_of_case(case: Any) -> PilotParameters:
 def task_created(route: Route) -> TaskState:
     """Return the task before anything was seen."""
     start = route.path.waypoints
-    return TaskState(False, start[0, 0], start[0, 1], nan)
+    return TaskState(begun=False, x=start[0, 0], y=start[0, 1], yaw=nan)
 
 
 @compiled
@@ -102,7 +102,7 @@ def guided(
         if isnan(task.yaw):
             task = _found(route, here)
         if not task.begun and now >= route.settle - TIME_TOLERANCE:
-            task = TaskState(True, task.x, task.y, task.yaw)
+            task = TaskState(begun=True, x=task.x, y=task.y, yaw=task.yaw)
             progress = progress_started(params, here.yaw)
     x, y, yaw = task.x, task.y, route.yaw if isnan(task.yaw) else task.yaw
     if task.begun and route.task != PATH:
@@ -127,6 +127,6 @@ def _found(route: Route, here: PoseEstimate) -> TaskState:
     On a path it waits right there, as the live pilot does.
     """
     if route.task == PATH:
-        return TaskState(False, here.x, here.y, here.yaw)
+        return TaskState(begun=False, x=here.x, y=here.y, yaw=here.yaw)
     start = route.path.waypoints
-    return TaskState(False, start[0, 0], start[0, 1], route.yaw)
+    return TaskState(begun=False, x=start[0, 0], y=start[0, 1], yaw=route.yaw)

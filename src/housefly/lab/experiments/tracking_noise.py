@@ -52,7 +52,9 @@ class Stream(NamedTuple):
 @compiled
 def stream_begun(camera: Camera) -> Stream:
     """Return the stream before its first frame."""
-    return Stream(0, 0, 0, camera.phase / camera.rate_hz, 0.0)
+    return Stream(
+        exposed=0, sent=0, delivered=0, next_at=camera.phase / camera.rate_hz, arrived_at=0.0
+    )
 
 
 @compiled
@@ -73,7 +75,13 @@ def exposed(
         at = stream.next_at
         lost = camera.dropout > 0.0 and uniform(random) < camera.dropout
         if lost or stream.sent - stream.delivered >= frames.size:
-            stream = Stream(frame + 1, stream.sent, stream.delivered, following, stream.arrived_at)
+            stream = Stream(
+                exposed=frame + 1,
+                sent=stream.sent,
+                delivered=stream.delivered,
+                next_at=following,
+                arrived_at=stream.arrived_at,
+            )
             continue
         late = exponential(random, camera.jitter) if camera.jitter > 0.0 else 0.0
         arrival = max(stream.arrived_at, at + camera.latency + late)
@@ -81,7 +89,13 @@ def exposed(
         _write(
             frames[stream.sent & (frames.size - 1)], camera.noise, random, at, arrival, x, y, z, yaw
         )
-        stream = Stream(frame + 1, stream.sent + 1, stream.delivered, following, arrival)
+        stream = Stream(
+            exposed=frame + 1,
+            sent=stream.sent + 1,
+            delivered=stream.delivered,
+            next_at=following,
+            arrived_at=arrival,
+        )
     return stream
 
 
@@ -98,7 +112,11 @@ def is_due(stream: Stream, frames: Frames, now: float) -> bool:
 def delivered(stream: Stream) -> Stream:
     """Return the stream with one more sighting delivered."""
     return Stream(
-        stream.exposed, stream.sent, stream.delivered + 1, stream.next_at, stream.arrived_at
+        exposed=stream.exposed,
+        sent=stream.sent,
+        delivered=stream.delivered + 1,
+        next_at=stream.next_at,
+        arrived_at=stream.arrived_at,
     )
 
 

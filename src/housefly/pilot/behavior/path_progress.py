@@ -105,72 +105,101 @@ def leg_from(leg: int, s: float, marks: FloatArray) -> int:
 
 
 @compiled
-def point_on(leg: int, s: float, way: PathProfile) -> tuple[float, float]:
+def point_on(leg: int, s: float, profile: PathProfile) -> tuple[float, float]:
     """Return the point [m] at arc length s [m], which lies on this leg or past the end."""
-    x, y = way.points[leg, 0], way.points[leg, 1]
-    if way.marks.size == 1:
+    x, y = profile.points[leg, 0], profile.points[leg, 1]
+    if profile.marks.size == 1:
         return x, y
-    done = min(max(s - way.marks[leg], 0.0), way.marks[leg + 1] - way.marks[leg])
-    return x + done * way.along[leg, 0], y + done * way.along[leg, 1]
+    done = min(max(s - profile.marks[leg], 0.0), profile.marks[leg + 1] - profile.marks[leg])
+    return x + done * profile.along[leg, 0], y + done * profile.along[leg, 1]
 
 
 @compiled
 def progress_advanced(
-    ride: PathProgress, way: PathProfile, speed: float, x: float, y: float, moving: bool, dt: float
+    progress: PathProgress,
+    profile: PathProfile,
+    speed: float,
+    x: float,
+    y: float,
+    moving: bool,
+    dt: float,
 ) -> PathProgress:
-    """Return the ride after dt [s].
+    """Return the progress after dt [s].
 
     Args:
-        ride: before.
-        way: the path.
+        progress: before.
+        profile: the path.
         speed: wanted along it [m/s].
         x: where the drone is [m].
         y: likewise.
         moving: whether the acceptor lets the reference move on; else it brakes and waits.
         dt: [s].
     """
-    if dt <= 0.0 or ride.s >= way.marks[-1]:
-        return ride
-    here_x, here_y = point_on(ride.leg, ride.s, way)
+    if dt <= 0.0 or progress.s >= profile.marks[-1]:
+        return progress
+    here_x, here_y = point_on(progress.leg, progress.s, profile)
     lagging = sqrt((x - here_x) ** 2 + (y - here_y) ** 2) > LAG_MAX
     wanted = speed if moving and not lagging else 0.0
     s, v = profile_travelled(
-        ride.s, ride.v, ride.leg, wanted, way.marks, way.speeds, REFERENCE_ACCELERATION, dt
+        progress.s,
+        progress.v,
+        progress.leg,
+        wanted,
+        profile.marks,
+        profile.speeds,
+        REFERENCE_ACCELERATION,
+        dt,
     )
-    return PathProgress(s, v, (v - ride.v) / dt, leg_from(ride.leg, s, way.marks), ride.yaw)
+    leg = leg_from(progress.leg, s, profile.marks)
+    return PathProgress(s=s, v=v, a=(v - progress.v) / dt, leg=leg, yaw=progress.yaw)
 
 
 @compiled
-def progress_headed(ride: PathProgress, way: PathProfile) -> PathProgress:
-    """Return the ride with the heading of the path ahead; near the end the last one stays."""
-    s = ride.s + HEADING_LOOKAHEAD
-    leg = leg_from(ride.leg, s, way.marks)
-    if leg == ride.leg and ride.s + HEADING_FREEZE < way.marks[-1]:
-        return PathProgress(ride.s, ride.v, ride.a, ride.leg, way.headings[leg])
-    here_x, here_y = point_on(ride.leg, ride.s, way)
-    x, y = point_on(leg, s, way)
+def progress_headed(progress: PathProgress, profile: PathProfile) -> PathProgress:
+    """Return the progress with the heading of the path ahead; near the end the last one stays."""
+    s = progress.s + HEADING_LOOKAHEAD
+    leg = leg_from(progress.leg, s, profile.marks)
+    if leg == progress.leg and progress.s + HEADING_FREEZE < profile.marks[-1]:
+        return _turned(progress, profile.headings[leg])
+    here_x, here_y = point_on(progress.leg, progress.s, profile)
+    x, y = point_on(leg, s, profile)
     dx, dy = x - here_x, y - here_y
-    yaw = atan2(dy, dx) if dx * dx + dy * dy > HEADING_FREEZE * HEADING_FREEZE else ride.yaw
-    return PathProgress(ride.s, ride.v, ride.a, ride.leg, yaw)
+    yaw = atan2(dy, dx) if dx * dx + dy * dy > HEADING_FREEZE * HEADING_FREEZE else progress.yaw
+    return _turned(progress, yaw)
 
 
 @compiled
-def setpoint_at(ride: PathProgress, way: PathProfile) -> TrajectorySetpoint:
-    """Return the reference at this point of the ride."""
-    x, y = point_on(ride.leg, ride.s, way)
-    finished = ride.s >= way.marks[-1]
-    along_x, along_y = 0.0, 0.0
-    if way.marks.size > 1:
-        along_x, along_y = way.along[ride.leg, 0], way.along[ride.leg, 1]
-    a = 0.0 if finished else ride.a
+def standing_setpoint(
+    x: float, y: float, yaw: float, waypoint: int, finished: bool
+) -> TrajectorySetpoint:
+    """Return the reference that stands at a place [m] with a heading [rad]."""
     return TrajectorySetpoint(
-        x,
-        y,
-        along_x * ride.v,
-        along_y * ride.v,
-        along_x * a,
-        along_y * a,
-        ride.yaw,
-        ride.leg + 1,
-        finished,
+        x=x, y=y, vx=0.0, vy=0.0, ax=0.0, ay=0.0, yaw=yaw, waypoint=waypoint, finished=finished
+    )
+
+
+@compiled
+def _turned(progress: PathProgress, yaw: float) -> PathProgress:
+    return PathProgress(s=progress.s, v=progress.v, a=progress.a, leg=progress.leg, yaw=yaw)
+
+
+@compiled
+def setpoint_at(progress: PathProgress, profile: PathProfile) -> TrajectorySetpoint:
+    """Return the reference at this point of the progress."""
+    x, y = point_on(progress.leg, progress.s, profile)
+    finished = progress.s >= profile.marks[-1]
+    along_x, along_y = 0.0, 0.0
+    if profile.marks.size > 1:
+        along_x, along_y = profile.along[progress.leg, 0], profile.along[progress.leg, 1]
+    a = 0.0 if finished else progress.a
+    return TrajectorySetpoint(
+        x=x,
+        y=y,
+        vx=along_x * progress.v,
+        vy=along_y * progress.v,
+        ax=along_x * a,
+        ay=along_y * a,
+        yaw=progress.yaw,
+        waypoint=progress.leg + 1,
+        finished=finished,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import pi, sqrt
 
 from housefly.numeric import FloatArray, compiled, wrapped
-from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint, standing_setpoint
 
 
 @compiled
@@ -39,6 +39,5 @@ def waypoint_advanced(
 @compiled
 def waypoint_setpoint(index: int, yaw: float, points: FloatArray) -> TrajectorySetpoint:
     """Return the reference that stands on a waypoint."""
-    return TrajectorySetpoint(
-        points[index, 0], points[index, 1], 0.0, 0.0, 0.0, 0.0, yaw, index, index == len(points) - 1
-    )
+    is_last = index == len(points) - 1
+    return standing_setpoint(points[index, 0], points[index, 1], yaw, index, is_last)

@@ -90,7 +90,7 @@ def delay_filter_created(
     row = spans[0]
     row.sent, row.flown, row.ux, row.uy = now, 0, 0.0, 0.0
     _set_axes(row, nowhere, nowhere)
-    return DelayFilterState(now, 0, 0, first)
+    return DelayFilterState(at=now, span=0, newest=0, covariance=first)
 
 
 @compiled
@@ -141,7 +141,7 @@ def delay_filter_advanced(
     _end_span(row, spans[(h.newest - 1) & ring], model, now)
     following.sent, following.flown, following.ux, following.uy = now, row.flown, row.ux, row.uy
     _propagate_span(row, following)
-    return DelayFilterState(h.at, h.span, h.newest + 1, h.covariance)
+    return DelayFilterState(at=h.at, span=h.span, newest=h.newest + 1, covariance=h.covariance)
 
 
 @compiled
@@ -241,7 +241,7 @@ def _span_split(
     _set_axes(row, there.x, there.y)
     if there.span < h.newest:
         _end_span(row, row, model, spans[(there.span + 1) & ring].sent)
-    return DelayFilterState(at, there.span, h.newest, there.covariance)
+    return DelayFilterState(at=at, span=there.span, newest=h.newest, covariance=there.covariance)
 
 
 @compiled

@@ -177,7 +177,9 @@ def estimator_created(
         gate=PoseGate(False, False, -inf, noise * noise),
         height_yaw=height_yaw_initialized(0.0, 0.0, 0.0, noise),
         delay_filter=delay_filter_created(history, now, covariance),
-        paper_filter=PaperFilterState(nowhere, nowhere, 0.0, 0.0, 0.0, noise * noise),
+        paper_filter=PaperFilterState(
+            x=nowhere, y=nowhere, ux=0.0, uy=0.0, at=0.0, innovation_variance=noise * noise
+        ),
         sample=HeldSample(0.0, 0.0, 0.0, 0.0),
     )
 
