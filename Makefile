@@ -33,14 +33,14 @@ demo: setup
 	@$(BIN)/housefly demo
 
 test: setup-dev
-	$(PYTEST) -m 'not wire and not browser'
-	$(PYTEST) -m '(wire or browser) and not interop'
+	$(PYTEST) -m 'not wire and not browser and not safety'
+	$(PYTEST) -m '(wire or browser) and not interop and not safety'
 
 interop: setup-dev
 	$(PYTEST) -m interop
 
 test-fast: setup-dev
-	$(PYTEST) -m 'not wire and not browser and not slow'
+	$(PYTEST) -m 'not wire and not browser and not slow and not safety'
 
 check: setup-dev
 	$(BIN)/ruff format --check $(CODE)

@@ -82,11 +82,11 @@ def test_a_refused_order_ends_with_the_refusal() -> None:
 
 def test_it_gives_up_in_time_and_remembers_the_worst() -> None:
     watch = watched(
-        step(1, Phase.OUTBOUND, DroneStatus.FLYING, safety=SafetyMode.LEVEL),
+        step(1, Phase.OUTBOUND, DroneStatus.FLYING, safety=SafetyMode.HOLD),
         step(400, Phase.OUTBOUND, DroneStatus.FLYING),
     )
     assert "not done after" in watch.outcome
-    assert watch.worst is SafetyMode.LEVEL
+    assert watch.worst is SafetyMode.HOLD
 
 
 def test_a_motor_cut_ends_the_watch_at_once() -> None:

@@ -30,12 +30,12 @@ def test_tracking_older_than_a_quarter_second_means_hover_and_it_goes_on_by_itse
     flight = cruising(fly())
     lost = flight.now
     flight.tracking.gaps = ((lost, lost + 1.0),)
-    outputs = flight.until(lambda o: o.safety is SafetyMode.LEVEL)
+    outputs = flight.until(lambda o: o.safety is SafetyMode.HOLD)
     assert 0.2 < flight.now - lost < 0.3
     assert outputs.command.action is Action.HOVER
     assert "tracking lost" in outputs.reason
     outputs = flight.run(0.7)
-    assert outputs.safety is SafetyMode.LEVEL and outputs.reference.velocity[0] < 0.15
+    assert outputs.safety is SafetyMode.HOLD and outputs.reference.velocity[0] < 0.15
     flight.until(lambda o: o.safety is SafetyMode.NOMINAL, 2.0)
     assert flight.until(lambda o: o.phase is Phase.HOLDING).goal_name == "entrance"
 

@@ -39,7 +39,7 @@ Fly = Callable[..., Any]
 SITE = Site()
 SIZE = 64
 HERE = PoseEstimate(1.0, 2.0, 1.1, 0.0, 0.0, 0.0, 0.0)
-HOLD = Guidance(True, False, 1.0, 2.0, 0.0, nan, 1.1)
+HOLD = Guidance(True, False, 1.0, 2.0, 0.0, nan, 1.1, 1.0)
 AWAY = HOLD._replace(x=1.3, y=2.1, yaw=0.2)
 REST = HOLD._replace(active=False)
 
@@ -104,7 +104,7 @@ def test_what_is_asked_goes_to_the_estimator_as_it_leaves_the_gate() -> None:
     _, known, output, history = stepped(AWAY)
     assert output.command.flown and output.command.theta == output.asked.theta > 0.0
     assert history[known.delay_filter.newest]["ux"] > 0.0 and flown(known, history)
-    for change in ({"mode": SafetyCode.LEVEL}, {"airborne": False}):
+    for change in ({"mode": SafetyCode.HOLD}, {"airborne": False}):
         state, known, output, history = stepped(AWAY, **change)
         assert output.flying and not output.command.flown and not flown(known, history)
         assert history[known.delay_filter.newest]["ux"] == output.command.theta == 0.0
@@ -122,8 +122,8 @@ def test_an_override_takes_the_place_of_control_and_passes_the_same_gate() -> No
 
 def test_an_override_that_is_no_number_levels_the_drone() -> None:
     state, known, output, history = stepped(HOLD, override=Override(True, nan, 0.0, 0.0, 0.0))
-    assert output.command == (SafetyCode.LEVEL, False, 0.0, 0.0, 0.0, 0.0)
-    assert state.gate == SafetyCode.LEVEL and not flown(known, history)
+    assert output.command == (SafetyCode.HOLD, False, 0.0, 0.0, 0.0, 0.0)
+    assert state.gate == SafetyCode.HOLD and not flown(known, history)
 
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
@@ -148,4 +148,4 @@ def test_in_a_flight_the_estimator_is_told_exactly_what_the_driver_gets(
             assert is_flown or (filtered.ux, filtered.uy) == (0.0, 0.0)
         told.add((is_flown, outputs.safety))
     assert {(True, SafetyMode.NOMINAL), (False, SafetyMode.STOPPED)} <= told
-    assert (False, SafetyMode.LEVEL) in told
+    assert (False, SafetyMode.HOLD) in told

@@ -146,7 +146,7 @@ def step_at(sequence: int, now: float, phase: Phase, share: float) -> PilotStep:
             ),
             phase=phase,
             safety=(
-                SafetyMode.LEVEL
+                SafetyMode.HOLD
                 if phase is Phase.RETURNING and 0.4 < share < 0.45
                 else SafetyMode.NOMINAL
             ),

@@ -44,6 +44,6 @@ def test_what_the_old_recordings_hold() -> None:
     steps = list(read_steps(DATA / "troubles"))
     events = {event.code for step in steps for event in step.outputs.events}
     assert {"stopped", "tracking_old", "detour", "safety_clear", "grounded"} <= events
-    assert {step.outputs.safety for step in steps} >= {SafetyMode.STOPPED, SafetyMode.LEVEL}
+    assert {step.outputs.safety for step in steps} >= {SafetyMode.STOPPED, SafetyMode.HOLD}
     phases = {step.outputs.phase for step in steps}
     assert phases == set(Phase) - {Phase.LOOKING}

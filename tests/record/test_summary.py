@@ -48,7 +48,7 @@ def test_lengths_times_and_rates_are_those_of_the_flight(summary: Summary) -> No
     assert summary.battery_used == pytest.approx(0.004 * 25.0, abs=1e-3)
     assert summary.behavior_switches_per_s == pytest.approx(4 / 23.0, rel=0.01)
     assert (summary.video_frames, summary.steps, summary.missing_steps) == (7, 1250, 0)
-    assert summary.safety_modes == (SafetyMode.NOMINAL.value, SafetyMode.LEVEL.value)
+    assert summary.safety_modes == (SafetyMode.NOMINAL.value, SafetyMode.HOLD.value)
 
 
 def test_clearance_is_that_of_the_map_less_half_the_hull(

@@ -19,7 +19,7 @@ from housefly.messages.flight import (
     PilotStep,
     Severity,
 )
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.scan import Scan
 from housefly.messages.sensing import (
     DroneStatus,
@@ -60,6 +60,7 @@ __all__ = [
     "LinkStatus",
     "Observation",
     "Obstacle",
+    "ObstacleKind",
     "Order",
     "OrderKind",
     "Outputs",

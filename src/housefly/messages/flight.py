@@ -93,12 +93,14 @@ class Inputs:
         telemetry: the newest.
         orders: since the last step.
         obstacles: reported since the last step; the pilot keeps earlier ones for a while.
+        late: how much later than planned this step runs [s].
     """
 
     sightings: tuple[Sighting, ...] = ()
     telemetry: Telemetry | None = None
     orders: tuple[Order, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
+    late: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +117,7 @@ class Outputs:
         waypoint: index into ``path.waypoints`` of the next waypoint.
         reason: why safety or the pilot holds back, in words ("" when nothing does).
         events: what happened in this step.
+        warnings: everything that is wrong now, in words, worst first.
     """
 
     command: Command
@@ -128,6 +131,7 @@ class Outputs:
     waypoint: int = 0
     reason: str = ""
     events: tuple[Event, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,8 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from housefly.geometry import Vec2
+
+
+class ObstacleKind(Enum):
+    """What stands in the way, as far as its source can tell."""
+
+    UNKNOWN = "unknown"
+    PERSON = "person"
+    THING = "thing"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +34,7 @@ class Obstacle:
         confidence: 0 to 1.
         seen_at: when it was seen [s, our monotonic clock].
         source: which sensor or process says so.
+        kind: a person, a thing, or unknown; who may be a person is treated as one.
     """
 
     id: str
@@ -38,3 +48,4 @@ class Obstacle:
     confidence: float = 1.0
     seen_at: float = 0.0
     source: str = ""
+    kind: ObstacleKind = ObstacleKind.UNKNOWN

@@ -90,6 +90,9 @@ class Telemetry:
         height: height above the floor by the drone's own sensor [m].
         velocity: body velocity forward, left, up by the drone's own estimate [m/s].
         faults: the drone's complaints, in words.
+        acceleration: specific force in the body [m/s^2]; None where the drone does not tell it.
+        configured: its limits were written, acknowledged and read back; no take-off before.
+        notes: what is not as it should be with its settings or sensors, in words.
     """
 
     received_at: float
@@ -101,6 +104,9 @@ class Telemetry:
     height: float = 0.0
     velocity: Vec3 = (0.0, 0.0, 0.0)
     faults: tuple[str, ...] = ()
+    acceleration: Vec3 | None = None
+    configured: bool = True
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -163,6 +163,7 @@ class Pilot:
             telemetry_age=now - telemetry.received_at if telemetry else inf,
             estimate=estimate,
             landing_forced=self._gate.landing,
+            telemetry=telemetry,
         )
 
     def _is_facing(self, estimate: Estimate | None) -> bool:
@@ -218,6 +219,7 @@ class Pilot:
             yaw=task.hold_yaw,
             arrival_yaw=nan if arrival_yaw is None else arrival_yaw,
             height=self._settings.flight_height,
+            speed_factor=1.0,
         )
 
     def _override(self, now: float, estimate: Estimate | None) -> Override:

@@ -53,7 +53,7 @@ from housefly.pilot.estimation.estimator import (
     control_state,
     estimator_commanded,
 )
-from housefly.pilot.safety.limits import CommandLimits, GatedCommand, SafetyCode, gated
+from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated, is_flown_in
 
 
 class PilotParameters(NamedTuple):
@@ -101,6 +101,7 @@ class Guidance(NamedTuple):
         x, y, yaw: the place [m] and heading [rad] to hold.
         arrival_yaw: heading at the end of the path [rad]; nan keeps the path's.
         height: z_ref [m].
+        speed_factor: share of the cruise speed to fly at, 0 to 1.
     """
 
     active: bool
@@ -110,6 +111,7 @@ class Guidance(NamedTuple):
     yaw: float
     arrival_yaw: float
     height: float
+    speed_factor: float
 
 
 class Override(NamedTuple):
@@ -234,7 +236,9 @@ def _tracked(
     """Return the state with reference, heading and acceptor moved on, and the reference."""
     progress, target = state.progress, _held(guidance)
     if guidance.following:
-        progress, target = _followed(state, params, here, profile, dt)
+        progress, target = _followed(
+            state, params, here, profile, params.speed * guidance.speed_factor, dt
+        )
     yaw = _yaw_reference(state.yaw, params, here, guidance, target, dt)
     acceptor = _accepted(state.acceptor, params, here, guidance, profile, target, yaw, now)
     return StepState(progress=progress, yaw=yaw, acceptor=acceptor, gate=state.gate), target
@@ -242,7 +246,12 @@ def _tracked(
 
 @compiled
 def _followed(
-    state: StepState, params: PilotParameters, here: PoseEstimate, profile: PathProfile, dt: float
+    state: StepState,
+    params: PilotParameters,
+    here: PoseEstimate,
+    profile: PathProfile,
+    speed: float,
+    dt: float,
 ) -> tuple[PathProgress, TrajectorySetpoint]:
     before = state.progress
     if params.is_paper:
@@ -253,8 +262,8 @@ def _followed(
     is_moving = (
         state.acceptor.state == AcceptorState.PATH_TRACKING
         or state.acceptor.state == AcceptorState.HOVER
-    ) and state.gate == SafetyCode.NOMINAL
-    moved = progress_advanced(before, profile, params.speed, here.x, here.y, is_moving, dt)
+    ) and is_flown_in(state.gate)
+    moved = progress_advanced(before, profile, speed, here.x, here.y, is_moving, dt)
     progress = progress_headed(moved, profile)
     return progress, setpoint_at(progress, profile)
 

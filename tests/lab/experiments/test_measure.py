@@ -49,7 +49,7 @@ def by_hand(
         "estimate_rms": np.sqrt(
             np.mean(sum((looks[f"est_{axis}"] - looks[axis]) ** 2 for axis in "xyz"))
         ),
-        "levelled": np.mean(task["safety"] == SafetyCode.LEVEL),
+        "levelled": np.mean(task["safety"] == SafetyCode.HOLD),
         "ended_at": trace["t"][-1],
     }
 
@@ -126,5 +126,5 @@ def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() 
     drone = cases(Site(), 1, mocap_dropout=1.0)
     trace = fly_traced(drone, FlightPlan(Task.HOLD, ((0.0, 0.0),), 30.0, settle=0.0))
     assert trace["safety"][20] == SafetyCode.NOMINAL
-    assert trace["safety"][100] == SafetyCode.LEVEL and trace["safety"][-1] == SafetyCode.LAND
+    assert trace["safety"][100] == SafetyCode.HOLD and trace["safety"][-1] == SafetyCode.LAND
     assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)

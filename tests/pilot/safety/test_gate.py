@@ -25,7 +25,7 @@ FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
 FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
 CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
-OLD = GateVerdict(Command(Action.HOVER), SafetyMode.LEVEL, "tracking_old", "old")
+OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old")
 LOST = GateVerdict(Command(Action.HOVER), SafetyMode.LAND, "tracking_lost", "lost")
 BOLDNESS = {
     Action.FLY: 3,
@@ -138,7 +138,7 @@ def test_what_is_right_passes_unchanged() -> None:
 @pytest.mark.parametrize(
     ("change", "mode", "action"),
     [
-        ({"pose_age": 0.251}, SafetyMode.LEVEL, Action.HOVER),
+        ({"pose_age": 0.251}, SafetyMode.HOLD, Action.HOVER),
         ({"pose_age": nan}, SafetyMode.LAND, Action.LAND),
         ({"pose_age": 2.01}, SafetyMode.LAND, Action.LAND),
         ({"telemetry_age": 1.01}, SafetyMode.LAND, Action.LAND),
@@ -177,14 +177,14 @@ def test_a_forced_landing_is_kept_until_the_drone_stands() -> None:
 
 def test_a_level_episode_ends_by_itself() -> None:
     gate = GateBench(LIMITS, FENCE)
-    assert gate.judge(FLY, replace(FINE, pose_age=1.0)).mode is SafetyMode.LEVEL
+    assert gate.judge(FLY, replace(FINE, pose_age=1.0)).mode is SafetyMode.HOLD
     assert gate.judge(FLY, FINE).command == FLY
 
 
 @pytest.mark.parametrize("bad", [nan, inf, -inf])
 def test_a_command_that_is_not_a_number_becomes_hover(bad: float) -> None:
     mode, out = judge(Command(Action.FLY, Setpoint(theta=bad)), FINE)
-    assert (mode, out) == (SafetyMode.LEVEL, Command(Action.HOVER))
+    assert (mode, out) == (SafetyMode.HOLD, Command(Action.HOVER))
 
 
 def test_on_the_ground_stop_keeps_the_drone_there() -> None:

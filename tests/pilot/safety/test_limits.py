@@ -33,7 +33,7 @@ def test_limits_make_smaller_and_never_larger(
     passed = gated(asked, flying, int(mode), airborne, COMMAND_LIMITS)
     is_finite = all(isfinite(number) for number in asked[:4])
     assert passed.flown == (flying and airborne and is_finite and mode is SafetyCode.NOMINAL)
-    assert passed.mode == mode or (passed.mode == SafetyCode.LEVEL and flying and not is_finite)
+    assert passed.mode == mode or (passed.mode == SafetyCode.HOLD and flying and not is_finite)
     wanted = [min(max(a, -b), b) for a, b in zip(asked, BOUNDS, strict=False)]
     assert passed[2:] == (tuple(wanted) if passed.flown else (0.0, 0.0, 0.0, 0.0))
 

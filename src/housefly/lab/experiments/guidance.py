@@ -116,6 +116,7 @@ def guided(
         yaw=yaw,
         arrival_yaw=route.arrival_yaw,
         height=route.height,
+        speed_factor=1.0,
     )
     return task, progress, guidance
 

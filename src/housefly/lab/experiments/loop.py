@@ -241,7 +241,7 @@ def _counted(
     score.ticks += 1.0
     score.switches += 1.0 if state.acceptor.state != acceptor else 0.0
     score.saturated += 1.0 if output.asked.wish > tilt_max else 0.0
-    score.levelled += 1.0 if state.gate == SafetyCode.LEVEL else 0.0
+    score.levelled += 1.0 if state.gate == SafetyCode.HOLD else 0.0
 
 
 @compiled

@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 from housefly.geometry import Vec2, Vec3, heading_to
 from housefly.messages.flight import OrderKind, Phase
-from housefly.messages.sensing import DroneStatus, Estimate
+from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
 from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +130,9 @@ class VehicleStatus:
         telemetry_age: [s].
         estimate: where it is, None before the first sighting.
         landing_forced: the safety gate is landing the drone.
+        return_wanted: the safety gate wants the drone to come home.
+        telemetry: the drone's newest report, None before the first.
+        consistency: tracking held against the drone's own report.
     """
 
     now: float
@@ -137,6 +141,9 @@ class VehicleStatus:
     telemetry_age: float
     estimate: Estimate | None
     landing_forced: bool
+    return_wanted: bool = False
+    telemetry: Telemetry | None = None
+    consistency: TrackingConsistency = NOTHING_KNOWN
 
     @property
     def place(self) -> Vec2 | None:

@@ -25,20 +25,35 @@ from housefly.pilot.safety.rules import (
 
 A, M = Action, SafetyMode
 
+_FLOWN = {A.RESET: A.HOVER}
+_HELD = {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER}
+_LANDED = dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET), A.LAND)
+
 AIRBORNE_ACTIONS: dict[SafetyMode, dict[Action, Action]] = {
-    M.NOMINAL: {A.RESET: A.HOVER},
-    M.LEVEL: {A.FLY: A.HOVER, A.RESET: A.HOVER},
-    M.STOPPED: {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER},
-    M.LAND: {A.FLY: A.LAND, A.HOVER: A.LAND, A.TAKE_OFF: A.LAND, A.IDLE: A.LAND, A.RESET: A.LAND},
+    M.NOMINAL: _FLOWN,
+    M.WARN: _FLOWN,
+    M.SLOW: _FLOWN,
+    M.HOLD: {A.FLY: A.HOVER, A.RESET: A.HOVER},
+    M.RETURN: _FLOWN,
+    M.STOPPED: _HELD,
+    M.LAND: _LANDED,
+    M.DESCEND: dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET, A.LAND), A.FLY),
     M.CUT: dict.fromkeys(Action, A.CUT),
 }
 """What becomes of an action in the air, by safety mode; an action that is not listed passes."""
 
+_STANDING = dict.fromkeys((A.FLY, A.HOVER, A.RESET), A.IDLE)
+_KEPT_DOWN = {**_STANDING, A.TAKE_OFF: A.IDLE}
+
 GROUND_ACTIONS: dict[SafetyMode, dict[Action, Action]] = {
-    M.NOMINAL: {A.FLY: A.IDLE, A.HOVER: A.IDLE, A.RESET: A.IDLE},
-    M.LEVEL: {A.FLY: A.IDLE, A.TAKE_OFF: A.IDLE, A.HOVER: A.IDLE, A.RESET: A.IDLE},
-    M.STOPPED: {A.FLY: A.IDLE, A.TAKE_OFF: A.IDLE, A.HOVER: A.IDLE, A.RESET: A.IDLE},
-    M.LAND: {A.FLY: A.IDLE, A.TAKE_OFF: A.IDLE, A.HOVER: A.IDLE, A.RESET: A.IDLE},
+    M.NOMINAL: _STANDING,
+    M.WARN: _STANDING,
+    M.SLOW: _STANDING,
+    M.HOLD: _KEPT_DOWN,
+    M.RETURN: _KEPT_DOWN,
+    M.STOPPED: _KEPT_DOWN,
+    M.LAND: _KEPT_DOWN,
+    M.DESCEND: _KEPT_DOWN,
     M.CUT: dict.fromkeys(Action, A.CUT),
 }
 """The same on the ground. The emergency command is a toggle: it is never sent in the emergency
@@ -135,7 +150,7 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
     """
     mode, code, reason = assessment.mode, assessment.code, assessment.reason
     if gated.mode != MODE_SEVERITY[mode]:
-        mode, code = SafetyMode.LEVEL, "not_finite"
+        mode, code = SafetyMode.HOLD, "not_finite"
         reason = "the command was not a number: the drone holds itself"
     allowed = _allowed(action, mode, assessment)
     if allowed is not Action.FLY:

@@ -14,10 +14,18 @@ class SafetyCode(IntEnum):
     """The modes as compiled code knows them, in the order of ``messages.SafetyMode``."""
 
     NOMINAL = 0
-    LEVEL = 1
-    STOPPED = 2
-    LAND = 3
-    CUT = 4
+    WARN = 1
+    SLOW = 2
+    HOLD = 3
+    RETURN = 4
+    STOPPED = 5
+    LAND = 6
+    DESCEND = 7
+    CUT = 8
+
+
+DESCENT_RATE = 0.3
+"""How fast a level descent sinks [m/s]."""
 
 
 class CommandLimits(NamedTuple):
@@ -52,12 +60,18 @@ def too_old(age: float, bound: float) -> bool:
 
 
 @compiled
+def is_flown_in(mode: int) -> bool:
+    """Return whether our setpoints fly the drone in this ``SafetyCode``."""
+    return mode <= SafetyCode.SLOW.value or mode == SafetyCode.RETURN.value
+
+
+@compiled
 def pose_age_mode(age: float, level_after: float, land_after: float) -> int:
     """Return the ``SafetyCode`` that the age of the pose asks for; times in seconds."""
     if too_old(age, land_after):
         return SafetyCode.LAND.value
     if too_old(age, level_after):
-        return SafetyCode.LEVEL.value
+        return SafetyCode.HOLD.value
     return SafetyCode.NOMINAL.value
 
 
@@ -76,9 +90,12 @@ def gated(
     """
     tilt_is_finite = isfinite(asked.theta) and isfinite(asked.phi)
     is_finite = tilt_is_finite and isfinite(asked.vz) and isfinite(asked.yaw_rate)
-    if flying and not is_finite and mode == SafetyCode.NOMINAL:
-        mode = SafetyCode.LEVEL.value
-    if not (flying and airborne and is_finite and mode == SafetyCode.NOMINAL):
+    if flying and not is_finite and is_flown_in(mode):
+        mode = SafetyCode.HOLD.value
+    if mode == SafetyCode.DESCEND.value and airborne:
+        sink = -min(DESCENT_RATE, limits.vertical_speed_max)
+        return GatedCommand(mode, True, 0.0, 0.0, sink, 0.0)
+    if not (flying and airborne and is_finite and is_flown_in(mode)):
         return GatedCommand(mode, False, 0.0, 0.0, 0.0, 0.0)
     return GatedCommand(
         mode=mode,

@@ -142,7 +142,7 @@ SAFETY_RULES: tuple[SafetyRule, ...] = (
     ),
     SafetyRule(
         "tracking_old",
-        SafetyMode.LEVEL,
+        SafetyMode.HOLD,
         lambda f, limits, _: (
             f.status is DroneStatus.FLYING and too_old(f.pose_age, limits.pose_age_level)
         ),

@@ -64,8 +64,8 @@ export const headline = computed<Headline>(() => {
     const where = flying.value ? "hovers until you resume" : "stays down until you resume";
     return { shape: "stopped", text: "Stopped", detail: where };
   }
-  if (now.safety === "level")
-    return { shape: "warning", text: "SituationAnswer level", detail: now.reason };
+  if (now.safety === "hold")
+    return { shape: "warning", text: "HOLDING FOR SAFETY", detail: now.reason };
   if (now.status === null || now.status === "unknown") {
     return {
       shape: "warning",
