@@ -19,7 +19,8 @@ import numpy as np
 
 from _run import percentile, table
 from housefly.bus.codec import from_cdr, to_cdr
-from housefly.bus.stop import StopSender
+from housefly.bus.endpoint import endpoint_in
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
@@ -46,7 +47,7 @@ from housefly.record.recorder import FlightRecorder
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
 
-HOST, BUS_PORT, TCP_PORT = "127.77.0.1", 7447, 7448
+HOST, TCP_PORT = "127.77.0.1", 7448
 RATE_HZ, SECONDS = 100.0, 10.0
 PATH = Path(tuple((0.3 * n, 0.1 * n) for n in range(30)), 9.5, 0.4)
 PICTURE_BYTES = 15_000
@@ -78,13 +79,13 @@ def step(number: int, now: float) -> PilotStep:
     )
 
 
-def listen() -> None:
+def listen(endpoint: str) -> None:
     """The other process: measures the age of each step where its handler begins, and reports all
     ages as LINK notes.
     """
     ages: dict[str, list[float]] = {"zenoh": [], "tcp": []}
     with (
-        ZenohBus(connect=f"tcp/{HOST}:{BUS_PORT}") as bus,
+        ZenohBus(connect=endpoint) as bus,
         socket.create_connection((HOST, TCP_PORT)) as link,
     ):
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
@@ -106,10 +107,13 @@ def transports() -> str:
     count = int(SECONDS * RATE_HZ)
     with (
         socket.create_server((HOST, TCP_PORT)) as server,
-        ZenohBus(listen=f"tcp/{HOST}:{BUS_PORT}") as bus,
+        tempfile.TemporaryDirectory() as folder,
+        ZenohBus(listen=endpoint_in(FilePath(folder))) as bus,
     ):
         other = subprocess.Popen(
-            [sys.executable, __file__, "listen"], stdout=subprocess.PIPE, text=True
+            [sys.executable, __file__, "listen", endpoint_in(FilePath(folder))],
+            stdout=subprocess.PIPE,
+            text=True,
         )
         link, _ = server.accept()
         link.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

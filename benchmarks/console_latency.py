@@ -24,7 +24,8 @@ import numpy as np
 from playwright.async_api import Browser, Page, async_playwright
 
 from housefly.bus.local import LocalBus
-from housefly.bus.stop import StopListener, StopSender
+from housefly.bus.stop import StopListener
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import ORDER_TOPIC, VIDEO_TOPIC
 from housefly.messages import DroneStatus, Order, OrderKind, Phase, VideoFrame
 from housefly.web.fake_pilot import FakePilot

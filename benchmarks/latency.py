@@ -23,7 +23,7 @@ from _run import bench_site, percentile, table
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
-from housefly.bus.stop import StopSender
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import ORDER_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site

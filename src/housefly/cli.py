@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import argparse
+import errno
+import os
 import signal
 import sys
+from contextlib import suppress
 
 from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_COMMAND, WHERE_COMMAND
 from housefly.app.commands.campaign import CAMPAIGN_COMMAND
@@ -18,7 +21,9 @@ from housefly.app.commands.replay import REPLAY_COMMAND
 from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
 from housefly.app.commands.run import DEMO_COMMAND, RUN_COMMAND
-from housefly.errors import HouseflyError
+from housefly.app.commands.safety import SAFETY_COMMAND
+from housefly.config.text import refuse_odd_values, shortened
+from housefly.errors import ConfigError, HouseflyError
 
 _COMMANDS = (
     DEMO_COMMAND,
@@ -36,6 +41,7 @@ _COMMANDS = (
     MEMORY_COMMANDS,
     CAMPAIGN_COMMAND,
     REPRODUCE_COMMAND,
+    SAFETY_COMMAND,
     DOCTOR_COMMAND,
 )
 
@@ -48,6 +54,13 @@ record it, write a report
   housefly room show --png room.png
   housefly run --site mylab.toml           real hardware: the site file names the addresses
 """
+
+
+_REMEDIES = {
+    errno.ENOSPC: "; free some space, or set TMPDIR to a folder on another disk",
+    errno.EROFS: "; name a folder that can be written to",
+    errno.EACCES: "; name a folder that this user may write to",
+}
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -66,17 +79,46 @@ def build_parser() -> argparse.ArgumentParser:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return the exit code."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    try:
+        refuse_odd_values(arguments, key="argument")
+    except ConfigError as error:
+        return _refused(str(error))
     options = build_parser().parse_args(arguments)
-    for number in (signal.SIGINT, signal.SIGTERM):
-        # Explicit: a shell that starts a background process makes it ignore SIGINT.
-        signal.signal(number, signal.default_int_handler)
+    # Flights and memories tell who was where: what is written belongs to this user alone.
+    before = os.umask(0o077)
+    try:
+        return _run(options)
+    finally:
+        os.umask(before)
+
+
+def _run(options: argparse.Namespace) -> int:
+    """Run a command; what fails on purpose, or for want of a file or a disk, is told in words."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        # Explicit: a shell that starts a background process makes it ignore SIGINT. Under nohup a
+        # closed terminal ends nothing.
+        if number != signal.SIGHUP or signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, signal.default_int_handler)
     try:
         return int(options.run(options))
     except HouseflyError as error:
-        print(f"housefly: {error}", file=sys.stderr)
-        return 2
+        return _refused(str(error))
+    except BrokenPipeError:  # who read our output has left
+        return 1
+    except OSError as error:
+        if error.strerror is None:
+            raise
+        where = f"{shortened(str(error.filename))}: " if error.filename else ""
+        return _refused(f"{where}{error.strerror}{_REMEDIES.get(error.errno or 0, '')}")
     except KeyboardInterrupt:
         return 130
+
+
+def _refused(words: str) -> int:
+    with suppress(OSError):  # its terminal may be gone
+        print(f"housefly: {words}", file=sys.stderr)
+    return 2
 
 
 if __name__ == "__main__":

@@ -19,6 +19,8 @@ has_video = {video}
 [tracking]
 kind = "{tracking}"
 address = "{address}"
+[hub]
+store = "{store}"
 [web]
 port = {port}
 [twin]
@@ -67,6 +69,7 @@ def write_site(tmp_path: Path, request: pytest.FixtureRequest) -> WriteSite:
             rate=rate,
             seed=seed,
             port=free_port(),
+            store=tmp_path / f"room{number}.db",
             tracking=tracking,
         )
         file.write_text(text)

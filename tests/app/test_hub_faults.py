@@ -21,7 +21,7 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.app.service_monitor import ServiceMonitor
-from housefly.bus.stop import StopSender
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import changed, site_from_file

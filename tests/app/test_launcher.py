@@ -1,15 +1,21 @@
-"""How a run ends: in order, at once, or because its launcher is gone."""
+"""How the processes of a run start, are started again, are given up, and end."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import psutil
 import pytest
+
+from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.runtime import Runtime
+from housefly.config.site import site_from_file
 
 pytestmark = [pytest.mark.wire, pytest.mark.slow]
 
@@ -17,7 +23,7 @@ pytestmark = [pytest.mark.wire, pytest.mark.slow]
 def start(site: Path, log: Path) -> subprocess.Popen[bytes]:
     command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site)]
     process = subprocess.Popen(command, stdout=log.open("w"), stderr=subprocess.STDOUT)
-    deadline = time.monotonic() + 60.0
+    deadline = time.monotonic() + 200.0
     while "ready after" not in log.read_text():
         assert time.monotonic() < deadline, log.read_text()
         time.sleep(0.1)
@@ -61,3 +67,98 @@ def test_a_killed_part_is_started_again_and_said(tmp_path: Path, write_site: Any
     finally:
         process.send_signal(signal.SIGINT)
         assert process.wait(40) == 0
+
+
+def wait_for(condition: Callable[[], object], timeout: float = 60.0) -> None:
+    deadline = time.monotonic() + timeout
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
+
+
+@pytest.fixture
+def runtime(tmp_path: Path) -> Runtime:
+    class OwnModules(Runtime):
+        def environment(self) -> dict[str, str]:
+            path = os.pathsep.join(filter(None, (str(tmp_path), os.environ.get("PYTHONPATH"))))
+            return {**os.environ, "PYTHONPATH": path}
+
+    return object.__new__(OwnModules)
+
+
+def test_who_cannot_start_is_given_up_and_quoted_and_the_others_go_on(
+    tmp_path: Path, runtime: Runtime
+) -> None:
+    (tmp_path / "broken.py").write_text("import sys; sys.exit('hub: disk is full')")
+    (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
+    parts = (ProcessSpec("hub", "broken"), ProcessSpec("twin", "steady"))
+    with Launcher(runtime, tmp_path, parts) as launcher:
+        wait_for(lambda: launcher.given_up)
+        restarts = launcher.restarts("hub")
+        time.sleep(2.0)
+        assert launcher.restarts("hub") == restarts <= 5
+        (death,) = launcher.given_up
+        assert death.name == "hub" and death.last_words == ("hub: disk is full",)
+        assert launcher.restarts("twin") == 0 and psutil.pid_exists(launcher.pid("twin"))
+
+
+def test_who_is_killed_again_and_again_is_always_started_again(
+    tmp_path: Path, runtime: Runtime
+) -> None:
+    (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
+    with Launcher(runtime, tmp_path, (ProcessSpec("pilot", "steady", lands=True),)) as launcher:
+        for number in range(1, 7):
+            os.kill(launcher.pid("pilot"), signal.SIGKILL)
+            wait_for(lambda number=number: launcher.restarts("pilot") == number)
+        assert launcher.given_up == ()
+
+
+def test_the_last_one_that_lands_is_never_killed_and_a_hung_one_before_it_is(
+    tmp_path: Path, runtime: Runtime, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("housefly.app.launcher._LANDING_TIMEOUT", 1.0)
+    (tmp_path / "deaf.py").write_text(
+        "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN);"
+        " print('ready', flush=True); time.sleep(100)"
+    )
+    parts = tuple(ProcessSpec(name, "deaf", lands=True) for name in ("pilot", "driver"))
+    launcher = Launcher(runtime, tmp_path, parts)
+    with launcher:
+        for name in ("pilot", "driver"):
+            wait_for(lambda name=name: (tmp_path / f"{name}.log").read_text())
+        pilot, driver = (psutil.Process(launcher.pid(name)) for name in ("pilot", "driver"))
+        try:
+            assert launcher.stop() == ("driver",)
+            assert not pilot.is_running() and driver.is_running()
+        finally:
+            driver.kill()
+
+
+def test_logs_are_for_their_user_alone(tmp_path: Path, runtime: Runtime) -> None:
+    (tmp_path / "steady.py").write_text("import time; time.sleep(100)")
+    before = os.umask(0o022)
+    try:
+        with Launcher(runtime, tmp_path, (ProcessSpec("web", "steady"),)):
+            assert (tmp_path / "web.log").stat().st_mode & 0o777 == 0o600
+    finally:
+        os.umask(before)
+
+
+def test_a_second_run_on_the_same_memory_is_refused_in_words(
+    tmp_path: Path, write_site: Any
+) -> None:
+    first, second = write_site(), write_site()
+    memory = site_from_file(first).hub.store
+    second.write_text(re.sub(r"store = .*", f'store = "{memory}"', second.read_text()))
+    process = start(first, tmp_path / "log")
+    try:
+        wait_for(lambda: Path(f"{memory}.lock").exists())
+        command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(second)]
+        refused = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        assert refused.returncode == 2
+        assert "another run uses this room's memory" in refused.stderr
+        assert "hub.store" in refused.stderr
+        assert Path(memory).stat().st_mode & 0o777 == 0o600
+    finally:
+        process.send_signal(signal.SIGINT)
+        assert process.wait(60) == 0

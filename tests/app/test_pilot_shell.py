@@ -2,19 +2,38 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
 from pathlib import Path
 from typing import Any
 
 import pytest
+from room_here import RoomHere
 
 from housefly.app.launcher import Launcher, processes_of
-from housefly.app.loaded_site import read_site
+from housefly.app.loaded_site import open_site, read_site
+from housefly.app.pilot_shell import PilotShell, StepFailure
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import new_runtime
-from housefly.bus.topics import FRAME_TOPIC, STEP_TOPIC
+from housefly.app.trackers import tracker_of
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.messages import PilotStep, Sighting, TrackedFrame
+from housefly.clock import RealClock
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.messages import (
+    Action,
+    Inputs,
+    LinkStatus,
+    Order,
+    OrderKind,
+    Outputs,
+    PilotStep,
+    Severity,
+    Sighting,
+    TrackedFrame,
+)
+from housefly.pilot.assembly import warm_up
 
 pytestmark = pytest.mark.wire
 
@@ -51,3 +70,101 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
     missing = [sighting for sighting in stepped if sighting not in told]
     assert len(missing) <= 5, "steps know of frames that were never told"
     assert max(waited) > 0.002, "the pilot steps on its own clock"
+
+
+class FailingPilot:
+    """Steps as the real one does until told to fail."""
+
+    def __init__(self, pilot: Any) -> None:
+        self._pilot = pilot
+        self.fails = False
+        self.calls_after_failing = 0
+
+    def step(self, now: float, inputs: Inputs) -> Outputs:
+        if self.fails:
+            self.calls_after_failing += 1
+            raise ZeroDivisionError("float division by zero")
+        outputs: Outputs = self._pilot.step(now, inputs)
+        return outputs
+
+
+async def flying_shell(room: RoomHere, steps: list[PilotStep], links: list[LinkStatus]) -> Any:
+    """Return a pilot's shell on real wires in flight, and the task that runs it."""
+    loaded, clock, bus = room.loaded, RealClock(), LocalBus()
+    warm_up(loaded.site, loaded.room, loaded.grid)
+    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+    shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
+    failing = FailingPilot(shell.pilot)
+    shell.pilot = failing  # type: ignore[assignment]
+    bus.subscribe(STEP_TOPIC, steps.append)
+    bus.subscribe(LINK_TOPIC, links.append)
+    running = asyncio.create_task(shell.run())
+    await room.until(lambda: steps and steps[-1].outputs.estimate is not None)
+    await room.until(lambda: drone.telemetry is not None and drone.telemetry.configured)
+    bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
+    await room.until(lambda: room.world.onboard().flight.name == "HOVERING", 20.0)
+    return shell, failing, bus, running
+
+
+async def test_an_exception_in_the_step_lands_the_drone_and_ends_the_process(
+    write_site: Any, capfd: pytest.CaptureFixture[str]
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    steps: list[PilotStep] = []
+    links: list[LinkStatus] = []
+    async with RoomHere(loaded) as room:
+        _, failing, _, running = await flying_shell(room, steps, links)
+        place = room.now
+        failing.fails = True
+        with pytest.raises(StepFailure, match="division by zero"):
+            await asyncio.wait_for(running, 30.0)
+        assert room.world.onboard().flight.name == "LANDED"
+        assert room.way_since(place) < 0.4
+    assert failing.calls_after_failing == 1
+    (told,) = [event for step in steps for event in step.outputs.events if "failed" in event.text]
+    assert told.severity is Severity.FAULT and "division by zero" in told.text
+    assert steps[-1].outputs.command.action is Action.LAND
+    assert any("the pilot failed" in note for link in links for note in link.notes)
+    assert "ZeroDivisionError" in capfd.readouterr().err
+
+
+async def test_after_a_failed_step_cutting_the_motors_still_passes_and_stop_lands_on(
+    write_site: Any,
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    steps: list[PilotStep] = []
+    async with RoomHere(loaded) as room:
+        shell, failing, bus, running = await flying_shell(room, steps, [])
+        failing.fails = True
+        await room.until(lambda: steps[-1].outputs.command.action is Action.LAND)
+        shell.stop()
+        assert steps[-1].outputs.command.action is Action.LAND
+        bus.publish(ORDER_TOPIC, Order(OrderKind.CUT))
+        await room.until(lambda: room.world.onboard().flight.name == "EMERGENCY", 1.0)
+        with pytest.raises(StepFailure):
+            await asyncio.wait_for(running, 10.0)
+
+
+async def test_a_step_that_cannot_be_published_is_said_and_flown_all_the_same(
+    write_site: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    steps: list[PilotStep] = []
+    links: list[LinkStatus] = []
+    async with RoomHere(loaded) as room:
+        shell, _, bus, running = await flying_shell(room, steps, links)
+
+        def refuse(topic: object, message: object) -> None:
+            if topic is STEP_TOPIC:
+                raise ValueError("too long")
+            publish(topic, message)
+
+        publish = bus.publish
+        monkeypatch.setattr(bus, "publish", refuse)
+        links.clear()
+        await room.until(lambda: len(links) > 1)
+        assert any("too long" in note for note in links[-1].notes)
+        assert room.world.onboard().flight.airborne
+        shell.leave()
+        await asyncio.wait_for(running, 30.0)
+        assert room.world.onboard().flight.name == "LANDED"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import resource
 import socket
 import subprocess
 import sys
@@ -17,7 +18,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.bus import stop as module
-from housefly.bus.stop import StopListener, StopSender
+from housefly.bus.stop import StopListener
+from housefly.bus.stop_sender import StopSender
 from housefly.errors import ConfigError, LinkError, WireError
 
 pytestmark = pytest.mark.wire
@@ -44,7 +46,7 @@ async def room(loopback: str) -> AsyncIterator[Room]:
 
 
 def signed_stop(sent_ns: int, secret: str = SECRET, nonce: bytes = b"12345678") -> bytes:
-    return module._Token(sent_ns, nonce).signed(module._STOP, secret.encode())
+    return module.StopToken(sent_ns, nonce).signed(module.STOP_MAGIC, secret.encode())
 
 
 async def throw(room: Room, *datagrams: bytes) -> None:
@@ -130,22 +132,22 @@ async def test_garbage_is_ignored(room: Room) -> None:
 @given(st.binary(max_size=100))
 def test_a_datagram_without_the_secret_is_never_verified(data: bytes) -> None:
     with contextlib.suppress(WireError):
-        module._verified(data, module._STOP, SECRET.encode())
+        module.verified(data, module.STOP_MAGIC, SECRET.encode())
         raise AssertionError("a signature was guessed")
 
 
 async def test_an_acknowledgement_cannot_be_sent_back_as_a_stop(room: Room) -> None:
     await throw(
         room,
-        module._Token(time.monotonic_ns(), b"12345678").signed(
-            module._ACKNOWLEDGED, SECRET.encode()
+        module.StopToken(time.monotonic_ns(), b"12345678").signed(
+            module.ACKNOWLEDGED, SECRET.encode()
         ),
     )
     assert room.stops == 0
 
 
 async def test_another_process_stops_us(room: Room) -> None:
-    code = "import sys; from housefly.bus.stop import StopSender; host, port, secret = sys.argv[1:]"
+    code = "import sys; from housefly.bus.stop_sender import StopSender; host, port, secret = sys.argv[1:]"
     code += "\nwith StopSender(host, int(port), secret) as sender: outcome = sender.send()"
     code += "\nprint(outcome.done() and outcome.result())"
     arguments = [*map(str, room.listener.address), SECRET]
@@ -170,3 +172,22 @@ def test_only_the_loopback_interface_is_listened_on() -> None:
 def test_a_short_secret_is_refused() -> None:
     with pytest.raises(ConfigError, match="16 characters"):
         StopSender("127.0.0.1", 1, "short")
+
+
+async def test_a_sender_that_may_open_no_further_file_still_stops(room: Room) -> None:
+    sender = StopSender(*room.listener.address, SECRET)
+    before = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (0, before[1]))
+    try:
+        with pytest.raises(OSError, match="Too many open files"):
+            socket.socket()
+        assert await asyncio.wrap_future(sender.send())
+    finally:
+        resource.setrlimit(resource.RLIMIT_NOFILE, before)
+        sender.close()
+
+
+def test_a_flood_of_stops_is_sent_with_a_bounded_number_of_waiting_ones(loopback: str) -> None:
+    sender = StopSender(loopback, 9, SECRET)
+    assert len({id(sender.send()) for _ in range(5000)}) <= 64
+    sender.close()

@@ -7,14 +7,17 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from housefly.bus.bus import Bus
+from housefly.bus.endpoint import endpoint_in
 from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError, WireError
@@ -98,8 +101,9 @@ def child() -> Iterator[Callable[..., Child]]:
 
 
 @pytest.fixture
-def endpoint(loopback: str) -> str:
-    return f"tcp/{loopback}:7447"
+def endpoint() -> Iterator[str]:
+    with tempfile.TemporaryDirectory() as folder:
+        yield endpoint_in(Path(folder))
 
 
 def until(condition: Callable[[], Any], patience: float = 10.0) -> Any:

@@ -37,6 +37,8 @@ from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Place, Room, Shape, Solid
 
 TICK = 0.01
+ENDURANCE = 720.0
+"""How long a full battery lasts in the air [s]."""
 
 
 def make_room() -> Room:
@@ -113,10 +115,16 @@ class Flight:
         self.status, self.since = DroneStatus.LANDED, 0.0
         self.battery = 0.9
         self.talks = True
+        self.faults: tuple[str, ...] = ()
+        self.notes: tuple[str, ...] = ()
+        self.configured = True
+        self.late = 0.0
         self.pending: deque[tuple[float, Command]] = deque()
         self.delay = delay
         self.command = Command(Action.IDLE)
         self.in_flight: list[Sighting] = []
+        self.felt = np.random.default_rng(seed + 1000)
+        self.past: deque[tuple[float, float, float]] = deque(maxlen=round(0.04 / TICK) + 1)
         self.outputs: Outputs | None = None
         self.events: list[Event] = []
         self.phases: list[Phase] = []
@@ -167,6 +175,9 @@ class Flight:
         for _ in range(2):
             self.body = drone_step(self.body, *wanted, wind, self.constants, TICK / 2)
 
+        if self.status not in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
+            self.battery -= TICK / ENDURANCE
+
     # --- the tracking system ---
 
     def _look(self) -> tuple[Sighting, ...]:
@@ -186,6 +197,34 @@ class Flight:
         self.in_flight = [s for s in self.in_flight if s.received_at > self.now + 1e-9]
         return arrived
 
+    # --- the drone's own report ---
+
+    def _feel(self) -> None:
+        b, c, s = self.body, cos(self.body.psi), sin(self.body.psi)
+        ahead, left = c * b.vx + s * b.vy, c * b.vy - s * b.vx
+        up_left = ahead * sin(b.theta) + b.vz * cos(b.theta)
+        forward = ahead * cos(b.theta) - b.vz * sin(b.theta)
+        self.past.append((forward, left * cos(b.phi) + up_left * sin(b.phi), b.z))
+
+    def report(self) -> Telemetry:
+        """Return what the drone tells now: noisy, speeds and height 40 ms late."""
+        b, (forward, left, height) = self.body, self.past[0]
+        noise = self.felt.normal(0.0, 0.02, 2).tolist()
+        sonar = max(0.0, height + self.felt.normal(0.0, 0.01))
+        return Telemetry(
+            self.now,
+            self.status,
+            round(self.battery, 2),
+            b.phi,
+            b.theta,
+            b.psi,
+            sonar,
+            (forward + noise[0], left + noise[1], 0.0),
+            faults=self.faults,
+            configured=self.configured,
+            notes=self.notes,
+        )
+
     # --- the loop ---
 
     def order(self, kind: OrderKind, **values: object) -> Order:
@@ -196,11 +235,12 @@ class Flight:
         """Run one tick of the loop."""
         self.now = round(self.now + TICK, 6)
         self._fly()
+        self._feel()
         if self.talks and round(self.now / TICK) % 5 == 0:
-            self.heard = Telemetry(self.now, self.status, self.battery)
+            self.heard = self.report()
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
         self.outputs = self.pilot.step(
-            self.now, Inputs(self._look(), self.heard, orders, self.around(self))
+            self.now, Inputs(self._look(), self.heard, orders, self.around(self), self.late)
         )
         self.pending.append((self.now + self.delay, self.outputs.command))
         self.events.extend(self.outputs.events)

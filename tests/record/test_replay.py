@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from mcap.writer import Writer
+from mcap.writer import MCAP0_MAGIC, Writer
 
 from housefly.errors import RecordingError
 from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
@@ -142,3 +142,16 @@ def test_missing_steps_are_counted(tmp_path: Path, flight: tuple[PilotStep, ...]
     with_gap = flight[:10] + flight[15:20]
     verdict = verify(write(tmp_path / "flight.mcap", with_gap), lambda: Parrot(with_gap))
     assert (verdict.steps, verdict.missing) == (15, 5)
+
+
+@pytest.mark.parametrize("content", [MCAP0_MAGIC, None])
+def test_a_recording_without_a_step_is_not_the_same_bit_for_bit(
+    tmp_path: Path, content: bytes | None
+) -> None:
+    path = tmp_path / "flight.mcap"
+    if content is None:
+        write(path, ())
+    else:
+        path.write_bytes(content)
+    with pytest.raises(RecordingError, match="no step of a flight"):
+        verify(path, lambda: Parrot(()))

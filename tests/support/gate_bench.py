@@ -6,8 +6,9 @@ from housefly.config.limits import LimitsConfig
 from housefly.messages import Action, Command, SafetyMode
 from housefly.pilot.control.steering import ControlOutput
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateVerdict, released
+from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated
-from housefly.pilot.safety.rules import MODE_SEVERITY, GateInputs, Geofence
+from housefly.pilot.safety.rules import MODE_SEVERITY
 
 
 class GateBench:

@@ -16,6 +16,7 @@ from housefly.clock import RealClock
 from housefly.config.site import Site
 from housefly.config.tracking import TrackingConfig
 from housefly.messages import Sighting
+from housefly.record.truth import read_truth
 from housefly.tracking.natnet import NatNetTracker
 from housefly.tracking.vicon import ViconTracker
 from housefly.tracking.vrpn import VrpnTracker
@@ -200,3 +201,34 @@ async def test_a_taken_port_is_told_in_words(start, loopback):
     second = await start(site_text(loopback))
     assert f"cannot serve an AR.Drone at {loopback}" in await line(second)
     assert await second.wait() == 1
+
+
+async def test_it_writes_the_truth_while_its_tracking_lies_and_stamps_it_with_our_clock(
+    start, loopback, tmp_path
+):
+    site = site_text(loopback) + '[[faults]]\nfault = "mocap.x:wrong=3"\n'
+    file = tmp_path / "truth.jsonl"
+    began = RealClock().now()
+    process = await start(site, "--truth", str(file))
+    assert "made to fail: mocap.x:wrong@0s=3" in await line(process)
+    tracker = ViconTracker(TrackingConfig(address=loopback), RealClock())
+    sightings: list[Sighting] = []
+    tracking = asyncio.create_task(tracker.run(sightings.extend))
+    while not any(seen.body == "ardrone" for seen in sightings):
+        await asyncio.sleep(0.02)
+    tracking.cancel()
+    await asyncio.gather(tracking, return_exceptions=True)
+    told = next(seen for seen in sightings if seen.body == "ardrone")
+    process.send_signal(signal.SIGTERM)
+    assert await asyncio.wait_for(process.wait(), 20.0) == 0
+    truth = read_truth(file)
+    assert truth is not None
+    assert began < truth.time[0] < truth.time[-1] < RealClock().now()
+    assert told.pose.position[0] - truth.position[0][0] == pytest.approx(3.0, abs=0.05)
+    assert truth.contacts == () and not truth.airborne.any()
+
+
+async def test_a_fault_that_cannot_be_is_told_in_one_line(start, loopback):
+    process = await start(site_text(loopback) + '[[faults]]\nfault = "pilot:off"\n')
+    assert "cannot be made in wires, only in lock step" in await line(process)
+    assert await asyncio.wait_for(process.wait(), 20.0) == 1

@@ -65,6 +65,7 @@ class Served:
     bus: LocalBus
     pilot: FakePilot
     stops: list[float]
+    proofs: dict[str, str] = field(default_factory=dict)
 
     @property
     def origin(self) -> str:
@@ -85,7 +86,7 @@ class Served:
     ) -> tuple[int, dict[str, str], str]:
         connection = http.client.HTTPConnection(self.host, self.port, timeout=5)
         try:
-            connection.request(method, path, headers=headers)
+            connection.request(method, path, headers=self.proved(headers))
             answer = connection.getresponse()
             return (
                 answer.status,
@@ -98,7 +99,14 @@ class Served:
     async def session(self) -> str:
         """Return a fresh session's cookie, made through an invitation or the first link."""
         _, headers, _ = await self.request("GET", f"/?token={TOKEN}")
-        return headers["set-cookie"].partition(";")[0]
+        cookie = headers["set-cookie"].partition(";")[0]
+        self.proofs[cookie] = headers["location"].partition("#proof=")[2]
+        return cookie
+
+    def proved(self, headers: dict[str, str]) -> dict[str, str]:
+        """Return headers with the proof that the page of a session sends beside its cookie."""
+        proof = self.proofs.get(headers.get("Cookie", ""), "")
+        return {"X-Housefly-Proof": proof, **headers} if proof else headers
 
     @contextlib.asynccontextmanager
     async def talk(
@@ -109,7 +117,7 @@ class Served:
         async with connect(
             f"ws://{self.host}:{self.port}/socket",
             origin=self.origin,
-            additional_headers=given,
+            additional_headers=self.proved(given),
             close_timeout=0.2,
         ) as one:
             talk = Talk(one)

@@ -60,9 +60,8 @@ class Editor:
                 self.console.host, self.console.port, timeout=20
             )
             try:
-                connection.request(
-                    method, path, body, {key: value for key, value in headers.items() if value}
-                )
+                given = {key: value for key, value in headers.items() if value}
+                connection.request(method, path, body, self.console.proved(given))
                 answer = connection.getresponse()
                 return answer.status, json.loads(answer.read())
             finally:

@@ -17,6 +17,7 @@ import pytest
 import pytest_asyncio
 from websockets.asyncio.client import ClientConnection, connect
 
+from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
@@ -37,6 +38,9 @@ def free_port(kind: socket.SocketKind) -> int:
         return int(probe.getsockname()[1])
 
 
+NOWHERE = "unixsock-stream/nowhere/bus"
+
+
 class Meeting:
     """A fake pilot on a real bus, and what it takes to start consoles for it."""
 
@@ -51,6 +55,7 @@ class Meeting:
     @asynccontextmanager
     async def console(self, port: int) -> AsyncIterator[tuple[asyncio.subprocess.Process, str]]:
         mine = {
+            "XDG_STATE_HOME": str(self.site.parent),
             "HOUSEFLY_TOKEN": "the-token",
             "HOUSEFLY_SECRET": SECRET,
             "HOUSEFLY_STOP_PORT": str(self.stop_port),
@@ -77,7 +82,9 @@ class Meeting:
 async def meeting(tmp_path: Path) -> AsyncIterator[Meeting]:
     site = tmp_path / "site.json"
     site.write_text(Site().model_dump_json(), encoding="utf-8")
-    endpoint = f"tcp/127.0.0.1:{free_port(socket.SOCK_STREAM)}"
+    sockets = tmp_path / "s"
+    sockets.mkdir(mode=0o700)
+    endpoint = endpoint_in(sockets)
     with ZenohBus(listen=endpoint) as bus:
         found = Meeting(bus, endpoint, free_port(socket.SOCK_DGRAM), site)
         listener = StopListener("127.0.0.1", found.stop_port, SECRET, found.stop)
@@ -88,18 +95,20 @@ async def meeting(tmp_path: Path) -> AsyncIterator[Meeting]:
         listener.close()
 
 
-async def cookie_of(address: str) -> str:
+async def credentials_of(address: str) -> tuple[str, str]:
     host, _, port = address.removeprefix("http://").partition(":")
     reader, writer = await asyncio.open_connection(host, int(port))
     lines = ("GET /?token=the-token HTTP/1.1", f"Host: {host}:{port}", "Connection: close", "", "")
     writer.write("\r\n".join(lines).encode())
     answer = (await reader.read()).decode()
     writer.close()
-    return re.search(r"set-cookie: ([^;]+)", answer)[1]  # type: ignore[index]
+    found = re.search(r"#proof=(\w+).*set-cookie: ([^;]+)", answer, re.DOTALL)
+    assert found, answer
+    return found[2], found[1]
 
 
-def open_socket(address: str, cookie: str) -> Any:
-    headers = {"Cookie": cookie}
+def open_socket(address: str, credentials: tuple[str, str]) -> Any:
+    headers = {"Cookie": credentials[0], "X-Housefly-Proof": credentials[1]}
     return connect(
         address.replace("http", "ws") + "/socket",
         origin=address,
@@ -119,8 +128,8 @@ async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outl
 ) -> None:
     port = free_port(socket.SOCK_STREAM)
     async with meeting.console(port) as (process, address):
-        cookie = await cookie_of(address)
-        async with open_socket(address, cookie) as one:
+        credentials = await credentials_of(address)
+        async with open_socket(address, credentials) as one:
             await one.send('{"type":"hello","tab":"a-tab-of-mine"}')
             await hear(one, '"type":"room"')
             await hear(one, '"type":"state"')
@@ -132,7 +141,10 @@ async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outl
             assert meeting.pilot.orders[0].kind is OrderKind.STOP
         process.kill()
         await process.wait()
-    async with meeting.console(port) as (process, address), open_socket(address, cookie) as one:
+    async with (
+        meeting.console(port) as (process, address),
+        open_socket(address, credentials) as one,
+    ):
         await one.send('{"type":"hello","tab":"a-tab-of-mine"}')
         await hear(one, '"type":"room"')
         process.send_signal(signal.SIGTERM)
@@ -142,9 +154,9 @@ async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outl
 
 async def test_an_address_that_others_reach_is_refused() -> None:
     with pytest.raises(ConfigError, match=r"web\.host"):
-        await run_web(Site(), "tcp/127.0.0.1:9", "0.0.0.0", 0)
+        await run_web(Site(), NOWHERE, "0.0.0.0", 0)
     with pytest.raises(ConfigError, match="--name"):
-        await run_web(Site(), "tcp/127.0.0.1:9", "0.0.0.0", 0, insecure=True)
+        await run_web(Site(), NOWHERE, "0.0.0.0", 0, insecure=True)
 
 
 def test_a_console_that_nobody_launched_says_how_to_launch_it(
@@ -154,6 +166,6 @@ def test_a_console_that_nobody_launched_says_how_to_launch_it(
     before = signal.getsignal(signal.SIGTERM)
     site = tmp_path / "site.toml"
     site.write_text("", encoding="utf-8")
-    assert main(["--site", str(site), "--bus", "tcp/127.0.0.1:9"]) == 1
+    assert main(["--site", str(site), "--bus", NOWHERE]) == 1
     assert "housefly demo" in capsys.readouterr().err
     signal.signal(signal.SIGTERM, before)

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 from starlette.requests import HTTPConnection
 
-from housefly.web.session_auth import SessionAuth, cookie_name, same_origin
+from housefly.web.session_auth import PROOF_HEADER, SessionAuth, cookie_name, same_origin
 
 
 def connection(cookie: str = "", **headers: str) -> HTTPConnection:
@@ -17,13 +17,19 @@ def connection(cookie: str = "", **headers: str) -> HTTPConnection:
             "scheme": "http",
             "server": ("127.0.0.1", 8080),
             "path": "/",
+            "query_string": b"",
             "headers": raw,
         }
     )
 
 
 def accepts(auth: SessionAuth, session: str) -> bool:
-    return auth.has_session(connection(f"{cookie_name(connection())}={session}"))
+    cookie = f"{cookie_name(connection())}={session}"
+    name = session.partition(".")[0]
+    asked = connection(cookie, **{PROOF_HEADER: auth.proof(name)})
+    assert not auth.has_session(connection(cookie)), "the cookie alone is not enough"
+    assert not auth.has_session(connection(cookie, **{PROOF_HEADER: auth.proof(name + "x")}))
+    return auth.has_session(asked) and auth.session_of(asked) == name
 
 
 def test_a_link_is_good_once() -> None:

@@ -1,13 +1,15 @@
 """The MQTT broker of a run: mosquitto on loopback, for a site with ``mqtt.start = true``.
 
 ``python -m housefly.app.broker_main``, started by the launcher. It keeps nothing on disk and
-accepts every program of this machine.
+accepts every program of this machine, and no other: ``mqtt.allow`` says which devices count.
 """
 
 from __future__ import annotations
 
+import ctypes
 import os
 import shutil
+import signal
 import sys
 import tempfile
 import time
@@ -19,6 +21,9 @@ _SEARCH_PATH = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/l
 """Debian installs mosquitto outside the PATH of ordinary users."""
 _RETRY_PAUSE = 60.0
 """Pause before the process ends where mosquitto is not installed [s]; the launcher tries again."""
+_PR_SET_PDEATHSIG = 1
+_MAX_CLIENTS, _MAX_PACKET = 512, 65536
+"""Clients at a time, and the largest packet of one [bytes]."""
 _REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
 
 
@@ -39,9 +44,17 @@ def main() -> int:
     settings = folder / "mosquitto.conf"
     settings.write_text(
         f"listener {site.mqtt.port} {site.mqtt.broker}\nallow_anonymous true\npersistence"
-        " false\nuser root\n"
+        f" false\nuser root\nmax_connections {_MAX_CLIENTS}\nmax_packet_size {_MAX_PACKET}\n"
     )
+    _end_with_launcher()
     os.execv(found, [found, "-c", str(settings)])
+
+
+def _end_with_launcher() -> None:
+    """Let mosquitto, which cannot watch a pipe, end with the thread that started this process."""
+    signal.pthread_sigmask(signal.SIG_SETMASK, ())
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 if __name__ == "__main__":

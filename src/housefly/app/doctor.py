@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
-from housefly.app.ports import port_needs
+from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
@@ -114,16 +114,20 @@ def _ports(site: Site) -> tuple[MachineCheck, ...]:
     return tuple(
         MachineCheck(
             f"ports of the {need.name}",
-            not need.taken,
-            (
-                f"taken at {need.address}: {', '.join(need.taken)}"
-                if need.taken
-                else f"free at {need.address}"
-            ),
-            f"end the program that uses it, or change {need.remedy}",
+            not need.taken and not need.problem,
+            _found_at(need),
+            f"{'' if need.problem else 'end the program that uses it, or '}change {need.remedy}",
         )
         for need in port_needs(site, web=True)
     )
+
+
+def _found_at(need: PortNeed) -> str:
+    if need.problem:
+        return f"nothing can listen at {need.address}: {need.problem}"
+    if need.taken:
+        return f"taken at {need.address}: {', '.join(need.taken)}"
+    return f"free at {need.address}"
 
 
 def _hardware(site: Site) -> MachineCheck:

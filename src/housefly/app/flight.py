@@ -14,14 +14,19 @@ from housefly.app.terminal import console
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
+from housefly.record.truth import ContactRecord
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.vocabulary import Injection
 
 _SUMMARY_FIGURES = (
     ("duration_s", "duration", "s", 1),
     ("path_length_m", "path", "m", 2),
-    ("rms_error_m", "rms error", "m", 3),
-    ("max_error_m", "largest error", "m", 3),
-    ("arrival_error_m", "arrival error", "m", 3),
+    ("rms_error_m", "true rms error", "m", 3),
+    ("tracked_rms_error_m", "... by tracking", "m", 3),
+    ("max_error_m", "largest true error", "m", 3),
+    ("arrival_error_m", "true arrival error", "m", 3),
     ("min_clearance_m", "smallest clearance", "m", 2),
+    ("min_clearance_people_m", "... from people", "m", 2),
     ("landed_error_m", "landed off the pad by", "m", 3),
 )
 """What is printed at the end: key of the summary, words, unit, decimals."""
@@ -36,7 +41,12 @@ def fly_service(
     lockstep: bool,
     web: bool,
 ) -> str:
-    """Fly to a place, look, come home, land; write the record into ``out``; return the outcome."""
+    """Fly to a place, look, come home, land; write the record into ``out``; return the outcome.
+
+    Raises:
+        ConfigError: a fault of the site that cannot be made in lock step, or on wires.
+    """
+    FaultInjector(loaded.site, Injection.LOCKSTEP if lockstep else Injection.WIRES)
     if not lockstep:
         refuse_taken_ports(loaded.site, web=web)
     recorder = FlightRecorder(out, loaded.site, loaded.room, loaded.grid)
@@ -50,7 +60,7 @@ def fly_service(
                 progress.show(step)
 
             if lockstep:
-                outcome = fly_lockstep(loaded, order, on_step)
+                outcome = fly_lockstep(loaded, order, on_step, truth_file=recorder.truth_file)
             else:
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)
@@ -70,7 +80,7 @@ def fly_service(
     finally:
         summary = recorder.finish(outcome)
     _print_summary(summary, out)
-    return outcome
+    return summary.outcome
 
 
 def _address(runtime: Runtime) -> str:
@@ -86,6 +96,19 @@ def _print_summary(summary: Summary, out: Path) -> None:
             f"  {words:<22}"
             + ("not measured" if value is None else f"{value:8.{decimals}f} {unit}")
         )
+    console.print(f"  {'contacts':<22}{_contacts(summary)}", markup=False)
+    for fault in summary.faults:
+        console.print(f"  {'made to fail':<22}{fault}", markup=False)
     for problem in summary.problems:
         console.print(f"  {problem}")
     console.print(f"record: {out} (report.html, flight.mcap, summary.json)", soft_wrap=True)
+
+
+def _contacts(summary: Summary) -> str:
+    if summary.contacts is None:
+        return "not measured"
+    return "none" if not summary.contacts else "; ".join(map(_in_words, summary.contacts))
+
+
+def _in_words(contact: ContactRecord) -> str:
+    return f"{contact.name} at {contact.speed:.2f} m/s, {contact.at_s:.1f} s"

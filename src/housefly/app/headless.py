@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from math import inf
 from pathlib import Path
 
-from housefly.app.launcher import Launcher, processes_of
+from housefly.app.end_signals import EndSignals
+from housefly.app.launcher import Launcher, ProcessSpec, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.app.service_monitor import ServiceMonitor
@@ -17,6 +19,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.errors import LinkError
 from housefly.geometry import Vec2
+from housefly.hub.store.lock import refuse_shared_store
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 
@@ -49,18 +52,34 @@ def fly_over_wires(
         LinkError: the drone or the tracking system did not answer in time.
     """
     site = runtime.site()
+    refuse_shared_store(site)
     with (
-        Launcher(runtime, folder, processes_of(runtime, web=web)),
+        EndSignals(),
+        Launcher(
+            runtime, folder, _with_truth(processes_of(runtime, web=web), recorder.truth_file)
+        ) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
         missing = Readiness(
             site, bus, web=web, video=site.drone.has_video and site.twin.video
-        ).wait(_START_TIMEOUT, say)
+        ).wait(_START_TIMEOUT, say, lambda: launcher.given_up != ())
         if missing:
+            if launcher.given_up:
+                raise LinkError(str(launcher.given_up[0]))
             raise LinkError(
                 f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
         return _serve(bus, site.tracking.body, home, order, recorder, on_step, give_up_after)
+
+
+def _with_truth(processes: tuple[ProcessSpec, ...], path: Path) -> tuple[ProcessSpec, ...]:
+    """Return the processes of which the twin writes the true course of the flight into a file."""
+    return tuple(
+        replace(spec, arguments=(*spec.arguments, "--truth", str(path.resolve())))
+        if spec.name == "twin"
+        else spec
+        for spec in processes
+    )
 
 
 class Steadiness:

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from math import inf
 from pathlib import Path
 
-from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.launcher import DRIVER_PROCESS, Launcher, ProcessSpec
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
@@ -25,7 +25,7 @@ from housefly.bus.local import LocalBus
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
-from housefly.drones.ardrone.driver import ArDrone
+from housefly.drones.remote_drone import RemoteDrone
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.lab.identification.box import Box
 from housefly.lab.identification.maneuver import REST_DISTANCE, IdentificationManeuver
@@ -152,18 +152,21 @@ def fly_identification_over_wires(
 ) -> str:
     """Fly whatever drone the site names and return the outcome; Ctrl-C lands it first.
 
-    The pilot runs in this process, the twin in one of its own.
+    The pilot runs in this process, driver and twin in processes of their own.
     """
     runtime = new_runtime(loaded.site, folder)
     site = runtime.site()
     processes = (
-        (ProcessSpec("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
-        if site.twin.enabled
-        else ()
+        DRIVER_PROCESS,
+        *(
+            (ProcessSpec("twin", "housefly.twin.process", ("--site", str(runtime.site_file))),)
+            if site.twin.enabled
+            else ()
+        ),
     )
     warm_up(loaded.site, loaded.room, loaded.grid)
     with Launcher(runtime, folder, processes), _undisturbed():
-        return asyncio.run(_fly(loaded, flight, on_step))
+        return asyncio.run(_fly(loaded, flight, runtime.driver_socket, on_step))
 
 
 @contextmanager
@@ -179,14 +182,17 @@ def _undisturbed() -> Iterator[None]:
 
 
 async def _fly(
-    loaded: LoadedSite, flight: IdentificationFlight, on_step: Callable[[PilotStep], None]
+    loaded: LoadedSite,
+    flight: IdentificationFlight,
+    driver_socket: Path,
+    on_step: Callable[[PilotStep], None],
 ) -> str:
     site, clock, bus = loaded.site, RealClock(), LocalBus()
     shell = PilotShell(
         loaded,
         bus,
         tracker_of(site.tracking, clock),
-        ArDrone(site.drone, site.limits, clock),
+        RemoteDrone(driver_socket, clock),
         flight.maneuver,
     )
     interrupted = threading.Event()
@@ -206,7 +212,7 @@ async def _fly(
         shell.leave()
 
     loop = asyncio.get_running_loop()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         loop.add_signal_handler(number, interrupt)
     subscription = bus.subscribe(STEP_TOPIC, on_pilot_step)
     try:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from contextlib import ExitStack
+from contextlib import ExitStack, suppress
 from pathlib import Path
 
+from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.ports import refuse_taken_ports
@@ -17,34 +18,58 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.hub.client.discovery import announced
+from housefly.hub.store.lock import refuse_shared_store
 from housefly.record.recorder import FlightRecorder
 
 _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""
 
 
+class _DeathTeller:
+    """Prints each death of a process once."""
+
+    def __init__(self, launcher: Launcher) -> None:
+        self.launcher = launcher
+        self._told = 0
+
+    def tell(self) -> None:
+        for death in self.launcher.deaths[self._told :]:
+            _say(str(death))
+            self._told += 1
+
+    def tell_for_ever(self) -> None:
+        while True:
+            self.tell()
+            time.sleep(0.5)
+
+
 def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> int:
     """Start everything, print the console's address, and stay until Ctrl-C."""
     started = time.monotonic()
     refuse_taken_ports(loaded.site, web=True)
+    refuse_shared_store(loaded.site)
     runtime = new_runtime(loaded.site, folder)
     with ExitStack() as stack:
+        signals = stack.enter_context(EndSignals())
         stack.enter_context(announced(discovery_entry(runtime)))
-        launcher = stack.enter_context(Launcher(runtime, folder, processes_of(runtime)))
+        launcher = stack.enter_context(
+            Launcher(runtime, folder, processes_of(runtime), lambda: signals.is_impatient)
+        )
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
+        teller = _DeathTeller(launcher)
         try:
-            _introduce(runtime, bus, started)
+            _introduce(runtime, bus, teller, started)
             if record is not None:
                 stack.callback(_record(loaded, record, bus))
                 console.print(f"recording to {record}")
-            _idle(launcher)
+            teller.tell_for_ever()
         except KeyboardInterrupt:
-            console.print("\nlanding the drone, then leaving (Ctrl-C again leaves at once)")
+            _say("\nlanding the drone, then leaving (Ctrl-C again does not wait for it)")
             _land_and_leave(launcher)
     return 0
 
 
-def _introduce(runtime: Runtime, bus: Bus, started: float) -> None:
+def _introduce(runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float) -> None:
     site = runtime.site()
     console.print(
         f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
@@ -57,7 +82,15 @@ def _introduce(runtime: Runtime, bus: Bus, started: float) -> None:
     console.print(f"bus:      {runtime.bus}  (who may run programs here may listen and order)")
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
-        missing = Readiness(site, bus, web=True, video=video).wait(_READY_TIMEOUT, status.update)
+
+        def on_missing(words: str) -> None:
+            status.update(words)
+            teller.tell()
+
+        missing = Readiness(site, bus, web=True, video=video).wait(
+            _READY_TIMEOUT, on_missing, lambda: teller.launcher.given_up != ()
+        )
+    teller.tell()
     if missing:
         console.print(
             f"[bold]not everything answers:[/bold] {missing}; `housefly doctor` may know why"
@@ -70,11 +103,17 @@ def _introduce(runtime: Runtime, bus: Bus, started: float) -> None:
 
 
 def _land_and_leave(launcher: Launcher) -> None:
-    try:
-        launcher.stop()
-    except KeyboardInterrupt:
-        launcher.abandon()
-        console.print("left at once: a drone in the air is on its own now")
+    pids = {spec.name: launcher.pid(spec.name) for spec in launcher.processes if spec.lands}
+    left = launcher.stop()
+    if left:
+        names = ", ".join(f"{name} (process {pids[name]})" for name in left)
+        _say(f"left without waiting: {names} still lands the drone and ends when it is down")
+
+
+def _say(words: str) -> None:
+    """Print where there still is a terminal; a closed one must not disturb the landing."""
+    with suppress(OSError):
+        console.print(words, markup=False)
 
 
 def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
@@ -91,17 +130,3 @@ def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
         recorder.finish("ended by the user")
 
     return close
-
-
-def _idle(launcher: Launcher) -> None:
-    restarts = dict.fromkeys((process.name for process in launcher.processes), 0)
-    while True:
-        time.sleep(0.5)
-        for name, before in restarts.items():
-            now = launcher.restarts(name)
-            if now != before:
-                restarts[name] = now
-                console.print(
-                    f"{name} died and was started again (its log:"
-                    f" {launcher.folder / (name + '.log')})"
-                )

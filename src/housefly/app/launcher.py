@@ -1,6 +1,7 @@
 """Starts the processes of one site, restarts those that die, and lands the drone before it ends.
 
 pilot       the only one that must be on time; the others run at lower priority
+driver      the drone's wires and the watchdog over the pilot; the last to leave
 twin        the simulated drone and cameras, nearly as urgent; absent with real hardware
 hub         the room's memory
 broker      an MQTT broker; absent where the devices have their own
@@ -15,38 +16,50 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import TracebackType
 from typing import IO, Self
 
+from housefly.app.liveness import RunLiveness
+from housefly.app.restart_policy import Death, last_words, restart_after
 from housefly.app.runtime import Runtime
 
-_PILOT_EXIT_TIMEOUT = 30.0
-"""Longest time for the pilot to land and end [s]."""
-_RESTART_PAUSE = 0.5
-"""Pause before a dead process is started again [s]."""
+_LANDING_TIMEOUT = 30.0
+"""Longest wait for a process that lands the drone [s]."""
+_EXIT_TIMEOUT = 3.0
+"""Longest wait for the others, once the drone is down [s]."""
 _POLL_PERIOD = 0.1
 
 
 @dataclass(frozen=True, slots=True)
 class ProcessSpec:
-    """One process: its name, the module that it runs, its arguments and its nice value.
+    """One process of a run.
 
-    A nice value below 0 counts as 0 where the system does not allow it.
+    Attributes:
+        name, module, arguments: what it is called, and what it runs.
+        niceness: below 0 it counts as 0 where the system does not allow it.
+        lands: whether it brings the drone down before it ends. Those are told to end one after the
+            other, in this order, before all others; the last one is never killed.
     """
 
     name: str
     module: str
     arguments: tuple[str, ...] = ()
     niceness: int = 0
+    lands: bool = False
+
+
+DRIVER_PROCESS = ProcessSpec("driver", "housefly.app.driver_main", niceness=-5, lands=True)
+"""Whoever pilots, the driver is a process of its own."""
 
 
 def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ...]:
     """Return the processes that a site needs."""
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
-    processes = [ProcessSpec("pilot", "housefly.app.pilot_main")]
+    processes = [ProcessSpec("pilot", "housefly.app.pilot_main", lands=True), DRIVER_PROCESS]
     if site.mqtt.broker and site.mqtt.start:
         processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
@@ -55,7 +68,7 @@ def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ..
         )
         processes.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
-        asked_at = ("--bus", runtime.bus, "--port", str(runtime.room_port))
+        asked_at = ("--bus", runtime.bus, "--socket", str(runtime.room_socket))
         processes.append(
             ProcessSpec("hub", "housefly.hub.process", (*site_argument, *asked_at), niceness=5)
         )
@@ -75,7 +88,12 @@ class _Running:
     spec: ProcessSpec
     process: subprocess.Popen[bytes]
     log: IO[bytes]
+    log_start: int
+    started_at: float = field(default_factory=time.monotonic)
     restarts: int = 0
+    failures: int = 0
+    due_at: float | None = None
+    is_given_up: bool = False
 
 
 @dataclass(slots=True)
@@ -86,19 +104,27 @@ class Launcher:
         runtime: endpoints and secrets of this run.
         folder: where the output of each process goes, as NAME.log.
         processes: what to run.
+        is_impatient: whether nobody wants to wait for the landing any longer; asked at the end.
     """
 
     runtime: Runtime
     folder: Path
     processes: tuple[ProcessSpec, ...]
+    is_impatient: Callable[[], bool] = lambda: False
     _running: dict[str, _Running] = field(default_factory=dict)
+    _deaths: list[Death] = field(default_factory=list)
+    _liveness: RunLiveness = field(default_factory=RunLiveness)
     _leaving: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _supervisor: threading.Thread | None = None
 
     def __enter__(self) -> Self:
-        for spec in self.processes:
-            self._running[spec.name] = self._start(spec)
+        try:
+            for spec in self.processes:
+                self._running[spec.name] = self._start(spec)
+        except BaseException:
+            self.stop()
+            raise
         self._supervisor = threading.Thread(target=self._supervise, name="supervisor", daemon=True)
         self._supervisor.start()
         return self
@@ -121,32 +147,70 @@ class Launcher:
         with self._lock:
             return self._running[name].restarts
 
-    def stop(self) -> None:
-        """Let the pilot land and leave, then end the others."""
+    @property
+    def deaths(self) -> tuple[Death, ...]:
+        """All deaths so far, the oldest first."""
+        with self._lock:
+            return tuple(self._deaths)
+
+    @property
+    def given_up(self) -> tuple[Death, ...]:
+        """Those processes that cannot start and are not tried again."""
+        return tuple(death for death in self.deaths if death.given_up)
+
+    def stop(self) -> tuple[str, ...]:
+        """Let the drone land, then end everything; a second call does nothing.
+
+        Returns:
+            The processes that still land the drone, because nobody wanted to wait or because it
+            takes too long. They, and all that they need, end by themselves when it is down.
+        """
         self._leaving.set()
         if self._supervisor is not None:
             self._supervisor.join()
-        for name in sorted(self._running, key=lambda name: name != "pilot"):
-            _end(self._running[name].process, _PILOT_EXIT_TIMEOUT if name == "pilot" else 3.0)
+        landing = [running for running in self._running.values() if running.spec.lands]
+        try:
+            left = [
+                running.spec.name for running in landing if not self._land(running, landing[-1])
+            ]
+        finally:
+            self._liveness.close()
+        if not left:
+            others = [running.process for running in self._running.values()]
+            for process in others:
+                process.terminate()
+            _end_all(others)
         for running in self._running.values():
             running.log.close()
         self._running.clear()
+        return tuple(left)
 
-    def abandon(self) -> None:
-        """End everything at once; a flying drone is left to its own watchdog."""
-        self._leaving.set()
-        for running in self._running.values():
-            running.process.kill()
-            running.process.wait()
+    def _land(self, running: _Running, last: _Running) -> bool:
+        """Tell a process to land the drone and end; return False if it is left to itself."""
+        process = running.process
+        if process.poll() is None:
+            process.terminate()
+        deadline = time.monotonic() + _LANDING_TIMEOUT
+        while process.poll() is None:
+            if self.is_impatient():
+                return False
+            if time.monotonic() > deadline:
+                if running is last:
+                    return False
+                process.kill()
+                process.wait()
+            time.sleep(0.02)
+        return True
 
     def _start(self, spec: ProcessSpec) -> _Running:
-        log = (self.folder / f"{spec.name}.log").open("ab")
+        path = self.folder / f"{spec.name}.log"
+        # Whoever reads a log knows what people do here.
+        log = os.fdopen(os.open(path, os.O_WRONLY | os.O_APPEND | os.O_CREAT, 0o600), "ab")
+        descriptors = self._liveness.descriptors(lands=spec.lands)
+        numbers = (os.getpid(), spec.niceness, descriptors.watched, descriptors.held)
         command = [
-            sys.executable,
-            "-m",
-            "housefly.app.child",
-            str(os.getpid()),
-            str(spec.niceness),
+            *(sys.executable, "-m", "housefly.app.child"),
+            *map(str, numbers),
             spec.module,
             *spec.arguments,
         ]
@@ -156,33 +220,58 @@ class Launcher:
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
-            # Ctrl-C is for the launcher alone. No new sessions: kernels that group processes by
-            # session ignore their nice values.
+            pass_fds=descriptors.inherited,
+            # Ctrl-C and a closed terminal are for the launcher alone. No new sessions: kernels that
+            # group processes by session ignore their nice values.
             process_group=0,
         )
-        return _Running(spec, process, log)
+        return _Running(spec, process, log, log_start=log.tell())
 
     def _supervise(self) -> None:
         while not self._leaving.wait(_POLL_PERIOD):
-            for name, running in list(self._running.items()):
-                if running.process.poll() is None:
+            for running in list(self._running.values()):
+                if running.process.poll() is None or running.is_given_up:
                     continue
-                if self._leaving.wait(_RESTART_PAUSE):
-                    return
-                running.log.close()
-                fresh = self._start(running.spec)
-                fresh.restarts = running.restarts + 1
-                with self._lock:
-                    self._running[name] = fresh
+                if running.due_at is None:
+                    self._note_death(running)
+                elif time.monotonic() >= running.due_at:
+                    self._restart(running)
+
+    def _note_death(self, running: _Running) -> None:
+        now, log = time.monotonic(), self.folder / f"{running.spec.name}.log"
+        restart = restart_after(
+            running.process.returncode, now - running.started_at, running.failures
+        )
+        running.failures = restart.failures
+        running.is_given_up = restart.pause is None
+        running.due_at = now + (restart.pause or 0.0)
+        if running.is_given_up:
+            self._tell(Death(running.spec.name, True, last_words(log, running.log_start), log))
+
+    def _restart(self, running: _Running) -> None:
+        running.log.close()
+        log = self.folder / f"{running.spec.name}.log"
+        words = last_words(log, running.log_start)
+        try:
+            fresh = self._start(running.spec)
+        except OSError:  # no memory, no disk: later
+            running.due_at = time.monotonic() + 1.0
+            return
+        fresh.restarts, fresh.failures = running.restarts + 1, running.failures
+        with self._lock:
+            self._running[running.spec.name] = fresh
+        self._tell(Death(running.spec.name, False, words, log))
+
+    def _tell(self, death: Death) -> None:
+        with self._lock:
+            self._deaths.append(death)
 
 
-def _end(process: subprocess.Popen[bytes], timeout: float) -> None:
-    if process.poll() is not None:
-        return
-    process.terminate()
-    deadline = time.monotonic() + timeout
-    while process.poll() is None and time.monotonic() < deadline:
+def _end_all(processes: list[subprocess.Popen[bytes]]) -> None:
+    """Wait until processes that were told to end are gone; kill those that do not."""
+    deadline = time.monotonic() + _EXIT_TIMEOUT
+    while time.monotonic() < deadline and any(process.poll() is None for process in processes):
         time.sleep(0.02)
-    if process.poll() is None:
+    for process in processes:
         process.kill()
-    process.wait()
+        process.wait()

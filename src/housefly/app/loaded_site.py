@@ -9,6 +9,7 @@ from typing import Any
 from housefly import sites
 from housefly.config.site import Site, changed, site_from_file
 from housefly.config.state import edits_folder
+from housefly.config.text import is_file, shortened
 from housefly.errors import ConfigError, EditsError
 from housefly.geometry import Vec2
 from housefly.messages import PlanAnswer
@@ -18,6 +19,7 @@ from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
+from housefly.twin.faults.parse import faults_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,18 +72,18 @@ def site_file(name: str) -> Path:
         ConfigError: naming the sites that are shipped.
     """
     path = Path(name)
-    if path.is_dir():
-        path = path / "site.toml"
-    if path.is_file():
-        return path
+    for file in (path, path / "site.toml"):
+        if is_file(file):
+            return file
     shipped = Path(sites.__file__).parent
-    if (shipped / f"{name}.toml").is_file():
+    if is_file(shipped / f"{name}.toml"):
         return shipped / f"{name}.toml"
     known = ", ".join(
         sorted(p.stem for p in shipped.glob("*.toml") if not p.stem.endswith(("_scene", "_things")))
     )
     raise ConfigError(
-        "--site", f"no file {name!r}, and no site of that name is shipped (shipped: {known})"
+        "--site",
+        f"no file {shortened(name)!r}, and no site of that name is shipped (shipped: {known})",
     )
 
 
@@ -90,9 +92,9 @@ def read_site(name: str, **changes: Any) -> Site:
     path = site_file(name)
     site = site_from_file(path)
     model = site.room.model
-    if (path.parent / model / "room.toml").is_file():
+    if is_file(path.parent / model / "room.toml"):
         changes.setdefault("room__model", str((path.parent / model).resolve()))
-    if site.twin.scene and (path.parent / site.twin.scene).is_file():
+    if site.twin.scene and is_file(path.parent / site.twin.scene):
         changes.setdefault("twin__scene", str((path.parent / site.twin.scene).resolve()))
     if site.hub.things:
         changes.setdefault("hub__things", str((path.parent / site.hub.things).resolve()))
@@ -100,9 +102,10 @@ def read_site(name: str, **changes: Any) -> Site:
 
 
 def open_site(site: Site) -> LoadedSite:
-    """Load the room of a site and build its map; raises RoomError or ConfigError."""
+    """Load the room of a site, check its faults, build its map; raises RoomError or ConfigError."""
     room = room_of(site)
     untracked(room, site)  # furniture that the room does not have is refused before anything starts
+    faults_of(site)
     return LoadedSite(site, room, build_grid(room, site))
 
 

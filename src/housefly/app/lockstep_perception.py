@@ -3,27 +3,32 @@
 from __future__ import annotations
 
 from collections import deque
+from functools import partial
 
 from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site
 from housefly.messages import Estimate, Obstacle, Scan
 from housefly.perception.depth_tracker import DepthTracker
-from housefly.perception.laser_tracker import LaserTracker, OwnFootprint
+from housefly.perception.laser_tracker import OWN_MARGIN, LaserTracker, OwnFootprint
 from housefly.room.distance import half_diagonal
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import scan_of
+from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip.parameters import MODELS
 
-_OWN_MARGIN = 0.25
-"""Whatever is nearer to the hull than this counts as the drone itself [m]."""
-
 
 class LockstepPerception:
-    """Takes scans and images when they are due; scans reach perception after their latency."""
+    """Takes scans and images when they are due; scans reach perception after their latency.
 
-    def __init__(self, loaded: LoadedSite, world: SimulatedWorld) -> None:
-        self._site, self._world = loaded.site, world
+    Args:
+        loaded: sensors and what they know of the room.
+        world: what they look at.
+        faults: what befalls scans and images on their way.
+    """
+
+    def __init__(self, loaded: LoadedSite, world: SimulatedWorld, faults: FaultInjector) -> None:
+        self._site, self._world, self._faults = loaded.site, world, faults
         site, known = loaded.site, untracked(loaded.room, loaded.site)
         self._tracker = LaserTracker(known, site.lasers)
         height, half = site.map.flight_height, site.map.half_band
@@ -38,9 +43,10 @@ class LockstepPerception:
             if now >= self._due[laser.name]:
                 parameters = MODELS[laser.model]
                 self._due[laser.name] = now + parameters.period - 1e-6
-                self._under_way.append(
-                    scan_of(self._world.scan(laser.name), parameters, laser, now + laser.latency)
-                )
+                ranges = self._faults.scan(laser.name, partial(self._world.scan, laser.name), now)
+                if ranges is not None:
+                    arrival = now + laser.latency
+                    self._under_way.append(scan_of(ranges, parameters, laser, arrival))
         obstacles: list[Obstacle] = []
         while self._under_way and self._under_way[0].received_at <= now:
             seen = self._tracker.update(
@@ -50,13 +56,11 @@ class LockstepPerception:
         for camera in self._site.depth_cameras:
             if now >= self._image_due[camera.name]:
                 self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
-                obstacles.extend(
-                    self._depth.update(
-                        self._world.depth_image(camera.name, now),
-                        now,
-                        own_footprint(self._site, estimate),
-                    ).obstacles
-                )
+                take = partial(self._world.depth_image, camera.name, now)
+                image = self._faults.depth_image(camera.name, take, now)
+                if image is not None:
+                    own = own_footprint(self._site, estimate)
+                    obstacles.extend(self._depth.update(image, now, own).obstacles)
         return tuple(obstacles)
 
 
@@ -66,5 +70,5 @@ def own_footprint(site: Site, estimate: Estimate | None) -> OwnFootprint | None:
         return None
     return OwnFootprint(
         estimate.position[:2],
-        half_diagonal(site.drone.hull_length, site.drone.hull_width) + _OWN_MARGIN,
+        half_diagonal(site.drone.hull_length, site.drone.hull_width) + OWN_MARGIN,
     )

@@ -24,6 +24,23 @@ class Lateness:
         return ordered[last // 2], ordered[round(last * 0.99)], ordered[last]
 
 
+class Gap:
+    """How much later than planned each step comes, whatever held it up.
+
+    A stopped process, swapping and a collection of garbage count wherever they fall: what matters
+    is the time since the step before.
+    """
+
+    def __init__(self, period: float) -> None:
+        self._period = period
+        self._last: float | None = None
+
+    def lateness(self, now: float) -> float:
+        """Return how much later than planned the step of now comes [s]."""
+        last, self._last = self._last, now
+        return 0.0 if last is None else max(0.0, now - last - self._period)
+
+
 class Frequency:
     """Arrivals per second over the last second."""
 

@@ -15,7 +15,7 @@ from housefly.app.trackers import tracker_of
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
-from housefly.drones.ardrone.driver import ArDrone
+from housefly.drones.remote_drone import RemoteDrone
 from housefly.pilot.assembly import warm_up
 
 
@@ -34,12 +34,12 @@ def main() -> None:
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     site, clock = loaded.site, RealClock()
     with ZenohBus(listen=runtime.bus) as bus:
-        drone = ArDrone(site.drone, site.limits, clock)
+        drone = RemoteDrone(runtime.driver_socket, clock)
         shell = PilotShell(loaded, bus, tracker_of(site.tracking, clock), drone)
         stop = StopListener("127.0.0.1", runtime.stop_port, runtime.secret, shell.stop)
         await stop.start()
         loop = asyncio.get_running_loop()
-        for number in (signal.SIGINT, signal.SIGTERM):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             loop.add_signal_handler(number, shell.leave)
         print("pilot ready", flush=True)
         try:

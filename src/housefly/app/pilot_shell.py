@@ -6,17 +6,20 @@
     orders, STOP ────────►            ──step─────► bus (whoever listens)
     obstacles ───────────►
 
-The only process that must be on time. Nothing here waits for a listener.
+The only process that must be on time. Nothing here waits for a listener. When the step fails, the
+drone is landed without it, and the process ends: the next one begins anew.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import traceback
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from housefly.app.loaded_site import LoadedSite
-from housefly.app.loop_health import Frequency, Lateness
+from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.bus.bus import Bus
@@ -35,11 +38,15 @@ from housefly.messages import (
     Action,
     Command,
     DroneStatus,
+    Event,
     Inputs,
     LinkStatus,
     Order,
     OrderKind,
+    Outputs,
     PilotStep,
+    SafetyMode,
+    Severity,
     Sighting,
     TrackedFrame,
     VideoFrame,
@@ -57,6 +64,13 @@ _LINK_PERIOD = 0.5
 _LANDING_TIMEOUT = 25.0
 """How long an ordered shutdown waits for the drone to land [s]."""
 
+UNSEEN_PEOPLE = "nothing here sees people: no scanner, no depth camera"
+"""What everybody should know before the drone takes off."""
+
+
+class StepFailure(Exception):
+    """The step of the pilot raised an exception in flight."""
+
 
 class PilotShell:
     """Runs one pilot on real wires; everything happens on one asyncio loop."""
@@ -72,6 +86,7 @@ class PilotShell:
         self._queries = PilotQueryServer(loaded, bus)
         self.pilot = make_pilot(loaded.site, loaded.room, loaded.grid, maneuver)
         self._body = loaded.site.tracking.body
+        self._people_note = "" if loaded.site.sees_people else UNSEEN_PEOPLE
         self._rate_hz = loaded.site.control.rate_hz
         self._bus, self._tracker, self._drone = bus, tracker, drone
         self._clock = RealClock()
@@ -83,10 +98,18 @@ class PilotShell:
         self._lateness = Lateness(int(10 * self._rate_hz))
         self._rate = Rate(self._rate_hz, self._clock)
         self._leaving = False
+        self._gap = Gap(self._rate.period)
         self._drone_problem = ""
+        self._failure = ""
+        self._is_cut = False
+        self._untold = ""
 
     async def run(self) -> None:
-        """Fly until ``leave`` is called and the drone is down."""
+        """Fly until ``leave`` is called and the drone is down.
+
+        Raises:
+            StepFailure: the step failed; the drone is down, or did not land in time.
+        """
         loop = asyncio.get_running_loop()
         orders = self._bus.subscribe(
             ORDER_TOPIC, lambda order: _soon(loop, lambda: self._orders.append(order))
@@ -119,12 +142,9 @@ class PilotShell:
         self._step()
 
     def leave(self) -> None:
-        """Land if necessary, then end.
-
-        A second call ends at once and leaves the drone to its own watchdog.
-        """
+        """Land if necessary, then end; a further call is the same wish."""
         if self._leaving:
-            raise KeyboardInterrupt
+            return
         self._leaving = True
         self._orders.append(Order(OrderKind.LAND, issued_at=self._clock.now(), sender="shutdown"))
 
@@ -133,11 +153,13 @@ class PilotShell:
         while True:
             self._lateness.add(await self._rate.sleep())
             self._step()
-            if self._leaving:
+            if self._leaving or self._failure:
                 now = self._clock.now()
                 give_up_at = give_up_at or now + _LANDING_TIMEOUT
                 if not self._airborne() or now > give_up_at:
-                    return
+                    break
+        if self._failure:
+            raise StepFailure(self._failure)
 
     def _step(self) -> None:
         now = self._clock.now()
@@ -146,15 +168,42 @@ class PilotShell:
             self._drone.telemetry,
             tuple(self._orders),
             self._obstacles.drain(),
+            late=self._gap.lateness(now),
         )
         self._sightings.clear()
         self._orders.clear()
-        outputs = self.pilot.step(now, inputs)
+        outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command)
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
-        self._queries.update(step)
-        self._bus.publish(STEP_TOPIC, step)
+        self._tell(step)
+
+    def _decide(self, now: float, inputs: Inputs) -> Outputs:
+        try:
+            return self.pilot.step(now, inputs)
+        except Exception as error:
+            traceback.print_exc()
+            self._failure = f"the pilot failed ({type(error).__name__}: {error}): landing"
+            event = Event(now, Severity.FAULT, "step_failed", self._failure)
+            return replace(self._landing(now, inputs), events=(event,))
+
+    def _landing(self, now: float, inputs: Inputs) -> Outputs:
+        """Land without the step, which may fail again; cutting the motors still passes."""
+        self._is_cut |= any(order.kind is OrderKind.CUT for order in inputs.orders)
+        action, mode = (
+            (Action.CUT, SafetyMode.CUT) if self._is_cut else (Action.LAND, SafetyMode.LAND)
+        )
+        return Outputs(Command(action), safety=mode, reason=self._failure)
+
+    def _tell(self, step: PilotStep) -> None:
+        """Publish a step; whatever goes wrong with that is no reason not to fly."""
+        try:
+            self._queries.update(step)
+            self._bus.publish(STEP_TOPIC, step)
+        except Exception as error:
+            if not self._untold:
+                traceback.print_exc()
+            self._untold = f"a step could not be published: {type(error).__name__}: {error}"
 
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
@@ -208,7 +257,14 @@ class PilotShell:
             missed_ticks=self._rate.missed,
             notes=tuple(
                 note
-                for note in (self._tracker.problem, self._drone_problem, self._obstacles.problem)
+                for note in (
+                    self._failure,
+                    self._tracker.problem,
+                    self._drone_problem or self._drone.problem,
+                    self._obstacles.problem,
+                    self._untold,
+                    self._people_note,
+                )
                 if note
             ),
         )

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import socket
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from housefly.config.site import Site
@@ -32,12 +34,14 @@ class PortNeed:
         name: who listens on them.
         address: IP address or host.
         taken: those that are in use, in words.
+        problem: why nothing can listen at the address at all, in words; "" when it can.
         remedy: what to change.
     """
 
     name: str
     address: str
     taken: tuple[str, ...]
+    problem: str
     remedy: str
 
 
@@ -45,26 +49,36 @@ def port_needs(site: Site, *, web: bool) -> tuple[PortNeed, ...]:
     """Return the ports that a site needs on this machine, and which are in use."""
     needs = []
     if site.twin.enabled:
-        address = site.drone.address
-        taken = tuple(
-            f"{word} {port}" for port, kind, word in _DRONE_PORTS if not _free(address, port, kind)
-        )
         needs.append(
-            PortNeed("simulated drone", address, taken, "drone.address, for example 127.0.0.2")
+            _need(
+                "simulated drone",
+                site.drone.address,
+                _DRONE_PORTS,
+                "drone.address, for example 127.0.0.2",
+            )
         )
         needs += [_tracking_need(site, wire) for wire in site.served_wires]
         needs += [
-            _tcp(f"simulated scanner {laser.name}", laser.address, laser.port, "its port")
+            _tcp(
+                f"simulated scanner {laser.name}", laser.address, laser.port, "its port or address"
+            )
             for laser in site.lasers
         ]
     if web and site.web.port:
-        needs.append(_tcp("console", site.web.host, site.web.port, "web.port, or use --port"))
+        needs.append(
+            _tcp("console", site.web.host, site.web.port, "web.port (or use --port) or web.host")
+        )
     return tuple(needs)
 
 
 def refuse_taken_ports(site: Site, *, web: bool) -> None:
-    """Raise LinkError when a port that the site needs is taken, most likely by another Housefly."""
+    """Raise LinkError when the site cannot listen where it must; the words say why."""
     for need in port_needs(site, web=web):
+        if need.problem:
+            raise LinkError(
+                f"{need.name}: nothing can listen at {need.address} ({need.problem}); change"
+                f" {need.remedy}"
+            )
         if need.taken:
             raise LinkError(
                 f"{need.name}: {', '.join(need.taken)} at {need.address} is taken (does another"
@@ -73,25 +87,43 @@ def refuse_taken_ports(site: Site, *, web: bool) -> None:
 
 
 def _tracking_need(site: Site, wire: MocapWire) -> PortNeed:
-    address, port = site.tracking.address, site.tracking.port_of(wire)
     key, kinds = _TRACKING_PORTS[wire]
-    taken = tuple(f"{word} {port}" for kind, word in kinds if not _free(address, port, kind))
-    return PortNeed("simulated tracking system", address, taken, f"tracking.{key}")
-
-
-def _tcp(name: str, address: str, port: int, remedy: str) -> PortNeed:
-    return PortNeed(
-        name, address, () if _free(address, port, socket.SOCK_STREAM) else (f"TCP {port}",), remedy
+    port = site.tracking.port_of(wire)
+    return _need(
+        "simulated tracking system",
+        site.tracking.address,
+        ((port, kind, word) for kind, word in kinds),
+        f"tracking.{key} or tracking.address",
     )
 
 
-def _free(address: str, port: int, kind: socket.SocketKind) -> bool:
+def _tcp(name: str, address: str, port: int, remedy: str) -> PortNeed:
+    return _need(name, address, ((port, *_TCP),), remedy)
+
+
+def _need(
+    name: str,
+    address: str,
+    ports: Iterable[tuple[int, socket.SocketKind, str]],
+    remedy: str,
+) -> PortNeed:
+    taken, problem = [], ""
+    for port, kind, word in ports:
+        try:
+            _try_to_bind(address, port, kind)
+        except OSError as error:
+            if error.errno == errno.EADDRINUSE:
+                taken.append(f"{word} {port}")
+            else:
+                problem = error.strerror or str(error)
+        except (ValueError, TypeError, OverflowError) as error:  # what no resolver takes
+            problem = str(error)
+    return PortNeed(name, address, tuple(taken), problem, remedy)
+
+
+def _try_to_bind(address: str, port: int, kind: socket.SocketKind) -> None:
     with socket.socket(socket.AF_INET6 if ":" in address else socket.AF_INET, kind) as probe:
         if kind is socket.SOCK_STREAM:
             # As servers do: a port in TIME_WAIT is free. On UDP this option would hide a listener.
             probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            probe.bind((address, port))
-        except OSError:
-            return False
-    return True
+        probe.bind((address, port))

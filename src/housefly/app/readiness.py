@@ -34,12 +34,23 @@ class Readiness:
             bus.subscribe(VIDEO_TOPIC, self._on_video),
         ]
 
-    def wait(self, timeout: float, on_missing: Callable[[str], None] = lambda text: None) -> str:
-        """Wait until everything answers; return "", or what is missing after the timeout [s]."""
+    def wait(
+        self,
+        timeout: float,
+        on_missing: Callable[[str], None] = lambda text: None,
+        is_hopeless: Callable[[], bool] = lambda: False,
+    ) -> str:
+        """Wait until everything answers; return "", or what is missing in the end.
+
+        Args:
+            timeout: longest wait [s].
+            on_missing: is told what is missing.
+            is_hopeless: whether to wait no longer.
+        """
         deadline = time.monotonic() + timeout
         while True:
             missing = self._missing()
-            if not missing or time.monotonic() > deadline:
+            if not missing or time.monotonic() > deadline or is_hopeless():
                 for subscription in self._open:
                     subscription.close()
                 return self._words(missing)

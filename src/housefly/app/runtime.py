@@ -11,9 +11,12 @@ import socket
 from dataclasses import dataclass
 from pathlib import Path
 
+from housefly.app.run_folder import new_run_folder
+from housefly.bus.endpoint import endpoint_in
 from housefly.config.environment import (
     BUS_VARIABLE,
-    ROOM_PORT_VARIABLE,
+    DRIVER_SOCKET_VARIABLE,
+    ROOM_SOCKET_VARIABLE,
     SECRET_VARIABLE,
     SITE_VARIABLE,
     STOP_PORT_VARIABLE,
@@ -35,7 +38,8 @@ class Runtime:
         stop_port: loopback UDP port of the STOP path.
         secret: key of the STOP path.
         token: one-time token of the console's address.
-        room_port: loopback TCP port on which the hub answers programs of this machine.
+        room_socket: Unix socket on which the hub answers programs of this user.
+        driver_socket: Unix socket on which the driver waits for its pilot.
     """
 
     site_file: Path
@@ -43,7 +47,8 @@ class Runtime:
     stop_port: int
     secret: str
     token: str
-    room_port: int
+    room_socket: Path
+    driver_socket: Path
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
@@ -53,8 +58,9 @@ class Runtime:
             STOP_PORT_VARIABLE: str(self.stop_port),
             SECRET_VARIABLE: self.secret,
             TOKEN_VARIABLE: self.token,
+            DRIVER_SOCKET_VARIABLE: str(self.driver_socket),
         }
-        room = {ROOM_PORT_VARIABLE: str(self.room_port), ROOM_KEY: api_key(self.secret)}
+        room = {ROOM_SOCKET_VARIABLE: str(self.room_socket), ROOM_KEY: api_key(self.secret)}
         return {**os.environ, **mine, **room}
 
     def site(self) -> Site:
@@ -63,41 +69,42 @@ class Runtime:
 
 
 def new_runtime(site: Site, folder: Path) -> Runtime:
-    """Write the site into a folder, and choose free ports and fresh secrets."""
+    """Write the site into a folder; make a folder for sockets, a free port and fresh secrets."""
     if site.web.port == 0:
         site = changed(site, web__port=_free_port(socket.SOCK_STREAM))
     if site.mqtt.start and site.mqtt.port == 0:
         site = changed(site, mqtt__port=_free_port(socket.SOCK_STREAM))
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
-    bus_port, room_port, stop_port = (
-        _free_port(kind) for kind in (socket.SOCK_STREAM, socket.SOCK_STREAM, socket.SOCK_DGRAM)
+    sockets = new_run_folder()
+    return Runtime(
+        site_file,
+        bus=endpoint_in(sockets),
+        stop_port=_free_port(socket.SOCK_DGRAM),
+        secret=secrets.token_hex(16),
+        token=secrets.token_urlsafe(16),
+        room_socket=sockets / "room",
+        driver_socket=sockets / "driver",
     )
-    bus, secret, token = (
-        f"tcp/127.0.0.1:{bus_port}",
-        secrets.token_hex(16),
-        secrets.token_urlsafe(16),
-    )
-    return Runtime(site_file, bus, stop_port, secret, token, room_port)
 
 
 def discovery_entry(runtime: Runtime) -> RoomAddress:
     """Return what other programs of this user need to find the room of a run."""
     site = runtime.site()
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
-    port = runtime.room_port if site.hub.enabled else 0
+    room = str(runtime.room_socket) if site.hub.enabled else ""
     return RoomAddress(
-        site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), port
+        site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), room
     )
 
 
 def runtime_from_environment() -> Runtime:
     """Return the run of this process; raises ConfigError when the launcher did not start it."""
     try:
-        site_file, stop_port, room_port = (
+        site_file, stop_port, room_socket = (
             Path(os.environ[SITE_VARIABLE]),
             int(os.environ[STOP_PORT_VARIABLE]),
-            int(os.environ[ROOM_PORT_VARIABLE]),
+            Path(os.environ[ROOM_SOCKET_VARIABLE]),
         )
         return Runtime(
             site_file,
@@ -105,7 +112,8 @@ def runtime_from_environment() -> Runtime:
             stop_port,
             os.environ[SECRET_VARIABLE],
             os.environ[TOKEN_VARIABLE],
-            room_port,
+            room_socket,
+            Path(os.environ[DRIVER_SOCKET_VARIABLE]),
         )
     except (KeyError, ValueError) as error:
         raise ConfigError(

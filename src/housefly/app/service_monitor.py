@@ -7,13 +7,10 @@ from math import inf
 
 from housefly.geometry import Vec2, distance
 from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode, Severity
+from housefly.record.truth import COMPLETED, HOME_RADIUS
 
 STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
 """The phases of a whole service, in order."""
-
-COMPLETED = "completed"
-_HOME_RADIUS = 1.0
-"""A service must end within this distance of the pad [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +73,7 @@ class ServiceMonitor:
             return self.trouble or "landed before the service was done"
         estimate = step.outputs.estimate
         away = inf if estimate is None else distance(estimate.position[:2], self.home)
-        if away > _HOME_RADIUS:
+        if away > HOME_RADIUS:
             return f"landed {away:.1f} m from the pad" + (
                 f": {self.trouble}" if self.trouble else ""
             )

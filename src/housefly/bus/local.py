@@ -73,6 +73,7 @@ class LocalBus:
         """Call every handler of the topic with the message; does nothing after ``close``."""
         if self._closed:
             return
+        topic.check(message)
         for handler in self._topics.handlers(topic.key):
             handler(message)
 

@@ -10,6 +10,7 @@ from paho.mqtt.packettypes import PacketTypes
 from paho.mqtt.properties import Properties
 
 from housefly.config.devices import MqttConfig
+from housefly.config.text import read_text_file
 from housefly.errors import ConfigError
 
 MQTT_ERRORS = (aiomqtt.MqttError, OSError, UnicodeError)
@@ -61,7 +62,7 @@ def read_password(config: MqttConfig) -> str | None:
     if not config.password_file:
         return None
     try:
-        return (Path(config.password_file).read_text(encoding="utf-8").splitlines() or [""])[0]
+        return (read_text_file(Path(config.password_file)).splitlines() or [""])[0]
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(
             "mqtt.password_file", f"cannot be read ({error})", config.password_file

@@ -5,10 +5,12 @@ Keys are relative; the transport prepends the site's namespace.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Generic, TypeVar
 
+from housefly.errors import WireError
 from housefly.messages import (
     DepthImage,
     LinkStatus,
@@ -20,6 +22,7 @@ from housefly.messages import (
     TrackedFrame,
     VideoFrame,
 )
+from housefly.messages.order_fault import order_fault
 
 _Message = TypeVar("_Message")
 
@@ -40,24 +43,45 @@ class Topic(Generic[_Message]):
         type: of the messages.
         delivery: what happens if a subscriber is slow.
         depth: unread messages that a LATEST topic keeps for a slow subscriber.
+        max_size: longer messages are dropped before they are decoded [bytes].
+        fault: says in words what is wrong with a message; one with a fault is not sent, and not
+            delivered.
     """
 
     key: str
     type: type[_Message]
     delivery: Delivery
     depth: int = 1
+    max_size: int = 256 * 1024
+    fault: Callable[[_Message], str] = field(default=lambda _: "", repr=False)
+
+    def check(self, message: _Message) -> _Message:
+        """Return the message; raises WireError when it has a fault."""
+        if words := self.fault(message):
+            raise WireError(words)
+        return message
 
 
 FRAME_TOPIC: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LATEST, depth=100)
 # Ten seconds: a recorder that stands still for a moment on a busy machine misses nothing, and can
 # replay bit for bit.
-STEP_TOPIC: Topic[PilotStep] = Topic("pilot/step", PilotStep, Delivery.LATEST, depth=1000)
+STEP_TOPIC: Topic[PilotStep] = Topic(
+    "pilot/step", PilotStep, Delivery.LATEST, depth=1000, max_size=2**20
+)
 LINK_TOPIC: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
-VIDEO_TOPIC: Topic[VideoFrame] = Topic("drone/video", VideoFrame, Delivery.LATEST, depth=15)
-ORDER_TOPIC: Topic[Order] = Topic("cmd/order", Order, Delivery.EVERY)
-ROOM_NEWS_TOPIC: Topic[RoomNews] = Topic("room/news", RoomNews, Delivery.LATEST, depth=50)
+VIDEO_TOPIC: Topic[VideoFrame] = Topic(
+    "drone/video", VideoFrame, Delivery.LATEST, depth=15, max_size=4 * 2**20
+)
+ORDER_TOPIC: Topic[Order] = Topic(
+    "cmd/order", Order, Delivery.EVERY, max_size=2048, fault=order_fault
+)
+ROOM_NEWS_TOPIC: Topic[RoomNews] = Topic(
+    "room/news", RoomNews, Delivery.LATEST, depth=50, max_size=4 * 2**20
+)
 OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LATEST, depth=256)
-DEPTH_TOPIC: Topic[DepthImage] = Topic("room/depth", DepthImage, Delivery.LATEST, depth=2)
+DEPTH_TOPIC: Topic[DepthImage] = Topic(
+    "room/depth", DepthImage, Delivery.LATEST, depth=2, max_size=16 * 2**20
+)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 
 TOPICS = (

@@ -1,4 +1,6 @@
-"""The bus between processes: zenoh sessions with fixed endpoints only.
+"""The bus between processes of one user: zenoh sessions on a Unix socket, nothing else.
+
+The socket lies in a folder that only its user may enter, so the kernel asks who you are.
 
 One process listens (the pilot), the others connect to it and keep trying; there is no scouting
 and no other endpoint. A process may die and come back without a restart of the others.
@@ -18,6 +20,7 @@ from typing import Any, Self, TypeVar
 import zenoh
 
 from housefly.bus.codec import from_cdr, to_cdr
+from housefly.bus.endpoint import check_endpoint
 from housefly.bus.topics import Delivery, Topic
 from housefly.errors import LinkError, WireError
 
@@ -27,6 +30,12 @@ _log = logging.getLogger(__name__)
 
 _EVERY_DEPTH = 256
 """Unread messages of an EVERY topic before its sender has to wait."""
+_MAX_QUESTION = 64 * 1024
+"""Longest question [bytes]."""
+_MAX_MESSAGE = 32 * 2**20
+"""zenoh itself takes no longer message [bytes]."""
+_COMPLAINT_PERIOD = 1.0
+"""Messages that are ignored make at most one line of the log in this time [s]."""
 _ASK_AGAIN = 0.05
 """Pause between two attempts to find an answerer [s]."""
 
@@ -39,6 +48,7 @@ class _Reader:
         self._work = work
         self._name = name
         self._open = True
+        self._complained_at = float("-inf")
         self._thread = threading.Thread(
             target=self._run, args=(source.handler,), name=f"bus {name}", daemon=True
         )
@@ -51,9 +61,15 @@ class _Reader:
             try:
                 self._work(item)
             except WireError as error:
-                _log.warning("ignored a message on %s: %s", self._name, error)
+                self._complain(error)
             except Exception:
                 _log.exception("a handler of %s failed", self._name)
+
+    def _complain(self, error: WireError) -> None:
+        now = time.monotonic()
+        if now - self._complained_at >= _COMPLAINT_PERIOD:
+            self._complained_at = now
+            _log.warning("ignored a message on %s: %s", self._name, error)
 
     def close(self) -> None:
         """Stop receiving; waits for a running handler, unless the handler itself calls it."""
@@ -68,12 +84,12 @@ class ZenohBus:
     """A member of the bus in this process.
 
     Args:
-        listen: endpoint to listen on and route, for example ``tcp/127.0.0.1:7447``, or None.
+        listen: endpoint to listen on and route, as ``endpoint_in`` makes it, or None.
         connect: endpoint to connect to as soon as somebody listens there, or None.
         namespace: prefix of all keys, so that several rooms can share a network.
 
     Raises:
-        LinkError: the endpoint cannot be listened on.
+        LinkError: the endpoint cannot be listened on, or others than its user could reach it.
     """
 
     def __init__(
@@ -83,6 +99,9 @@ class ZenohBus:
         self._lock = threading.Lock()
         self._publishers: dict[str, Any] = {}
         self._readers: list[_Reader] = []
+        for endpoint in (listen, connect):
+            if endpoint is not None:
+                check_endpoint(endpoint)
         try:
             self._session = zenoh.open(_configuration(listen, connect))
         except zenoh.ZError as error:
@@ -102,7 +121,7 @@ class ZenohBus:
         try:
             publisher = self._publisher(topic)
             if topic.delivery is Delivery.EVERY or publisher.matching_status.matching:
-                publisher.put(to_cdr(message))
+                publisher.put(to_cdr(topic.check(message)))
         except zenoh.ZError as error:
             if not self._session.is_closed():
                 raise LinkError(f"cannot publish {topic.key}: {_words(error)}") from error
@@ -120,7 +139,9 @@ class ZenohBus:
             _Reader(
                 source,
                 topic.key,
-                lambda sample: handler(from_cdr(topic.type, sample.payload.to_bytes())),
+                lambda sample: handler(
+                    topic.check(from_cdr(topic.type, _payload(sample, topic.max_size)))
+                ),
             )
         )
 
@@ -136,9 +157,8 @@ class ZenohBus:
             # that no more comes.
             with asked:
                 try:
-                    asked.reply(
-                        key, handler(asked.payload.to_string() if asked.payload else "").encode()
-                    )
+                    question = _payload(asked, _MAX_QUESTION) if asked.payload else b""
+                    asked.reply(key, handler(question.decode()).encode())
                 except Exception as error:
                     asked.reply_err(f"{error}".encode())
 
@@ -217,9 +237,18 @@ _TIMED_OUT = "Timeout"
 """What zenoh itself replies when time is up."""
 
 
+def _payload(received: Any, limit: int) -> bytes:
+    """Return the bytes of a sample or a query; raises WireError when there are too many."""
+    size = len(received.payload)
+    if size > limit:
+        raise WireError(f"{size} bytes where at most {limit} are allowed")
+    return bytes(received.payload.to_bytes())
+
+
 def _words(error: zenoh.ZError) -> str:
     """Return the error without zenoh's source locations."""
-    return str(error).split(" at /")[0]
+    words = str(error).split(" at /")[0]
+    return "it is in use" if "acquire lock" in words else words
 
 
 def _configuration(listen: str | None, connect: str | None) -> zenoh.Config:
@@ -251,6 +280,7 @@ def _configuration(listen: str | None, connect: str | None) -> zenoh.Config:
             "max_wait_before_drop_fragments": 2000,
         },
         "transport/link/tx/queue/size/data": 16,
+        "transport/link/rx/max_message_size": _MAX_MESSAGE,
     }
     configuration = zenoh.Config()
     for key, value in settings.items():

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+import re
+from ipaddress import ip_address
+from typing import Self
+
+from pydantic import Field, field_validator, model_validator
 
 from housefly.config.section import Section, quantity
 
 _ID = r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$"
+
+_ALLOWED = re.compile(r"[a-z][a-z_-]{0,39}/[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}")
 
 
 class TagConfig(Section):
@@ -30,11 +36,17 @@ class MqttConfig(Section):
     """The MQTT broker through which the room's devices speak; docs/devices.md has their topics."""
 
     broker: str = Field(
-        default="", max_length=253, description='name or IP address; "" means no devices on MQTT'
+        default="",
+        max_length=253,
+        pattern=r"^([A-Za-z0-9:][A-Za-z0-9.:_-]*)?$",
+        description='name or IP address; "" means no devices on MQTT',
     )
     start: bool = Field(
         default=False,
-        description="start a mosquitto of our own at that address, for the time of a run",
+        description=(
+            "start a mosquitto of our own at that address, for the time of a run; on loopback only,"
+            " because it asks nobody who they are"
+        ),
     )
     port: int = Field(
         default=1883,
@@ -62,9 +74,39 @@ class MqttConfig(Section):
     clock_behind: float = quantity(
         60.0, 0.1, 86400.0, "s", "a device's time further behind ours is refused"
     )
+    allow: tuple[str, ...] = Field(
+        default=(),
+        max_length=256,
+        description="kind/id of the devices that are listened to, such as door/entrance; () is all",
+    )
     devices: tuple[DeviceConfig, ...] = Field(
         default=(), description="id, position [m] and yaw [rad] of devices with a frame"
     )
     tags: tuple[TagConfig, ...] = Field(
         default=(), description="tag and thing; a tag that is not here is the thing's own id"
     )
+
+    @field_validator("allow")
+    @classmethod
+    def _names_devices(cls, allow: tuple[str, ...]) -> tuple[str, ...]:
+        for entry in allow:
+            if not _ALLOWED.fullmatch(entry):
+                raise ValueError(f"holds {entry!r}; allowed: kind/id, such as door/entrance")
+        return allow
+
+    @model_validator(mode="after")
+    def _keeps_its_own_broker_to_itself(self) -> Self:
+        if self.start and not _is_loopback(self.broker):
+            raise ValueError(
+                f"start = true with broker {self.broker!r}: a broker of our own asks nobody who"
+                " they are; allowed: a loopback address such as 127.0.0.1, or start = false and a broker"
+                " with users"
+            )
+        return self
+
+
+def _is_loopback(host: str) -> bool:
+    try:
+        return host == "localhost" or ip_address(host).is_loopback
+    except ValueError:
+        return False

@@ -33,7 +33,17 @@ class LimitsConfig(Section):
         10.0, 2.0, 60.0, "s", "give up a take-off that is not acknowledged"
     )
     landing_timeout: float = quantity(
-        15.0, 2.0, 60.0, "s", "report a landing that is not acknowledged"
+        15.0,
+        2.0,
+        60.0,
+        "s",
+        "report a landing that is not acknowledged; from then on the drone is made to sink",
+    )
+    hold_timeout: float = quantity(
+        120.0, 5.0, 3600.0, "s", "come home when nothing was ordered for this long"
+    )
+    flight_time: float = quantity(
+        600.0, 30.0, 7200.0, "s", "how long the drone can fly on a full battery"
     )
 
     @model_validator(mode="after")

@@ -16,13 +16,16 @@ from housefly.config.depth import DepthCameraConfig, check_depth_cameras
 from housefly.config.devices import MqttConfig
 from housefly.config.drone import DroneConfig
 from housefly.config.edits import Edits
+from housefly.config.faults import FaultConfig
 from housefly.config.furniture import FurnitureConfig, check_furniture
 from housefly.config.hub import HubConfig
 from housefly.config.laser import LaserConfig, check_lasers
 from housefly.config.limits import LimitsConfig
 from housefly.config.map import MapConfig, RoomConfig
+from housefly.config.people import PeopleConfig
 from housefly.config.profile import load_profile
 from housefly.config.section import Section
+from housefly.config.text import refuse_odd_values
 from housefly.config.toml import read_toml
 from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
 from housefly.config.twin import TwinConfig
@@ -48,6 +51,7 @@ class Site(Section):
     drone: DroneConfig = DroneConfig()
     tracking: TrackingConfig = TrackingConfig()
     limits: LimitsConfig = LimitsConfig()
+    people: PeopleConfig = PeopleConfig()
     control: ControlConfig = ControlConfig()
     lasers: tuple[LaserConfig, ...] = Field(
         default=(), description="scanning range finders on the wall"
@@ -57,6 +61,9 @@ class Site(Section):
         default=(), description="things that the tracking system sees"
     )
     twin: TwinConfig = TwinConfig()
+    faults: tuple[FaultConfig, ...] = Field(
+        default=(), max_length=100, description="what fails in the simulated room"
+    )
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
@@ -70,6 +77,11 @@ class Site(Section):
                 wire for wire in (self.tracking.wire, *self.twin.mocap_wires) if wire is not None
             )
         )
+
+    @property
+    def sees_people(self) -> bool:
+        """Whether a sensor looks for people who wear no markers."""
+        return bool(self.lasers or self.depth_cameras)
 
     @model_validator(mode="after")
     def _combinations(self) -> Self:
@@ -87,6 +99,11 @@ class Site(Section):
                 f"tracking.bridge_system ({self.tracking.bridge_system}) is none that the twin"
                 f" poses as ({', '.join(BRIDGED)}); choose one of these, or set twin.enabled ="
                 " false"
+            )
+        if self.faults and not self.twin.enabled:
+            raise ValueError(
+                f"faults: {self.faults[0].fault!r} is for the simulated room only, and twin.enabled"
+                " is false; take the faults out, or set twin.enabled = true"
             )
         lag = self.drone.attitude_lag
         if self.control.beta >= lag * self.control.alpha:
@@ -114,6 +131,7 @@ def site_from_file(path: Path) -> Site:
 
 def site_from_tree(tree: dict[str, Any], source: str = "") -> Site:
     """Return plain values as a site; raises ConfigError for the first bad key."""
+    refuse_odd_values(tree, source)
     return validated(Site, tree, "site", source)
 
 

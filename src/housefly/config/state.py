@@ -6,14 +6,26 @@ import os
 from pathlib import Path
 
 from housefly.config.site import Site
+from housefly.errors import ConfigError
 
 _DATABASE = "room.db"
 
 
 def database_file(site: Site) -> Path:
-    """Return the SQLite file of a site's memory, by default in the user's state folder."""
+    """Return the SQLite file of a site's memory, by default in the user's state folder.
+
+    Raises ConfigError for a path that can be none of a file.
+    """
     if site.hub.store and "://" not in site.hub.store:
-        return Path(site.hub.store).expanduser()
+        try:
+            path = Path(site.hub.store).expanduser()
+            is_possible = path.name not in ("", "..") and not path.is_dir()
+        except (RuntimeError, OSError) as error:  # an unknown home, a name that is too long
+            words = getattr(error, "strerror", None) or str(error)
+            raise ConfigError("hub.store", f"is {site.hub.store!r}: {words}") from error
+        if not is_possible:
+            raise ConfigError("hub.store", f"is {site.hub.store!r}; allowed: the path of a file")
+        return path
     state = Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state")
     name = "".join(letter if letter.isalnum() else "-" for letter in site.name.lower())
     return state / "housefly" / name / _DATABASE

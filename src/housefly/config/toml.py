@@ -7,6 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from housefly.config.text import read_text_file, shortened
 from housefly.errors import ConfigError
 
 
@@ -21,14 +22,20 @@ def read_toml(path: Path, what: str) -> dict[str, Any]:
         ConfigError: the file cannot be read or parsed.
     """
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text_file(path)
         if path.suffix == ".json":
-            tree: dict[str, Any] = json.loads(text)
+            tree = json.loads(text)
+            if not isinstance(tree, dict):
+                raise ConfigError(
+                    what, "cannot be parsed: it is no table of keys", shortened(str(path))
+                )
             return tree
     except OSError as error:
-        raise ConfigError(what, f"cannot be read ({error.strerror})", str(path)) from error
-    except ValueError as error:
-        raise ConfigError(what, f"cannot be parsed: {error}", str(path)) from error
+        raise ConfigError(
+            what, f"cannot be read ({error.strerror})", shortened(str(path))
+        ) from error
+    except (ValueError, RecursionError) as error:
+        raise ConfigError(what, f"cannot be parsed: {error}", shortened(str(path))) from error
     return parse_toml(text, what, str(path))
 
 
@@ -48,5 +55,5 @@ def parse_toml(
     """
     try:
         return tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         raise ConfigError(what, f"{problem}: {error}", source) from error

@@ -12,7 +12,7 @@ class Drone(Protocol):
     """One drone on its own wire; all calls belong to one asyncio loop.
 
     The driver repeats the last command at the drone's own rate. Without a ``send`` for 0.25 s in
-    flight it commands hover, after 2 s it lands. A change of action leaves at once.
+    flight it brakes and hovers, after 2 s it lands. A change of action leaves at once.
     """
 
     async def connect(self) -> None:
@@ -45,6 +45,11 @@ class Drone(Protocol):
     @property
     def video_connected(self) -> bool:
         """Whether pictures arrive."""
+        ...
+
+    @property
+    def problem(self) -> str:
+        """What is wrong with drone or link, in words, or ""."""
         ...
 
     def on_video(self, handler: Callable[[VideoFrame], None]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import time
 from pathlib import Path
 
 from housefly.bus.bus import Bus
@@ -24,6 +23,7 @@ from housefly.hub.sensor_status import SensorStatus
 from housefly.hub.situation_service import SituationService
 from housefly.hub.store.open import open_site_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id
+from housefly.hub.wall_clock import WallClock
 from housefly.messages import PilotStep, RoomEvent
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
@@ -48,12 +48,15 @@ class Hub:
             catalogue_of(site, room, folder),
             lambda: open_site_store(site),
         )
+        self.clock = WallClock(newest=self.memory.newest())
         self.status = RoomStatus(self.memory.writer.report)
-        self._queries = QueryHandler(self.memory, self.status, time.time)
+        self._queries = QueryHandler(self.memory, self.status, self.clock.now)
         self._obstacles = ObstacleStatus(self.status, RealClock())
         self._furniture = TrackedFurniture(site, room)
         self._situations = SituationService(site, room, self.memory, self.status)
-        self._sensors: tuple[Sensor, ...] = (MqttSensors(site.mqtt),) if site.mqtt.broker else ()
+        self._sensors: tuple[Sensor, ...] = (
+            (MqttSensors(site.mqtt, wall=self.clock.now),) if site.mqtt.broker else ()
+        )
         self._pilot = PilotHealth(site.tracking.kind, RealClock())
         self._facts = FlightFacts(
             site.tracking.body,
@@ -61,9 +64,9 @@ class Hub:
             {piece.body: furniture_id(piece) for piece in site.furniture},
         )
         self._sensor_status = SensorStatus(site, RealClock())
-        for watched in (self._pilot, *self._sensors, self._sensor_status):
+        for watched in (self._pilot, *self._sensors, self._sensor_status, self.clock):
             self.status.add_health_source(watched.health)
-        self._change_feed = ChangeFeed(self.memory, self.status, time.time)
+        self._change_feed = ChangeFeed(self.memory, self.status, self.clock.now)
         self._bus = bus
         self._subscriptions = (
             bus.subscribe(STEP_TOPIC, self._step),
@@ -74,7 +77,7 @@ class Hub:
 
     async def run(self) -> None:
         """Run the drivers until cancelled."""
-        self.memory.add(RoomEvent("memory started", "hub", time.time(), "hub"))
+        self.memory.add(RoomEvent("memory started", "hub", self.clock.now(), "hub"))
         async with asyncio.TaskGroup() as tasks:
             for sensor in self._sensors:
                 tasks.create_task(sensor.run(self.memory.add))
@@ -90,7 +93,7 @@ class Hub:
         while True:
             await asyncio.sleep(CHANGE_FEED_PERIOD)
             self._obstacles.refresh()
-            self._situations.update(time.time())
+            self._situations.update(self.clock.now())
             if (news := self._change_feed.changes()) is not None:
                 self._bus.publish(ROOM_NEWS_TOPIC, news)
 
@@ -98,8 +101,7 @@ class Hub:
         self._pilot.update(step)
         for obstacle in self._furniture.step(step.inputs.sightings, step.now):
             self._obstacles.update(obstacle)
-        unix = time.time() - time.monotonic()
-        for item in self._facts.items_of(step, unix):
+        for item in self._facts.items_of(step, self.clock.offset()):
             self.memory.add(item)
 
     def answer(self, text: str) -> str:

@@ -43,6 +43,18 @@ class RoomMemory:
         for sample in self._store.latest():
             self._observe(sample)
 
+    def newest(self) -> float:
+        """Return the Unix time of the newest observation [s]; minus infinity without one."""
+        with self.lock:
+            return max(
+                (
+                    sample.captured_at
+                    for thing in self.world.things
+                    for sample in self.world.latest_observations(thing.id)
+                ),
+                default=float("-inf"),
+            )
+
     def add_listener(self, listener: _Listener) -> None:
         """Call the listener with every accepted item; it must be quick and must not raise."""
         self._listeners = (*self._listeners, listener)

@@ -1,4 +1,4 @@
-"""The hub's process: ``python -m housefly.hub.process --site FILE --bus ENDPOINT [--port PORT]``.
+"""The hub's process: ``python -m housefly.hub.process --site FILE --bus ENDPOINT [--socket PATH]``.
 
 It listens to the pilot, runs the drivers of the room's sensors, stores what they report, and
 answers on the bus. It may crash at any time: the flight goes on, and what was written is there
@@ -24,27 +24,30 @@ from housefly.errors import HouseflyError, LinkError
 from housefly.hub.client.discovery import ROOM_KEY
 from housefly.hub.hub import Hub
 from housefly.hub.query_server import QueryServer
+from housefly.hub.store.lock import locked_store
 from housefly.hub.store.open import store_address
 
 _log = logging.getLogger(__name__)
 
 
-async def _run_hub(site: Site, folder: Path, endpoint: str, port: int = 0, key: str = "") -> None:
+async def _run_hub(
+    site: Site, folder: Path, endpoint: str, path: Path | None = None, key: str = ""
+) -> None:
     """Run the hub until SIGTERM, SIGINT or cancellation.
 
     Args:
         site: its sensors, and the address of its store.
         folder: of the site file, for relative paths.
         endpoint: of the bus.
-        port: of the query server for programs of this machine; 0 for none.
+        path: of the query server's socket for programs of this user; None for none.
         key: bearer token of the run.
 
     Raises:
         StoreError, ConfigError: it cannot start.
     """
-    with ZenohBus(connect=endpoint) as bus:
+    with locked_store(site), ZenohBus(connect=endpoint) as bus:
         hub = Hub(site, folder, bus)
-        server = _open_query_server(hub.answer, key, port) if port and key else None
+        server = _open_query_server(hub.answer, key, path) if path and key else None
         working = asyncio.create_task(hub.run())
         for number in (signal.SIGTERM, signal.SIGINT):
             asyncio.get_running_loop().add_signal_handler(number, working.cancel)
@@ -60,10 +63,10 @@ async def _run_hub(site: Site, folder: Path, endpoint: str, port: int = 0, key: 
             hub.close()
 
 
-def _open_query_server(answer: Callable[[str], str], key: str, port: int) -> QueryServer | None:
+def _open_query_server(answer: Callable[[str], str], key: str, path: Path) -> QueryServer | None:
     """Open the query server; without it programs ask over HTTP."""
     try:
-        return QueryServer(answer, key, port)
+        return QueryServer(answer, key, path)
     except LinkError as error:
         _log.warning("%s", error)
         return None
@@ -76,13 +79,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--site", type=Path, required=True, help="site file")
     parser.add_argument(
-        "--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447"
+        "--bus", required=True, help="zenoh endpoint of the pilot, unixsock-stream/PATH"
     )
     parser.add_argument(
-        "--port",
-        type=int,
-        default=0,
-        help=f"loopback TCP port for who asks, with the key in {ROOM_KEY}",
+        "--socket",
+        type=Path,
+        help=f"Unix socket for who asks, with the key in {ROOM_KEY}",
     )
     options = parser.parse_args(arguments)
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
@@ -90,7 +92,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         key = os.environ.get(ROOM_KEY, "")
         asyncio.run(
             _run_hub(
-                site_from_file(options.site), options.site.parent, options.bus, options.port, key
+                site_from_file(options.site), options.site.parent, options.bus, options.socket, key
             )
         )
     except HouseflyError as error:

@@ -1,4 +1,4 @@
-"""Answers programs on this machine over a loopback socket: a line of JSON each way.
+"""Answers programs of this user over a Unix socket: a line of JSON each way.
 
 It bypasses the pilot and the console, which the bus and HTTP go through. The first line is the key
 of the run.
@@ -10,9 +10,11 @@ import hmac
 import socket
 from collections.abc import Callable
 from contextlib import suppress
-from socketserver import StreamRequestHandler, ThreadingTCPServer
+from pathlib import Path
+from socketserver import StreamRequestHandler, ThreadingUnixStreamServer
 from threading import BoundedSemaphore, Lock, Thread
 
+from housefly.bus.endpoint import refuse_shared_folder
 from housefly.errors import LinkError, WireError
 from housefly.hub.api.json import refusal_to_json
 
@@ -25,24 +27,27 @@ _KEY_TIMEOUT = 5.0
 
 
 class QueryServer:
-    """Serves on loopback, on threads of its own, until closed.
+    """Serves on a Unix socket, on threads of its own, until closed.
 
     Args:
         answer: maps a question to an answer, both JSON; called on any thread.
         key: bearer token of the run.
-        port: TCP port.
+        path: of the socket, in a folder that only this user may enter; one that a killed hub left
+            behind is replaced.
 
     Raises:
-        LinkError: the port is taken.
+        LinkError: the socket cannot be made, or others could reach it.
     """
 
-    def __init__(self, answer: Callable[[str], str], key: str, port: int) -> None:
+    def __init__(self, answer: Callable[[str], str], key: str, path: Path) -> None:
         self.answer, self._key = answer, key.encode()
         self._lock, self._connections = Lock(), set[socket.socket]()
+        refuse_shared_folder(path.parent)
         try:
-            self._server = _Server(("127.0.0.1", port), self)
+            path.unlink(missing_ok=True)
+            self._server = _Server(str(path), self)
         except OSError as error:
-            raise LinkError(f"programs cannot ask on 127.0.0.1:{port}: {error.strerror}") from error
+            raise LinkError(f"programs cannot ask at {path}: {error.strerror or error}") from error
         Thread(target=self._server.serve_forever, name="server", daemon=True).start()
 
     def close(self) -> None:
@@ -69,12 +74,11 @@ class QueryServer:
             self._connections.discard(line)
 
 
-class _Server(ThreadingTCPServer):
-    allow_reuse_address = True
+class _Server(ThreadingUnixStreamServer):
     daemon_threads = True
     block_on_close = False
 
-    def __init__(self, address: tuple[str, int], server: QueryServer) -> None:
+    def __init__(self, address: str, server: QueryServer) -> None:
         self.server, self.seats = server, BoundedSemaphore(MAX_CONNECTIONS)
         super().__init__(address, _Line)
 
@@ -91,7 +95,6 @@ class _Server(ThreadingTCPServer):
 
 
 class _Line(StreamRequestHandler):
-    disable_nagle_algorithm = True
     server: _Server
 
     def handle(self) -> None:

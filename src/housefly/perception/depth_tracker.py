@@ -18,6 +18,7 @@ from housefly.perception.laser_tracker import (
     SEE_THROUGH_MARGIN,
     OwnFootprint,
     TrackingResult,
+    known_discs,
     obstacle_of,
 )
 from housefly.perception.tracker import ObstacleTrack, TrackSet
@@ -98,9 +99,8 @@ class DepthTracker:
         view = depth_view(image)
         points = points_of(view.depth, view.camera, view.pose)
         if own is not None:
-            points = points[
-                np.hypot(points[:, 0] - own.place[0], points[:, 1] - own.place[1]) > own.radius
-            ]
+            known = known_discs(self._tracks[image.source], image.captured_at)
+            points = points[own.others(points, known)]
         clusters = unexplained(points, self._known, self._band, view.pose.position[:2])
         middle = (self._band[0] + self._band[1]) / 2
         last = self._tracks[image.source]

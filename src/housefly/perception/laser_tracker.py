@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import isfinite, isnan
+from math import hypot, isfinite, isnan
 
 import numpy as np
+from numpy.typing import NDArray
 
 from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
@@ -26,6 +27,10 @@ _COVERED_SHARE = 0.5
 """A scanner is covered if this share of its beams ends ..."""
 _COVERED_DISTANCE = 0.1
 """... nearer than this [m]."""
+OWN_MARGIN = 0.25
+"""Whatever appears nearer to the hull than this is taken for the drone itself [m]."""
+_KNOWN_MARGIN = 0.1
+"""A point this near to where a known thing is expected belongs to it [m]."""
 SEE_THROUGH_MARGIN = 0.2
 """Beams see through a place if they end this far behind it [m]."""
 _MAX_BEAMS = 10_000
@@ -34,10 +39,30 @@ _MAX_BEAMS = 10_000
 
 @dataclass(frozen=True, slots=True)
 class OwnFootprint:
-    """The drone itself, which is no obstacle: everything within ``radius`` [m] of ``place`` [m]."""
+    """The drone itself, which is no obstacle.
+
+    Attributes:
+        place: its middle [m].
+        radius: what is nearer than this, and was not seen before it came near, is the drone [m].
+    """
 
     place: Vec2
     radius: float
+
+    def others(self, ends: FloatArray, people: FloatArray) -> NDArray[np.bool_]:
+        """Return which points are not the drone: those outside, and those of known things.
+
+        Args:
+            ends: world points, at least x and y [m], shape (n, 2 or 3).
+            people: x, y and radius of what was seen before [m], shape (m, 3).
+        """
+        from_us = np.hypot(ends[:, 0] - self.place[0], ends[:, 1] - self.place[1])
+        outside = from_us > self.radius
+        if len(people):
+            away = np.hypot(ends[:, :1] - people[:, 0], ends[:, 1:2] - people[:, 1])
+            known = (away < people[:, 2] + _KNOWN_MARGIN).any(axis=1)
+            outside |= known & (from_us > self.radius - OWN_MARGIN)
+        return np.asarray(outside, dtype=np.bool_)
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +118,7 @@ class LaserTracker:
         )
         beams = np.flatnonzero(hit)
         if own is not None:
-            other = np.hypot(ends[:, 0] - own.place[0], ends[:, 1] - own.place[1]) > own.radius
+            other = own.others(ends, known_discs(self._tracks, scan.captured_at))
             ends, beams = ends[other], beams[other]
         clusters = clusters_of(ends, beams, (laser.x, laser.y))
         self._tracks = self._tracks.updated(
@@ -165,7 +190,21 @@ def obstacle_of(track: ObstacleTrack) -> Obstacle:
         confidence=track.confidence,
         seen_at=track.seen_at,
         source=_SOURCE,
+        kind=track.kind,
     )
+
+
+def known_discs(tracks: TrackSet, at: float) -> FloatArray:
+    """Return x, y and radius [m] of the confirmed tracks at a time [s], shape (n, 3)."""
+    discs = [
+        (
+            *track.motion.predicted(at).position,
+            max(track.shape.radius, hypot(*track.shape.size) / 2),
+        )
+        for track in tracks.tracks
+        if track.confirmed
+    ]
+    return np.array(discs, dtype=np.float64).reshape(-1, 3)
 
 
 def _gone(track: ObstacleTrack, at: float) -> Obstacle:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from math import hypot
 
 from housefly.geometry import Vec2, distance
+from housefly.messages import ObstacleKind
 from housefly.perception.clusters import Cluster
 from housefly.perception.motion import MotionState
 
@@ -28,6 +29,10 @@ _SIZE_GAIN = 0.2
 """Weight of a new scan in the smoothed size."""
 _STANDING_SPEED = 0.2
 """Slower things count as standing [m/s]."""
+_PERSON_RADIUS_MAX = 0.4
+"""A disc that is no larger may be a person [m]."""
+_MOVED = 0.4
+"""Whatever moved farther than this is taken for a person [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +46,7 @@ class ObstacleTrack:
         hits: scans that showed it.
         misses: scans in a row that saw through its place.
         seen_at: when it was last seen [s].
+        born_at: where it was first seen [m].
     """
 
     number: int
@@ -49,6 +55,15 @@ class ObstacleTrack:
     hits: int = 1
     misses: int = 0
     seen_at: float = 0.0
+    born_at: Vec2 | None = None
+
+    @property
+    def kind(self) -> ObstacleKind:
+        """A person, as far as one can tell: it moved, or it is as large as one."""
+        if self.born_at is not None and distance(self.born_at, self.motion.position) > _MOVED:
+            return ObstacleKind.PERSON
+        is_disc = 0.0 < self.shape.radius <= _PERSON_RADIUS_MAX
+        return ObstacleKind.PERSON if is_disc else ObstacleKind.UNKNOWN
 
     @property
     def confirmed(self) -> bool:
@@ -127,7 +142,13 @@ class TrackSet:
             (gone if ended else kept).append(left)
         free = [cluster for index, cluster in enumerate(clusters) if index not in pairs.values()]
         born = [
-            ObstacleTrack(self.next_number + n, MotionState(at, c.position), c, seen_at=at)
+            ObstacleTrack(
+                self.next_number + n,
+                MotionState(at, c.position),
+                c,
+                seen_at=at,
+                born_at=c.position,
+            )
             for n, c in enumerate(free)
         ]
         return TrackSet(

@@ -12,7 +12,8 @@ from housefly.pilot.contracts import Maneuver, PilotSettings
 from housefly.pilot.navigator import RoomNavigator
 from housefly.pilot.pilot import Pilot
 from housefly.pilot.safety.gate import Gate
-from housefly.pilot.safety.rules import CEILING_SLACK, Geofence
+from housefly.pilot.safety.inputs import Geofence
+from housefly.pilot.safety.motion_rules import CEILING_CLEARANCE, CEILING_SLACK
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.room.grid import OccupancyGrid, extent_of
 from housefly.room.model import Room
@@ -33,7 +34,8 @@ def make_pilot(
     )
     navigator = RoomNavigator(site, room, grid)
     missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper)
-    fence = Geofence(extent_of(grid), site.limits.height_max + CEILING_SLACK)
+    ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
+    fence = Geofence(extent_of(grid), ceiling)
     return Pilot(settings, navigator, missions, Gate(site.limits, fence), maneuver)
 
 

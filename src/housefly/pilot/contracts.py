@@ -61,6 +61,16 @@ class Missions(Protocol):
         """What the drone tracks."""
         ...
 
+    @property
+    def speed_factor(self) -> float:
+        """Share of the cruise speed to fly at near people, 0 to 1."""
+        ...
+
+    @property
+    def is_yielding(self) -> bool:
+        """Whether the drone makes way for somebody: it may be far from where it flies to."""
+        ...
+
     def update(
         self,
         orders: tuple[Order, ...],

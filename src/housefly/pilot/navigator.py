@@ -16,7 +16,10 @@ from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid
 from housefly.pilot.planning.obstacles import ObstacleMemory, obstacle_fault, obstacle_rows
+from housefly.pilot.planning.people import may_be_person
+from housefly.pilot.planning.people_map import PeopleMap
 from housefly.pilot.planning.planner import plan
+from housefly.pilot.planning.tracked_bodies import TrackedBodies
 from housefly.room.grid import OccupancyGrid, extent_of, inflation
 from housefly.room.model import Room
 from housefly.room.tracked import untracked_grid
@@ -30,10 +33,16 @@ WATCH_HORIZON = 1.0
 MAP_REFRESH_PERIOD = 0.1
 """How often the map of moving and ageing obstacles is made anew when nothing is heard of them [s].
 """
+WATCH_SLACK = 0.05
+"""A path in use may come this much nearer to people than a new one [m]."""
 
 
 class RoomNavigator:
-    """Places and ways in one room."""
+    """Places and ways in one room.
+
+    Attributes:
+        people: everybody who is known, and how near they come.
+    """
 
     def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
         self._paper = site.mode == "paper"
@@ -41,23 +50,27 @@ class RoomNavigator:
         self._room = room
         self._static = untracked_grid(room, site, grid)
         # Until the first word of tracked furniture it stands where the room model has it.
-        self._live: OccupancyGrid | None = grid
+        self._live: dict[float, OccupancyGrid] = {0.0: grid}
         self._extent = extent_of(grid)
         self._distances = distances_for(inflation(site), site.map.tracking_bound, grid.resolution)
         self._band = (
             site.map.flight_height - site.map.half_band,
             site.map.flight_height + site.map.half_band,
         )
+        self._kept = (site.people.comfort_distance, site.people.min_distance)
         self._furniture = TrackedFurniture(site, room)
+        self._bodies = TrackedBodies(site)
         self._memory = ObstacleMemory()
         self._soon, self._names = obstacle_rows((), 0.0, 0.0, self._band)
         self._refreshed = 0.0
+        self.people = PeopleMap(site, room, grid)
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
     ) -> list[str]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
-        known = (*obstacles, *self._furniture.step(sightings, now))
+        tracked = (*self._furniture.step(sightings, now), *self._bodies.step(sightings, now))
+        known = (*obstacles, *tracked)
         faults = [(obstacle, obstacle_fault(obstacle, now, self._extent)) for obstacle in known]
         accepted = [obstacle for obstacle, fault in faults if not fault]
         is_due = now - self._refreshed >= MAP_REFRESH_PERIOD
@@ -68,19 +81,28 @@ class RoomNavigator:
     def _refresh(self, accepted: list[Obstacle], now: float) -> None:
         self._memory, self._refreshed = self._memory.updated(accepted, now), now
         self._soon, self._names = obstacle_rows(
-            self._memory.obstacles, now, WATCH_HORIZON, self._band
+            self._memory.obstacles, now, WATCH_HORIZON, self._band, self._kept[1] - WATCH_SLACK
         )
-        self._live = None
+        self._live = {}
+        self.people.update(self._memory.obstacles, self._things, now)
 
-    @property
-    def _grid(self) -> OccupancyGrid:
-        """The map of now; made when somebody plans, because most steps of the pilot do not."""
-        if self._live is None:
+    def _grid(self, comfort: float = 0.0) -> OccupancyGrid:
+        """Return the map of now, people grown by a distance [m].
+
+        Made when somebody plans, because most steps of the pilot do not.
+        """
+        if comfort not in self._live:
             later, _ = obstacle_rows(
-                self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band
+                self._memory.obstacles, self._refreshed, PLAN_HORIZON, self._band, comfort
             )
-            self._live = live_grid(self._static, later, self._distances.reach)
-        return self._live
+            self._live[comfort] = live_grid(self._static, later, self._distances.reach)
+        return self._live[comfort]
+
+    def _things(self) -> OccupancyGrid:
+        """Return the map of now without people."""
+        things = [thing for thing in self._memory.obstacles if not may_be_person(thing)]
+        rows, _ = obstacle_rows(things, self._refreshed, 0.0, self._band)
+        return live_grid(self._static, rows, self._distances.reach)
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:
         """Return what blocks the rest of a path from a place [m] on; None when it is free."""
@@ -94,7 +116,7 @@ class RoomNavigator:
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
         """Return whether there is a way once the obstacles of now are gone."""
         return (
-            self._grid is not self._static and self._way(self._static, start, goal).path is not None
+            bool(self._memory.obstacles) and self._way(self._static, start, goal).path is not None
         )
 
     def mission(self, order: Order) -> Mission | Refused:
@@ -116,11 +138,19 @@ class RoomNavigator:
 
     def plan(self, start: Vec2, goal: Vec2) -> PlanAnswer:
         """Return the planner's answer in the way of the mode."""
-        return self._plan(self._grid, start, goal)
+        return self._plan(self._grid(), start, goal)
 
     def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
-        """Return the way; a start in a blocked cell is left by the shortest straight line first."""
-        return self._way(self._grid, start, goal)
+        """Return the way; a start in a blocked cell is left by the shortest straight line first.
+
+        Where there is room it keeps the comfort distance from people, else the smallest.
+        """
+        if not len(self.people):
+            return self._way(self._grid(), start, goal)
+        comfortable = self._way(self._grid(self._kept[0]), start, goal)
+        if comfortable.path is not None:
+            return comfortable
+        return self._way(self._grid(self._kept[1]), start, goal)
 
     def _plan(self, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> PlanAnswer:
         return plan(

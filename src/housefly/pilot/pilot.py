@@ -16,16 +16,26 @@ from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Inputs, Outputs, Phase, Severity
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import DroneStatus, Estimate, Sighting, Telemetry
-from housefly.messages.steering import Action, Behavior, PlanAnswer, Reference
+from housefly.messages.steering import (
+    Action,
+    Behavior,
+    PlanAnswer,
+    Reference,
+    SafetyMode,
+    Setpoint,
+)
 from housefly.numeric import wrapped
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
+from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 from housefly.pilot.estimation.estimator import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
-from housefly.pilot.safety.gate import Gate, GateNotices, GateVerdict, released
-from housefly.pilot.safety.rules import MODE_SEVERITY, GateInputs
+from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
+from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, CRUISE_PHASES, GateInputs
+from housefly.pilot.safety.rules import MODE_SEVERITY
 from housefly.pilot.step import (
     INITIAL_STEP,
     NO_OVERRIDE,
@@ -40,7 +50,8 @@ TICK_MAX = 0.1
 """After a stall the references move on by no more than this [s]."""
 REFUSALS_MAX = 100
 """No more refusals of obstacles are told and remembered than this."""
-FLYING_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
+SLOW_FACTOR = 0.5
+"""Share of the cruise speed of a drone that is to fly slowly."""
 PHASE_ACTIONS = {
     Phase.IDLE: Action.IDLE,
     Phase.TAKING_OFF: Action.TAKE_OFF,
@@ -76,6 +87,15 @@ class Pilot:
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
         self._refused: set[str] = set()
+        self._way_home = WayHome(room_map.route, settings.home, self._params.speed)
+        self._flown: Setpoint | None = None
+        self._maneuvering = False
+        self._height = settings.flight_height
+
+    @property
+    def consistency(self) -> TrackingConsistency:
+        """How well tracking agrees with the drone's own report, as of the last step."""
+        return self._estimator.monitor.consistency(self._now) if self._estimator else NOTHING_KNOWN
 
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
@@ -101,7 +121,7 @@ class Pilot:
         vehicle = self._vehicle_status(now, estimate)
         facing = self._is_facing(estimate)
         events.extend(self._missions.update(inputs.orders, vehicle, self._target, facing))
-        verdict = self._command(vehicle, here, now, dt)
+        verdict = self._command(self._gate_inputs(vehicle, inputs.late), vehicle, here, dt)
         events.extend(self._notices.update(verdict, now))
         return self._outputs(estimate, verdict, tuple(events))
 
@@ -121,10 +141,13 @@ class Pilot:
         """
         grounded = self._status is DroneStatus.LANDED
         estimator = self._estimator or self._new_estimator(now)
+        estimator.monitor.feel(inputs.telemetry, self._status, estimator.state.height_yaw.z.v)
         events = list(estimator.update(inputs.sightings, now, grounded))
         accepted, phase = estimator.accepted, self._missions.state.phase
-        if inputs.orders and grounded and phase is Phase.IDLE and accepted is not None:
+        is_idle = grounded and phase is Phase.IDLE and not estimator.monitor.refusing
+        if inputs.orders and is_idle and accepted is not None:
             estimator = self._new_estimator(now)
+            estimator.monitor.feel(inputs.telemetry, self._status, 0.0)
             events.extend(estimator.update((accepted,), now, grounded))
         self._estimator = estimator
         return events
@@ -163,7 +186,11 @@ class Pilot:
             telemetry_age=now - telemetry.received_at if telemetry else inf,
             estimate=estimate,
             landing_forced=self._gate.landing,
+            return_wanted=self._gate.returning,
+            standing_height=self._gate.standing_height,
+            maneuvering=self._maneuvering,
             telemetry=telemetry,
+            consistency=self.consistency,
         )
 
     def _is_facing(self, estimate: Estimate | None) -> bool:
@@ -175,12 +202,13 @@ class Pilot:
     # --- the compiled step ---
 
     def _command(
-        self, vehicle: VehicleStatus, here: PoseEstimate, now: float, dt: float
+        self, inputs: GateInputs, vehicle: VehicleStatus, here: PoseEstimate, dt: float
     ) -> GateVerdict:
         assert self._estimator is not None
-        state = self._missions.state
-        assessment = self._gate.assess(self._gate_inputs(vehicle))
-        guidance = self._guidance(vehicle.estimate)
+        now, state = vehicle.now, self._missions.state
+        assessment = self._gate.assess(inputs)
+        guidance = self._guidance(vehicle.estimate, assessment)
+        override = self._override(now, vehicle.estimate)
         self._step, self._estimator.state, output = step_commanded(
             self._step,
             self._estimator.state,
@@ -189,19 +217,22 @@ class Pilot:
             here,
             guidance,
             self._profile,
-            self._override(now, vehicle.estimate),
+            override,
             MODE_SEVERITY[assessment.mode],
             assessment.airborne and not state.resetting,
             now,
             dt,
         )
         self._target = output.target if guidance.active else None
-        return released(self._action(output), output.command, assessment)
+        verdict = released(self._action(output), output.command, assessment)
+        self._flown = verdict.command.setpoint if verdict.command.action is Action.FLY else None
+        self._maneuvering, self._height = override.active, guidance.height
+        return verdict
 
-    def _guidance(self, estimate: Estimate | None) -> Guidance:
+    def _guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
         """Return what to track; a new path begins at its start."""
         task, mission = self._missions.task, self._missions.state
-        active = estimate is not None and mission.phase in FLYING_PHASES
+        active = estimate is not None and mission.phase in CRUISE_PHASES
         x, y = estimate.position[:2] if estimate else (0.0, 0.0)
         arrival_yaw: float | None = None
         if active and estimate is not None and task.profile is not None:
@@ -218,8 +249,10 @@ class Pilot:
             y=hold_y,
             yaw=task.hold_yaw,
             arrival_yaw=nan if arrival_yaw is None else arrival_yaw,
-            height=self._settings.flight_height,
-            speed_factor=1.0,
+            height=self._settings.flight_height if task.height is None else task.height,
+            speed_factor=min(
+                self._missions.speed_factor, SLOW_FACTOR if self._is_slow(assessment) else 1.0
+            ),
         )
 
     def _override(self, now: float, estimate: Estimate | None) -> Override:
@@ -239,21 +272,39 @@ class Pilot:
         mission = self._missions.state
         if mission.cutting or mission.resetting:
             return Action.CUT if mission.cutting else Action.RESET
-        if mission.phase not in FLYING_PHASES:
+        if mission.phase not in CRUISE_PHASES:
             return PHASE_ACTIONS[mission.phase]
         return Action.FLY if self._target is not None and output.flying else Action.HOVER
 
-    def _gate_inputs(self, vehicle: VehicleStatus) -> GateInputs:
-        mission = self._missions.state
+    @staticmethod
+    def _is_slow(assessment: GateAssessment) -> bool:
+        return any(rule.mode is SafetyMode.SLOW for rule in assessment.broken)
+
+    def _gate_inputs(self, vehicle: VehicleStatus, late: float) -> GateInputs:
+        mission, estimate = self._missions.state, vehicle.estimate
+        is_free = self._maneuvering or self._missions.is_yielding
+        is_tracking = self._target is not None and not is_free
+        if vehicle.place is not None and vehicle.status in AIRBORNE_STATUSES:
+            self._way_home.update(vehicle.place, vehicle.now)
         return GateInputs(
             now=vehicle.now,
             status=vehicle.status,
             battery=vehicle.battery,
             pose_age=vehicle.pose_age,
             telemetry_age=vehicle.telemetry_age,
-            position=vehicle.estimate.position if vehicle.estimate else None,
+            position=estimate.position if estimate else None,
             stopped=mission.stopped,
             cutting=mission.cutting,
+            phase=mission.phase,
+            velocity=estimate.velocity if estimate else None,
+            reference=self._reference() if is_tracking and not self._params.is_paper else None,
+            flight_height=self._height,
+            flown=self._flown,
+            telemetry=vehicle.telemetry,
+            consistency=vehicle.consistency,
+            late=late,
+            home_time=self._way_home.duration,
+            has_way_home=self._way_home.exists,
         )
 
     # --- answer ---
@@ -275,11 +326,17 @@ class Pilot:
             waypoint=min(target.waypoint, last) if target else 0,
             reason=verdict.reason or task.waiting,
             events=events,
+            warnings=self._warnings(verdict, task.waiting),
         )
+
+    @staticmethod
+    def _warnings(verdict: GateVerdict, waiting: str) -> tuple[str, ...]:
+        words = (verdict.reason, *(rule.words for rule in verdict.broken), waiting)
+        return tuple(dict.fromkeys(filter(None, words)))
 
     def _reference(self) -> Reference | None:
         if self._target is None:
             return None
-        target, height = self._target, self._settings.flight_height
+        target, height = self._target, self._height
         position, velocity = (target.x, target.y, height), (target.vx, target.vy, 0.0)
         return Reference(position, velocity, self._step.yaw.reference)

@@ -2,6 +2,7 @@
 
 flight.mcap    every step, whole, and standard ROS 2 topics beside it
 video.mp4      the drone's pictures
+truth.jsonl    where the simulated drone really was, and what it touched
 site.json      the site as it was flown
 summary.json   the flight in numbers
 report.html    the flight in pictures
@@ -29,6 +30,7 @@ from housefly.record.report import write_report
 from housefly.record.ros_topics import StepTopics
 from housefly.record.series import collect
 from housefly.record.summary import Summary, summarize_flight
+from housefly.record.truth import TRUTH_FILE, read_truth
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
@@ -58,11 +60,12 @@ class FlightRecorder:
         self._video_frames = 0
         self._map_written = False
         try:
-            directory.mkdir(parents=True, exist_ok=True)
+            directory.mkdir(mode=0o700, parents=True, exist_ok=True)
             (directory / "site.json").write_text(
                 site.model_dump_json(indent=1) + "\n", encoding="utf-8"
             )
-            (directory / "video.mp4").unlink(missing_ok=True)
+            for old in ("video.mp4", TRUTH_FILE):
+                (directory / old).unlink(missing_ok=True)
             self._mcap: McapLog | None = McapLog(
                 directory / "flight.mcap", {"site": site.name, "mode": site.mode, "room": room.name}
             )
@@ -78,6 +81,11 @@ class FlightRecorder:
     def problems(self) -> tuple[str, ...]:
         """What went wrong with the recording so far."""
         return tuple(self._problems)
+
+    @property
+    def truth_file(self) -> Path:
+        """Where the simulated room writes the truth, so that the summary is scored on it."""
+        return self._directory / TRUTH_FILE
 
     def add_step(self, step: PilotStep) -> None:
         """Record one step of the pilot."""
@@ -170,6 +178,7 @@ class FlightRecorder:
             self._site,
             self._room,
             self._grid,
+            truth=read_truth(self.truth_file),
             video_frames=self._video_frames,
             problems=self.problems,
         )

@@ -147,7 +147,7 @@ class ReplayResult:
 def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResult:
     """Replay a recording with a fresh pilot and compare each command bit for bit.
 
-    Raises RecordingError like ``read_steps``.
+    Raises RecordingError like ``read_steps``, and where there is no step at all.
     """
     pilot = pilot_factory()
     count, missing, last = 0, 0, None
@@ -158,4 +158,6 @@ def verify(path: Path, pilot_factory: Callable[[], SteppedPilot]) -> ReplayResul
         if repr(command) != repr(step.outputs.command):
             return ReplayResult(count, missing, Difference(step, command))
         count += 1
+    if count == 0:
+        raise RecordingError(f"{path} holds no step of a flight: there is nothing to compare")
     return ReplayResult(count, missing, None)

@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from housefly.config.site import Site
+from housefly.messages import SafetyMode
 from housefly.numeric import FloatArray
 from housefly.record import svg
 from housefly.record.series import (
@@ -24,6 +25,18 @@ from housefly.record.series import (
 _WIDTH = 10.4
 _ROW = 1.35
 """Size of one strip [inch]."""
+
+_SAFETY_FILLS = {
+    SafetyMode.NOMINAL: svg.STATE_FILLS[0],
+    SafetyMode.WARN: svg.STATE_FILLS[1],
+    SafetyMode.SLOW: svg.STATE_FILLS[1],
+    SafetyMode.HOLD: svg.STATE_FILLS[2],
+    SafetyMode.RETURN: svg.STATE_FILLS[3],
+    SafetyMode.STOPPED: svg.WARN,
+    SafetyMode.LAND: svg.WARN,
+    SafetyMode.DESCEND: svg.WARN,
+    SafetyMode.CUT: svg.FAULT,
+}
 
 
 def position_svg(flight: FlightSeries) -> str:
@@ -76,10 +89,10 @@ def states_svg(flight: FlightSeries) -> str:
     """Return the states of mission, acceptor and gate as labelled bands."""
     with svg.drawing("states"):
         figure, rows = _strips(flight, 3, row=0.78)
-        quiet = (svg.STATE_FILLS[0], svg.STATE_FILLS[2], svg.WARN, svg.WARN, svg.FAULT)
+        safety = tuple(_SAFETY_FILLS[mode] for mode in SAFETY_MODES)
         _draw_bands(rows[0], "errand", flight, flight.phase, PHASES, svg.STATE_FILLS)
         _draw_bands(rows[1], "behavior", flight, flight.behavior, BEHAVIORS, svg.STATE_FILLS)
-        _draw_bands(rows[2], "safety", flight, flight.safety, SAFETY_MODES, quiet)
+        _draw_bands(rows[2], "safety", flight, flight.safety, SAFETY_MODES, safety)
         return svg.to_svg(figure, "States over time: errand, behavior and safety")
 
 

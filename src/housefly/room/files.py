@@ -13,6 +13,7 @@ from typing import Annotated, Any, Self
 from pydantic import Field, ValidationError, model_validator
 
 from housefly.config.section import Section
+from housefly.config.text import read_text_file
 from housefly.config.toml import parse_toml
 from housefly.config.validation import dotted, explain
 from housefly.errors import ConfigError, RoomError
@@ -137,7 +138,7 @@ def load_room(model: str, base: Path | None = None) -> Room:
         return _BUILT_IN_ROOMS[model]()
     path = (base or Path()) / model / _FILE_NAME
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text_file(path)
     except (OSError, UnicodeDecodeError) as error:
         known = ", ".join(sorted(_BUILT_IN_ROOMS))
         raise RoomError(

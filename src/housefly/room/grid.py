@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from math import floor, hypot, isfinite
+from math import floor, hypot
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,8 @@ _Cells = NDArray[np.uint8]
 
 _COVERED_SHARE = 0.25
 """A cell with more than this share under a footprint is occupied."""
+_COORDINATE_MAX = 1e6
+"""Points further away [m], or not finite, are on no grid; larger numbers overflow."""
 _FINE_EDGE = 0.1
 """Largest cell edge for reachability [m]: walls are thinner than the paper's cells."""
 
@@ -77,8 +79,8 @@ class OccupancyGrid:
         return nx, ny
 
     def cell_of(self, point: Vec2) -> CellIndex:
-        """Return the cell of a point [m]; it may be off the grid, as are non-finite points."""
-        if not (isfinite(point[0]) and isfinite(point[1])):
+        """Return the cell of a point [m]; it may be off the grid, as are points of no room."""
+        if not (abs(point[0]) <= _COORDINATE_MAX and abs(point[1]) <= _COORDINATE_MAX):
             return -1, -1
         return (
             floor((point[0] - self.origin[0]) / self.resolution),

@@ -12,6 +12,7 @@ import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
+from housefly.config.text import read_text_file
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.reach import Mask
@@ -92,7 +93,7 @@ def _turned(rows: Mask) -> Mask:
 
 def _tree(path: Path) -> dict[str, Any]:
     try:
-        tree = yaml.safe_load(path.read_text(encoding="utf-8"))
+        tree = yaml.safe_load(read_text_file(path))
     except (OSError, UnicodeDecodeError) as error:
         raise RoomError(f"{path} cannot be read: {error}; give the map's yaml file") from error
     except yaml.YAMLError as error:

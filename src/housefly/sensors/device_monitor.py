@@ -9,6 +9,10 @@ from housefly.sensors.contracts import SensorHealth
 from housefly.sensors.message_rate import MessageRate, TokenBucket
 from housefly.wires.devices import DeviceAddress, DeviceKind, Reading
 
+MAX_THINGS = 128
+"""A device may speak of this many things; further ones are dropped ..."""
+_THINGS_KEPT = 3600.0
+"""... until it has not spoken of others for this long [s]."""
 _RECENT = 5.0
 """How long a flood, garbage or a wrong clock counts as a problem after it occurred [s]."""
 
@@ -18,13 +22,14 @@ class DeviceMonitor:
 
     Attributes:
         counts: messages by outcome: heard, malformed, flooded, clock refused, unknown keys, past
-            events.
+            events, too many things.
     """
 
     def __init__(self, address: DeviceAddress, kind: DeviceKind, rate_max_hz: float) -> None:
         self.counts: Counter[str] = Counter()
         self._address, self._kind, self._rate_max = address, kind, rate_max_hz
         self._rate, self._bucket = MessageRate(), TokenBucket(rate_max_hz)
+        self._things: dict[str, float] = {}
         self._online: bool | None = None
         self._complaints: dict[str, tuple[float, str]] = {}
 
@@ -43,6 +48,18 @@ class DeviceMonitor:
             f"sends more than {self._rate_max:g} messages a second; the rest is dropped",
         )
         return False
+
+    def admit_thing(self, thing: str, now: float) -> bool:
+        """Return whether to believe in a thing; one device knows a limited number of them."""
+        if thing not in self._things:
+            self._things = {
+                known: at for known, at in self._things.items() if now - at < _THINGS_KEPT
+            }
+            if len(self._things) >= MAX_THINGS:
+                self._note("too many things", now, f"speaks of more than {MAX_THINGS} things")
+                return False
+        self._things[thing] = now
+        return True
 
     def record(self, reading: Reading, now: float, retained: bool) -> None:
         """Record a decoded message; one that the broker retained is no sign of life."""

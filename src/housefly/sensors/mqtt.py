@@ -61,6 +61,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         self._placements = {
             row.id: Placement(row.position, row.yaw, self._things) for row in config.devices
         }
+        self._allowed = frozenset(config.allow)
         self._monitors: dict[str, tuple[DeviceAddress, DeviceMonitor]] = {}
         self._rate = MessageRate()
         self._complaint = (-inf, "")
@@ -158,10 +159,13 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         monitor.record(reading, now, message.retained)
         told: tuple[Observation | RoomEvent, ...] = (*reading.observations, *reading.events)
         for value in told:
-            sink(value)
+            if monitor.admit_thing(value.thing, now):
+                sink(value)
 
     def _monitor(self, address: DeviceAddress) -> DeviceMonitor:
         """Return the monitor of a device; raises WireError for one that is ignored."""
+        if self._allowed and f"{address.kind}/{address.id}" not in self._allowed:
+            raise WireError(f"{address.kind}/{address.id} is not in mqtt.allow; it is ignored")
         if address.id not in self._monitors:
             if len(self._monitors) >= _MAX_DEVICES:
                 raise WireError(

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+from math import inf
 
-from housefly.bus.reconnect import ReconnectingClient, open_tcp
+from housefly.bus.reconnect import DATA_AGE_MAX, ReconnectingClient, open_tcp
 from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import WireError
 from housefly.messages import Sighting
 from housefly.tracking.contracts import SightingSink
 from housefly.tracking.counts import FrameCounts
+from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX, FrameLimiter
 from housefly.tracking.vicon_frames import ViconFrames
 from housefly.wires.vicon import (
     VICON_HEADER_SIZE,
@@ -41,6 +43,8 @@ _WANTED = frozenset(
     )
 )
 _CONNECT_TIMEOUT = 2.0
+_PACKETS_AT_ONCE = 8
+"""Packets read before others may run: what is buffered is read without waiting."""
 
 
 class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
@@ -54,6 +58,19 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
         super().__init__(f"{config.address}:{config.port}", clock)
         self.counts = FrameCounts()
         self._config = config
+        self._limiter = FrameLimiter()
+        self._at_once = 0
+        self._flooded_at = -inf
+
+    @property
+    def problem(self) -> str:
+        """Why no data arrive, or what is wrong with those that do, in words, or ""."""
+        if not self._problem and self._clock.now() - self._flooded_at <= DATA_AGE_MAX:
+            return (
+                f"{self._where} sends more than {FRAMES_PER_SECOND_MAX} frames a second; the rest"
+                " is dropped"
+            )
+        return super().problem
 
     def _no_data_problem(self) -> str:
         return (
@@ -75,8 +92,11 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
             frames = ViconFrames(self._config.latency, self.counts)
             await self._request_frames(reader, writer)
             while True:
-                items = decode_packet(await self._packet(reader))
+                packet = await self._packet(reader)
                 now = self._clock.now()
+                if not await self._admits(now):
+                    continue
+                items = decode_packet(packet)
                 sightings = frames.read(items, now)
                 if sightings is None:
                     continue
@@ -87,6 +107,18 @@ class ViconTracker(ReconnectingClient[tuple[Sighting, ...]]):
                     else f"{self._where} streams with y up; choose z up in the Vicon software"
                 )
                 sink(sightings)
+
+    async def _admits(self, now: float) -> bool:
+        """Return whether to read a packet; lets others run, because buffered ones never wait."""
+        admitted = self._limiter.admits(now)
+        self._at_once += 1
+        if not admitted or self._at_once >= _PACKETS_AT_ONCE:
+            self._at_once = 0
+            await asyncio.sleep(0)
+        if not admitted:
+            self.counts.flooded += 1
+            self._flooded_at = now
+        return admitted
 
     async def _request_frames(
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter

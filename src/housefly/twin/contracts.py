@@ -70,7 +70,8 @@ class OnboardState:
         velocity: optical flow estimate, body [m/s].
         acceleration: specific force, body [m/s^2]; angular_rate: body [rad/s].
         motors: four duty cycles, 0 to 1.
-        low_battery, com_watchdog, com_lost, angles_out_of_range, motors_problem: state bits.
+        low_battery, com_watchdog, com_lost, angles_out_of_range, motors_problem, ultrasound_deaf:
+            state bits.
     """
 
     at: float
@@ -90,6 +91,7 @@ class OnboardState:
     com_lost: bool = False
     angles_out_of_range: bool = False
     motors_problem: bool = False
+    ultrasound_deaf: bool = False
 
 
 @dataclass(frozen=True, slots=True)

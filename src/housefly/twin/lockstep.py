@@ -1,14 +1,18 @@
 """The simulated room without the wires, on a stepped clock.
 
 Rates, delays and habits are those of the wires: the driver's own command sequencer decides what the
-drone hears and when.
+drone hears and when. Faults befall the same streams as on the wires.
 """
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
+from dataclasses import replace
+from math import inf, isfinite
 
 from housefly.config.site import Site
+from housefly.errors import ConfigError
 from housefly.messages import Command, DroneStatus, Sighting, Telemetry
 from housefly.twin.contracts import (
     FlightState,
@@ -17,6 +21,12 @@ from housefly.twin.contracts import (
     OnboardState,
     TwinWorld,
 )
+from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.onboard_stream import not_numbers
+from housefly.twin.faults.packet_stream import PacketCodec, PacketStream
+from housefly.twin.faults.vocabulary import FaultComponent
+from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
     REPEAT_AFTER,
@@ -34,20 +44,47 @@ FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
     FlightState.EMERGENCY: DroneStatus.EMERGENCY,
 }
 
+_ROUNDING = 1e-9
 _FAULTS: tuple[tuple[str, Callable[[OnboardState], bool]], ...] = (
     ("motors problem", lambda onboard: onboard.motors_problem),
     ("battery low", lambda onboard: onboard.low_battery),
     ("tilted too far", lambda onboard: onboard.angles_out_of_range),
     ("drone lost our commands", lambda onboard: onboard.com_lost),
+    ("ultrasound deaf", lambda onboard: onboard.ultrasound_deaf),
 )
 
 
-class LockstepRoom:
-    """World, driver and tracking client on one stepped clock."""
+_Datagram = tuple[int, tuple[at.AtCommand, ...]]
+"""Sequence number and commands of what would be one datagram."""
+_COMMANDS: PacketCodec[_Datagram] = PacketCodec(
+    garbled=lambda fault, datagram, number: None, repeated=lambda old, new: (new[0], old[1])
+)
+"""The drone does not read noise."""
+_REPORTS: PacketCodec[OnboardState] = PacketCodec(
+    garbled=not_numbers, repeated=lambda old, new: new
+)
+"""Reports that stand still are written anew, with old content."""
 
-    def __init__(self, world: TwinWorld, site: Site) -> None:
+
+class LockstepRoom:
+    """World, driver and tracking client on one stepped clock.
+
+    Args:
+        world: what flies.
+        site: limits, and the faults of its ``[[faults]]``.
+        faults: those instead, when somebody else uses them too.
+
+    Attributes:
+        faults: what fails, and when.
+
+    Raises:
+        ConfigError: a fault that cannot be made in lock step.
+    """
+
+    def __init__(self, world: TwinWorld, site: Site, faults: FaultInjector | None = None) -> None:
         limits = site.limits
         self._world = world
+        self.faults = FaultInjector(site) if faults is None else faults
         world.set_limits(
             OnboardLimits(
                 limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max, limits.height_max
@@ -57,57 +94,96 @@ class LockstepRoom:
         self._sequencer = CommandSequencer(maxima, world.now)
         self._sent_at = world.now
         self._emergency_held = False
+        self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
+        self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
+        self._commands_under_way: deque[tuple[float, _Datagram]] = deque()
+        self._reports_under_way: deque[tuple[float, OnboardState]] = deque()
+        self._number = self._heard_number = 0
+        self._pilot_steps = 0
+        self._report: Telemetry | None = None
+        self._reported_at = -1.0
 
     @property
     def now(self) -> float:
         """World time [s]."""
         return self._world.now
 
+    def inject(self, *faults: Fault) -> None:
+        """Let these faults happen, too; raises ConfigError for one that cannot be made here."""
+        self.faults.inject(*faults)
+
     def advance(self, seconds: float) -> None:
         """Let the world run while commands are repeated at the driver's rate."""
         end = self.now + seconds
-        while (beat := self._sent_at + REPEAT_AFTER) <= end:
+        self._disturb()
+        while (beat := min(self._sent_at + REPEAT_AFTER, self._next_arrival())) <= end:
             self._world.advance(max(0.0, beat - self.now))
-            self._transmit()
+            self._deliver()
+            if self._sent_at + REPEAT_AFTER <= self.now:
+                self._transmit()
         self._world.advance(max(0.0, end - self.now))
 
     def sightings(self) -> tuple[Sighting, ...]:
         """Return what tracking reported since the last call, oldest first."""
-        return tuple(
-            sighting for frame in self._world.mocap_frames() for sighting in _sightings_of(frame)
-        )
+        frames = self.faults.frames(self._world.mocap_frames(), self.now)
+        return tuple(sighting for frame in frames for sighting in _sightings_of(frame))
 
-    def telemetry(self) -> Telemetry:
-        """Return the drone's newest report.
+    def telemetry(self) -> Telemetry | None:
+        """Return the drone's newest report; None before the first.
 
         As on the wire: battery in whole percent, no vertical speed.
         """
         onboard = self._world.onboard()
-        forward, left, _ = onboard.velocity
-        return Telemetry(
-            received_at=onboard.at,
-            status=FLIGHT_STATUS[onboard.flight],
-            battery=round(onboard.battery * 100) / 100,
-            phi=onboard.phi,
-            theta=onboard.theta,
-            psi=onboard.psi,
-            height=onboard.height,
-            velocity=(forward, left, 0.0),
-            faults=tuple(words for words, applies in _FAULTS if applies(onboard)),
-        )
+        if not self.faults.schedule.faults:
+            return telemetry_of(onboard)
+        if onboard.at > self._reported_at:
+            self._reported_at = onboard.at
+            reported = self.faults.reported(onboard)
+            self._reports_under_way.extend(
+                self._downlink.sent(reported, self.faults.schedule, onboard.at)
+            )
+        while self._reports_under_way and self._reports_under_way[0][0] <= self.now + _ROUNDING:
+            due, onboard = self._reports_under_way.popleft()
+            self._report = replace(telemetry_of(onboard), received_at=due)
+        return self._report
 
     def send(self, command: Command) -> None:
         """Hand over the command in force from now on."""
+        self._pilot_steps += 1
+        if not self.faults.pilot_is_heard(self._pilot_steps, self.now):
+            return
         action_changed = self._sequencer.update(command, self.now)
         if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit()
 
+    def _disturb(self) -> None:
+        if isinstance(self._world, SimulatedWorld):
+            self.faults.act_on(self._world)
+        elif self.faults.schedule.faults:
+            raise ConfigError("faults", "need the simulated room; this world has no physics")
+
     def _transmit(self) -> None:
-        """Let the drone obey what would be one datagram."""
+        """Send what would be one datagram."""
         self._sent_at = self.now
-        self._world.keep_alive()
-        for command in self._sequencer.next_commands(self.now, self.telemetry()):
-            self._obey(command)
+        self._number += 1
+        commands = self._sequencer.next_commands(self.now, self.telemetry())
+        datagram = (self._number, commands)
+        self._commands_under_way.extend(self._uplink.sent(datagram, self.faults.schedule, self.now))
+        self._deliver()
+
+    def _next_arrival(self) -> float:
+        return self._commands_under_way[0][0] if self._commands_under_way else inf
+
+    def _deliver(self) -> None:
+        """Let the drone obey the datagrams that have arrived; it drops older ones than heard."""
+        while self._next_arrival() <= self.now + _ROUNDING:
+            number, commands = self._commands_under_way.popleft()[1]
+            if number <= self._heard_number:
+                continue
+            self._heard_number = number
+            self._world.keep_alive()
+            for command in commands:
+                self._obey(command)
 
     def _obey(self, command: at.AtCommand) -> None:
         """Obey a command as the drone does; the emergency bit acts on its rising edge."""
@@ -125,6 +201,27 @@ class LockstepRoom:
                     self._world.request_take_off()
                 else:
                     self._world.request_land()
+
+
+def telemetry_of(onboard: OnboardState) -> Telemetry:
+    """Return a report of the drone as the driver would understand it."""
+    forward, left, _ = onboard.velocity
+    return Telemetry(
+        received_at=onboard.at,
+        status=FLIGHT_STATUS[onboard.flight],
+        battery=_in_percent(onboard.battery),
+        phi=onboard.phi,
+        theta=onboard.theta,
+        psi=onboard.psi,
+        height=onboard.height,
+        velocity=(forward, left, 0.0),
+        faults=tuple(words for words, applies in _FAULTS if applies(onboard)),
+        acceleration=onboard.acceleration,
+    )
+
+
+def _in_percent(charge: float) -> float:
+    return round(charge * 100) / 100 if isfinite(charge) else charge
 
 
 def _sightings_of(frame: MocapFrame) -> tuple[Sighting, ...]:

@@ -16,10 +16,12 @@ from housefly.config.site import Site
 from housefly.geometry import Quaternion, Vec2, Vec3, quaternion_from_euler, rotate
 from housefly.messages import Pose
 from housefly.room.model import Room
-from housefly.twin.ardrone.body import BODY, DRONE_MASS, STANDING_HEIGHT
+from housefly.twin.ardrone.body import BODY, DRONE_MASS, INERTIA, STANDING_HEIGHT
 from housefly.twin.ardrone.inner_loops import Wrench
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
 from housefly.twin.contracts import AWAY_Z
+from housefly.twin.disturbance import Payload
+from housefly.twin.external_forces import ExternalForce
 from housefly.twin.movable import AWAY_POSE, MOVABLE_PREFIX, Movable
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.people.bodies import PERSON_PREFIX
@@ -56,9 +58,7 @@ class Physics:
         self._qvel = self.data.qvel[joint : joint + 6]
         self._qacc = self.data.qacc[joint : joint + 6]
         self._force = self.data.qfrc_applied[joint : joint + 6]
-        self._floors = frozenset(
-            np.flatnonzero(self.model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE).tolist()
-        )
+        self.floors = frozenset({int(self.model.geom("floor").id)})
         self.visitor_id: int = mujoco.mj_name2id(
             self.model, mujoco.mjtObj.mjOBJ_BODY, _VISITOR_BODY
         )
@@ -81,12 +81,30 @@ class Physics:
         ax, ay, az = self._qacc[:3].tolist()
         return BodyState((x, y, z), (qw, qx, qy, qz), (vx, vy, vz), (ax, ay, az), (p, q, r))
 
-    def advance(self, wrench: Wrench, body: BodyState) -> None:
-        """Hold thrust and torques for one control period."""
+    def advance(
+        self, wrench: Wrench, body: BodyState, external: ExternalForce | None = None
+    ) -> None:
+        """Hold thrust and torques, and what else pushes, for one control period."""
         lift = wrench.thrust * _near_floor(body.position[2])
         self._force[:3] = rotate(body.orientation, (0.0, 0.0, lift))
         self._force[3:] = wrench[1:]
+        if external is not None:
+            self._force[:3] += external.force
+            self._force[3:] += external.torque
         mujoco.mj_step(self.model, self.data, _SUBSTEPS)
+
+    def load(self, payload: Payload | None) -> None:
+        """Carry a load from now on, or none.
+
+        Its mass weighs and resists at the drone's centre of mass, its distance adds to the moments
+        of inertia; products of inertia are left out. The torque of its weight is an external one.
+        """
+        mass, offset = (payload.mass, payload.offset) if payload else (0.0, (0.0, 0.0, 0.0))
+        square = sum(part * part for part in offset)
+        self.model.body_mass[self.drone_id] = DRONE_MASS + mass
+        self.model.body_inertia[self.drone_id] = [
+            own + mass * (square - part * part) for own, part in zip(INERTIA, offset, strict=True)
+        ]
 
     def contacts(self) -> int:
         """Return at how many points the drone touches something other than the floor."""
@@ -97,9 +115,7 @@ class Physics:
         bodies = self.model.geom_bodyid[pairs]
         touching = (bodies == self.drone_id).any(axis=1)
         return sum(
-            1
-            for a, b in pairs[touching].tolist()
-            if a not in self._floors and b not in self._floors
+            1 for a, b in pairs[touching].tolist() if a not in self.floors and b not in self.floors
         )
 
     def place(self, position: Vec3, orientation: Quaternion) -> None:
@@ -118,12 +134,16 @@ class Physics:
         mujoco.mj_kinematics(self.model, self.data)
 
     def set_people(self, poses: tuple[Pose, ...]) -> None:
-        """Move the people, in the order of the script; sight and touch follow with a step."""
+        """Move the people, in the order of their scripts; sight and touch follow with a step."""
         for number, pose in zip(self._people, poses, strict=True):
             self.data.mocap_pos[number], self.data.mocap_quat[number] = (
                 pose.position,
                 pose.orientation,
             )
+
+    def show(self) -> None:
+        """Let rays meet whatever was moved since the last step."""
+        mujoco.mj_kinematics(self.model, self.data)
 
     def put(self, name: str, place: Vec2 | None, yaw: float) -> None:
         """Stand a movable thing on the floor [m], turned by yaw [rad]; None removes it."""
@@ -139,6 +159,10 @@ class Physics:
         x, y, z = self.data.mocap_pos[number].tolist()
         qw, qx, qy, qz = self.data.mocap_quat[number].tolist()
         return body, Pose((x, y, z), (qw, qx, qy, qz)) if z > AWAY_Z / 2 else None
+
+    def person_id(self, name: str) -> int:
+        """Return the body id of somebody."""
+        return int(self.model.body(f"{PERSON_PREFIX}{name}").id)
 
     def visitor_pose(self) -> Pose | None:
         """Return where the visitor stands now; None in a room without one."""

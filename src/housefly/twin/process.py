@@ -1,7 +1,7 @@
 """The twin as one process: the simulated room in real time behind the real ports.
 
 ``kill -USR1`` makes the visitor come or go. Of the true state, only pictures and tracked poses
-leave this process.
+leave this process, and a file for the summary if that is asked for.
 """
 
 from __future__ import annotations
@@ -24,13 +24,17 @@ from housefly.room.model import Room
 from housefly.twin.address import check_address
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.camera.process import CameraProcess
+from housefly.twin.faults.faulty_devices import FaultyDevices
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.vocabulary import Injection
+from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.sensors.depth_feed import DepthFeed
-from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.twin.sensors.laser_feed import LaserFeed
 from housefly.twin.sensors.mqtt_publisher import MqttPublisher
+from housefly.twin.truth_log import TruthLog
 from housefly.twin.world import SimulatedWorld
 
 
@@ -43,9 +47,11 @@ class Twin:
         beyond_loopback: allow addresses that other machines can reach.
         scene: the people and things that move; its devices speak when the site names a broker.
         bus: where the site's depth cameras send their images; None sends none.
+        truth_file: where the true course of the flight goes; None writes none.
 
     Raises:
-        ConfigError: an address that is not loopback, without ``beyond_loopback``.
+        ConfigError: an address that is not loopback, without ``beyond_loopback``; a fault of the
+            site that cannot be made on wires.
     """
 
     def __init__(
@@ -55,21 +61,30 @@ class Twin:
         beyond_loopback: bool = False,
         scene: Scene | None = None,
         bus: Bus | None = None,
+        truth_file: Path | None = None,
     ) -> None:
         check_address("tracking.address", site.tracking.address, beyond_loopback)
         if scene is not None and site.mqtt.broker:
             check_address("mqtt.broker", site.mqtt.broker, beyond_loopback)
         self._site = site
-        self._world = SimulatedWorld(site, room, scene)
+        self._faults = FaultInjector(site, Injection.WIRES)
+        self._world = SimulatedWorld(site, room, scene, self._faults.movables, self._faults.people)
+        clock = RealClock()
+        self._truth = TruthLog(self._world, truth_file, clock.now) if truth_file else None
         self._time = RealTimeRunner(self._world, RealClock())
         self._drone = ArDroneServer(
-            self._world, site.drone.address, beyond_loopback=beyond_loopback
+            self._world,
+            site.drone.address,
+            beyond_loopback=beyond_loopback,
+            filters=faulty_links(self._faults, self._now),
         )
         self._tracking = tracking_servers(site)
-        self._lasers = LaserFeed(site, self._world, beyond_loopback)
-        self._depth = DepthFeed(site, self._world, bus, RealClock()) if bus else None
+        self._lasers = LaserFeed(site, self._world, beyond_loopback, self._faults)
+        self._depth = DepthFeed(site, self._world, bus, clock, self._faults) if bus else None
         self._camera = (
-            CameraProcess(site, room, scene.script.people if scene else ())
+            CameraProcess(
+                site, room, (*(scene.script.people if scene else ()), *self._faults.people)
+            )
             if site.twin.video
             else None
         )
@@ -79,6 +94,8 @@ class Twin:
     async def run(self) -> None:
         """Serve until cancelled; raises LinkError when a port cannot be had."""
         async with contextlib.AsyncExitStack() as open_parts:
+            if self._truth is not None:
+                open_parts.callback(self._truth.close)
             open_parts.push_async_callback(self._drone.stop)
             await self._drone.start()
             for server in self._tracking:
@@ -86,10 +103,12 @@ class Twin:
                 await server.start()
             open_parts.push_async_callback(self._lasers.stop)
             await self._lasers.start()
-            work = [self._time.run(self._publish_frames)]
+            work = [self._time.run(self._after_step)]
             if self._camera is not None:
                 open_parts.callback(self._camera.close)
-                self._camera.on_picture(self._drone.publish)
+                self._camera.on_picture(
+                    faulty_pictures(self._faults, self._now, self._drone.publish)
+                )
                 self._camera.start()
                 work.append(self._film(self._camera))
             if self._devices is not None:
@@ -125,21 +144,28 @@ class Twin:
         depth = "".join(
             f", {camera.name} on the bus" for camera in self._site.depth_cameras if self._depth
         )
+        faults = "".join(f"; made to fail: {fault}" for fault in self._faults.schedule.faults)
         return (
             f"twin ready: drone at {drone.address}, tracking at {places}, video"
-            f" {video}{scanners}{depth}"
+            f" {video}{scanners}{depth}{faults}"
         )
 
     def _device_link(self, scene: Scene) -> MqttPublisher:
         return MqttPublisher(
             self._site.mqtt,
-            SimulatedDevices(scene, self._site.mqtt.site),
-            lambda: self._world.now,
+            FaultyDevices(scene, self._site.mqtt.site, self._faults),
+            self._now,
             lambda line: print(f"twin: {line}", flush=True),
         )
 
-    def _publish_frames(self) -> None:
-        for frame in self._world.mocap_frames():
+    def _now(self) -> float:
+        return self._world.now
+
+    def _after_step(self) -> None:
+        self._faults.act_on(self._world)
+        if self._truth is not None:
+            self._truth.sample()
+        for frame in self._faults.frames(self._world.mocap_frames(), self._world.now):
             for server in self._tracking:
                 server.publish(frame)
         self._lasers.publish()
@@ -182,6 +208,7 @@ async def run_twin(
     beyond_loopback: bool = False,
     scene: Scene | None = None,
     bus: Bus | None = None,
+    truth_file: Path | None = None,
 ) -> None:
     """Serve the simulated room until SIGTERM, SIGINT or cancellation.
 
@@ -189,7 +216,7 @@ async def run_twin(
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
         LinkError: a port that cannot be had.
     """
-    twin = Twin(site, room, beyond_loopback, scene, bus)
+    twin = Twin(site, room, beyond_loopback, scene, bus, truth_file)
     serving = asyncio.create_task(twin.run())
     loop = asyncio.get_running_loop()
     loop.add_signal_handler(signal.SIGUSR1, twin.toggle_visitor)
@@ -214,7 +241,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--bus",
         default="",
-        help="zenoh endpoint that depth images are sent to, for example tcp/127.0.0.1:7447",
+        help="zenoh endpoint that depth images are sent to, unixsock-stream/PATH",
+    )
+    parser.add_argument(
+        "--truth", type=Path, help="file for the true course of the flight, for its summary"
     )
     options = parser.parse_args(argv)
     try:
@@ -223,7 +253,14 @@ def main(argv: Sequence[str] | None = None) -> int:
         scene = load_scene(site.twin.scene, options.site.parent) if site.twin.scene else None
         with ZenohBus(connect=options.bus) if options.bus else contextlib.nullcontext() as bus:
             asyncio.run(
-                run_twin(site, room, beyond_loopback=options.beyond_loopback, scene=scene, bus=bus)
+                run_twin(
+                    site,
+                    room,
+                    beyond_loopback=options.beyond_loopback,
+                    scene=scene,
+                    bus=bus,
+                    truth_file=options.truth,
+                )
             )
     except HouseflyError as error:
         print(f"twin: {error}", file=sys.stderr)

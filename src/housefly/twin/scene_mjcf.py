@@ -10,6 +10,9 @@ from housefly.twin.movable import Movable, movable_body
 from housefly.twin.people.bodies import people_bodies
 from housefly.twin.people.script import PersonScript
 
+CEILING = "solid ceiling"
+"""Name of the geom that stops the drone below the ceiling; no ray and no camera sees it."""
+
 
 def scene_mjcf(
     site: Site,
@@ -25,6 +28,15 @@ def scene_mjcf(
     return room_to_mjcf(
         room,
         bodies=drone
+        + _ceiling(room)
         + people_bodies(people)
         + "".join(movable_body(movable) for movable in movables),
+    )
+
+
+def _ceiling(room: Room) -> str:
+    """Return a plane that looks down and can be touched; the room's own is only painted."""
+    return (
+        f'<geom name="{CEILING}" type="plane" pos="0 0 {room.height:.9g}" size="0 0 1"'
+        ' quat="0 1 0 0" rgba="0 0 0 0"/>'
     )

@@ -13,15 +13,18 @@ from collections.abc import Callable
 import numpy as np
 
 from housefly.config.site import Site
-from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, rotate
+from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler
 from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
-from housefly.twin.ardrone.battery import Battery
-from housefly.twin.ardrone.body import DRONE_MARKERS, DRONE_MASS, MOTOR_ARM, STANDING_HEIGHT
+from housefly.twin.ardrone.battery import Battery, BatteryGauge
+from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
 from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
-from housefly.twin.ardrone.inner_loops import MOTORS_OFF, THRUST_MAX, Wrench
+from housefly.twin.ardrone.inner_loops import MOTORS_OFF, Wrench
+from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, OnboardSensors
+from housefly.twin.clearance import Clearance
+from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import (
     FlightState,
     GroundTruth,
@@ -29,15 +32,22 @@ from housefly.twin.contracts import (
     OnboardLimits,
     OnboardState,
 )
+from housefly.twin.disturbance import Disturbances, SensorCondition
+from housefly.twin.disturbed_drone import DisturbedDrone
+from housefly.twin.encounters import Encounters
+from housefly.twin.marked_bodies import MarkedBodies
 from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.mocap.frames import FrameMaker
-from housefly.twin.movable import Movable, marker_positions, movable_furniture
+from housefly.twin.movable import Movable, movable_furniture
 from housefly.twin.people import Scene
 from housefly.twin.people.scene_player import ScenePlayer
+from housefly.twin.people.script import PersonScript
+from housefly.twin.people.state import PersonState, Posture
 from housefly.twin.people.visitor import Visitor
 from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
+from housefly.twin.sonar_beam import SonarBeam
 from housefly.wires.ardrone.conversions import Stick
 
 _WEIGHT = DRONE_MASS * GRAVITY
@@ -52,28 +62,36 @@ class SimulatedWorld:
         scene: the people in it; its time is the world's.
         movables: things that no map shows; out of the building until ``put``. Furniture that the
             site's tracking system sees can be moved too, by the names of its bodies.
+        people: people without a scene, away until ``put_person``; their steps are not played.
     """
 
     def __init__(
-        self, site: Site, room: Room, scene: Scene | None = None, movables: tuple[Movable, ...] = ()
+        self,
+        site: Site,
+        room: Room,
+        scene: Scene | None = None,
+        movables: tuple[Movable, ...] = (),
+        people: tuple[PersonScript, ...] = (),
     ) -> None:
         sensing, tracking = (
             np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2)
         )
-        self._site, self._room = site, room
+        self._room = room
         self._delay = site.twin.command_delay
         movables = (*movables, *movable_furniture(site, room))
         self._physics = Physics(
-            site, untracked(room, site), scene.script.people if scene else (), movables
+            site,
+            untracked(room, site),
+            (*(scene.script.people if scene else ()), *people),
+            movables,
         )
-        self._sensors = OnboardSensors(sensing)
+        self._sensors = OnboardSensors(sensing, SonarBeam(self._physics).height)
         self._firmware = Firmware(site.drone)
         self._battery = Battery(site.twin.battery)
-        self._cameras = MocapCameras(room.cameras, self._physics.model, self._physics.data)
+        self._gauge = BatteryGauge(self._battery)
+        cameras = MocapCameras(room.cameras, self._physics.model, self._physics.data)
         self._frames = FrameMaker(site, tracking)
-        marked = {piece.body for piece in site.furniture}
-        self._marked = tuple(movable for movable in movables if movable.name in marked)
-        self._visitor = Visitor(self._physics, self._cameras)
+        self._visitor = Visitor(self._physics, cameras)
         self._scanners = {
             laser.name: Scanner(laser, site.twin, n, self._physics)
             for n, laser in enumerate(site.lasers)
@@ -83,6 +101,7 @@ class SimulatedWorld:
             camera.name: DepthCamera(camera, seed, n, self._physics)
             for n, camera in enumerate(site.depth_cameras)
         }
+        self._disturbed = DisturbedDrone(site, self._physics, self._battery)
         self._delayed: deque[tuple[float, Callable[[], None]]] = deque()
         self._now = 0.0
         self._ticks = 0
@@ -91,7 +110,11 @@ class SimulatedWorld:
         self._body = self._physics.state()
         self._measured = self._sensors.read(self._body)
         self.set_visitor(site.twin.visitor_present)
-        self._stage = ScenePlayer(scene, self._physics, self._visitor) if scene else None
+        self._stage = ScenePlayer(scene, people, self._physics, self._visitor)
+        self._marked = MarkedBodies(
+            site, self._physics, cameras, self._visitor, movables, self._stage
+        )
+        self._encounters = Encounters(site, room, self._physics, self._stage.motion)
 
     @property
     def now(self) -> float:
@@ -143,11 +166,52 @@ class SimulatedWorld:
 
     def people(self) -> tuple[Pose, ...]:
         """Return the poses of the bodies of the scene's people, in its order."""
-        return self._stage.poses if self._stage else ()
+        return self._stage.poses
+
+    def put_person(
+        self,
+        name: str,
+        place: Vec2 | None,
+        yaw: float = 0.0,
+        posture: Posture = Posture.STANDING,
+        support: float = 0.0,
+    ) -> None:
+        """Put somebody somewhere; from now on they no longer follow their scene.
+
+        Args:
+            name: of somebody of the scene or of ``people``.
+            place: feet of who stands, seat of who sits, middle of who lies [m]; None for away.
+            yaw: where they face; from feet to head of who lies [rad].
+            posture: how they are there.
+            support: height of what carries them: 0 on the floor, the seat, the mattress [m].
+
+        Raises:
+            ConfigError: nobody has this name.
+        """
+        where, how = ((0.0, 0.0), Posture.AWAY) if place is None else (place, posture)
+        self._stage.put(PersonState(name, where, yaw, support, how), self._now)
 
     def put(self, name: str, place: Vec2 | None, yaw: float = 0.0) -> None:
         """Stand a movable thing on the floor [m], turned by yaw [rad]; None removes it."""
         self._physics.put(name, place, yaw)
+
+    @property
+    def disturbances(self) -> Disturbances:
+        """What disturbs the drone now."""
+        return self._disturbed.by
+
+    def disturb(self, disturbances: Disturbances) -> None:
+        """Replace all disturbances, from the next control period on."""
+        self._disturbed.by = disturbances
+
+    @property
+    def contact_log(self) -> tuple[Contact, ...]:
+        """What the drone touched so far, other than the floor, in order of time."""
+        return self._encounters.contacts
+
+    def clearance(self) -> Clearance:
+        """Return how far the hull is now from solids and people [m]."""
+        return self._encounters.clearance(self._ticks)
 
     def scan(self, laser: str) -> tuple[int, ...]:
         """Return what a scanner of the site measures now, one distance a beam [mm]."""
@@ -177,8 +241,8 @@ class SimulatedWorld:
         return OnboardState(
             at=self._ticks * CONTROL_PERIOD,
             flight=firmware.flight,
-            battery=self._battery.charge,
-            battery_voltage=self._battery.voltage,
+            battery=self._gauge.charge,
+            battery_voltage=self._gauge.voltage,
             phi=measured.phi,
             theta=measured.theta,
             psi=measured.psi,
@@ -192,6 +256,7 @@ class SimulatedWorld:
             com_lost=firmware.com_lost,
             angles_out_of_range=firmware.tilted,
             motors_problem=not firmware.powered,
+            ultrasound_deaf=self.disturbances.sensors.sonar is SensorCondition.OFF,
         )
 
     def put_drone(self, position: Vec3 | None = None, yaw: float | None = None) -> None:
@@ -213,54 +278,22 @@ class SimulatedWorld:
         began = self._ticks * CONTROL_PERIOD
         while self._delayed and self._delayed[0][0] <= began + _ROUNDING:
             self._delayed.popleft()[1]()
-        self._measured = self._sensors.read(self._body)
-        self._wrench = self._firmware.step(
-            self._measured, self._battery.voltage, began - self._heard_at
+        before = self._body
+        self._measured = self._disturbed.sense(
+            self._sensors.read(before), self._wrench.thrust > 0.0
         )
-        if self._stage is not None:
-            self._stage.play(self._ticks, began)
-        self._physics.advance(self._wrench, self._body)
+        self._wrench = self._firmware.step(
+            self._measured, self._gauge.voltage, began - self._heard_at
+        )
+        self._stage.play(self._ticks, began)
+        self._disturbed.advance(self._wrench, before)
         self._battery.drain(CONTROL_PERIOD, self._wrench.thrust / _WEIGHT)
+        self._gauge.read(self._disturbed.by)
         self._body = self._physics.state()
         self._ticks += 1
+        self._encounters.look(self._ticks, before, self._wrench.thrust > 0.0)
         if self._frames.is_due(self._ticks * CONTROL_PERIOD):
-            self._expose(self._ticks * CONTROL_PERIOD)
-
-    def _expose(self, now: float) -> None:
-        body, tracking = self._body, self._site.tracking
-        markers = (
-            np.array([rotate(body.orientation, marker) for marker in DRONE_MARKERS]) + body.position
-        )
-        seen = self._cameras.see(markers, self._physics.drone_id)
-        drone = Pose(body.position, body.orientation) if seen else None
-        things = tuple((movable.name, self._seen(movable)) for movable in self._marked)
-        self._frames.expose(
-            now, ((tracking.body, drone), (tracking.visitor, self._visitor.seen), *things)
-        )
-
-    def _seen(self, movable: Movable) -> Pose | None:
-        body, pose = self._physics.movable(movable.name)
-        return (
-            pose
-            if pose is not None and self._cameras.see(marker_positions(movable, pose), body)
-            else None
-        )
+            self._frames.expose(self._ticks * CONTROL_PERIOD, self._marked.seen(self._body))
 
 
 _ROUNDING = 1e-9
-
-
-def motor_duties(wrench: Wrench) -> tuple[float, float, float, float]:
-    """Return the duty cycles of the four motors, clockwise from front left, 0 to 1."""
-    if wrench.thrust <= 0.0:
-        return 0.0, 0.0, 0.0, 0.0
-    lift, roll, pitch = (
-        wrench.thrust / 4,
-        wrench.roll / (4 * MOTOR_ARM),
-        wrench.pitch / (4 * MOTOR_ARM),
-    )
-    forces = (lift + roll - pitch, lift - roll - pitch, lift - roll + pitch, lift + roll + pitch)
-    front_left, front_right, rear_right, rear_left = (
-        min(max(4 * force / THRUST_MAX, 0.0), 1.0) for force in forces
-    )
-    return front_left, front_right, rear_right, rear_left

@@ -14,6 +14,7 @@ from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, RoomView
 from housefly.messages import OrderKind, Severity
+from housefly.web.audit_log import AuditLog
 from housefly.web.lease import Lease
 from housefly.web.orders import ORDERS_WITHOUT_CONTROL, order_in_words, order_objection, to_order
 from housefly.web.pilot_link import PilotLink
@@ -38,13 +39,14 @@ from housefly.web.protocol import (
     Welcome,
     to_text,
 )
+from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.state_feed import StateFeed, on_the_ground
 from housefly.web.viewer import Viewer
 
 _LOG = logging.getLogger(__name__)
 
-_MAX_VIEWERS = 32
+_MAX_TABS = 10_000
 _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
 _PILOT_TIMEOUT = 2.0
@@ -58,11 +60,19 @@ _CLOSE_OPENED_ELSEWHERE = 4001
 class Console:
     """All open browsers of one drone; everything happens on one asyncio loop."""
 
-    def __init__(self, feed: StateFeed, link: PilotLink, auth: SessionAuth, clock: Clock) -> None:
+    def __init__(
+        self,
+        feed: StateFeed,
+        link: PilotLink,
+        auth: SessionAuth,
+        clock: Clock,
+        audit: AuditLog | None = None,
+    ) -> None:
         self.feed, self.link, self.lease = feed, link, Lease()
         self.room: RoomView | None = None
         self.viewers: set[Viewer] = set()
-        self._auth, self._clock = auth, clock
+        self.seats = Seats()
+        self._auth, self._clock, self._audit_log = auth, clock, audit
         self._stopped_at = float("-inf")
         self._numbers: dict[str, int] = {}
         self._tasks: set[asyncio.Task[None]] = set()
@@ -78,13 +88,6 @@ class Console:
 
     # --- sockets
 
-    def add_viewer(self, viewer: Viewer) -> bool:
-        """Add a new socket; returns False when there are too many."""
-        if len(self.viewers) >= _MAX_VIEWERS:
-            return False
-        self.viewers.add(viewer)
-        return True
-
     def remove_viewer(self, viewer: Viewer) -> None:
         """Forget a closed socket; its tab keeps control until the lease expires."""
         self.viewers.discard(viewer)
@@ -92,6 +95,9 @@ class Console:
 
     def receive(self, viewer: Viewer, text: str) -> None:
         """Do what a browser's message asks, or answer why not."""
+        if viewer.limiter.is_empty(self._clock.now()) and not _may_be_unlimited(text):
+            self._within_rate(viewer)
+            return
         try:
             message = CLIENT_MESSAGE.validate_json(text)
         except ValidationError as error:
@@ -142,6 +148,7 @@ class Console:
     def announce(self, words: str) -> None:
         """Put a line into everybody's event log."""
         _LOG.info("%s", words)
+        self._record("", "", words)
         self.feed.log_event(Severity.INFO, "room", words)
 
     # --- messages
@@ -157,6 +164,9 @@ class Console:
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
         number = self._numbers.get(message.tab)
+        if number is None and len(self._numbers) >= _MAX_TABS:
+            viewer.close(1013, "too many tabs since the console started")
+            return
         for other in self.viewers:
             if other is not viewer and other.present and other.number == number:
                 other.number = 0
@@ -179,24 +189,25 @@ class Console:
         viewer.send(PongReply(message.sent, self._clock.now()))
 
     def _stop(self, viewer: Viewer, message: StopRequest) -> None:
-        self.stop(viewer.name)
+        self.stop(viewer.name, viewer.session)
         viewer.send(AcceptedReply(message.id))
 
-    def stop(self, sender: str) -> None:
+    def stop(self, sender: str, session: str = "") -> None:
         """Send STOP; a key held down makes one line of the log, not hundreds."""
         self.link.stop(sender)
         now = self._clock.now()
         if now - self._stopped_at > _STOP_LOG_PERIOD:
-            self._audit(sender, "STOP")
+            self._audit(sender, "STOP", session)
         self._stopped_at = now
 
     def _order(self, viewer: Viewer, message: OrderRequest) -> None:
         if message.order is OrderKind.STOP:
             self._stop(viewer, StopRequest("stop", message.id))
         elif reason := self._order_objection(viewer, message):
+            self._record(viewer.name, viewer.session, f"{message.order.value} refused: {reason}")
             viewer.send(RefusedReply(message.id, reason))
         else:
-            self._audit(viewer.name, order_in_words(message))
+            self._audit(viewer.name, order_in_words(message), viewer.session)
             sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
             self._start(self._confirm(viewer, message.id, sent))
 
@@ -253,11 +264,13 @@ class Console:
         if problem:
             viewer.send(RefusedReply(message.id, problem))
             return
+        self._record(viewer.name, viewer.session, words)
         self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
         viewer.send(AcceptedReply(message.id))
         self.broadcast_viewers()
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
+        self._record(viewer.name, viewer.session, "made a one-time link")
         viewer.send(InviteReply(message.id, f"/?token={self._auth.invite()}"))
 
     # --- helpers
@@ -273,17 +286,27 @@ class Console:
                 return viewer.name
         return f"Viewer {number}"
 
-    def _audit(self, sender: str, words: str) -> None:
+    def _audit(self, sender: str, words: str, session: str) -> None:
         """Log who asked for what; the pilot adds it to the event log unless it is silent."""
         _LOG.info("%s: %s", sender, words)
+        self._record(sender, session, words)
         if self.feed.age > _PILOT_TIMEOUT:
             text = f"{sender}: {words}, but the pilot is not heard"
             self.feed.log_event(Severity.WARNING, "order", text)
+
+    def _record(self, who: str, session: str, what: str) -> None:
+        if self._audit_log is not None:
+            self._audit_log.record(who, session, what)
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+
+
+def _may_be_unlimited(text: str) -> bool:
+    """Return whether a message is worth reading although its sender sent too much."""
+    return '"stop"' in text or '"land"' in text
 
 
 def _is_unlimited(message: Any) -> bool:

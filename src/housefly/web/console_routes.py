@@ -11,7 +11,7 @@ from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.console import Console
-from housefly.web.session_auth import SessionAuth
+from housefly.web.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.viewer import Viewer
 
 
@@ -20,24 +20,40 @@ def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:
 
     async def socket(websocket: WebSocket) -> None:
         if await auth.admit(websocket):
-            await _serve(websocket, console)
+            with console.seats.taken(auth.session_of(websocket)) as seated:
+                await _serve(websocket, console, auth.session_of(websocket), seated=seated)
 
     async def stop(request: Request) -> Response:
         if not auth.is_own_page(request):
             return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
-        console.stop("a browser without a socket")
+        console.stop("a browser without a socket", auth.session_of(request))
         return JSONResponse({"stopped": True})
 
     return [WebSocketRoute("/socket", socket), Route("/stop", stop, methods=["POST"])]
 
 
-async def _serve(websocket: WebSocket, console: Console) -> None:
+HELLO_TIMEOUT = 10.0
+"""A socket that has not said hello by then [s] is closed."""
+
+
+_READ_AT_ONCE, _FLOOD_PAUSE = 20, 0.02
+"""After so many refused messages a socket is not read for a moment [s]."""
+
+
+def _expect_hello(viewer: Viewer) -> None:
+    if not viewer.present:
+        viewer.close(1008, "a browser says hello first")
+
+
+async def _serve(websocket: WebSocket, console: Console, session: str, *, seated: bool) -> None:
     """Carry messages both ways until either side leaves."""
-    viewer = Viewer(websocket)
-    await websocket.accept()
-    if not console.add_viewer(viewer):
-        await websocket.close(1013, "too many viewers")
+    if not seated:
+        await websocket.close(1013, "too many viewers, in all or of this browser")
         return
+    viewer = Viewer(websocket, session)
+    await websocket.accept(chosen_subprotocol(websocket))
+    console.viewers.add(viewer)
+    hello = asyncio.get_running_loop().call_later(HELLO_TIMEOUT, _expect_hello, viewer)
     writer = asyncio.create_task(viewer.write())
     try:
         # The writer ends when the console closes this viewer; reading ends with it.
@@ -46,7 +62,12 @@ async def _serve(websocket: WebSocket, console: Console) -> None:
             if message["type"] == "websocket.disconnect":
                 break
             console.receive(viewer, message.get("text") or "")
+            # Messages that wait in a queue are taken without waiting: others must have their turn.
+            # Whoever sends too much is read slowly, so that the network holds it back.
+            slow = viewer.limiter.refused % _READ_AT_ONCE == _READ_AT_ONCE - 1
+            await asyncio.sleep(_FLOOD_PAUSE if slow else 0.0)
     finally:
+        hello.cancel()
         console.remove_viewer(viewer)
         writer.cancel()
         with suppress(asyncio.CancelledError, WebSocketDisconnect, RuntimeError):

@@ -16,18 +16,28 @@ from av.video.codeccontext import VideoCodecContext
 from PIL import Image
 from starlette.responses import StreamingResponse
 
+from housefly.web.seats import Seats
 from housefly.web.video import FRAME_HEADER, VideoRelay
 
 _BOUNDARY = "picture"
 _JPEG_QUALITY = 75
 
 
-def mjpeg_response(video: VideoRelay) -> StreamingResponse:
-    """Answer with pictures until the browser leaves."""
+def mjpeg_response(video: VideoRelay, seats: Seats, session: str) -> StreamingResponse:
+    """Answer with pictures until the browser leaves; with none when it has no seat."""
     kind = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
     return StreamingResponse(
-        _pictures(video), media_type=kind, headers={"cache-control": "no-store"}
+        _seated_pictures(video, seats, session),
+        media_type=kind,
+        headers={"cache-control": "no-store"},
     )
+
+
+async def _seated_pictures(video: VideoRelay, seats: Seats, session: str) -> AsyncIterator[bytes]:
+    with seats.taken(session) as seated:
+        if seated:
+            async for picture in _pictures(video):
+                yield picture
 
 
 async def _pictures(video: VideoRelay) -> AsyncIterator[bytes]:

@@ -21,7 +21,7 @@ def page_routes(auth: SessionAuth) -> list[BaseRoute]:
     async def index(request: Request) -> Response:
         if (offered := request.query_params.get("token")) is not None:
             return _open_session(request, auth, offered)
-        if not auth.has_session(request):
+        if not auth.cookie_session(request):
             return no_session()
         return FileResponse(STATIC_FOLDER / "index.html", headers={"cache-control": "no-store"})
 
@@ -29,13 +29,13 @@ def page_routes(auth: SessionAuth) -> list[BaseRoute]:
 
 
 def _open_session(request: Request, auth: SessionAuth, token: str) -> Response:
-    if auth.has_session(request):
-        # Reloading the printed address in a browser with a session must not use up a link.
-        return RedirectResponse("/", 303)
     session = auth.redeem(token)
     if session is None:
-        return link_used()
-    answer = RedirectResponse("/", 303, headers={"cache-control": "no-store"})
+        # Reloading the printed address in a browser with a session shows the console again.
+        return RedirectResponse("/", 303) if auth.cookie_session(request) else link_used()
+    # What stands behind the # never leaves the browser; the page keeps it for its own origin.
+    proof = auth.proof(session.partition(".")[0])
+    answer = RedirectResponse(f"/#proof={proof}", 303, headers={"cache-control": "no-store"})
     secure = request.url.scheme == "https"
     answer.set_cookie(
         cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
 from housefly.bus.topics import ORDER_TOPIC, PLAN_QUERY, ROOM_QUERY
@@ -31,6 +31,7 @@ class PilotLink:
         self._bus, self._stop, self._clock = bus, stop, clock
         self._orders = ThreadPoolExecutor(1, "orders")
         self._questions = ThreadPoolExecutor(2, "questions")
+        self._stopping: Future[str] | None = None
 
     def stop(self, sender: str) -> None:
         """Send STOP on its own path before anything else, then over the bus as well."""
@@ -38,9 +39,9 @@ class PilotLink:
             self._stop()
         except (OSError, HouseflyError):
             _LOG.exception("the STOP path failed; STOP goes over the bus alone")
-        self._orders.submit(
-            self._publish, Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender)
-        )
+        if self._stopping is None or self._stopping.done():  # a key held down fills no queue
+            order = Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender)
+            self._stopping = self._orders.submit(self._publish, order)
 
     def send(self, order: Order) -> asyncio.Future[str]:
         """Publish an order after earlier ones; the future holds "" or what went wrong."""

@@ -24,7 +24,7 @@ from types import FrameType
 import uvicorn
 from starlette.applications import Starlette
 
-from housefly.bus.stop import StopSender
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
 from housefly.config.site import Site, site_from_file
@@ -32,6 +32,8 @@ from housefly.config.state import edits_folder
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
+from housefly.web.audit_log import AuditLog
+from housefly.web.connections import ConnectionLimiter, limited_protocol
 from housefly.web.coverage_layer import coverage_view
 from housefly.web.edit_service import EditService
 from housefly.web.security import LOOPBACK_NAMES, check_bind
@@ -41,6 +43,12 @@ _LOG = logging.getLogger(__name__)
 
 _MAX_MESSAGE_SIZE = 16 * 1024
 """Largest message that a browser may send [bytes]."""
+_PING_PERIOD = 10.0
+"""A browser that neither reads nor answers for twice this long [s] is cut."""
+_ACCEPTED_AT_ONCE = 8
+"""Connections accepted in one turn of the loop; the rest waits, so that STOP does not."""
+_BACKLOG = 512
+"""Connections that may wait for it."""
 _WILDCARD_ADDRESSES = frozenset({"0.0.0.0", "::"})
 
 
@@ -117,6 +125,7 @@ async def run_web(
             edits=EditService(
                 lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))
             ),
+            audit=AuditLog(edits_folder(site).with_name("commands.jsonl")),
         )
         address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
         # Later collections skip what lives for the whole run, so that nobody waits for them.
@@ -127,17 +136,29 @@ async def run_web(
 
 def make_server(app: Starlette) -> uvicorn.Server:
     """Return the HTTP server; it exits within a second even while browsers are connected."""
-    return uvicorn.Server(
+    return _Server(
         uvicorn.Config(
             app,
             log_level="warning",
             access_log=False,
             server_header=False,
+            http=limited_protocol(ConnectionLimiter()),
+            ws="websockets-sansio",
             ws_max_size=_MAX_MESSAGE_SIZE,
+            ws_ping_interval=_PING_PERIOD,
+            ws_ping_timeout=_PING_PERIOD,
+            backlog=_ACCEPTED_AT_ONCE,
             ws_per_message_deflate=False,
             timeout_graceful_shutdown=1,
         )
     )
+
+
+class _Server(uvicorn.Server):
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        for listener in sockets or ():
+            listener.listen(_BACKLOG)  # asyncio takes one number for both
 
 
 def _exit(number: int, frame: FrameType | None) -> None:
@@ -185,7 +206,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--site", type=Path, required=True, help="site file")
     parser.add_argument(
-        "--bus", required=True, help="zenoh endpoint of the pilot, for example tcp/127.0.0.1:7447"
+        "--bus", required=True, help="zenoh endpoint of the pilot, unixsock-stream/PATH"
     )
     parser.add_argument("--host", help="address to listen on instead of the site's")
     parser.add_argument(

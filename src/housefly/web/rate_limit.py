@@ -12,25 +12,34 @@ COMMAND_BURST = 40.0
 
 @dataclass(slots=True)
 class CommandLimiter:
-    """A token bucket: fills at ``COMMAND_RATE`` up to ``COMMAND_BURST``.
+    """A token bucket.
 
     Attributes:
         tokens: commands that may pass now.
         at: when ``tokens`` was last updated [s].
-        refused: commands refused since one last passed.
+        refused: commands refused since the bucket was last half full.
+        rate: tokens a second.
+        burst: most tokens.
     """
 
     tokens: float = COMMAND_BURST
     at: float = 0.0
     refused: int = 0
+    rate: float = COMMAND_RATE
+    burst: float = COMMAND_BURST
+
+    def is_empty(self, now: float) -> bool:
+        """Return whether nothing would pass at the time [s]."""
+        return self.tokens + self.rate * max(0.0, now - self.at) < 1.0
 
     def spend(self, now: float) -> bool:
         """Take one token at the time [s]; returns False when there is none."""
-        self.tokens = min(COMMAND_BURST, self.tokens + COMMAND_RATE * max(0.0, now - self.at))
+        self.tokens = min(self.burst, self.tokens + self.rate * max(0.0, now - self.at))
         self.at = now
+        if self.tokens >= self.burst / 2.0:
+            self.refused = 0
         if self.tokens < 1.0:
             self.refused += 1
             return False
         self.tokens -= 1.0
-        self.refused = 0
         return True

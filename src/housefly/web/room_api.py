@@ -28,7 +28,8 @@ from housefly.hub.api.questions import Question
 from housefly.messages import RoomNews
 from housefly.web.responses import error_response, json_response
 from housefly.web.room_openapi import openapi_document
-from housefly.web.session_auth import SessionAuth, same_origin
+from housefly.web.seats import Seats
+from housefly.web.session_auth import SessionAuth, chosen_subprotocol, same_origin
 
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
@@ -48,6 +49,7 @@ class RoomApi:
     def __init__(self, bus: Bus, auth: SessionAuth, key: str) -> None:
         self._bus, self._auth, self._key = bus, auth, key
         self._threads = ThreadPoolExecutor(4, "room")
+        self._seats = Seats()
 
     def routes(self) -> list[BaseRoute]:
         """Return the routes below ``API_PREFIX``."""
@@ -99,7 +101,15 @@ class RoomApi:
         ):
             await websocket.close(1008, _WHO_MAY_ASK)
             return
-        await websocket.accept()
+        with self._seats.taken(self._auth.session_of(websocket)) as seated:
+            if not seated:
+                await websocket.close(1013, "too many listen, in all or of this session")
+                return
+            await websocket.accept(chosen_subprotocol(websocket))
+            await self._tell(websocket)
+
+    async def _tell(self, websocket: WebSocket) -> None:
+        """Send news until the listener leaves or is too slow."""
         loop = asyncio.get_running_loop()
         waiting: asyncio.Queue[str] = asyncio.Queue(_MAX_QUEUED_NEWS)
 

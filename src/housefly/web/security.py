@@ -58,10 +58,16 @@ class HostGuard:
         """Pass a request on, or reject it."""
         if scope["type"] == "lifespan":
             await self._app(scope, receive, send)
+        elif _is_asked_by_another_site(scope):
+            await self._refuse(scope, receive, send)
         elif _host_name(Headers(scope=scope).get("host", "")) not in self._hosts:
             await self._reject(scope, receive, send)
         else:
             await self._app(scope, receive, _with_headers(send))
+
+    async def _refuse(self, scope: Scope, receive: Receive, send: Send) -> None:
+        text = "Pages of other sites may not ask this console.\n"
+        await PlainTextResponse(text, status_code=403)(scope, receive, _with_headers(send))
 
     async def _reject(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] == "websocket":
@@ -69,6 +75,16 @@ class HostGuard:
             return
         text = f"This console answers to {', '.join(sorted(self._hosts))} only.\n"
         await PlainTextResponse(text, status_code=421)(scope, receive, _with_headers(send))
+
+
+def _is_asked_by_another_site(scope: Scope) -> bool:
+    """Return whether a page of another origin, another port included, asks for more than a page."""
+    headers = Headers(scope=scope)
+    return (
+        scope["type"] == "http"
+        and headers.get("sec-fetch-site", "none") in ("cross-site", "same-site")
+        and headers.get("sec-fetch-mode") != "navigate"
+    )
 
 
 def _host_name(host: str) -> str:

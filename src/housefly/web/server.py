@@ -25,6 +25,7 @@ from starlette.middleware import Middleware
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
 from housefly.config.furniture import FurnitureConfig
+from housefly.web.audit_log import AuditLog
 from housefly.web.broadcast import Broadcast
 from housefly.web.console import Console
 from housefly.web.console_routes import console_routes
@@ -56,6 +57,7 @@ def create_app(
     clock: Clock | None = None,
     coverage: Callable[[], CoverageView] | None = None,
     edits: EditService | None = None,
+    audit: AuditLog | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -70,17 +72,19 @@ def create_app(
         furniture: furniture that the tracking system sees.
         clock: the server's clock; real time by default.
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
+        audit: where every command is written down; None writes nothing.
         edits: where places and zones are edited; None where they are not.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32))
     link = PilotLink(bus, stop, clock)
-    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock)
+    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock, audit)
     video = VideoRelay(bus)
     layer = CoverageLayer(coverage) if coverage else None
     room_api = RoomApi(bus, auth, api_key(secret) if secret else "")
     edits_api = EditsApi(edits, auth, console)
     closing = [link.close, room_api.close, edits_api.close, *([layer.close] if layer else [])]
+    closing += [audit.close] if audit else []
     return Starlette(
         routes=[
             *page_routes(auth),
@@ -123,4 +127,6 @@ def _exit_on_failure(task: asyncio.Task[None]) -> None:
     """
     if not task.cancelled() and (error := task.exception()) is not None:
         _LOG.critical("the console cannot go on", exc_info=error)
+        # The launcher blocks it, so that the console stays until the drone is down.
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
         signal.raise_signal(signal.SIGTERM)

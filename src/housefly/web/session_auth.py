@@ -1,7 +1,9 @@
 """Who may use the console: one-time links, signed sessions, and the key of the room API.
 
 A link ``/?token=...`` works in one browser. It is exchanged for a signed session cookie that
-scripts cannot read and other sites cannot send. WebSockets must name their own page as Origin.
+scripts cannot read and other sites cannot send, and for a proof that only the page knows: browsers
+send cookies to every port of a host, so another server of this machine may come by the cookie.
+WebSockets must name their own page as Origin.
 """
 
 from __future__ import annotations
@@ -13,6 +15,10 @@ from hashlib import sha256
 from starlette.requests import HTTPConnection
 from starlette.websockets import WebSocket
 
+PROOF_HEADER = "x-housefly-proof"
+SUBPROTOCOL = "housefly"
+"""What a browser offers on a WebSocket beside ``proof.…``, because it cannot set headers there."""
+_PROOF_PREFIX = "proof."
 _COOKIE = "housefly"
 _MAX_INVITES = 20
 
@@ -47,10 +53,25 @@ class SessionAuth:
                 return f"{name}.{self._sign(name)}"
         return None
 
-    def has_session(self, connection: HTTPConnection) -> bool:
-        """Return whether the browser sent a cookie that we signed."""
+    def cookie_session(self, connection: HTTPConnection) -> str:
+        """Return the session whose cookie the browser sent, or ""; enough to show the page."""
         name, _, signature = connection.cookies.get(cookie_name(connection), "").partition(".")
-        return bool(name) and hmac.compare_digest(signature.encode(), self._sign(name).encode())
+        signed = hmac.compare_digest(signature.encode(), self._sign(name).encode())
+        return name if name and signed else ""
+
+    def session_of(self, connection: HTTPConnection) -> str:
+        """Return the session of a request that has its cookie and its proof, or ""."""
+        name = self.cookie_session(connection)
+        proved = hmac.compare_digest(_offered_proof(connection).encode(), self.proof(name).encode())
+        return name if name and proved else ""
+
+    def has_session(self, connection: HTTPConnection) -> bool:
+        """Return whether a request has cookie and proof of a session."""
+        return bool(self.session_of(connection))
+
+    def proof(self, session: str) -> str:
+        """Return what the page of a session knows beside the cookie."""
+        return hmac.new(self._key, b"proof " + session.encode(), sha256).hexdigest()
 
     def is_own_page(self, connection: HTTPConnection) -> bool:
         """Return whether the request comes from a page of this server, with a session."""
@@ -65,6 +86,22 @@ class SessionAuth:
 
     def _sign(self, name: str) -> str:
         return hmac.new(self._key, name.encode(), sha256).hexdigest()
+
+
+def _offered_proof(connection: HTTPConnection) -> str:
+    """Return the proof in a header, a subprotocol, or the address of an element such as <img>."""
+    if found := connection.headers.get(PROOF_HEADER):
+        return found
+    for offered in connection.headers.get("sec-websocket-protocol", "").split(","):
+        if offered.strip().startswith(_PROOF_PREFIX):
+            return offered.strip().removeprefix(_PROOF_PREFIX)
+    return connection.query_params.get("proof", "")
+
+
+def chosen_subprotocol(connection: HTTPConnection) -> str | None:
+    """Return the subprotocol that a WebSocket is accepted with, of those that it offers."""
+    offered = connection.headers.get("sec-websocket-protocol", "").split(",")
+    return SUBPROTOCOL if SUBPROTOCOL in {one.strip() for one in offered} else None
 
 
 def api_key(secret: str) -> str:

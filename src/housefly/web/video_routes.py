@@ -12,26 +12,33 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.error_pages import no_session
 from housefly.web.mjpeg import mjpeg_response
-from housefly.web.session_auth import SessionAuth
+from housefly.web.seats import Seats
+from housefly.web.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.video import FrameQueue, VideoRelay
 
 
 def video_routes(video: VideoRelay, auth: SessionAuth) -> list[BaseRoute]:
     """Return ``/video`` and ``/video.mjpeg``."""
+    seats = Seats()
 
     async def h264(websocket: WebSocket) -> None:
         if await auth.admit(websocket):
-            await _serve(websocket, video)
+            with seats.taken(auth.session_of(websocket)) as seated:
+                await _serve(websocket, video, seated=seated)
 
     async def jpeg(request: Request) -> Response:
-        return mjpeg_response(video) if auth.has_session(request) else no_session()
+        session = auth.session_of(request)
+        return mjpeg_response(video, seats, session) if session else no_session()
 
     return [WebSocketRoute("/video", h264), Route("/video.mjpeg", jpeg)]
 
 
-async def _serve(websocket: WebSocket, video: VideoRelay) -> None:
+async def _serve(websocket: WebSocket, video: VideoRelay, *, seated: bool) -> None:
     """Send frames to one browser until it leaves; it acknowledges each with one byte."""
-    await websocket.accept()
+    if not seated:
+        await websocket.close(1013, "too many watch the video, in all or of this browser")
+        return
+    await websocket.accept(chosen_subprotocol(websocket))
     with video.subscribed() as queue:
         writer = asyncio.create_task(_write(websocket, queue))
         try:

@@ -20,6 +20,7 @@ class Viewer:
     """A socket with a queue of messages that must arrive and a slot for the newest of each kind.
 
     Attributes:
+        session: name of the session that the socket belongs to.
         number: who this is; kept over reconnects of the same tab.
         name: shown to the others.
         event: last line of the event log that was sent.
@@ -29,6 +30,7 @@ class Viewer:
     """
 
     socket: WebSocket
+    session: str = ""
     number: int = 0
     name: str = ""
     event: int = 0

@@ -5,24 +5,33 @@ can be bad.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import socket
 import time
 from pathlib import Path
 
 import pytest
 
+from housefly.clock import RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone import driver as driver_module
+from housefly.drones.ardrone import limits_keeper
 from housefly.drones.ardrone.driver import ArDrone
+from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, VideoFrame
 from housefly.twin import contracts as twin
-from housefly.wires.ardrone import at, navdata_options
+from housefly.wires.ardrone import at, navdata_options, pave
 from housefly.wires.ardrone.command_sequencer import SEND_INTERVAL
 from housefly.wires.ardrone.config import VideoChannel
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, encode_navdata
-from housefly.wires.ardrone.pave import VideoReassembler
+from housefly.wires.ardrone.pave import (
+    VIDEO_PORT,
+    PaveHeader,
+    VideoReassembler,
+    encode_frame,
+)
 
 pytestmark = pytest.mark.wire
 
@@ -178,9 +187,18 @@ async def test_reports_from_a_stranger_are_not_heard(flight) -> None:
             stranger.sendto(lie, flight.radio.clients[NAVDATA_PORT])
     await flight.hold(Action.IDLE, seconds=0.1)
     assert flight.drone.telemetry.battery == 1.0
-    flight.radio.say(NAVDATA_PORT, lie)  # the same from the drone's own address counts
+
+
+async def test_who_speaks_in_the_drones_name_cannot_make_the_drone_itself_count_as_late(
+    flight,
+) -> None:
+    await flight.drone.connect()
+    lie = encode_navdata(0, 2**31, [navdata_options.Demo(battery_percent=1)])
+    for _ in range(10):
+        flight.radio.say(NAVDATA_PORT, lie)
     await flight.hold(Action.IDLE, seconds=0.1)
-    assert flight.drone.telemetry.battery == 0.01
+    assert flight.drone.telemetry.battery == 1.0
+    assert flight.drone.telemetry_rate_hz > 50
 
 
 async def test_garbage_from_the_drone_is_survived(flight) -> None:
@@ -280,3 +298,110 @@ async def test_short_reports_for_a_weak_radio(flight) -> None:
     await asyncio.sleep(1.0)
     assert 5 < drone.telemetry_rate_hz < 25
     await drone.close()
+
+
+async def test_a_tilt_limit_that_is_never_acknowledged_keeps_it_down_and_is_said(flight) -> None:
+    flight.radio.swallows = b"control:euler_angle_max"
+    connecting = asyncio.create_task(flight.drone.connect())
+    await flight.until(
+        lambda: flight.drone.telemetry is not None and connecting.done(), Action.TAKE_OFF
+    )
+    with pytest.raises(LinkError, match="euler_angle_max"):
+        await connecting
+    await flight.hold(Action.TAKE_OFF, seconds=0.5)
+    assert flight.world.flight is twin.FlightState.LANDED
+    assert not flight.drone.telemetry.configured
+    assert any("euler_angle_max" in note for note in flight.drone.telemetry.notes)
+    assert "euler_angle_max" in flight.drone.problem
+    flight.radio.swallows = None
+    await flight.drone.connect()
+    assert flight.drone.telemetry.configured and flight.drone.problem == ""
+    await flight.hold(Action.IDLE, seconds=0.1)
+    await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
+
+
+async def test_it_does_not_take_off_while_it_is_being_configured(flight) -> None:
+    connecting = asyncio.create_task(flight.drone.connect())
+    while not connecting.done():
+        flight.drone.send(Command(Action.TAKE_OFF))
+        assert flight.world.flight is twin.FlightState.LANDED
+        assert flight.drone.telemetry is None or not flight.drone.telemetry.configured
+        await asyncio.sleep(0.005)
+    await connecting
+    await flight.until(lambda: status(flight) is DroneStatus.FLYING, Action.TAKE_OFF)
+
+
+@pytest.mark.parametrize(
+    ("key", "stays_down"), [("control:altitude_max", True), ("video:bitrate", False)]
+)
+async def test_a_setting_that_the_drone_keeps_is_told_and_a_limit_keeps_it_down(
+    flight, monkeypatch, key: str, stays_down: bool
+) -> None:
+    wanted = limits_keeper.wanted_settings
+    monkeypatch.setattr(
+        limits_keeper,
+        "wanted_settings",
+        lambda limits: tuple(pair for pair in wanted(limits) if pair[0] != key),
+    )
+    await flight.drone.connect()
+    await flight.hold(Action.TAKE_OFF, seconds=1.0)
+    assert any(key in note for note in flight.drone.telemetry.notes)
+    assert flight.drone.telemetry.configured is not stays_down
+    assert (flight.world.flight is twin.FlightState.LANDED) is stays_down
+
+
+async def test_a_rebooted_drone_is_not_configured_until_it_is_again(flight, world) -> None:
+    await flight.drone.connect()
+    assert flight.drone.telemetry.configured
+    flight.radio.swallows = b"AT*CONFIG="
+    await flight.server.stop()
+    await flight.hold(Action.IDLE, seconds=0.8)
+    again = type(flight.server)(world, flight.radio.drone)
+    await again.start()
+    try:
+        await flight.until(lambda: flight.drone.connected, Action.IDLE)
+        await flight.hold(Action.TAKE_OFF, seconds=0.5)
+        assert not flight.drone.telemetry.configured
+        assert world.flight is twin.FlightState.LANDED
+        flight.radio.swallows = None
+        await flight.until(lambda: flight.drone.telemetry.configured, Action.IDLE)
+    finally:
+        await again.stop()
+
+
+@pytest.mark.parametrize(
+    "flood",
+    [
+        pytest.param(b"PaVE" * 4096, id="headers without end"),
+        pytest.param(bytes(16384), id="nothing"),
+        pytest.param(encode_frame(PaveHeader(0, 1), b"") * 200, id="empty pictures"),
+    ],
+)
+async def test_a_flood_of_video_delays_no_command(flight, monkeypatch, flood: bytes) -> None:
+    async def pour(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        with contextlib.suppress(ConnectionError):
+            while True:
+                writer.write(flood)
+                await writer.drain()
+                await asyncio.sleep(len(flood) / 4e6)
+
+    await flying(flight)
+    await flight.drone._video.close()
+    a, b, c, d = flight.radio.drone.split(".")
+    elsewhere = f"{a}.{b}.{c}.{(int(d) + 97) % 250 + 1}"
+    server = await asyncio.start_server(pour, elsewhere, VIDEO_PORT)
+    headers = 0
+
+    def counted(data: bytes) -> PaveHeader:
+        nonlocal headers
+        headers += 1
+        return decode(data)
+
+    decode = pave.decode_header
+    monkeypatch.setattr(pave, "decode_header", counted)
+    flight.drone._video = VideoLink(elsewhere, RealClock())
+    flight.drone._video.start()
+    await flight.hold(Action.FLY, FORWARD, seconds=2.0)
+    server.close()
+    assert headers < 3000, "video keeps the loop busy"
+    assert not flight.world.asked.hover

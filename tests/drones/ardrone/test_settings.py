@@ -6,6 +6,7 @@ import pytest
 
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.settings import (
+    is_needed_to_fly,
     maxima_in,
     maxima_of,
     setting_mismatches,
@@ -37,7 +38,7 @@ def test_outdoor_comes_before_the_limits_that_it_replaces() -> None:
 
 def test_a_drone_that_took_everything_differs_in_nothing() -> None:
     dump = parse_dump(encode_dump(dict(wanted_settings(LIMITS))))
-    assert setting_mismatches(dump, LIMITS) == ()
+    assert setting_mismatches(dump, LIMITS) == {}
     assert maxima_in(dump, Maxima(9, 9, 9)) == maxima_of(LIMITS)
 
 
@@ -45,6 +46,7 @@ def test_what_the_drone_kept_is_told_and_counts() -> None:
     dump = parse_dump(
         encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35})
     )
-    (note,) = setting_mismatches(dump, LIMITS)
+    ((name, note),) = setting_mismatches(dump, LIMITS).items()
+    assert is_needed_to_fly(name)
     assert "control:euler_angle_max" in note and "3.5" in note
     assert maxima_in(dump, maxima_of(LIMITS)).tilt == pytest.approx(0.35)

@@ -7,9 +7,11 @@ from math import inf, nan
 import pytest
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, Telemetry
+from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.mission_tables import ORDERS, REFUSALS, Response
 from housefly.pilot.behavior.order_checks import EXPIRING_ORDERS, OrderContext, refusal
+from housefly.pilot.estimation.consistency import TrackingConsistency
 
 LIMITS = LimitsConfig()
 
@@ -79,3 +81,45 @@ def test_reset_is_only_for_an_emergency() -> None:
     reset = replace(FINE, response=Response.RESET)
     assert "no emergency" in reason(Order(OrderKind.RESET), reset)
     assert reason(Order(OrderKind.RESET), replace(reset, status=DroneStatus.EMERGENCY)) == ""
+
+
+def seen(**changes: object) -> OrderContext:
+    """A drone on the ground with these values in its status."""
+    vehicle = VehicleStatus(0.0, DroneStatus.LANDED, 0.9, 0.01, None, landing_forced=False)
+    return replace(FINE, vehicle=replace(vehicle, **changes))  # type: ignore[arg-type]
+
+
+REPORT = Telemetry(0.0, DroneStatus.LANDED, 0.9)
+
+
+@pytest.mark.parametrize(
+    ("change", "word"),
+    [
+        ({"telemetry": replace(REPORT, configured=False)}, "not confirmed its limits"),
+        ({"telemetry": replace(REPORT, faults=("motors problem",))}, "motors problem"),
+        ({"telemetry": replace(REPORT, faults=("ultrasound deaf",))}, "ultrasound deaf"),
+        ({"consistency": TrackingConsistency(height_error=0.31)}, "+0.31 m"),
+        ({"consistency": TrackingConsistency(height_error=-0.31)}, "-0.31 m"),
+        ({"return_wanted": True}, "coming home"),
+    ],
+)
+def test_a_drone_that_is_not_fit_stays_down_and_says_why(
+    change: dict[str, object], word: str
+) -> None:
+    assert word in reason(Order(OrderKind.GO), seen(**change))
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"telemetry": replace(REPORT, faults=("emergency landing by the user",))},
+        {"telemetry": REPORT, "consistency": TrackingConsistency(height_error=0.29)},
+    ],
+)
+def test_what_does_not_matter_refuses_nothing(change: dict[str, object]) -> None:
+    assert reason(Order(OrderKind.GO), seen(**change)) == ""
+
+
+def test_home_may_be_ordered_of_a_drone_that_is_to_come_home() -> None:
+    wanted = replace(seen(return_wanted=True), response=Response.DEPART)
+    assert reason(Order(OrderKind.HOME), wanted) == ""

@@ -301,3 +301,27 @@ def test_no_garbage_makes_the_estimate_infinite(make: Make, data: list[Sighting]
                 estimate.position_std,
             )
         )
+
+
+@both
+@pytest.mark.parametrize(("off", "believed"), [(0.1, True), (0.3, False), (1.0, False)])
+@pytest.mark.parametrize("blind", [0.3, 1.0, 1.9])
+def test_without_flow_no_far_place_is_believed_after_a_gap(
+    make: Make, off: float, believed: bool, blind: float
+) -> None:
+    estimator = make()
+    for tick in range(100):
+        at = 0.01 * tick
+        estimator.command(at, 0.0)
+        estimator.update(seen(1.0, 1.0, at), now=at)
+        estimator.estimate(at)
+    back = 0.99 + blind
+    while at < back:
+        at += 0.01
+        estimator.command(at, 0.0, flown=False)
+        estimator.estimate(at)
+    for tick in range(20):
+        estimator.update(seen(1.0 + off, 1.0, back + 0.01 * tick), now=back + 0.01 * tick)
+    found = estimator.estimate(back + 0.2)
+    assert found is not None
+    assert (found.pose_age < 0.1) is believed

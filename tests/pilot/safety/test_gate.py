@@ -10,20 +10,38 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import LEVEL, Action, Command, DroneStatus, SafetyMode, Setpoint, Severity
-from housefly.pilot.safety.gate import AIRBORNE_ACTIONS, GROUND_ACTIONS, GateNotices, GateVerdict
-from housefly.pilot.safety.rules import (
-    AIRBORNE_STATUSES,
-    MODE_SEVERITY,
-    SAFETY_RULES,
-    GateInputs,
-    Geofence,
+from housefly.messages import (
+    LEVEL,
+    Action,
+    Command,
+    DroneStatus,
+    SafetyMode,
+    Setpoint,
+    Severity,
+    Telemetry,
 )
+from housefly.pilot.safety.fallbacks import possible_mode
+from housefly.pilot.safety.gate import (
+    AIRBORNE_ACTIONS,
+    GROUND_ACTIONS,
+    BrokenRule,
+    Gate,
+    GateAssessment,
+    GateNotices,
+    GateVerdict,
+    released,
+)
+from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.limits import DESCENT_RATE, GatedCommand
+from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObserver
+from housefly.pilot.safety.rule import RuleContext
+from housefly.pilot.safety.rules import MODE_SEVERITY, ORDER_RULES, SAFETY_RULES
 
 LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.5)
 FINE = GateInputs(10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False)
 FLY = Command(Action.FLY, Setpoint(0.1, -0.1, 0.3, 0.5))
+DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=("ultrasound deaf",))
 CLEAR = GateVerdict(Command(Action.HOVER), SafetyMode.NOMINAL)
 OLD = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old")
 LOST = GateVerdict(Command(Action.HOVER), SafetyMode.LAND, "tracking_lost", "lost")
@@ -116,10 +134,12 @@ def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
 def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
     gate = GateBench(LIMITS, FENCE)
     mode = gate.judge(Command(Action.HOVER), each).mode
-    at_once = [
-        rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.broken(each, LIMITS, FENCE)
-    ]
-    assert MODE_SEVERITY[mode] == max((MODE_SEVERITY[rule.mode] for rule in at_once), default=0)
+    seen = FlightObserver(LIMITS).observe(each, held=False, landing=False)
+    context = RuleContext(each, seen, LIMITS, FENCE)
+    at_once = [rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.applies(context)]
+    worst = max((MODE_SEVERITY[possible_mode(rule.mode, context)] for rule in at_once), default=0)
+    assert MODE_SEVERITY[mode] >= worst
+    assert MODE_SEVERITY[mode] == worst or gate.landing
 
 
 def test_what_is_too_much_is_cut_to_the_limits() -> None:
@@ -192,15 +212,76 @@ def test_on_the_ground_stop_keeps_the_drone_there() -> None:
     assert judge(Command(Action.TAKE_OFF), ground)[1].action is Action.IDLE
 
 
-def test_every_mode_says_what_becomes_of_actions() -> None:
-    for table, mode in product((AIRBORNE_ACTIONS, GROUND_ACTIONS), SafetyMode):
-        assert mode in table
+def test_every_action_has_an_outcome_in_every_mode_in_the_air_and_on_the_ground() -> None:
+    cells = 0
+    for mode, action, status in product(SafetyMode, Action, DroneStatus):
+        code, is_down = MODE_SEVERITY[mode], mode is SafetyMode.DESCEND
+        airborne = status in AIRBORNE_STATUSES
+        numbers = GatedCommand(code, is_down and airborne, 0.0, 0.0, -0.3 * is_down, 0.0)
+        verdict = released(action, numbers, GateAssessment(mode, "code", "words", status))
+        assert isinstance(verdict.command.action, Action)
+        if not airborne:
+            assert verdict.command.action not in (Action.FLY, Action.HOVER)
+        if mode in (SafetyMode.HOLD, SafetyMode.STOPPED) or is_down:
+            assert verdict.command.action is not Action.FLY or is_down
+        cells += 1
+    assert cells == len(SafetyMode) * len(Action) * len(DroneStatus)
+    assert set(AIRBORNE_ACTIONS) == set(GROUND_ACTIONS) == set(SafetyMode)
+
+
+@pytest.mark.parametrize("action", [action for action in Action if action is not Action.CUT])
+def test_a_descent_sinks_whatever_is_asked(action: Action) -> None:
+    deaf = replace(FINE, pose_age=3.0, telemetry=DEAF)
+    mode, out = judge(Command(action), deaf)
+    assert (mode, out) == (SafetyMode.DESCEND, Command(Action.FLY, Setpoint(vz=-DESCENT_RATE)))
+
+
+def test_all_that_is_wrong_is_told_worst_first() -> None:
+    gate = Gate(LIMITS, FENCE)
+    found = gate.assess(replace(FINE, pose_age=3.0, stopped=True, battery=0.1, telemetry=DEAF))
+    codes = [rule.code for rule in found.broken]
+    assert codes[0] == "tracking_lost" and {"stopped", "drone_complains"} <= set(codes)
+    assert found.reason == found.broken[0].words and found.code == codes[0]
+
+
+def test_a_landing_that_began_is_told_with_what_is_wrong_besides() -> None:
+    gate = Gate(LIMITS, FENCE)
+    gate.assess(replace(FINE, pose_age=3.0))
+    found = gate.assess(replace(FINE, now=10.1, stopped=True))
+    assert [rule.code for rule in found.broken] == ["tracking_lost", "stopped"]
+    assert found.mode is SafetyMode.LAND
+
+
+def test_a_return_is_wanted_for_as_long_as_its_rule_is_broken() -> None:
+    gate = Gate(LIMITS, FENCE)
+    low = replace(FINE, battery=0.2, home_time=30.0)
+    for n in range(21):
+        found = gate.assess(replace(low, now=10.0 + 0.1 * n))
+    assert gate.returning and found.mode is SafetyMode.RETURN
+    gate.assess(replace(low, now=13.0, status=DroneStatus.LANDED))
+    assert not gate.returning
+
+
+def test_the_height_of_a_drone_that_stands_is_the_lowest_seen() -> None:
+    gate = Gate(LIMITS, FENCE)
+    for z, height in ((0.07, 0.07), (0.6, 0.07), (nan, 0.07), (0.04, 0.04)):
+        gate.assess(replace(FINE, status=DroneStatus.LANDED, position=(5.0, 2.0, z)))
+        assert gate.standing_height == height
+    gate.assess(replace(FINE, status=DroneStatus.LANDED, position=(5.0, 2.0, 0.0), pose_age=9.0))
+    assert gate.standing_height == 0.04
+
+
+def test_without_its_rules_only_what_people_order_counts() -> None:
+    gate = Gate(LIMITS, FENCE, ORDER_RULES)
+    assert gate.assess(replace(FINE, pose_age=9.0)).mode is SafetyMode.NOMINAL
+    assert gate.assess(replace(FINE, stopped=True)).mode is SafetyMode.STOPPED
 
 
 def test_every_rule_has_words_and_a_name_of_its_own() -> None:
     assert len({rule.code for rule in SAFETY_RULES}) == len(SAFETY_RULES)
+    context = RuleContext(FINE, NOTHING_OBSERVED, LIMITS, FENCE)
     for rule in SAFETY_RULES:
-        assert rule.words(FINE, LIMITS)
+        assert isinstance(rule.words(context), str)
 
 
 def test_a_trouble_is_told_at_once_and_its_end_when_it_has_lasted() -> None:
@@ -225,3 +306,17 @@ def test_a_worse_trouble_is_told_although_another_is_known() -> None:
     notices.update(OLD, 1.0)
     (worse,) = notices.update(LOST, 2.0)
     assert worse.severity is Severity.FAULT and worse.text == "lost"
+
+
+def test_each_trouble_of_a_step_is_told_once() -> None:
+    two = (
+        BrokenRule("tracking_old", SafetyMode.HOLD, "old"),
+        BrokenRule("battery_weak", SafetyMode.WARN, "weak"),
+    )
+    both = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "tracking_old", "old", two)
+    notices = GateNotices()
+    assert [event.code for event in notices.update(OLD, 1.0)] == ["tracking_old"]
+    assert [event.code for event in notices.update(both, 1.1)] == ["battery_weak"]
+    assert notices.update(both, 1.2) == ()
+    strange = GateVerdict(Command(Action.HOVER), SafetyMode.HOLD, "not_finite", "no number", two)
+    assert [event.code for event in notices.update(strange, 1.3)] == ["not_finite"]

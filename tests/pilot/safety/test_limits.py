@@ -10,14 +10,17 @@ from hypothesis import strategies as st
 from housefly.config.limits import LimitsConfig
 from housefly.messages import Action, Command, DroneStatus
 from housefly.pilot.control.steering import ControlOutput
+from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import (
+    DESCENT_RATE,
     CommandLimits,
     SafetyCode,
     gated,
+    is_flown_in,
     pose_age_mode,
     too_old,
 )
-from housefly.pilot.safety.rules import MODE_SEVERITY, GateInputs, Geofence
+from housefly.pilot.safety.rules import MODE_SEVERITY
 
 LIMITS = LimitsConfig()
 COMMAND_LIMITS = CommandLimits(0.21, 0.7, 1.75)
@@ -32,10 +35,27 @@ def test_limits_make_smaller_and_never_larger(
 ) -> None:
     passed = gated(asked, flying, int(mode), airborne, COMMAND_LIMITS)
     is_finite = all(isfinite(number) for number in asked[:4])
-    assert passed.flown == (flying and airborne and is_finite and mode is SafetyCode.NOMINAL)
-    assert passed.mode == mode or (passed.mode == SafetyCode.HOLD and flying and not is_finite)
+    if mode is SafetyCode.DESCEND and airborne:
+        assert passed == (mode, True, 0.0, 0.0, -DESCENT_RATE, 0.0)
+        return
+    is_ours = bool(is_flown_in(int(mode)))
+    assert passed.flown == (flying and airborne and is_finite and is_ours)
+    held = passed.mode == SafetyCode.HOLD and flying and not is_finite and is_ours
+    assert passed.mode == mode or held
     wanted = [min(max(a, -b), b) for a, b in zip(asked, BOUNDS, strict=False)]
     assert passed[2:] == (tuple(wanted) if passed.flown else (0.0, 0.0, 0.0, 0.0))
+
+
+def test_our_setpoints_fly_the_drone_unless_it_is_held_stopped_or_brought_down() -> None:
+    flown = {mode for mode in SafetyCode if is_flown_in(int(mode))}
+    assert flown == {SafetyCode.NOMINAL, SafetyCode.WARN, SafetyCode.SLOW, SafetyCode.RETURN}
+
+
+def test_a_descent_is_no_faster_than_the_drone_may_sink() -> None:
+    slow = COMMAND_LIMITS._replace(vertical_speed_max=0.1)
+    level = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+    assert gated(level, False, int(SafetyCode.DESCEND), True, slow).vz == -0.1
+    assert not gated(level, False, int(SafetyCode.DESCEND), False, slow).flown
 
 
 @given(st.floats(0.0, 5.0) | st.sampled_from([nan, inf, 0.25, 2.0]))

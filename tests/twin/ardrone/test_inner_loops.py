@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import exp
 
 import pytest
 
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
+from housefly.room.model import Room
 from housefly.twin.ardrone.inner_loops import Wrench
+from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.contracts import FlightState, OnboardLimits, TwinWorld
-from housefly.twin.world import SimulatedWorld, motor_duties
+from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
 
 MakeWorld = Callable[..., SimulatedWorld]
@@ -73,9 +76,9 @@ def test_full_stick_ends_at_the_speed_where_drag_balances_tilt(
 
 
 def test_the_same_stick_sinks_twice_as_fast_as_it_climbs_but_no_faster_than_allowed(
-    make_world: MakeWorld, hand: type
+    make_world: MakeWorld, make_room: Callable[..., Room], hand: type
 ) -> None:
-    world = make_world()
+    world = make_world(replace(make_room(), height=8.0))
     world.set_limits(OnboardLimits(altitude=6.0))
     hand(world).hover(1.2)
     hand(world).fly(up=0.3, seconds=5.0)

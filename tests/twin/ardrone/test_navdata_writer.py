@@ -113,6 +113,7 @@ def test_state_bits_in_flight_are_those_of_a_recorded_packet():
     [
         ("low_battery", StateBits.BATTERY_LOW),
         ("com_watchdog", StateBits.COM_WATCHDOG),
+        ("ultrasound_deaf", StateBits.ULTRASOUND_DEAF),
         ("com_lost", StateBits.COM_LOST),
         ("angles_out_of_range", StateBits.ANGLES_OUT_OF_RANGE),
         ("motors_problem", StateBits.MOTORS_PROBLEM),

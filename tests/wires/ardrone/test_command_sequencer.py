@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 from math import pi
 
 import pytest
@@ -12,12 +13,14 @@ from hypothesis import strategies as st
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
-    PRESS_TIME_MAX,
+    LAND_AFTER,
     REPORT_AGE_MAX,
     TRIM_TIME,
     CommandSequencer,
+    Permit,
 )
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
+from housefly.wires.ardrone.emergency_button import PRESS_TIME_MAX
 
 MAXIMA = Maxima(0.2, 0.7, 1.75)
 LAND = at.Ref(at.RefBits.LAND)
@@ -278,3 +281,99 @@ def test_every_order_in_every_state_is_answered_with_something_that_can_be_sent(
         sequencer.update(Command(action, Setpoint(1, -1, 9, -9)), now)
         sent = sequencer.next_commands(now + 0.01, report(status, now) if status else None)
         assert sent and at.parse_datagram(at.encode_datagram(1, sent)).rejects == ()
+
+
+def test_a_pilot_that_is_gone_is_not_waited_for() -> None:
+    flying = commanded(Action.FLY, Setpoint(theta=0.1))
+    assert flying.next_commands(0.05, report(DroneStatus.FLYING, 0.05)) == (STICKS,)
+    flying.abandon()
+    assert flying.next_commands(0.06, report(DroneStatus.FLYING, 0.06)) == (HOVER,)
+    assert LAND in flying.next_commands(2.1, report(DroneStatus.FLYING, 2.1))
+    flying = commanded(Action.FLY, Setpoint(theta=0.1))
+    flying.abandon()
+    flying.update(Command(Action.FLY, Setpoint(theta=0.1)), 0.5)
+    assert flying.next_commands(0.5, report(DroneStatus.FLYING, 0.5)) == (STICKS,)
+
+
+def moving(at_time: float, speed: float) -> Telemetry:
+    return Telemetry(at_time, DroneStatus.FLYING, 1.0, velocity=(speed, 0.0, 0.0))
+
+
+def test_in_silence_it_leans_against_its_speed_and_then_hovers_for_the_rest_of_it() -> None:
+    flying = commanded(Action.FLY, Setpoint(theta=0.1))
+    (against,) = flying.next_commands(0.3, moving(0.3, 0.5))
+    assert isinstance(against, at.Pcmd) and against.pitch > 0.5
+    assert flying.next_commands(0.5, moving(0.5, 0.05)) == (HOVER,)
+    assert flying.next_commands(0.6, moving(0.6, 0.5)) == (HOVER,)
+    flying = commanded(Action.FLY, Setpoint(theta=0.1))
+    flying.next_commands(0.3, moving(0.3, 0.5))
+    assert flying.next_commands(1.2, moving(1.2, 0.5)) == (HOVER,)
+
+
+def test_a_hover_of_the_pilot_is_the_drones_own_whatever_its_speed() -> None:
+    assert commanded(Action.HOVER).next_commands(0.1, moving(0.1, 0.5)) == (HOVER,)
+
+
+@pytest.mark.parametrize("action", [Action.FLY, Action.TAKE_OFF, Action.RESET])
+def test_what_moves_the_drone_and_comes_late_counts_for_nothing(action: Action) -> None:
+    late = CommandSequencer(MAXIMA, 0.0)
+    assert not late.update(Command(action, Setpoint(theta=0.1)), 10.0, issued_at=9.7)
+    sent = late.next_commands(10.0, report(DroneStatus.FLYING, 10.0))
+    assert STICKS not in sent and TAKE_OFF not in sent and PRESS not in sent
+    assert late.update(Command(action, Setpoint(theta=0.1)), 10.0, issued_at=9.9)
+
+
+@given(st.lists(st.tuples(st.sampled_from(Action), st.floats(0.0, 1.0)), min_size=1, max_size=20))
+def test_in_whatever_order_commands_arrive_the_newest_decides(
+    story: list[tuple[Action, float]],
+) -> None:
+    mixed = CommandSequencer(MAXIMA, 0.0)
+    for action, issued_at in [*story, (Action.HOVER, 1.01), (Action.FLY, 1.0)]:
+        mixed.update(Command(action, Setpoint(theta=0.1)), 1.02, issued_at)
+    assert mixed.next_commands(1.02, report(DroneStatus.FLYING, 1.02)) == (HOVER,)
+
+
+def test_a_command_from_the_future_counts_as_of_now() -> None:
+    ahead = CommandSequencer(MAXIMA, 0.0)
+    ahead.update(Command(Action.FLY, Setpoint(theta=0.1)), 1.0, issued_at=1e9)
+    ahead.update(Command(Action.HOVER), 1.1, issued_at=1.1)
+    assert ahead.next_commands(1.1, report(DroneStatus.FLYING, 1.1)) == (HOVER,)
+
+
+def test_nobody_takes_off_before_the_limits_are_confirmed() -> None:
+    rising = commanded(Action.TAKE_OFF)
+    for step in range(100):
+        now = step * 0.03
+        rising.update(Command(Action.TAKE_OFF), now)
+        newest = replace(report(DroneStatus.LANDED, now), configured=False)
+        assert TAKE_OFF not in rising.next_commands(now, newest)
+
+
+def test_a_drone_found_in_the_air_hovers_and_lands_when_its_pilot_insists_on_flying() -> None:
+    found = commanded(Action.FLY, Setpoint(theta=0.1))
+    found.permit = Permit.HOVER_AND_LAND
+    for step in range(100):
+        now = step * 0.03
+        found.update(Command(Action.FLY, Setpoint(theta=0.1)), now)
+        sent = found.next_commands(now, report(DroneStatus.FLYING, now))
+        assert sent == (HOVER,) if now < LAND_AFTER else LAND in sent
+    for action, answer in ((Action.HOVER, HOVER), (Action.LAND, LAND), (Action.CUT, PRESS)):
+        found = commanded(action)
+        found.permit = Permit.HOVER_AND_LAND
+        assert answer in found.next_commands(0.0, report(DroneStatus.FLYING, 0.0))
+
+
+@given(st.sampled_from(Action), st.sampled_from(DroneStatus))
+def test_a_driver_that_leaves_lands_and_only_cutting_the_motors_passes(
+    action: Action, status: DroneStatus
+) -> None:
+    leaving = commanded(action, Setpoint(theta=0.1))
+    leaving.permit = Permit.LAND
+    sent = leaving.next_commands(0.2, report(status, 0.2))
+    assert TAKE_OFF not in sent and STICKS not in sent
+    if status in AIRBORNE and action not in (Action.CUT, Action.RESET):
+        assert LAND in sent
+
+
+def test_a_stick_that_a_driver_before_left_ends_with_the_first_datagram() -> None:
+    assert HOVER in CommandSequencer(MAXIMA, 0.0).next_commands(0.0, None)

@@ -247,6 +247,15 @@ def test_the_recorded_flight_in_our_signs(shared_data: Path) -> None:
     assert told.faults == ()
 
 
+def test_the_specific_force_of_a_resting_drone_points_up_and_is_one_g(shared_data: Path) -> None:
+    told = conversions.telemetry_from_navdata(decode_navdata(_full(shared_data)), 0.0)
+    assert told.acceleration is not None
+    forward, left, up = told.acceleration
+    assert (forward, left, up) == pytest.approx((0.787, 0.327, 9.243), abs=0.01)
+    demo_only = conversions.telemetry_from_navdata(decode_navdata(_flying(shared_data)), 0.0)
+    assert demo_only.acceleration is None
+
+
 def test_at_rest_the_accelerometer_reads_up(shared_data: Path) -> None:
     phys = decode_navdata(_full(shared_data)).option(options.PhysMeasures)
     assert phys is not None

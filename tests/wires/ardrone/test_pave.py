@@ -116,6 +116,14 @@ def test_a_header_that_asks_for_too_much_memory_is_skipped() -> None:
     assert cutter.bad_headers == 1
 
 
+def test_garbage_that_looks_like_headers_costs_little_and_the_next_picture_comes_out() -> None:
+    cutter = pave.VideoReassembler()
+    assert cutter.feed(b"PaVE" * 250_000) == ()
+    assert cutter.bad_headers == pave.BAD_HEADERS_MAX
+    (picture,) = cutter.feed(b"PaVE" + _frame(9))
+    assert picture.payload == P_PICTURE
+
+
 def test_pictures_pass_from_a_key_frame_on_and_again_after_a_gap_only_from_the_next() -> None:
     gate = pave.KeyframeGate()
     frames = [

@@ -113,7 +113,7 @@ def _watch(options: Namespace) -> int:
     place = find()
     console.print(f"watching {place.site}; Ctrl-C ends")
     try:
-        with RoomClient(place.address, place.key, port=place.port) as room:
+        with RoomClient(place.address, place.key, socket=place.socket) as room:
             for news in room.watch():
                 _print_news(news, options.moves)
     except KeyboardInterrupt:
@@ -162,7 +162,7 @@ def _room(site: str) -> Iterator[_Answering]:
         with OfflineRoom(read_site(site), site_file(site).parent) as memory:
             yield memory
     else:
-        with RoomClient(place.address, place.key, port=place.port) as client:
+        with RoomClient(place.address, place.key, socket=place.socket) as client:
             yield client
 
 

@@ -6,7 +6,12 @@ import time
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from housefly.app.commands.shared import add_simulation_arguments, add_site_arguments, load
+from housefly.app.commands.shared import (
+    add_fault_argument,
+    add_simulation_arguments,
+    add_site_arguments,
+    load,
+)
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
@@ -22,6 +27,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
         help="stepped clock, no wires: as fast as the machine can",
     )
     add_simulation_arguments(parser)
+    add_fault_argument(parser)
     parser.add_argument(
         "--look", type=float, default=5.0, metavar="S", help="how long to look (default: 5 s)"
     )
@@ -59,8 +65,8 @@ FLY_COMMAND = Subcommand(
     help="fly one whole service: take off, go, look, come home, land",
     description=(
         "Fly to a named place, look, come home and land. Exit code 0 only if all of it"
-        " happened. The folder given by --out holds summary.json, flight.mcap, video.mp4 and"
-        " report.html."
+        " happened and nothing was touched. The folder given by --out holds summary.json,"
+        " flight.mcap, video.mp4, truth.jsonl and report.html."
     ),
     add_arguments=_add_arguments,
     run=_run,

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from housefly.app.commands.shared import (
     add_console_arguments,
+    add_fault_argument,
     add_simulation_arguments,
     add_site_arguments,
     load,
@@ -25,6 +26,7 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
     add_site_arguments(parser)
     add_console_arguments(parser)
     add_simulation_arguments(parser)
+    add_fault_argument(parser)
     parser.add_argument(
         "--lively",
         action="store_true",
@@ -37,8 +39,8 @@ def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.interactive import run_interactively
 
-    compile_once(CompiledPart.CHAIN, console.print)
     loaded = load(options, with_edits=True)
+    compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
         return run_interactively(loaded, Path(folder), record)

@@ -45,14 +45,48 @@ def add_simulation_arguments(parser: ArgumentParser) -> None:
     )
 
 
+def add_fault_argument(parser: ArgumentParser) -> None:
+    """Add ``--fault``."""
+    parser.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        metavar="FAULT",
+        help=(
+            "make something fail in the simulated room: F13@20s, mocap:wrong@20s+5s=0.3"
+            " (docs/faults.md); repeatable"
+        ),
+    )
+
+
 def given(changes: dict[str, Any]) -> dict[str, Any]:
     """Return the changes of a site that the options ask for: those that are not None."""
     return {key: value for key, value in changes.items() if value is not None}
 
 
+def lively_changes() -> dict[str, Any]:
+    """Return what makes the demo lively: people, their things and devices, and what sees people.
+
+    The scanners look at 0.8 m: standing, sitting and small people, while the drone flies above.
+    """
+    return {
+        "hub__things": str(Path(sites.__file__).with_name("bsen_things.toml")),
+        "twin__scene": "bsen",
+        "mqtt__broker": "127.0.0.1",
+        "mqtt__start": True,
+        "mqtt__port": 0,
+        "lasers": [
+            {"name": "laser-1", "x": 5.5, "y": 0.85, "z": 0.8, "yaw": 1.2},
+            {"name": "laser-2", "address": "127.0.0.2", "x": 13.9, "y": 3.3, "z": 0.8, "yaw": -2.6},
+            {"name": "laser-3", "address": "127.0.0.3", "x": 0.3, "y": 4.9, "z": 0.8, "yaw": -0.2},
+        ],
+    }
+
+
 def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
     """Load the site that the options name, optionally with the newest edits of the ROOM screen."""
     from housefly.app.loaded_site import open_site, read_site, with_newest_edits
+    from housefly.config.site import changed
 
     changes: dict[str, Any] = {
         "mode": options.mode,
@@ -61,16 +95,21 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
     }
     if getattr(options, "lively", False):
-        changes |= {
-            "hub__things": str(Path(sites.__file__).with_name("bsen_things.toml")),
-            "twin__scene": "bsen",
-            "mqtt__broker": "127.0.0.1",
-            "mqtt__start": True,
-            "mqtt__port": 0,
-        }
+        changes |= lively_changes()
     site = read_site(options.site, **given(changes))
+    if faults := _parsed_faults(getattr(options, "fault", [])):
+        site = changed(site, faults=[*site.model_dump()["faults"], *faults])
     if with_edits:
         site, words = with_newest_edits(site)
         if words:
             console.print(f"map:      {words}", markup=False)
     return open_site(site)
+
+
+def _parsed_faults(texts: list[str]) -> list[dict[str, str]]:
+    """Return the faults of the command line as a site has them; raises ConfigError."""
+    from housefly.twin.faults.parse import parse_fault
+
+    for text in texts:
+        parse_fault(text)
+    return [{"fault": text.strip()} for text in texts]

@@ -103,12 +103,12 @@ def fly(
     outcome = "failed"
     try:
         if lockstep:
-            outcome = fly_lockstep(loaded, order, record_step)
+            outcome = fly_lockstep(loaded, order, record_step, truth_file=recorder.truth_file)
         else:
             outcome = _fly_over_wires(loaded, order, folder, recorder, on_step)
     finally:
         summary = recorder.finish(outcome)
-    return Flight(outcome, summary, folder, loaded, temporary)
+    return Flight(summary.outcome, summary, folder, loaded, temporary)
 
 
 def open_flight(folder: str | Path) -> Flight:

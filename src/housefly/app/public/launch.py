@@ -17,6 +17,7 @@ from housefly.bus.bus import Bus
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.errors import LinkError
 from housefly.hub.client.discovery import announced
+from housefly.hub.store.lock import refuse_shared_store
 
 _START_TIMEOUT = 60.0
 """Longest time until pilot, tracking and drone answer [s]."""
@@ -34,23 +35,29 @@ def launch(loaded: LoadedSite, *, logs: str | Path | None = None) -> Iterator[Bu
         logs: folder for the output of the processes; None takes a temporary one.
 
     Raises:
-        LinkError: a port is taken, or something did not answer in time.
+        LinkError: a port is taken, or something did not start or answer in time.
+        StoreError: another run uses the same memory.
     """
     site, _ = with_newest_edits(loaded.site)
     refuse_taken_ports(site, web=False)
+    refuse_shared_store(site)
     compile_once(CompiledPart.CHAIN, lambda words: None)
     temporary = TemporaryFolder() if logs is None else None
     folder = temporary.path if temporary else Path(logs or "")
-    folder.mkdir(parents=True, exist_ok=True)
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     runtime = new_runtime(site, folder)
     has_video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with (
         announced(discovery_entry(runtime)),
-        Launcher(runtime, folder, processes_of(runtime, web=False)),
+        Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
-        missing = Readiness(runtime.site(), bus, web=False, video=has_video).wait(_START_TIMEOUT)
+        missing = Readiness(runtime.site(), bus, web=False, video=has_video).wait(
+            _START_TIMEOUT, is_hopeless=lambda: launcher.given_up != ()
+        )
         if missing:
+            if launcher.given_up:
+                raise LinkError(str(launcher.given_up[0]))
             raise LinkError(f"not ready after {_START_TIMEOUT:.0f} s: {missing}")
         yield bus
     if temporary is not None:

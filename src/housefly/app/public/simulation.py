@@ -8,6 +8,9 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep_perception import LockstepPerception
 from housefly.messages import Estimate, Inputs, Order, PilotStep
 from housefly.pilot.assembly import make_pilot
+from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.parse import parse_fault
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.movable import Movable
 from housefly.twin.people import load_scene
@@ -23,19 +26,29 @@ class Simulation:
     Args:
         loaded: site, room and map.
         movables: things that no map shows.
+        intruders: whether faults injected later may put people and things in the way.
 
     Attributes:
         world: the simulated room, its visitor and its movable things.
         pilot: the pilot that ``step`` asks.
     """
 
-    def __init__(self, loaded: LoadedSite, movables: tuple[Movable, ...] = ()) -> None:
+    def __init__(
+        self,
+        loaded: LoadedSite,
+        movables: tuple[Movable, ...] = (),
+        *,
+        intruders: bool = False,
+    ) -> None:
         site = loaded.site
         scene = load_scene(site.twin.scene) if site.twin.scene else None
-        self.world = SimulatedWorld(site, loaded.room, scene, movables)
+        faults = FaultInjector(site, intruders=intruders)
+        self.world = SimulatedWorld(
+            site, loaded.room, scene, (*movables, *faults.movables), faults.people
+        )
         self.pilot = make_pilot(site, loaded.room, loaded.grid)
-        self._room = LockstepRoom(self.world, site)
-        self._perception = LockstepPerception(loaded, self.world)
+        self._room = LockstepRoom(self.world, site, faults)
+        self._perception = LockstepPerception(loaded, self.world, faults)
         self._period = 1.0 / site.control.rate_hz
         self._estimate: Estimate | None = None
         self._sequence = 0
@@ -44,6 +57,14 @@ class Simulation:
     def now(self) -> float:
         """World time [s]."""
         return self._room.now
+
+    def inject(self, *faults: str | Fault) -> None:
+        """Let faults happen, too: ``simulation.inject("mocap:off@20s+1s")``.
+
+        Raises ConfigError for one that cannot be read or not be made here.
+        """
+        for fault in faults:
+            self._room.inject(*(parse_fault(fault) if isinstance(fault, str) else (fault,)))
 
     def advance(self) -> None:
         """Let the world run for one period of the pilot."""

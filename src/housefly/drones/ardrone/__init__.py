@@ -5,6 +5,7 @@
 ``link``              UDP 5556, commands
 ``telemetry``         UDP 5554, reports
 ``handshake``         the acknowledged configuration, and TCP 5559
+``limits_keeper``     writes our settings, and knows whether they are there
 ``video``             TCP 5555, pictures
 ``driver``            all of it as a ``drones.contracts.Drone``
 

@@ -8,20 +8,16 @@ pilot pauses, the newest command is repeated.
 from __future__ import annotations
 
 import asyncio
-import contextlib
+import traceback
 from collections.abc import Callable, Coroutine
+from dataclasses import replace
 
 from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
+from housefly.drones.ardrone.limits_keeper import AIRBORNE, LimitsKeeper
 from housefly.drones.ardrone.link import CommandLink, led_value
-from housefly.drones.ardrone.settings import (
-    maxima_in,
-    maxima_of,
-    setting_mismatches,
-    wanted_settings,
-)
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
@@ -31,14 +27,14 @@ from housefly.wires.ardrone.command_sequencer import (
     REPEAT_AFTER,
     SEND_INTERVAL_MIN,
     CommandSequencer,
+    Permit,
 )
 from housefly.wires.ardrone.config import VideoChannel
-from housefly.wires.ardrone.navdata import NAVDATA_PORT, StateBits
+from housefly.wires.ardrone.navdata import NAVDATA_PORT
 
 FIRST_REPORT_TIMEOUT = 5.0
 """How long ``connect`` waits for the first report [s]."""
-_CONFIGURE_PAUSE = 1.0
-"""Pause before a rebooted drone is configured again after a failure [s]."""
+_FOUND_IN_THE_AIR = "found in the air by a new driver: it only hovers and lands"
 
 
 class ArDrone:
@@ -51,9 +47,8 @@ class ArDrone:
         full_navdata: 200 full reports a second (0.4 MB/s; about 2 % of one core more), or 15 short
             ones for a weak radio link.
 
-    Attributes:
-        notes: settings that the drone did not accept, in words.
-        configuration: as the drone reported it, texts by key; empty before ``connect``.
+    It takes off only once its limits were written, acknowledged, and read back equal. A drone that
+    is found in the air only hovers and lands.
     """
 
     def __init__(
@@ -64,18 +59,20 @@ class ArDrone:
         *,
         full_navdata: bool = True,
     ) -> None:
-        self.notes: tuple[str, ...] = ()
-        self.configuration: dict[str, str] = {}
         self._config = config
-        self._limits = limits
         self._clock = clock or RealClock()
-        self._full_navdata = full_navdata
         self._commands = CommandLink(config.address, self._clock)
         self._navdata = NavdataLink(config.address, self._clock)
         self._video = VideoLink(config.address, self._clock)
         self._configurator = Configurator(config.address, self._commands, self._navdata)
-        self._sequencer = CommandSequencer(maxima_of(limits), self._clock.now())
+        self._limits = LimitsKeeper(
+            limits, self._configurator, self._navdata, full_navdata=full_navdata
+        )
+        self._sequencer = CommandSequencer(self._limits.maxima, self._clock.now())
         self._sent_at = float("-inf")
+        self._told: tuple[Telemetry, Telemetry] | None = None
+        self._is_known = False
+        self._is_leaving = False
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
     async def connect(self) -> None:
@@ -88,14 +85,22 @@ class ArDrone:
         await self._commands.open()
         await self._navdata.open()
         self._start("repeat commands", self._repeat)
+        try:
+            await self._greet()
+        except LinkError as error:
+            self._limits.problem = str(error)
+            raise
+
+    async def _greet(self) -> None:
         if await self._navdata.wait_for(lambda packet: True, FIRST_REPORT_TIMEOUT) is None:
             raise LinkError(
                 f"no drone answers at {self._config.address}:{NAVDATA_PORT} within"
                 f" {FIRST_REPORT_TIMEOUT:g} s: is it switched on, and is your computer in the"
                 " drone's Wi-Fi?"
             )
-        await self._configure()
-        self._start("configure after reboot", self._configure_after_reboot)
+        await self._limits.write()
+        self._use_limits()
+        self._start("keep limits", self._keep_limits)
         if self._config.has_video:
             self._video.start()
 
@@ -109,17 +114,55 @@ class ArDrone:
         await self._navdata.close()
         self._commands.close()
 
-    def send(self, command: Command) -> None:
-        """Hand over the command in force from now on; returns at once."""
+    def send(self, command: Command, issued_at: float | None = None) -> None:
+        """Hand over the command in force from now on; returns at once.
+
+        Args:
+            command: of the pilot.
+            issued_at: when the pilot gave it [s]; now when None.
+        """
         now = self._clock.now()
-        action_changed = self._sequencer.update(command, now)
+        action_changed = self._sequencer.update(command, now, issued_at)
         if action_changed or now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit(now)
+
+    def abandon(self) -> None:
+        """Note that the pilot is gone: a flying drone brakes now and lands soon."""
+        self._sequencer.abandon()
+        self._transmit(self._clock.now())
+
+    def land_for_good(self) -> None:
+        """Land now, and take no order any more but to cut the motors."""
+        self._is_leaving = True
+        self._transmit(self._clock.now())
 
     @property
     def telemetry(self) -> Telemetry | None:
         """The newest report, or None before the first."""
-        return self._navdata.reports.telemetry
+        report, configured = self._navdata.reports.telemetry, self._limits.confirmed
+        if report is None:
+            return None
+        told = self._told
+        if told is None or told[0] is not report or told[1].configured is not configured:
+            told = report, replace(report, configured=configured, notes=self.notes)
+            self._told = told
+        return told[1]
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What is not as it should be with the drone's settings, in words."""
+        found = (_FOUND_IN_THE_AIR,) if self._sequencer.permit is Permit.HOVER_AND_LAND else ()
+        return (*self._limits.notes, *found)
+
+    @property
+    def configuration(self) -> dict[str, str]:
+        """What the drone reported of its configuration, texts by key; empty before ``connect``."""
+        return self._limits.texts
+
+    @property
+    def problem(self) -> str:
+        """What is wrong with drone or link, in words, or ""."""
+        return "; ".join(self.notes) if self._is_known else self._limits.problem
 
     @property
     def telemetry_rate_hz(self) -> float:
@@ -135,6 +178,10 @@ class ArDrone:
     def video_connected(self) -> bool:
         """Whether pictures arrive."""
         return self._video.connected
+
+    def on_report(self, handler: Callable[[], None]) -> None:
+        """Call the handler after each report of the drone."""
+        self._navdata.on_report = handler
 
     def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
         """Call the handler with each picture from the first key frame on."""
@@ -158,35 +205,21 @@ class ArDrone:
             raise LinkError(f"flat trim needs a drone on the ground; this one's state is: {state}")
         self._commands.send(at.FlatTrim())
 
-    async def _configure(self) -> None:
-        # each acknowledgement takes two reports; full ones come 5 ms apart, so this is quick even
-        # where short ones follow
-        await self._configurator.write("general:navdata_demo", False)
-        await self._configurator.log_in()
-        for name, value in wanted_settings(self._limits):
-            await self._configurator.write(name, value)
-        dump = await self._configurator.read()
-        self.configuration = dump.texts
-        self.notes = setting_mismatches(dump, self._limits)
-        self._sequencer.maxima = maxima_in(dump, maxima_of(self._limits))
-        if not self._full_navdata:
-            await self._configurator.write("general:navdata_demo", True)
+    async def _keep_limits(self) -> None:
+        await self._limits.keep(self._use_limits)
 
-    async def _configure_after_reboot(self) -> None:
-        while True:
-            await self._navdata.wait_for(
-                lambda packet: packet.has(StateBits.NAVDATA_BOOTSTRAP), None
-            )
-            with contextlib.suppress(LinkError):
-                await self._configure()
-                continue
-            await asyncio.sleep(_CONFIGURE_PAUSE)
+    def _use_limits(self) -> None:
+        self._sequencer.maxima = self._limits.maxima
 
     async def _repeat(self) -> None:
         while True:
             now = self._clock.now()
             if now - self._sent_at >= REPEAT_AFTER:
-                self._transmit(now)
+                try:
+                    self._transmit(now)
+                except Exception:
+                    traceback.print_exc()
+                    self._commands.send(at.Ref(at.RefBits.LAND), at.Pcmd())
             await asyncio.sleep(max(0.001, self._sent_at + REPEAT_AFTER - self._clock.now()))
 
     def _transmit(self, now: float) -> None:
@@ -195,10 +228,22 @@ class ArDrone:
         self._sent_at = now
         hears = self._navdata.hears_us
         self._commands.numbers.report_reception(hears, now)
-        commands = self._sequencer.next_commands(now, self.telemetry)
+        report = self.telemetry
+        self._sequencer.permit = self._permit(report)
+        commands = self._sequencer.next_commands(now, report)
         if not hears and at.ComWatchdog() not in commands:
             commands = (*commands, at.ComWatchdog())
         self._commands.send(*commands)
+
+    def _permit(self, report: Telemetry | None) -> Permit:
+        if self._is_leaving:
+            return Permit.LAND
+        if report is None or report.status is DroneStatus.UNKNOWN:
+            return self._sequencer.permit
+        is_first, self._is_known = not self._is_known, True
+        if report.status not in AIRBORNE:
+            return Permit.ALL
+        return Permit.HOVER_AND_LAND if is_first else self._sequencer.permit
 
     def _start(self, name: str, work: Callable[[], Coroutine[None, None, None]]) -> None:
         if name not in self._tasks:

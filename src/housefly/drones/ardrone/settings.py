@@ -48,13 +48,18 @@ def maxima_in(dump: Dump, wanted: Maxima) -> Maxima:
     )
 
 
-def setting_mismatches(dump: Dump, limits: LimitsConfig) -> tuple[str, ...]:
-    """Return, in words, the settings that the drone did not accept."""
-    return tuple(
-        f"the drone keeps {name} = {dump.texts.get(name, 'nothing')} instead of {value}"
+def setting_mismatches(dump: Dump, limits: LimitsConfig) -> dict[str, str]:
+    """Return the settings that the drone did not accept: keys, and what is wrong in words."""
+    return {
+        name: f"the drone keeps {name} = {dump.texts.get(name, 'nothing')} instead of {value}"
         for name, value in wanted_settings(limits)
         if not _same(dump.values.get(name), value)
-    )
+    }
+
+
+def is_needed_to_fly(name: str) -> bool:
+    """Return whether a setting limits the flight; the others only make worse pictures."""
+    return name.startswith("control:")
 
 
 def _same(found: ConfigValue | None, wanted: ConfigValue) -> bool:

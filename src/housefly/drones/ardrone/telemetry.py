@@ -1,7 +1,8 @@
 """The drone's reports: UDP port 5554 to the newest ``Telemetry``.
 
-The socket is connected, so only the drone is heard. Full navdata comes 200 times a second; each
-packet is checked, but converted to ``Telemetry`` only when someone reads it.
+The socket is connected, so only the drone is heard; who speaks in its name may neither jump ahead,
+so that the drone itself would count as late, nor keep the loop busy. Full navdata comes 200 times a
+second; each packet is checked, but converted to ``Telemetry`` only when someone reads it.
 """
 
 from __future__ import annotations
@@ -25,6 +26,10 @@ from housefly.wires.ardrone.navdata import (
 
 NAVDATA_TIMEOUT = 0.25
 """After this long without a report we ask again, and accept any sequence number next [s]."""
+SEQUENCE_JUMP_MAX = 1000
+"""A packet further ahead of the one before is refused, unless there was a silence: 5 s of them."""
+PACKETS_MAX = 600
+"""More datagrams in a second are thrown away unread; the drone sends 200."""
 _REPORT_AGE_MAX = 0.5
 """The link is connected while the newest report is younger than this [s]."""
 
@@ -38,7 +43,8 @@ class NavdataReports:
         packet: the newest good packet.
         received_at: when it came [s].
         broken: number of malformed datagrams.
-        old: number of packets that came late or twice.
+        old: number of packets that came late or twice, or from too far ahead.
+        unread: number of datagrams thrown away because there were too many.
     """
 
     def __init__(self) -> None:
@@ -46,12 +52,17 @@ class NavdataReports:
         self.received_at = float("-inf")
         self.broken = 0
         self.old = 0
+        self.unread = 0
+        self._heard_since, self._heard = float("-inf"), 0
         self._times: deque[float] = deque()
         self._telemetry: Telemetry | None = None
         self._is_read = True
 
     def accept(self, datagram: bytes, now: float) -> bool:
         """Decode a datagram that came now [s]; return whether it holds a newer report."""
+        if self._is_flooded(now):
+            self.unread += 1
+            return False
         try:
             packet = decode_navdata(datagram)
         except WireError:
@@ -66,11 +77,17 @@ class NavdataReports:
         self._forget_before(now - 1.0)
         return True
 
+    def _is_flooded(self, now: float) -> bool:
+        if now - self._heard_since > 1.0:
+            self._heard_since, self._heard = now, 0
+        self._heard += 1
+        return self._heard > PACKETS_MAX
+
     def _is_newer(self, packet: NavdataPacket, now: float) -> bool:
         """After a silence any number is newer: the drone may have rebooted."""
         return (
             self.packet is None
-            or packet.sequence > self.packet.sequence
+            or 0 < packet.sequence - self.packet.sequence <= SEQUENCE_JUMP_MAX
             or now - self.received_at > NAVDATA_TIMEOUT
         )
 
@@ -102,7 +119,12 @@ class NavdataReports:
 
 
 class NavdataLink(asyncio.DatagramProtocol):
-    """The socket to port 5554: requests reports, again after silence, and wakes those who wait."""
+    """The socket to port 5554: requests reports, again after silence, and wakes those who wait.
+
+    Attributes:
+        reports: what was heard.
+        on_report: called after each new report.
+    """
 
     def __init__(self, address: str, clock: Clock) -> None:
         self.reports = NavdataReports()
@@ -110,6 +132,7 @@ class NavdataLink(asyncio.DatagramProtocol):
         self._clock = clock
         self._transport: asyncio.DatagramTransport | None = None
         self._requesting: asyncio.Task[None] | None = None
+        self.on_report: Callable[[], None] = lambda: None
         self._waiters: dict[asyncio.Future[NavdataPacket], PacketCondition] = {}
 
     async def open(self) -> None:
@@ -162,6 +185,7 @@ class NavdataLink(asyncio.DatagramProtocol):
             return
         packet = self.reports.packet
         assert packet is not None
+        self.on_report()
         for future, condition in tuple(self._waiters.items()):
             if not future.done() and condition(packet):
                 future.set_result(packet)

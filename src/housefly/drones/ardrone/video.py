@@ -1,4 +1,8 @@
-"""The drone's live video: TCP port 5555 to ``VideoFrame``; reconnects for ever."""
+"""The drone's live video: TCP port 5555 to ``VideoFrame``; reconnects for ever.
+
+Whatever arrives, commands come first: a turn of the loop handles one small chunk, and a stream that
+is faster than any camera, or garbage, is given up for a while.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +24,18 @@ _STALL_TIMEOUT = 2.0
 """After this long without data the link reconnects and no longer counts as connected [s]."""
 _RECONNECT_PAUSE = 0.5
 """Pause before reconnecting [s]."""
-_CHUNK = 65_536
+_CHUNK = 16_384
+"""Bytes handled in one turn of the loop: about one picture."""
+_BYTES_PER_SECOND_MAX = 4_000_000
+"""Faster streams wait in the kernel; a real one has at most 0.5 MB/s."""
+_PICTURES_MAX = 120
+"""More pictures in a second are no camera's; the connection is given up."""
+_BAD_HEADERS_MAX = 256
+"""More refused headers in one connection are no video; it is given up."""
+
+
+class _Flood(Exception):
+    """What arrives is no video."""
 
 
 class VideoLink:
@@ -36,6 +51,7 @@ class VideoLink:
         self._clock = clock
         self._last_at = float("-inf")
         self._reading: asyncio.Task[None] | None = None
+        self._counted_since, self._counted = float("-inf"), 0
 
     @property
     def connected(self) -> bool:
@@ -56,7 +72,7 @@ class VideoLink:
 
     async def _read_for_ever(self) -> None:
         while True:
-            with contextlib.suppress(OSError, TimeoutError):
+            with contextlib.suppress(OSError, TimeoutError, _Flood):
                 await self._read_once()
             await asyncio.sleep(_RECONNECT_PAUSE)
 
@@ -71,10 +87,23 @@ class VideoLink:
                 if not chunk:
                     return
                 for frame in cutter.feed(chunk):
+                    self._count_picture()
                     if frame.header.codec == CODEC_H264 and gate.passes(frame):
                         self._deliver(frame)
+                if cutter.bad_headers > _BAD_HEADERS_MAX:
+                    raise _Flood
+                await asyncio.sleep(len(chunk) / _BYTES_PER_SECOND_MAX)
         finally:
             writer.transport.abort()
+
+    def _count_picture(self) -> None:
+        """Raise _Flood when pictures come faster than any camera makes them."""
+        now = self._clock.now()
+        if now - self._counted_since > 1.0:
+            self._counted_since, self._counted = now, 0
+        self._counted += 1
+        if self._counted > _PICTURES_MAX:
+            raise _Flood
 
     def _deliver(self, frame: PaveFrame) -> None:
         self._last_at = self._clock.now()

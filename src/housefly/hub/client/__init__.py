@@ -1,1 +1,1 @@
-"""Client of a running room: its discovery, and its questions over HTTP or a loopback line."""
+"""Client of a running room: its discovery, and its questions over HTTP or the hub's socket."""

@@ -20,4 +20,4 @@ def connect(site: str = "", *, address: str = "", key: str = "") -> RoomClient:
     if address:
         return RoomClient(address, key)
     place = find(site)
-    return RoomClient(place.address, place.key, port=place.port)
+    return RoomClient(place.address, place.key, socket=place.socket)

@@ -24,22 +24,24 @@ class RoomAddress:
         address: of its HTTP API, without a path.
         key: bearer token.
         pid: of the launcher.
-        port: loopback TCP port of the hub's query server; 0 for none.
+        socket: path of the hub's query server; "" for none.
     """
 
     site: str
     address: str
     key: str
     pid: int
-    port: int = 0
+    socket: str = ""
 
 
 @contextmanager
 def announced(place: RoomAddress) -> Iterator[None]:
     """Announce a run until the block ends."""
     file = folder() / f"{place.pid}.json"
-    file.touch(mode=0o600)
-    file.write_text(json.dumps(asdict(place)), encoding="utf-8")
+    # A file that is there already, with whatever mode, belongs to a run that is gone.
+    file.unlink(missing_ok=True)
+    with os.fdopen(os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as entry:
+        json.dump(asdict(place), entry)
     try:
         yield
     finally:
@@ -53,7 +55,7 @@ def running() -> tuple[RoomAddress, ...]:
         folder().glob("*.json"), key=lambda path: path.stat().st_mtime, reverse=True
     ):
         place = _read(file)
-        if place is None or not _lives(place.pid):
+        if place is None or not is_alive(place.pid):
             file.unlink(missing_ok=True)
         else:
             found.append(place)
@@ -93,13 +95,14 @@ def _read(file: Path) -> RoomAddress | None:
             str(tree["address"]),
             str(tree["key"]),
             int(tree["pid"]),
-            int(tree.get("port", 0)),
+            str(tree.get("socket", "")),
         )
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
-def _lives(pid: int) -> bool:
+def is_alive(pid: int) -> bool:
+    """Return whether a process with this number exists."""
     try:
         os.kill(pid, 0)
     except ProcessLookupError:

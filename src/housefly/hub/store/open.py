@@ -41,7 +41,7 @@ def store_address(site: Site) -> str:
     if site.hub.store.startswith(_SERVER_SCHEMES):
         return site.hub.store
     path = database_file(site)
-    path.parent.mkdir(parents=True, exist_ok=True)
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     return str(path)
 
 

@@ -8,10 +8,11 @@ since the last one. Neither damages the file.
 
 from __future__ import annotations
 
+import os
 import sqlite3
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import chain
 from pathlib import Path
 
@@ -93,6 +94,9 @@ class SqliteDatabase:
         self._connection.close()
 
     def _open(self) -> None:
+        with suppress(OSError):  # sqlite says in words what is wrong
+            # It knows who was where; its companions take its mode.
+            os.close(os.open(self.path, os.O_RDWR | os.O_CREAT, 0o600))
         with self._telling():
             self._connection = sqlite3.connect(
                 self.path,

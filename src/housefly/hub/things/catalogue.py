@@ -25,6 +25,7 @@ from typing import Annotated
 from pydantic import Field
 
 from housefly.config.section import Section
+from housefly.config.text import read_text_file
 from housefly.config.toml import parse_toml
 from housefly.config.validation import Location, validated
 from housefly.errors import ConfigError, ThingError
@@ -73,7 +74,7 @@ class _CatalogueFile(Section):
 def load_catalogue(path: Path) -> tuple[Thing, ...]:
     """Read and check a file; raises ConfigError naming thing, key, value and what is allowed."""
     try:
-        text = path.read_text(encoding="utf-8")
+        text = read_text_file(path)
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError("catalogue", f"cannot be read ({error})", str(path)) from error
     return catalogue_from_toml(text, str(path))

@@ -16,8 +16,8 @@ from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.fig07_grid import paint_grid
 from housefly.lab.reproduction.flight import FlightTracks
 from housefly.messages import Phase
+from housefly.record.places import distances_to_path
 from housefly.record.plot_style import BLUE, GREEN, ORANGE
-from housefly.record.summary import distance_to_path
 from housefly.room.grid import Cell, OccupancyGrid
 
 _SHADES = {
@@ -63,7 +63,7 @@ def draw_fig15_and_16(
 
 
 def _words(mode: str, flight: FlightTracks) -> str:
-    off = distance_to_path(flight.seen[flight.seen_during(Phase.OUTBOUND), :2], flight.path)
+    off = distances_to_path(flight.seen[flight.seen_during(Phase.OUTBOUND), :2], flight.path)
     length = sum(distance(a, b) for a, b in pairwise(flight.path))
     return (
         f"Mode {mode}: {length:.1f} m in {len(flight.path)} waypoints; flown"

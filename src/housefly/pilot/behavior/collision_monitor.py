@@ -8,7 +8,7 @@ A drone that waits for too long comes home, then lands (``mission_signals``).
 
 from __future__ import annotations
 
-from math import hypot
+from math import hypot, inf
 
 from housefly.geometry import stopping_distance
 from housefly.messages.flight import Event, OrderKind, Phase, Severity
@@ -28,7 +28,11 @@ REST_SPEED = 0.1
 REST_TIMEOUT = 1.5
 """... and is taken to stand this long after it began to brake [s]."""
 REPLAN_PERIOD = 0.25
-"""How often a waiting drone looks for a way [s]."""
+"""How often a drone looks for another way [s]."""
+PATIENCE_MAX = 4.0
+"""A drone whose new ways are blocked again at once waits longer each time, up to this [s]."""
+RELAPSE_TIME = 2.0
+"""A way that is blocked so soon after it was found was none [s]."""
 
 ON_THE_WAY = frozenset({Phase.OUTBOUND, Phase.RETURNING})
 
@@ -42,33 +46,53 @@ class CollisionMonitor:
         self._task = commander.task
         self._asked_at = 0.0
         self._reported = False
+        self._resumed_at = self._told_at = -inf
+        self._patience = 0.0
 
-    def step(self, vehicle: VehicleStatus, target: TrajectorySetpoint | None) -> list[Event]:
+    def step(
+        self, vehicle: VehicleStatus, target: TrajectorySetpoint | None, *, paused: bool = False
+    ) -> list[Event]:
         """Look ahead once.
 
         Args:
             vehicle: status and place of the drone.
             target: what was tracked in the last step, None while nothing was.
+            paused: the drone makes way for somebody.
         """
         commander = self._commander
         if commander.task is not self._task:
             self._task, target = commander.task, None
         state = commander.state
-        if state.phase not in ON_THE_WAY or state.stopped or vehicle.estimate is None:
+        if state.phase not in ON_THE_WAY or state.stopped or vehicle.estimate is None or paused:
             return []
         if commander.task.waiting:
             return self._wait(vehicle)
         block = self._block(vehicle, target)
         if block is None:
             return []
-        is_far = block.along > braking_distance(_speed(vehicle))
-        if is_far and commander.go_around(vehicle) is None:
-            text = f"{block.name} is in the way: going around"
-            return [Event(vehicle.now, Severity.INFO, "detour", text)]
+        if block.along > braking_distance(_speed(vehicle)):
+            if vehicle.now - self._asked_at < REPLAN_PERIOD:
+                return []
+            self._asked_at = vehicle.now
+            if self._commander.go_around(vehicle) is None:
+                return self._tell_detour(block, vehicle)
+        return self._stop_before(block, vehicle)
+
+    def _stop_before(self, block: PathBlock, vehicle: VehicleStatus) -> list[Event]:
+        is_relapse = vehicle.now - self._resumed_at < RELAPSE_TIME
+        self._patience = min(PATIENCE_MAX, max(0.5, 2.0 * self._patience)) if is_relapse else 0.0
         reason = f"{block.name} is in the way, {block.along:.1f} m ahead"
-        commander.wait(reason, vehicle)
+        self._commander.wait(reason, vehicle)
         self._asked_at, self._reported = vehicle.now, False
         return [Event(vehicle.now, Severity.WARNING, "way_blocked", f"{reason}: stopping")]
+
+    def _tell_detour(self, block: PathBlock, vehicle: VehicleStatus) -> list[Event]:
+        """Say that the drone goes around, once for many small changes of its way."""
+        last, self._told_at = self._told_at, vehicle.now
+        if vehicle.now - last < RELAPSE_TIME:
+            return []
+        text = f"{block.name} is in the way: going around"
+        return [Event(vehicle.now, Severity.INFO, "detour", text)]
 
     def waits_instead(self, reason: str, vehicle: VehicleStatus) -> bool:
         """Wait for the way that a new phase lacks, if only obstacles of now close it.
@@ -97,11 +121,12 @@ class CollisionMonitor:
         task = self._commander.task
         standing = _speed(vehicle) < REST_SPEED or vehicle.now - task.since > REST_TIMEOUT
         asked_lately = self._reported and vehicle.now - self._asked_at < REPLAN_PERIOD
-        if not standing or asked_lately:
+        if not standing or asked_lately or vehicle.now - task.since < self._patience:
             return []
         self._asked_at = vehicle.now
         refused = self._commander.go_around(vehicle)
         if refused is None:
+            self._resumed_at = vehicle.now
             return [Event(vehicle.now, Severity.INFO, "detour", "there is a way: going on")]
         if self._reported:
             return []

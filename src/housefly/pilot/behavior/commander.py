@@ -6,9 +6,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
+from housefly.messages.order_fault import shown_name
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import PlanAnswer
+from housefly.pilot.behavior.charge import charge_refusal
+from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import (
     STAY,
     Mission,
@@ -24,6 +28,11 @@ from housefly.pilot.behavior.path_profile import path_profile
 
 COAST_TIME = 0.4
 """A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
+
+LANDING_PLACE = "a clear place to land"
+"""Name of the mission that lands elsewhere than at home."""
+AIRBORNE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
+"""Phases in which the pilot moves the drone."""
 
 
 class Commander:
@@ -68,14 +77,17 @@ class Commander:
             battery=vehicle.battery,
             telemetry_age=vehicle.telemetry_age,
             pose_age=vehicle.pose_age,
+            vehicle=vehicle,
         )
         refused = refusal(order, context, self._limits)
         refused = refused or self._handlers[response](order, vehicle)
-        asked = " ".join(filter(None, (order.kind.value.replace("_", " "), order.place)))
+        asked = " ".join(
+            filter(None, (order.kind.value.replace("_", " "), shown_name(order.place)))
+        )
         if refused:
             text = f"{asked} refused: {refused.reason}"
             return Event(vehicle.now, Severity.WARNING, "order_refused", text)
-        by = f" by {order.sender}" if order.sender else ""
+        by = f" by {shown_name(order.sender)}" if order.sender else ""
         text = f"{asked}{by}: {response.value}"
         return Event(vehicle.now, Severity.INFO, "order_accepted", text)
 
@@ -143,6 +155,49 @@ class Commander:
         self._task = TrackingTask(profile, answer.path, duration)
         return None
 
+    def give_way(self, hold: Vec2, yaw: float, why: str, vehicle: VehicleStatus) -> None:
+        """Make for a place out of somebody's way, in the phase that the drone is in.
+
+        Args:
+            hold: where to go [m].
+            yaw: heading to keep [rad].
+            why: in words, for people.
+            vehicle: where the drone is.
+        """
+        before = self._task
+        since = before.since if before.waiting else vehicle.now
+        self._task = TrackingTask(
+            duration=before.duration, hold=hold, hold_yaw=yaw, waiting=why, since=since
+        )
+
+    def go_back(self, place: Vec2, vehicle: VehicleStatus) -> Refused | None:
+        """Return to a place [m] that was left for somebody, in the phase that the drone is in."""
+        answer = self._route(replace(self._state.mission, goal=place), vehicle)
+        if isinstance(answer, Refused):
+            return answer
+        if answer is not None and answer.path is not None:
+            profile = path_profile(answer.path.waypoints)
+            self._task = TrackingTask(profile, answer.path, self._task.duration)
+        return None
+
+    def land_at(self, spot: Vec2, vehicle: VehicleStatus) -> Refused | None:
+        """Go to another place [m] to land there."""
+        return self.depart(Mission(OrderKind.HOME, LANDING_PLACE, spot), vehicle)
+
+    def land_here(self, vehicle: VehicleStatus) -> None:
+        """Land where the drone is."""
+        self._state = self._state.entering(Phase.LANDING, vehicle.now, STAY)
+        self._task = TrackingTask()
+
+    def hold_at(self, place: Vec2, vehicle: VehicleStatus) -> None:
+        """Hold a place [m] in the phase that the drone is in."""
+        here = _hold_here(vehicle)
+        self._task = replace(here, hold=place, duration=self._task.duration)
+
+    def descend_to(self, height: float | None) -> None:
+        """Hold the present place at another height [m]; None for the usual one."""
+        self._task = replace(self._task, height=height)
+
     def _route(self, mission: Mission, vehicle: VehicleStatus) -> PlanAnswer | Refused | None:
         """Return the way; None when the mission needs none."""
         if mission.goal is None:
@@ -161,9 +216,16 @@ class Commander:
         mission = self._navigator.mission(order)
         if isinstance(mission, Refused):
             return mission
+        if vehicle.place is not None and self._state.phase is Phase.IDLE:
+            fault = self._navigator.people.take_off_fault(vehicle.place, vehicle.now)
+            if fault:
+                return Refused(fault)
         answer = self._route(mission, vehicle)
         if isinstance(answer, Refused):
             return answer
+        refused = charge_refusal(mission, vehicle, self._navigator, self._limits)
+        if refused:
+            return refused
         self._task = TrackingTask(path=answer.path if answer else None)
         is_rising = self._state.phase is Phase.TAKING_OFF
         since = self._state.since if is_rising else vehicle.now
@@ -172,7 +234,10 @@ class Commander:
 
     def _set_off(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
         mission = self._navigator.mission(order)
-        return mission if isinstance(mission, Refused) else self.depart(mission, vehicle)
+        if isinstance(mission, Refused):
+            return mission
+        refused = charge_refusal(mission, vehicle, self._navigator, self._limits)
+        return refused or self.depart(mission, vehicle)
 
     def _hold(self, order: Order, vehicle: VehicleStatus) -> None:
         if self._state.phase is Phase.TAKING_OFF:
@@ -181,9 +246,22 @@ class Commander:
             self.stay(vehicle)
 
     def _land(self, order: Order, vehicle: VehicleStatus) -> None:
-        if self._state.phase is not Phase.LANDING:
-            self._state = self._state.entering(Phase.LANDING, vehicle.now, STAY)
-            self._task = TrackingTask()
+        if self._must_wait_to_land(vehicle):
+            here = Mission(OrderKind.HOME, LANDING_PLACE, vehicle.place)
+            self._task = _hold_here(vehicle)
+            self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
+        elif self._state.phase is not Phase.LANDING:
+            self.land_here(vehicle)
+
+    def _must_wait_to_land(self, vehicle: VehicleStatus) -> bool:
+        """Return whether somebody is below the drone; a second order lands all the same."""
+        is_second = self._state.mission.name == LANDING_PLACE
+        if self._state.phase not in AIRBORNE_PHASES or self._state.stopped or is_second:
+            return False
+        return vehicle.place is not None and bool(
+            self._navigator.people.landing_fault(vehicle.place, vehicle.now)
+            or height_gap(vehicle) > HEIGHT_GAP_MAX
+        )
 
     def _stop(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.stopping(vehicle.now, vehicle.status is DroneStatus.LANDED)

@@ -108,6 +108,7 @@ class TrackingTask:
         hold_yaw: heading to keep there [rad].
         waiting: why it waits for the way to become free, in words; "" when it does not.
         since: since when it waits [s].
+        height: to fly at [m], None for the usual one.
     """
 
     profile: PathProfile | None = None
@@ -117,6 +118,7 @@ class TrackingTask:
     hold_yaw: float = 0.0
     waiting: str = ""
     since: float = 0.0
+    height: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,6 +135,8 @@ class VehicleStatus:
         return_wanted: the safety gate wants the drone to come home.
         telemetry: the drone's newest report, None before the first.
         consistency: tracking held against the drone's own report.
+        standing_height: tracked height of the drone when it stood [m].
+        maneuvering: a maneuver flies the drone.
     """
 
     now: float
@@ -144,6 +148,8 @@ class VehicleStatus:
     return_wanted: bool = False
     telemetry: Telemetry | None = None
     consistency: TrackingConsistency = NOTHING_KNOWN
+    standing_height: float = 0.0
+    maneuvering: bool = False
 
     @property
     def place(self) -> Vec2 | None:

@@ -6,10 +6,12 @@ from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Order
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.landing_monitor import LandingMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.separation_monitor import SeparationMonitor
 
 
 class MissionManager:
@@ -20,7 +22,11 @@ class MissionManager:
     ) -> None:
         self._commander = Commander(limits, navigator)
         self._collisions = CollisionMonitor(self._commander, navigator)
-        self._monitor = MissionMonitor(self._commander, self._collisions, limits, tolerance, paper)
+        self._separation = SeparationMonitor(self._commander, navigator, paper)
+        self._landings = LandingMonitor(self._commander, navigator)
+        self._monitor = MissionMonitor(
+            self._commander, self._collisions, self._landings, limits, tolerance, paper
+        )
 
     @property
     def state(self) -> MissionState:
@@ -31,6 +37,16 @@ class MissionManager:
     def task(self) -> TrackingTask:
         """What the drone tracks."""
         return self._commander.task
+
+    @property
+    def speed_factor(self) -> float:
+        """Share of the cruise speed to fly at near people, 0 to 1."""
+        return self._separation.speed_factor
+
+    @property
+    def is_yielding(self) -> bool:
+        """Whether the drone makes way for somebody."""
+        return self._separation.is_yielding
 
     def update(
         self,
@@ -49,5 +65,7 @@ class MissionManager:
         """
         events = [self._commander.obey(order, vehicle) for order in orders]
         events.extend(self._monitor.step(vehicle, target, facing))
-        events.extend(self._collisions.step(vehicle, target))
+        events.extend(self._landings.step(vehicle))
+        events.extend(self._collisions.step(vehicle, target, paused=self._separation.is_yielding))
+        events.extend(self._separation.step(vehicle))
         return events

@@ -7,15 +7,19 @@ from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.landing_monitor import LandingMonitor
 from housefly.pilot.behavior.mission import MissionState, Refused, VehicleStatus
 from housefly.pilot.behavior.mission_signals import SignalTimers, is_near, signals
 from housefly.pilot.behavior.mission_tables import Signal
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.standing import STANDS_HIGH, raised
 
 CUT_TIMEOUT = 15.0
 """A motor cut that is not acknowledged is given up after this [s]."""
 RESET_TIMEOUT = 3.0
 """A reset likewise [s]."""
+LANDS_WITHOUT_WAY = frozenset({Signal.RETURN_WANTED, Signal.OVERDUE})
+"""Signals after which a drone that has no way home lands where it is."""
 
 SIGNAL_EVENTS: dict[Signal, tuple[Severity, str]] = {
     Signal.AIRBORNE: (Severity.INFO, "in the air"),
@@ -28,6 +32,7 @@ SIGNAL_EVENTS: dict[Signal, tuple[Severity, str]] = {
     Signal.LOOKED: (Severity.INFO, "looked long enough, coming home"),
     Signal.OVERDUE: (Severity.WARNING, "took too long"),
     Signal.BLOCKED: (Severity.WARNING, "the way stays blocked"),
+    Signal.RETURN_WANTED: (Severity.WARNING, "coming home for safety"),
     Signal.FORCED_DOWN: (Severity.WARNING, "landing for safety"),
 }
 """How a change of phase is told."""
@@ -40,12 +45,14 @@ class MissionMonitor:
         self,
         commander: Commander,
         collision_monitor: CollisionMonitor,
+        landing_monitor: LandingMonitor,
         limits: LimitsConfig,
         tolerance: float,
         paper: bool,
     ) -> None:
         self._commander = commander
         self._collision_monitor = collision_monitor
+        self._landing_monitor = landing_monitor
         self._limits = limits
         self._tolerance = tolerance
         self._paper = paper
@@ -72,7 +79,7 @@ class MissionMonitor:
         found = signals(
             commander.state, commander.task, self._timers, vehicle, self._limits, facing
         )
-        for signal in found:
+        for signal in self._landing_monitor.allowed(found, vehicle):
             before = commander.state
             if commander.apply(signal, vehicle.now):
                 events.extend(self._entered(signal, before, vehicle))
@@ -91,29 +98,40 @@ class MissionMonitor:
 
     def _entered(self, signal: Signal, before: MissionState, vehicle: VehicleStatus) -> list[Event]:
         self._timers = SignalTimers()
-        event = self._event(signal, before, vehicle.now)
+        event = self._event(signal, before, vehicle)
         refused = self._follow_up(signal, before, vehicle)
         if refused is None:
             return [event]
         if self._collision_monitor.waits_instead(refused.reason, vehicle):
             text, code = f"waiting here: {refused.reason}", "way_blocked"
+        elif signal in LANDS_WITHOUT_WAY:
+            self._commander.land_here(vehicle)
+            text, code = f"no way home, landing here: {refused.reason}", "no_way"
         else:
             self._commander.stay(vehicle)
             text, code = f"holding here: {refused.reason}", "no_way"
         return [event, Event(vehicle.now, Severity.WARNING, code, text)]
 
-    def _event(self, signal: Signal, before: MissionState, now: float) -> Event:
+    def _event(self, signal: Signal, before: MissionState, vehicle: VehicleStatus) -> Event:
         severity, text = SIGNAL_EVENTS[signal]
-        if before.phase is Phase.LANDING and signal is Signal.GROUNDED:
+        height = raised(vehicle)
+        if signal is Signal.GROUNDED and height > STANDS_HIGH:
+            severity, text = (
+                Severity.WARNING,
+                f"stands {height:.2f} m above the floor: on something",
+            )
+        elif before.phase is Phase.LANDING and signal is Signal.GROUNDED:
             text = "landed"
         elif signal is Signal.BLOCKED:
             is_landing = self._commander.state.phase is Phase.LANDING
             text += ": landing here" if is_landing else ": coming home"
+        elif signal is Signal.OVERDUE and before.phase is Phase.HOLDING:
+            text = f"no order for {self._limits.hold_timeout:.0f} s: coming home"
         elif signal is Signal.OVERDUE:
             text = f"{before.phase.value} took too long"
         elif before.phase is Phase.IDLE and signal is Signal.AIRBORNE:
             severity, text = Severity.WARNING, "the drone is in the air without an order: holding"
-        return Event(now, severity, signal.name.lower(), text)
+        return Event(vehicle.now, severity, signal.name.lower(), text)
 
     def _follow_up(
         self, signal: Signal, before: MissionState, vehicle: VehicleStatus

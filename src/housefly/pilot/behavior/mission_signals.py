@@ -109,6 +109,8 @@ def signals(
     found = [STATUS_SIGNALS[vehicle.status]] if vehicle.status in STATUS_SIGNALS else []
     if vehicle.landing_forced:
         found.append(Signal.FORCED_DOWN)
+    if vehicle.return_wanted:
+        found.append(Signal.RETURN_WANTED)
     has_settled = now - timers.near >= ARRIVAL_TIME and not task.waiting
     if phase in (Phase.OUTBOUND, Phase.RETURNING) and has_settled:
         found.extend(_arrivals(state, facing))
@@ -117,20 +119,25 @@ def signals(
     has_looked = now - _looking_since(state, timers) >= state.mission.look_s
     if phase is Phase.LOOKING and has_looked:
         found.append(Signal.LOOKED)
-    if now - state.since > allowed_time(state, task, limits):
+    is_bound = not (phase is Phase.HOLDING and (state.stopped or vehicle.maneuvering))
+    if is_bound and now - state.since > allowed_time(state, task, limits):
         found.append(Signal.OVERDUE)
     return found
 
 
 def allowed_time(state: MissionState, task: TrackingTask, limits: LimitsConfig) -> float:
-    """Return how long the present phase may take [s]."""
+    """Return how long the present phase may take [s].
+
+    Under STOP the drone holds for as long as charge and clock allow, and a maneuver has its own
+    end. The gate ends a landing that takes too long.
+    """
     flight = OVERDUE_FACTOR * task.duration + OVERDUE_EXTRA
     return {
         Phase.IDLE: inf,
         Phase.TAKING_OFF: limits.take_off_timeout,
         Phase.OUTBOUND: flight,
         Phase.LOOKING: state.mission.look_s + 2.0 * FACING_TIMEOUT,
-        Phase.HOLDING: inf,
+        Phase.HOLDING: limits.hold_timeout,
         Phase.RETURNING: flight,
         Phase.LANDING: limits.landing_timeout,
     }[state.phase]

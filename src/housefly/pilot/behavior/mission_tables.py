@@ -1,7 +1,7 @@
 """The mission as two total tables: what an order does in each phase, and where a signal leads.
 
     IDLE -> TAKING_OFF -> OUTBOUND -> LOOKING -> RETURNING -> LANDING -> IDLE
-                             `-> HOLDING (after GO, HOVER, STOP, TAKE_OFF)
+                             `-> HOLDING (after GO, HOVER, STOP, TAKE_OFF) -> RETURNING
 
 The tables hold no conditions: those are worked out beforehand, as signals and refusals.
 """
@@ -79,6 +79,7 @@ class Signal(Enum):
     LOOKED = "looked long enough"
     OVERDUE = "the phase takes too long"
     BLOCKED = "the way stays blocked"
+    RETURN_WANTED = "the safety gate wants the drone to come home"
     FORCED_DOWN = "the safety gate lands the drone"
 
 
@@ -96,8 +97,9 @@ SIGNALS: dict[Signal, dict[Phase, Phase]] = {
         Signal.ARRIVED_TO_LOOK: (_I, _T,        _L,      _L,     _H,     _R_,      _D),
         Signal.ARRIVED_HOME:    (_I, _T,        _O,      _L,     _H,     _D,       _D),
         Signal.LOOKED:          (_I, _T,        _O,      _R_,    _H,     _R_,      _D),
-        Signal.OVERDUE:         (_I, _D,        _H,      _R_,    _H,     _D,       _D),
+        Signal.OVERDUE:         (_I, _D,        _H,      _R_,    _R_,    _D,       _D),
         Signal.BLOCKED:         (_I, _T,        _R_,     _L,     _H,     _D,       _D),
+        Signal.RETURN_WANTED:   (_I, _D,        _R_,     _R_,    _R_,    _R_,      _D),
         Signal.FORCED_DOWN:     (_I, _D,        _D,      _D,     _D,     _D,       _D),
     }.items()
 }

@@ -11,6 +11,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.mission import Mission, Refused
+from housefly.pilot.planning.people_map import PeopleMap
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +29,11 @@ class PathBlock:
 
 class Navigator(Protocol):
     """Knows the room and plans in it."""
+
+    @property
+    def people(self) -> PeopleMap:
+        """Everybody who is known, and how near they come."""
+        ...
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import dist, sqrt
 
 import numpy as np
 
-from housefly.geometry import Vec3
+from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
@@ -22,6 +22,7 @@ from housefly.pilot.estimation.estimator import (
     pose_estimate,
     position_variance,
 )
+from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor
 from housefly.pilot.estimation.validation import (
     RejectionLog,
     RejectionReason,
@@ -41,6 +42,7 @@ class PoseEstimator:
         state: of the compiled estimator.
         history: the commands given, which the state refers to.
         accepted: the newest sighting that was accepted, None before the first.
+        monitor: holds the sightings against the drone's own report.
     """
 
     def __init__(self, params: EstimatorParameters, body: str, now: float) -> None:
@@ -51,6 +53,7 @@ class PoseEstimator:
         self.history: CommandHistory = np.zeros(HISTORY_SIZE, COMMAND_SPAN)
         self.state: EstimatorState = estimator_created(self.history, params, now)
         self.accepted: Sighting | None = None
+        self.monitor = TrackingMonitor(params.position_noise)
 
     @property
     def rejected(self) -> dict[RejectionReason, int]:
@@ -87,22 +90,50 @@ class PoseEstimator:
             return self._rejections.reject(fault, now)
         if self._repeats(sighting) and not grounded:
             return self._rejections.reject(RejectionReason.FROZEN, now)
-        seen = _measurement(sighting)
-        accepted, self.state = estimator_updated(self.state, self.history, self._params, seen, now)
-        if not accepted:
-            return self._reject_jump(sighting, now, grounded)
+        if not self.monitor.agrees(sighting, self._predicted(sighting)):
+            return self._reject(RejectionReason.DISAGREES, sighting, now, grounded)
+        if not self._take(sighting, now):
+            return self._reject(RejectionReason.JUMP, sighting, now, grounded)
         self._accept(sighting)
         return ()
+
+    def _predicted(self, sighting: Sighting) -> Vec2 | None:
+        """Return where the filter expects the drone after a gap [m], None without one."""
+        if not self._is_back(sighting):
+            return None
+        here = pose_estimate(self.state, self.history, self._params, sighting.captured_at)
+        return here.x, here.y
+
+    def _is_back(self, sighting: Sighting) -> bool:
+        """Return whether a sighting is the first after a gap."""
+        gate = self.state.gate
+        return gate.initialized and sighting.captured_at - gate.last_capture >= GAP_MIN
+
+    def _take(self, sighting: Sighting, now: float) -> bool:
+        """Let the filter judge a sighting; after a gap the odometry vouches for it."""
+        seen, before = _measurement(sighting), self.state
+        accepted, self.state = estimator_updated(before, self.history, self._params, seen, now)
+        vouched = self._is_back(sighting) and self.monitor.vouches(sighting.captured_at)
+        if accepted or not vouched:
+            return accepted
+        self.state = estimator_initialized(before, self.history, self._params, seen, now)
+        return True
 
     def _repeats(self, sighting: Sighting) -> bool:
         """Return whether the position is the last one bit for bit: no flying drone does that."""
         before, self._last_position = self._last_position, sighting.pose.position
         return self._last_position == before
 
-    def _reject_jump(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
-        events = self._rejections.reject(RejectionReason.JUMP, now)
+    def _reject(
+        self, reason: RejectionReason, sighting: Sighting, now: float, grounded: bool
+    ) -> tuple[Event, ...]:
+        """Count a jump; on the ground, a drone that was carried is found again where it is now."""
+        self.monitor.refuse(now)
+        lies_still = grounded and not self.monitor.carried
+        words = self._lying_still_words(sighting) if lies_still else reason.value
+        events = self._rejections.reject(reason, now, words)
         since = self._rejections.rejecting_since
-        if not grounded or since is None or now - since < RESTART_AFTER:
+        if not grounded or lies_still or since is None or now - since < RESTART_AFTER:
             return events
         seen = _measurement(sighting)
         self.state = estimator_initialized(self.state, self.history, self._params, seen, now)
@@ -110,8 +141,17 @@ class PoseEstimator:
         text = "the drone was moved on the ground: tracking starts anew"
         return (Event(now, Severity.INFO, "tracking_restarted", text),)
 
+    def _lying_still_words(self, sighting: Sighting) -> str:
+        assert self.accepted is not None
+        moved = dist(sighting.pose.position, self.accepted.pose.position)
+        return (
+            f"it says that the drone moved {moved:.1f} m while it lay still: is it another body?"
+            " Lift the drone to show where it is"
+        )
+
     def _accept(self, sighting: Sighting) -> None:
         self.accepted = sighting
+        self.monitor.accept(sighting)
         self._rejections.accepted()
 
 

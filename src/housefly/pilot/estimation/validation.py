@@ -28,6 +28,7 @@ class RejectionReason(Enum):
     OUT_OF_ORDER = "its stamp is not newer than the last one"
     STALE = "it is too old"
     JUMP = "it is too far from where the drone can be"
+    DISAGREES = "it does not agree with the drone's own motion"
     FROZEN = "it stays the same to the last bit while the drone flies"
 
 
@@ -99,8 +100,14 @@ class RejectionLog:
         """A sighting was accepted: the series ends."""
         self._rejecting_since = None
 
-    def reject(self, reason: RejectionReason, now: float) -> tuple[Event, ...]:
-        """Count a rejection; return an event when nothing was accepted for too long."""
+    def reject(self, reason: RejectionReason, now: float, words: str = "") -> tuple[Event, ...]:
+        """Count a rejection; return an event when nothing was accepted for too long.
+
+        Args:
+            reason: why.
+            now: time [s].
+            words: said in place of the reason's own.
+        """
         self._counts[reason] += 1
         if reason is RejectionReason.OUT_OF_ORDER:
             return ()
@@ -111,5 +118,6 @@ class RejectionLog:
         ):
             return ()
         self._reported_at = now
-        text = f"tracking is not believed since {now - self._rejecting_since:.1f} s: {reason.value}"
+        seconds = now - self._rejecting_since
+        text = f"tracking is not believed since {seconds:.1f} s: {words or reason.value}"
         return (Event(now, Severity.WARNING, "tracking_refused", text),)

@@ -14,9 +14,9 @@ from math import hypot, isfinite
 
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance, wrap_angle
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.sensing import Sighting
-from housefly.pilot.planning.obstacles import OBSTACLE_CLOCK_TOLERANCE, OBSTACLE_SPEED_MAX
+from housefly.pilot.planning.obstacles import OBSTACLE_CLOCK_TOLERANCE
 from housefly.room.model import Room
 from housefly.room.tracked import Stand, footprint_of, stand_of
 
@@ -34,6 +34,8 @@ standing.
 """
 STANDING_SPEED_MAX = 0.1
 """Slower things count as standing [m/s]."""
+CARRIED_SPEED_MAX = 3.0
+"""Faster things were put down elsewhere while nobody looked [m/s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +69,7 @@ class TrackedPose:
         )
         # What is faster was put down elsewhere while nobody looked, or tracking took another body
         # for it.
-        moves = STANDING_SPEED_MAX < hypot(*velocity) < OBSTACLE_SPEED_MAX
+        moves = STANDING_SPEED_MAX < hypot(*velocity) < CARRIED_SPEED_MAX
         return TrackedPose(at, middle, yaw, velocity if moves else (0.0, 0.0), at, middle)
 
 
@@ -134,6 +136,7 @@ class TrackedFurniture:
             1.0,
             now,
             FURNITURE_SOURCE,
+            ObstacleKind.THING,
         )
 
     def _obstacle(self, body: str, place: TrackedPose, now: float) -> Obstacle | None:
@@ -154,6 +157,7 @@ class TrackedFurniture:
             1.0,
             now,
             FURNITURE_SOURCE,
+            ObstacleKind.THING,
         )
 
     def _is_news(self, body: str, obstacle: Obstacle) -> bool:

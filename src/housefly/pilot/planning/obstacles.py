@@ -17,6 +17,7 @@ import numpy as np
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
+from housefly.pilot.planning.people import may_be_person, predicted_velocity
 
 CERTAINTY_HALF_LIFE = 1.0
 """An obstacle that is not seen is half as believable after this [s]."""
@@ -28,8 +29,8 @@ OBSTACLES_MAX = 64
 """No more obstacles than this are kept; the most believable stay."""
 OBSTACLE_SIZE_MAX = 5.0
 """No obstacle reaches farther from its middle than this [m]."""
-OBSTACLE_SPEED_MAX = 3.0
-"""No obstacle moves faster than this [m/s]."""
+OBSTACLE_SPEED_MAX = 10.0
+"""No obstacle moves faster than this [m/s]; people run, and are believed to be where they are."""
 OBSTACLE_CLOCK_TOLERANCE = 0.05
 """How far a capture time may lie in the future [s]: clocks of two processes on one machine agree
 better.
@@ -107,7 +108,11 @@ class ObstacleMemory:
 
 
 def obstacle_rows(
-    obstacles: Iterable[Obstacle], now: float, horizon: float, band: Vec2
+    obstacles: Iterable[Obstacle],
+    now: float,
+    horizon: float,
+    band: Vec2,
+    comfort: float = 0.0,
 ) -> tuple[FloatArray, tuple[str, ...]]:
     """Return the ground that obstacles may cover until a time ahead, and the rows' names.
 
@@ -119,22 +124,28 @@ def obstacle_rows(
         obstacles: what is known.
         now: time [s].
         horizon: how far ahead [s].
-        band: heights between which an obstacle counts [m].
+        band: heights between which an obstacle counts [m]; people count at any height, because
+            nobody is flown over.
+        comfort: people count as so much larger [m].
     """
     counting = [
-        obstacle for obstacle in obstacles if obstacle.bottom <= band[1] and obstacle.top >= band[0]
+        obstacle
+        for obstacle in obstacles
+        if may_be_person(obstacle) or (obstacle.bottom <= band[1] and obstacle.top >= band[0])
     ]
     rows = np.array(
-        [_row(obstacle, now, horizon) for obstacle in counting], dtype=np.float64
+        [_row(obstacle, now, horizon, comfort) for obstacle in counting], dtype=np.float64
     ).reshape(-1, 9)
     return rows, tuple(obstacle.id for obstacle in counting)
 
 
-def _row(obstacle: Obstacle, now: float, horizon: float) -> tuple[float, ...]:
-    (x, y), (length, width), (vx, vy) = obstacle.position, obstacle.size, obstacle.velocity
+def _row(obstacle: Obstacle, now: float, horizon: float, comfort: float) -> tuple[float, ...]:
+    (x, y), (length, width) = obstacle.position, obstacle.size
+    vx, vy = predicted_velocity(obstacle)
     ahead = max(0.0, now - obstacle.seen_at) + horizon
+    grown = comfort if may_be_person(obstacle) else 0.0
     if vx or vy:
-        return x, y, 0.0, 0.0, 1.0, 0.0, _reach(obstacle), vx * ahead, vy * ahead
+        return x, y, 0.0, 0.0, 1.0, 0.0, _reach(obstacle) + grown, vx * ahead, vy * ahead
     return (
         x,
         y,
@@ -142,7 +153,7 @@ def _row(obstacle: Obstacle, now: float, horizon: float) -> tuple[float, ...]:
         width / 2,
         float(np.cos(obstacle.yaw)),
         float(np.sin(obstacle.yaw)),
-        obstacle.radius,
+        obstacle.radius + grown,
         0.0,
         0.0,
     )

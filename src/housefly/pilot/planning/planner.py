@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import isfinite
 
 import numpy as np
 
 from housefly.geometry import Vec2, distance
+from housefly.messages.order_fault import COORDINATE_MAX
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.planning.dijkstra import (
     UNREACHED,
@@ -86,7 +86,7 @@ def path_clearance(grid: OccupancyGrid, waypoints: tuple[Vec2, ...]) -> float:
 
 def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
     """Return why the drone may not be at this point, or nothing."""
-    if not (isfinite(point[0]) and isfinite(point[1])):
+    if not _is_of_this_world(point):
         return f"the {name} is not a position: {point}"
     cell = grid.cell_of(point)
     if not grid.contains(cell):
@@ -99,7 +99,7 @@ def _objection(grid: OccupancyGrid, name: str, point: Vec2) -> str:
 
 def _nearest(grid: OccupancyGrid, allowed: FreeMask, point: Vec2) -> Vec2 | None:
     """Return the middle of the allowed cell nearest to a point [m]; the first among equals."""
-    if not (isfinite(point[0]) and isfinite(point[1])) or not allowed.any():
+    if not _is_of_this_world(point) or not allowed.any():
         return None
     ix, iy = np.nonzero(allowed)
     dx = grid.origin[0] + (ix + 0.5) * grid.resolution - point[0]
@@ -107,6 +107,10 @@ def _nearest(grid: OccupancyGrid, allowed: FreeMask, point: Vec2) -> Vec2 | None
     best = int(np.argmin(dx * dx + dy * dy))
     nearest: CellIndex = (int(ix[best]), int(iy[best]))
     return grid.centre_of(nearest)
+
+
+def _is_of_this_world(point: Vec2) -> bool:
+    return abs(point[0]) <= COORDINATE_MAX and abs(point[1]) <= COORDINATE_MAX
 
 
 def _corners(points: tuple[Vec2, ...]) -> tuple[Vec2, ...]:

@@ -8,20 +8,18 @@ it stands; then nothing moves without a fresh order.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import Action, Command, SafetyMode, Setpoint
+from housefly.pilot.safety.fallbacks import possible_mode
+from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
-from housefly.pilot.safety.rules import (
-    AIRBORNE_STATUSES,
-    MODE_SEVERITY,
-    SAFETY_RULES,
-    GateInputs,
-    Geofence,
-    SafetyRule,
-)
+from housefly.pilot.safety.observer import FlightObserver
+from housefly.pilot.safety.rule import RuleContext, SafetyRule
+from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
 A, M = Action, SafetyMode
 
@@ -62,6 +60,21 @@ state, and RESET only there.
 
 
 @dataclass(frozen=True, slots=True)
+class BrokenRule:
+    """One rule that is broken now.
+
+    Attributes:
+        code: of the rule.
+        mode: what is done about it, knowledge permitting.
+        words: for people.
+    """
+
+    code: str
+    mode: SafetyMode
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
 class GateAssessment:
     """What the rules found in one step, before any command is looked at.
 
@@ -69,12 +82,14 @@ class GateAssessment:
         mode: the worst that was found.
         code, reason: of the deciding rule, "" when nothing is wrong.
         status: the drone's own status.
+        broken: every broken rule, worst first.
     """
 
     mode: SafetyMode
     code: str
     reason: str
     status: DroneStatus
+    broken: tuple[BrokenRule, ...] = ()
 
     @property
     def airborne(self) -> bool:
@@ -90,54 +105,107 @@ class GateVerdict:
         command: for the driver.
         mode: the worst that was found.
         code, reason: of the deciding rule, "" when nothing is wrong.
+        broken: every broken rule, worst first.
     """
 
     command: Command
     mode: SafetyMode
     code: str = ""
     reason: str = ""
+    broken: tuple[BrokenRule, ...] = ()
 
 
 class Gate:
-    """Judges every step; remembers how long each rule is broken, and a landing that it began."""
+    """Judges every step; remembers how long each rule is broken, and a landing that it began.
 
-    def __init__(self, limits: LimitsConfig, fence: Geofence) -> None:
+    Args:
+        limits: of the site.
+        fence: of the room.
+        rules: what counts; fewer than all are for negative controls only.
+    """
+
+    def __init__(
+        self,
+        limits: LimitsConfig,
+        fence: Geofence,
+        rules: tuple[SafetyRule, ...] = SAFETY_RULES,
+    ) -> None:
         self._limits = limits
         self._fence = fence
-        self._broken_since: dict[str, float] = {}
-        self._landing: SafetyRule | None = None
-        self._landing_reason = ""
+        self._rules = rules
+        self._observer = FlightObserver(limits)
+        self._since: dict[str, float] = {}
+        self._until: dict[str, float] = {}
+        self._landing: BrokenRule | None = None
+        self._held = False
+        self._returning = False
+        self._standing_height = 0.0
 
     @property
     def landing(self) -> bool:
         """Whether a forced landing is under way."""
         return self._landing is not None
 
+    @property
+    def returning(self) -> bool:
+        """Whether the drone is to come home."""
+        return self._returning
+
+    @property
+    def standing_height(self) -> float:
+        """Tracked height of the drone when it stood [m]."""
+        return self._standing_height
+
     def assess(self, inputs: GateInputs) -> GateAssessment:
         """Return what the rules find now."""
-        rule, reason = self._worst(inputs)
-        if rule is None:
-            return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
-        return GateAssessment(rule.mode, rule.code, reason, inputs.status)
-
-    def _worst(self, inputs: GateInputs) -> tuple[SafetyRule | None, str]:
+        context = self._context(inputs)
+        broken = self._broken(context)
         if inputs.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
             self._landing = None
-        broken = [rule for rule in SAFETY_RULES if self._is_broken(rule, inputs)]
-        worst = max(broken, key=lambda rule: MODE_SEVERITY[rule.mode], default=None)
-        if worst is not None and worst.mode is SafetyMode.LAND:
-            self._landing, self._landing_reason = worst, worst.words(inputs, self._limits)
-        if self._landing is not None and (
-            worst is None or MODE_SEVERITY[worst.mode] <= MODE_SEVERITY[SafetyMode.LAND]
-        ):
-            return self._landing, self._landing_reason
-        return worst, worst.words(inputs, self._limits) if worst else ""
+        elif broken and broken[0].mode in (SafetyMode.LAND, SafetyMode.DESCEND):
+            self._landing = broken[0]
+        elif self._landing is not None:
+            broken = self._with_landing(broken, self._landing, context)
+        worst = broken[0] if broken else None
+        self._returning = worst is not None and worst.mode is SafetyMode.RETURN
+        self._held = any(rule.mode is SafetyMode.HOLD for rule in broken)
+        if worst is None:
+            return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
+        return GateAssessment(worst.mode, worst.code, worst.words, inputs.status, broken)
 
-    def _is_broken(self, rule: SafetyRule, inputs: GateInputs) -> bool:
-        if not rule.broken(inputs, self._limits, self._fence):
-            self._broken_since.pop(rule.code, None)
+    def _context(self, inputs: GateInputs) -> RuleContext:
+        seen = self._observer.observe(inputs, self._held, self.landing)
+        self._standing_height = seen.standing_height
+        return RuleContext(inputs, seen, self._limits, self._fence)
+
+    def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
+        found = (
+            BrokenRule(rule.code, possible_mode(rule.mode, context), rule.words(context))
+            for rule in self._rules
+            if self._is_broken(rule, context)
+        )
+        return tuple(sorted(found, key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True))
+
+    def _with_landing(
+        self, broken: tuple[BrokenRule, ...], landing: BrokenRule, context: RuleContext
+    ) -> tuple[BrokenRule, ...]:
+        """Return what is broken with a landing that is under way, whatever began it."""
+        mode = possible_mode(SafetyMode.LAND, context)
+        kept = BrokenRule(landing.code, mode, landing.words)
+        others = (rule for rule in broken if rule.code != landing.code)
+        return tuple(
+            sorted((*others, kept), key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True)
+        )
+
+    def _is_broken(self, rule: SafetyRule, context: RuleContext) -> bool:
+        now = context.now.now
+        if not rule.applies(context):
+            self._since.pop(rule.code, None)
+            return now < self._until.get(rule.code, -inf) and context.now.airborne
+        if now - self._since.setdefault(rule.code, now) < rule.after:
             return False
-        return inputs.now - self._broken_since.setdefault(rule.code, inputs.now) >= rule.after
+        self._until[rule.code] = now + rule.lasts
+        return True
 
 
 def released(action: Action, gated: GatedCommand, assessment: GateAssessment) -> GateVerdict:
@@ -153,10 +221,11 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
         mode, code = SafetyMode.HOLD, "not_finite"
         reason = "the command was not a number: the drone holds itself"
     allowed = _allowed(action, mode, assessment)
+    broken = assessment.broken
     if allowed is not Action.FLY:
-        return GateVerdict(Command(allowed), mode, code, reason)
+        return GateVerdict(Command(allowed), mode, code, reason, broken)
     setpoint = Setpoint(gated.theta, gated.phi, gated.vz, gated.yaw_rate)
-    return GateVerdict(Command(allowed, setpoint), mode, code, reason)
+    return GateVerdict(Command(allowed, setpoint), mode, code, reason, broken)
 
 
 def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Action:
@@ -173,27 +242,37 @@ the log otherwise.
 
 
 class GateNotices:
-    """Remembers the trouble told last."""
+    """Remembers which troubles were told."""
 
     def __init__(self) -> None:
-        self._reported = ""
-        self._clear_since: float | None = None
+        self._seen: dict[str, float] = {}
 
     def update(self, verdict: GateVerdict, now: float) -> tuple[Event, ...]:
-        """Return the events of one verdict at a time [s]."""
-        if verdict.code:
-            self._clear_since = None
-            if verdict.code == self._reported:
-                return ()
-            self._reported = verdict.code
-            severity = (
-                Severity.FAULT
-                if verdict.mode in (SafetyMode.LAND, SafetyMode.CUT)
-                else Severity.WARNING
+        """Return the events of one verdict at a time [s]: each trouble once, and the end of all."""
+        was_told = bool(self._seen)
+        self._seen = {
+            code: at for code, at in self._seen.items() if now - at < CLEAR_AFTER or now < at
+        }
+        events = tuple(
+            Event(now, _severity(trouble.mode), trouble.code, trouble.words)
+            for trouble in _troubles(verdict)
+            if self._seen.setdefault(trouble.code, inf) == inf
+        )
+        self._seen.update({trouble.code: now for trouble in _troubles(verdict)})
+        if was_told and not self._seen:
+            return (
+                Event(now, Severity.INFO, "safety_clear", "nothing holds the drone back any more"),
             )
-            return (Event(now, severity, verdict.code, verdict.reason),)
-        self._clear_since = now if self._clear_since is None else self._clear_since
-        if not self._reported or now - self._clear_since < CLEAR_AFTER:
-            return ()
-        self._reported = ""
-        return (Event(now, Severity.INFO, "safety_clear", "nothing holds the drone back any more"),)
+        return events
+
+
+def _troubles(verdict: GateVerdict) -> tuple[BrokenRule, ...]:
+    """Return every trouble of a verdict, the deciding one first."""
+    if not verdict.code or any(rule.code == verdict.code for rule in verdict.broken):
+        return verdict.broken
+    return (BrokenRule(verdict.code, verdict.mode, verdict.reason), *verdict.broken)
+
+
+def _severity(mode: SafetyMode) -> Severity:
+    is_fault = MODE_SEVERITY[mode] >= MODE_SEVERITY[SafetyMode.LAND]
+    return Severity.FAULT if is_fault else Severity.WARNING

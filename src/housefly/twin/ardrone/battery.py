@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from housefly.twin.disturbance import Disturbances
+
 _ENDURANCE = 720.0
 """Hovering from full to empty [s] (the 3S 1000 mAh pack is rated for 12 minutes)."""
 _IDLE_SHARE = 0.05
@@ -39,3 +41,22 @@ class Battery:
         rotors = load**1.5 if load > 0.0 else 0.0
         used = seconds / _ENDURANCE * (_IDLE_SHARE + (1.0 - _IDLE_SHARE) * rotors)
         self.charge = max(0.0, self.charge - used)
+
+
+class BatteryGauge:
+    """What the drone's computer knows of its battery.
+
+    Attributes:
+        charge: 0 to 1, as it says.
+        voltage: as it says [V].
+    """
+
+    def __init__(self, battery: Battery) -> None:
+        self._battery = battery
+        self.charge, self.voltage = battery.charge, battery.voltage
+
+    def read(self, disturbances: Disturbances) -> None:
+        """Measure, with the voltage lost under load; a stuck gauge says what it said last."""
+        if not disturbances.battery_gauge_stuck:
+            self.charge = self._battery.charge
+            self.voltage = self._battery.voltage - disturbances.voltage_sag

@@ -13,7 +13,7 @@ from typing import Any
 
 from housefly.twin.address import PeerAddress
 from housefly.twin.ardrone.config_store import ConfigStore
-from housefly.twin.ardrone.link import LINK_LOST_AFTER, Link
+from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Deliver, Link
 from housefly.twin.contracts import TwinWorld
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.config import MulticonfigIds
@@ -31,15 +31,22 @@ class CommandServer(asyncio.DatagramProtocol):
         link: acknowledge bit, silence, counters.
         config: what CONFIG writes.
         send_config: called for ``CTRL 4`` and, with True, for ``CTRL 6``.
+        uplink: what the client's datagrams pass on their way.
     """
 
     def __init__(
-        self, world: TwinWorld, link: Link, config: ConfigStore, send_config: Callable[[bool], None]
+        self,
+        world: TwinWorld,
+        link: Link,
+        config: ConfigStore,
+        send_config: Callable[[bool], None],
+        uplink: Callable[[Deliver], Deliver] = UNFILTERED.uplink,
     ) -> None:
         self._world = world
         self._link = link
         self._config = config
         self._send_config = send_config
+        self._deliver = uplink(self.receive)
         self._last_sequence = _NO_SEQUENCE
         self._emergency_held = False
         self._ids: MulticonfigIds | None = None
@@ -68,7 +75,7 @@ class CommandServer(asyncio.DatagramProtocol):
 
     def datagram_received(self, data: bytes, addr: PeerAddress) -> None:
         """Obey a datagram from any client."""
-        self.receive(data)
+        self._deliver(data)
 
     def receive(self, datagram: bytes) -> None:
         """Obey the good commands of a datagram and count the bad ones; never raises."""

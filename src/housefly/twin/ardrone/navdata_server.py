@@ -11,7 +11,7 @@ import asyncio
 
 from housefly.clock import Rate
 from housefly.twin.address import PeerAddress
-from housefly.twin.ardrone.link import LINK_LOST_AFTER, Link
+from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Link, LinkFilters
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.contracts import TwinWorld
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_MULTICAST, REQUEST_UNICAST
@@ -25,8 +25,15 @@ _REQUESTS = frozenset({REQUEST_UNICAST[:1], REQUEST_UNICAST, REQUEST_MULTICAST})
 class NavdataServer(asyncio.DatagramProtocol):
     """Sends reports at the real drone's rates from ``start`` to ``stop``."""
 
-    def __init__(self, world: TwinWorld, link: Link, writer: NavdataWriter) -> None:
+    def __init__(
+        self,
+        world: TwinWorld,
+        link: Link,
+        writer: NavdataWriter,
+        filters: LinkFilters = UNFILTERED,
+    ) -> None:
         self._world = world
+        self._reported, self._send = filters.reported, filters.downlink(self._transmit)
         self._link = link
         self._writer = writer
         self._lost_client: PeerAddress | None = None
@@ -94,8 +101,12 @@ class NavdataServer(asyncio.DatagramProtocol):
         if self._congested:
             link.counters.navdata_unsent += 1
             return
-        self._transport.sendto(self._writer.packet(self._world.onboard()), link.client)
-        link.counters.navdata_sent += 1
+        self._send(self._writer.packet(self._reported(self._world.onboard())))
+
+    def _transmit(self, packet: bytes) -> None:
+        if self._link.client is not None and self._transport is not None:
+            self._transport.sendto(packet, self._link.client)
+            self._link.counters.navdata_sent += 1
 
     def _is_silent(self) -> bool:
         now = self._world.now

@@ -33,6 +33,7 @@ def _state_bits(onboard: OnboardState, link: Link, demo: bool) -> int:
         (onboard.low_battery, StateBits.BATTERY_LOW),
         (onboard.angles_out_of_range, StateBits.ANGLES_OUT_OF_RANGE),
         (onboard.com_watchdog, StateBits.COM_WATCHDOG),
+        (onboard.ultrasound_deaf, StateBits.ULTRASOUND_DEAF),
         (onboard.flight is FlightState.EMERGENCY, StateBits.EMERGENCY),
     )
     bits = int(_ALWAYS_SET)

@@ -8,7 +8,7 @@ optical flow wanders by centimetres to decimetres in minutes.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from math import exp, sqrt
 from typing import NamedTuple
 
@@ -82,21 +82,34 @@ class SensorReading(NamedTuple):
     acceleration: Vec3
 
 
+def _bare_floor(position: Vec3) -> float:
+    """Return the height of the surface below a position where nothing stands [m]."""
+    return 0.0
+
+
 class OnboardSensors:
     """The sensors of one drone.
 
     Every reading draws the same amount of noise, so that observers cannot change a flight.
+
+    Args:
+        rng: source of all noise.
+        surface_below: returns the height [m] of the surface that the sonar meets below a world
+            position; asked once per ping.
     """
 
-    def __init__(self, rng: np.random.Generator) -> None:
+    def __init__(
+        self, rng: np.random.Generator, surface_below: Callable[[Vec3], float] = _bare_floor
+    ) -> None:
         self._rng = rng
+        self._surface_below = surface_below
         self._noise = _rows(rng)
         self._offset_phi, self._offset_theta = rng.normal(0.0, _ATTITUDE_OFFSET, 2).tolist()
         self._gyro_bias = float(rng.normal(0.0, _GYRO_BIAS))
         self._psi = 0.0
         self._psi_before: float | None = None
         self._flow_bias = (0.0, 0.0)
-        self._late: deque[tuple[float, float, float]] = deque(
+        self._late: deque[tuple[float, float, Vec3]] = deque(
             maxlen=round(FLOW_DELAY / CONTROL_PERIOD) + 1
         )
         self._height = 0.0
@@ -146,9 +159,10 @@ class OnboardSensors:
     def _flow_and_sonar(self, body: BodyState, noise: float) -> Vec3:
         w, x, y, z = body.orientation
         vx, vy, _ = rotate((w, -x, -y, -z), body.velocity)
-        self._late.append((vx, vy, body.position[2] - STANDING_HEIGHT))
-        forward, left, height = self._late[0]
+        self._late.append((vx, vy, body.position))
+        forward, left, position = self._late[0]
         if self._count % _SONAR_DIVIDER == 0:
+            height = position[2] - STANDING_HEIGHT - self._surface_below(position)
             self._height = max(0.0, height + _SONAR_NOISE * noise)
         self._count += 1
         return forward, left, self._height

@@ -11,7 +11,7 @@ from housefly.twin.address import check_address
 from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
 from housefly.twin.ardrone.control_server import ControlServer
-from housefly.twin.ardrone.link import Counters, Link
+from housefly.twin.ardrone.link import UNFILTERED, Counters, Link, LinkFilters
 from housefly.twin.ardrone.navdata_server import NavdataServer
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.ardrone.video_server import PAVE_HEADER_SIZE, VideoServer
@@ -27,6 +27,7 @@ class ArDroneServer:
         pave_header_size: 64, or 68 as some firmware sends.
         tells_vertical_speed: whether to fill navdata's vz; the real drone leaves it at 0.
         beyond_loopback: allow an address that other machines can reach.
+        filters: what stands between the client and the drone.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
@@ -40,6 +41,7 @@ class ArDroneServer:
         pave_header_size: int = PAVE_HEADER_SIZE,
         tells_vertical_speed: bool = False,
         beyond_loopback: bool = False,
+        filters: LinkFilters = UNFILTERED,
     ) -> None:
         check_address("drone.address", address, beyond_loopback)
         self._address = address
@@ -48,8 +50,10 @@ class ArDroneServer:
         self._writer = NavdataWriter(self._link, tells_vertical_speed)
         self._config = ConfigStore(self._apply)
         self._control = ControlServer(self._config.describe, self._link.counters)
-        self._commands = CommandServer(world, self._link, self._config, self._control.answer)
-        self._navdata = NavdataServer(world, self._link, self._writer)
+        self._commands = CommandServer(
+            world, self._link, self._config, self._control.answer, filters.uplink
+        )
+        self._navdata = NavdataServer(world, self._link, self._writer, filters)
         self._video = VideoServer(self._link.counters, pave_header_size)
 
     @property

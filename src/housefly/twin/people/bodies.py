@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import cos, pi, sin
 
+from housefly.errors import ConfigError
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Pose
 from housefly.twin.contracts import AWAY_Z
@@ -27,8 +28,14 @@ _SKIN = "0.93 0.74 0.62 1"
 
 
 def people_bodies(people: tuple[PersonScript, ...]) -> str:
-    """Return the MJCF of the people in the order of the script, without the room's visitor."""
-    return "".join(_body(person, number) for number, person in enumerate(_with_bodies(people)))
+    """Return the MJCF of the people in the order of the script, without the room's visitor.
+
+    Raises ConfigError when two of them have the same name.
+    """
+    bodies = _with_bodies(people)
+    if len({person.name for person in bodies}) < len(bodies):
+        raise ConfigError("people", "two people have the same name; give each their own")
+    return "".join(_body(person, number) for number, person in enumerate(bodies))
 
 
 def _with_bodies(people: tuple[PersonScript, ...]) -> tuple[PersonScript, ...]:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from housefly.bus.bus import Bus
 from housefly.bus.topics import DEPTH_TOPIC
 from housefly.clock import Clock
 from housefly.config.site import Site
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.world import SimulatedWorld
 
 
@@ -17,10 +21,19 @@ class DepthFeed:
         world: what they look at.
         bus: where the images go.
         clock: the monotonic clock that stamps them.
+        faults: what befalls the images; those of the site when not given.
     """
 
-    def __init__(self, site: Site, world: SimulatedWorld, bus: Bus, clock: Clock) -> None:
+    def __init__(
+        self,
+        site: Site,
+        world: SimulatedWorld,
+        bus: Bus,
+        clock: Clock,
+        faults: FaultInjector | None = None,
+    ) -> None:
         self._world, self._bus, self._clock = world, bus, clock
+        self._faults = faults or FaultInjector(site, Injection.WIRES)
         self._periods = {camera.name: 1.0 / camera.rate_hz for camera in site.depth_cameras}
         self._due = dict.fromkeys(self._periods, 0.0)
 
@@ -30,4 +43,7 @@ class DepthFeed:
         for name, period in self._periods.items():
             if now >= self._due[name]:
                 self._due[name] = now + period - 1e-3
-                self._bus.publish(DEPTH_TOPIC, self._world.depth_image(name, self._clock.now()))
+                take = partial(self._world.depth_image, name, self._clock.now())
+                image = self._faults.depth_image(name, take, now)
+                if image is not None:
+                    self._bus.publish(DEPTH_TOPIC, image)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from housefly.config.site import Site
 from housefly.twin.address import check_address
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.sensors.laser_server import LaserServer
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip.parameters import MODELS
@@ -16,15 +20,22 @@ class LaserFeed:
         site: where they answer.
         world: what they look at.
         beyond_loopback: allow addresses that other machines can reach.
+        faults: what befalls the scans; those of the site when not given.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
     """
 
-    def __init__(self, site: Site, world: SimulatedWorld, beyond_loopback: bool = False) -> None:
+    def __init__(
+        self,
+        site: Site,
+        world: SimulatedWorld,
+        beyond_loopback: bool = False,
+        faults: FaultInjector | None = None,
+    ) -> None:
         for number, laser in enumerate(site.lasers):
             check_address(f"lasers.{number}.address", laser.address, beyond_loopback)
-        self._world = world
+        self._world, self._faults = world, faults or FaultInjector(site, Injection.WIRES)
         self._periods = {laser.name: MODELS[laser.model].period for laser in site.lasers}
         self._due = dict.fromkeys(self._periods, 0.0)
         self._servers = {
@@ -49,4 +60,6 @@ class LaserFeed:
             if now >= self._due[name]:
                 self._due[name] = now + self._periods[name] - 1e-3
                 if server.is_measuring:
-                    server.publish(self._world.scan(name), round(1000.0 * now))
+                    scan = self._faults.scan(name, partial(self._world.scan, name), now)
+                    if scan is not None:
+                        server.publish(scan, round(1000.0 * now))

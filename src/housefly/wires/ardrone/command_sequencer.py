@@ -1,19 +1,23 @@
 """Which AT commands leave next, from the command in force and the drone's newest report.
 
 Pure; the driver and the lock-step room share it. The take-off bit is sent only on the ground and
-under a take-off command, never in flight: a drone that landed by itself would rise again. The
-emergency bit is a toggle that acts on its rising edge. It is therefore held until a report shows
-the wanted state, however many datagrams are lost, and then released; a second press needs a report
-newer than the release.
+under a take-off command, never in flight: a drone that landed by itself would rise again; and only
+when its configuration is known to be ours.
+
+The watchdog over the pilot is here as well: a pilot that falls silent, or is gone, leaves a drone
+that brakes, hovers and lands. An order that moves the drone and comes late counts for nothing.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from enum import Enum
 
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone import at
+from housefly.wires.ardrone.brake import BRAKE_TIME_MAX, AttitudeSpeed, braking_setpoint
 from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
+from housefly.wires.ardrone.emergency_button import EmergencyButton
 
 SEND_INTERVAL = 0.030
 """Time between datagrams that the drone's makers recommend [s]."""
@@ -25,20 +29,17 @@ REPEAT_AFTER = 0.035
 The drone complains after 50 ms.
 """
 HOVER_AFTER = 0.25
-"""Silence of the pilot after which a flying drone hovers [s]."""
+"""Silence of the pilot after which a flying drone brakes and hovers [s]."""
 LAND_AFTER = 2.0
 """Silence of the pilot after which a flying drone lands [s]."""
 REPORT_AGE_MAX = 0.5
 """An older report says nothing about the present [s]."""
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""
-PRESS_TIME_MAX = 1.0
-"""Longest press of the emergency button [s]; later reports could make it press twice."""
-_RELEASE_TIME_MIN = 0.15
-"""Shortest pause between two presses [s]."""
-
 _AIRBORNE = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
 _GROUNDED = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY})
+_MOVES = frozenset({Action.FLY, Action.TAKE_OFF, Action.RESET})
+"""What is worth nothing when it comes late."""
 
 _HOVER = at.Pcmd()
 _LAND = at.Ref(at.RefBits.LAND)
@@ -46,41 +47,12 @@ _TAKE_OFF = at.Ref(at.RefBits.TAKE_OFF)
 _PRESS = at.Ref(at.RefBits.EMERGENCY)
 
 
-class _EmergencyButton:
-    """The toggle: held until the drone changes, then released before the next press."""
+class Permit(Enum):
+    """What the driver lets the pilot do; cutting the motors always passes."""
 
-    def __init__(self) -> None:
-        self._pressed_at: float | None = None
-        self._released_at: float | None = None
-
-    def release(self, now: float) -> None:
-        """Let go; does nothing when the button is not held."""
-        if self._pressed_at is not None:
-            self._pressed_at, self._released_at = None, now
-
-    def hold(self, now: float, report_at: float | None) -> bool:
-        """Return whether the bit is set now.
-
-        Args:
-            now: [s].
-            report_at: arrival of the newest report that asks for a press [s].
-        """
-        if self._pressed_at is not None:
-            if now - self._pressed_at < PRESS_TIME_MAX:
-                return True
-            self.release(now)
-        elif self._released_at is None or (
-            report_at is not None and report_at - self._released_at > _RELEASE_TIME_MIN
-        ):
-            self._pressed_at = now
-            return True
-        return False
-
-    def reset(self, now: float) -> None:
-        """Let the next press not wait for a report, unless the button was held just now."""
-        self.release(now)
-        if self._released_at is not None and now - self._released_at > _RELEASE_TIME_MIN:
-            self._released_at = None
+    ALL = "all"
+    HOVER_AND_LAND = "hover and land"
+    LAND = "land"
 
 
 class CommandSequencer:
@@ -88,17 +60,23 @@ class CommandSequencer:
 
     Attributes:
         maxima: what a full stick means to the drone now.
+        permit: what the pilot may do.
     """
 
     def __init__(self, maxima: Maxima, now: float) -> None:
         self.maxima = maxima
+        self.permit = Permit.ALL
         self._action = Action.IDLE
         self._setpoint = Setpoint()
         self._commanded_at = now
         self._action_since = now
         self._has_taken_off = False
         self._must_land = False
-        self._button = _EmergencyButton()
+        self._is_gone = False
+        self._refused_at: float | None = None
+        self._braking_since: float | None = None
+        self._speed = AttitudeSpeed()
+        self._button = EmergencyButton()
         self._table: dict[Action, Callable[[float, Telemetry | None], tuple[at.AtCommand, ...]]] = {
             Action.IDLE: self._idle,
             Action.TAKE_OFF: self._take_off,
@@ -109,9 +87,23 @@ class CommandSequencer:
             Action.RESET: self._reset,
         }
 
-    def update(self, command: Command, now: float) -> bool:
-        """Put a command in force; return whether its action differs from the one before."""
-        self._commanded_at = now
+    def update(self, command: Command, now: float, issued_at: float | None = None) -> bool:
+        """Put a command in force; return whether its action differs from the one before.
+
+        A command older than the one in force is ignored, and so is one that moves the drone and
+        comes later than ``HOVER_AFTER``.
+
+        Args:
+            command: of the pilot.
+            now: [s].
+            issued_at: when the pilot gave it [s]; now when None.
+        """
+        at_time = now if issued_at is None else min(issued_at, now)
+        is_late = now - at_time > HOVER_AFTER and command.action in _MOVES
+        if at_time < self._commanded_at or is_late:
+            return False
+        self._commanded_at = at_time
+        self._is_gone = False
         self._setpoint = command.setpoint
         changed = command.action is not self._action
         if changed:
@@ -121,31 +113,68 @@ class CommandSequencer:
             self._button.reset(now)
         return changed
 
+    def abandon(self) -> None:
+        """Note that the pilot is gone: its silence need not be waited for."""
+        self._is_gone = True
+
     def next_commands(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
         """Return what to send now [s], given the drone's newest report."""
+        if report is not None:
+            self._speed.update(report)
         action = self._action_in_force(now, report)
         if action not in (Action.CUT, Action.RESET):
             self._button.release(now)
+        if action is not Action.HOVER or not self._is_silent(now):
+            self._braking_since = None
+        elif report is not None and report.status is DroneStatus.FLYING:
+            return self._brake(now, report)
         return self._table[action](now, report)
+
+    def _is_silent(self, now: float) -> bool:
+        return self._is_gone or now - self._commanded_at > HOVER_AFTER
 
     def _action_in_force(self, now: float, report: Telemetry | None) -> Action:
         """Return the pilot's action, or what the watchdog puts in its place."""
         airborne = report is not None and report.status in _AIRBORNE
-        silence = now - self._commanded_at
-        self._must_land = airborne and (self._must_land or silence > LAND_AFTER)
         if self._action in (Action.CUT, Action.RESET):
+            self._must_land &= airborne
             return self._action
+        action = self._permitted(now)
+        is_over = now - self._commanded_at > LAND_AFTER or self.permit is Permit.LAND
+        is_refused = self._refused_at is not None and now - self._refused_at > LAND_AFTER
+        self._must_land = airborne and (self._must_land or is_over or is_refused)
         if self._must_land:
             # a take-off command from before the silence must not count again after it
             self._has_taken_off = True
             return Action.LAND
-        if silence > HOVER_AFTER and self._action is not Action.LAND:
+        if self._is_silent(now) and action is not Action.LAND:
             return Action.HOVER if airborne else Action.IDLE
-        return self._action
+        return action
+
+    def _permitted(self, now: float) -> Action:
+        """Return the pilot's action, or the strongest one that it may have in its place."""
+        if self.permit is Permit.ALL or self._action not in _MOVES:
+            self._refused_at = None
+            return self._action
+        self._refused_at = now if self._refused_at is None else self._refused_at
+        return Action.HOVER if self.permit is Permit.HOVER_AND_LAND else Action.IDLE
+
+    def _brake(self, now: float, report: Telemetry) -> tuple[at.AtCommand, ...]:
+        """Lean against the drone's own speed; once at rest, leave the rest of the silence to it."""
+        if self._braking_since is None:
+            self._braking_since = now
+        setpoint = None
+        if now - self._braking_since <= BRAKE_TIME_MAX:
+            setpoint = braking_setpoint(now, report, self._speed.velocity, self.maxima.tilt)
+        if setpoint is None:
+            self._braking_since = float("-inf")
+            return (_HOVER,)
+        return (pcmd_from_setpoint(setpoint, self.maxima),)
 
     def _idle(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
         if report is None or now - report.received_at > REPORT_AGE_MAX:
-            return (at.ComWatchdog(),)
+            # in the air this ends a stick that a driver before us left; on the ground it is nothing
+            return (_HOVER, at.ComWatchdog())
         return (_LAND if report.status in _GROUNDED else _HOVER, at.ComWatchdog())
 
     def _take_off(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
@@ -156,6 +185,7 @@ class CommandSequencer:
             report is None
             or now - report.received_at > REPORT_AGE_MAX
             or report.status is not DroneStatus.LANDED
+            or not report.configured
             or self._has_taken_off
         ):
             return self._idle(now, report)

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from math import degrees, isfinite, radians
 
 from housefly.errors import WireError
-from housefly.geometry import Vec3, wrap_angle
+from housefly.geometry import GRAVITY, Vec3, wrap_angle
 from housefly.messages import DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
 from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
-from housefly.wires.ardrone.navdata_options import Demo, MajorState
+from housefly.wires.ardrone.navdata_options import Demo, MajorState, PhysMeasures
 
 _STATUS = {
     MajorState.DEFAULT: DroneStatus.UNKNOWN,
@@ -93,7 +93,17 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         height=demo.altitude / 1000.0,
         velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
         faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
+        acceleration=_acceleration(packet),
     )
+
+
+def _acceleration(packet: NavdataPacket) -> Vec3 | None:
+    """Return the specific force in the body [m/s^2], None where the packet does not tell it."""
+    measures = packet.option(PhysMeasures)
+    if measures is None or not all(map(isfinite, measures.accelerations)):
+        return None
+    forward, right, down = (milli_g * GRAVITY / 1e3 for milli_g in measures.accelerations)
+    return flu_from_frd((forward, right, down))
 
 
 def status_of(packet: NavdataPacket, demo: Demo) -> DroneStatus:

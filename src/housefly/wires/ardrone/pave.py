@@ -18,6 +18,8 @@ _MAGIC = b"PaVE"
 _HEADER_SIZES = (64, 68)
 MAX_PAYLOAD = 1_000_000
 """Largest picture accepted [bytes]; a real 640x360 key frame has 10-20 kB, 720p below 100 kB."""
+BAD_HEADERS_MAX = 64
+"""After so many refused headers in one call, the rest of what was received is thrown away."""
 CODEC_H264: Final = 4
 
 _HEADER = struct.Struct("<4sBBHI4HII4BIIH4B2sI12s")
@@ -177,10 +179,15 @@ class VideoReassembler:
         self.skipped_bytes = 0
         self.bad_headers = 0
         self._buffer = bytearray()
+        self._refused = 0
 
     def feed(self, data: bytes) -> tuple[PaveFrame, ...]:
-        """Append the next bytes of the stream and return the pictures now complete."""
+        """Append the next bytes of the stream and return the pictures now complete.
+
+        Garbage costs little: after ``BAD_HEADERS_MAX`` refused headers the rest is thrown away.
+        """
         self._buffer += data
+        self._refused = 0
         frames: list[PaveFrame] = []
         while (frame := self._next()) is not None:
             frames.append(frame)
@@ -194,7 +201,9 @@ class VideoReassembler:
                 header = decode_header(self._buffer)
             except WireError:
                 self.bad_headers += 1
-                self._skip(len(_MAGIC))
+                self._refused += 1
+                flooded = self._refused >= BAD_HEADERS_MAX
+                self._skip(len(self._buffer) if flooded else len(_MAGIC))
                 continue
             end = header.header_size + header.payload_size
             if len(self._buffer) < end:

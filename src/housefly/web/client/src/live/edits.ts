@@ -1,6 +1,7 @@
 // Places and zones as they are being edited; nothing leaves the browser before Save.
 import { batch, computed, signal } from "@preact/signals";
 import { room } from "../store";
+import { fetchAsSession } from "../wire/session";
 import { tab } from "../wire/socket";
 import type { EditsView, PlaceView, ZoneView } from "../wire/room-messages";
 import { showAt } from "./room-client";
@@ -97,7 +98,7 @@ async function ask(
   if (busy.value) return;
   busy.value = true;
   try {
-    const answer = await fetch(path, body ? { method: "POST", body: JSON.stringify(body) } : {});
+    const answer = await fetchAsSession(path, body ? { method: "POST", body: JSON.stringify(body) } : {});
     const tree = (await answer.json()) as EditsView & { error?: string; item?: string };
     if (answer.ok) accept(tree, done(tree));
     else complain(tree.error ?? answer.statusText, item(tree.item ?? ""));

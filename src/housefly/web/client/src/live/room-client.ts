@@ -14,6 +14,7 @@ import type {
 } from "../wire/room-messages";
 import { suggestions } from "./suggestions";
 import { openSocket } from "../wire/open-socket";
+import { fetchAsSession } from "../wire/session";
 import * as store from "./store";
 
 const API = "/api/v1";
@@ -29,7 +30,7 @@ async function get<T extends RoomAnswer>(
   const text = new URLSearchParams(
     Object.entries(parameters).map(([key, value]) => [key, String(value)]),
   );
-  const answer = await fetch(`${path}?${text}`).catch(() => {
+  const answer = await fetchAsSession(`${path}?${text}`).catch(() => {
     throw new Error("no contact with the server");
   });
   const tree = (await answer.json()) as T & { error?: string };

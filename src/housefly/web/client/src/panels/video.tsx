@@ -2,6 +2,7 @@ import { useEffect, useRef } from "preact/hooks";
 import { SwapIcon } from "../controls/icons";
 import { freshness, swapped } from "../store";
 import { now } from "../wire/clock";
+import { proof } from "../wire/session";
 import { decodesVideo, picture, watch } from "../wire/video";
 import { milliseconds } from "../format";
 
@@ -13,7 +14,7 @@ export function VideoView() {
 function JpegVideo() {
   return (
     <section class="view video" aria-label="Picture from the drone">
-      <img src="/video.mjpeg" alt="Picture from the drone" />
+      <img src={`/video.mjpeg?proof=${proof()}`} alt="Picture from the drone" />
       <SwapButton to="picture" />
     </section>
   );

@@ -129,7 +129,16 @@ export type Phase =
   | "returning"
   | "landing";
 
-export type SafetyMode = "nominal" | "level" | "stopped" | "land" | "cut";
+export type SafetyMode =
+  | "nominal"
+  | "warn"
+  | "slow"
+  | "hold"
+  | "return"
+  | "stopped"
+  | "land"
+  | "descend"
+  | "cut";
 
 export type Action =
   | "idle"

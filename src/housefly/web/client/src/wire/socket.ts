@@ -11,6 +11,7 @@ import type {
   ServerMessage,
 } from "./messages";
 import { openSocket } from "./open-socket";
+import { fetchAsSession, proof } from "./session";
 
 type Request = Exclude<ClientMessage, { type: "hello" | "ping" }>;
 type Unnumbered<T> = T extends Request ? Omit<T, "id"> : never;
@@ -18,6 +19,7 @@ type Answer = AcceptedReply | RefusedReply | PlanReply | InviteReply;
 
 const OPENED_ELSEWHERE = 4001;
 const PING_PERIOD = 1000;
+const STOP_PATIENCE = 300;
 const EVENTS_KEPT = 300;
 const TRAIL_KEPT = 600;
 const TRAIL_STEP = 0.04;
@@ -65,11 +67,13 @@ export function ask(request: Unnumbered<Request>): Promise<Answer> {
   });
 }
 
-/** STOP: over the socket, or by a plain request when the socket is down. */
+/** STOP: over the open socket, and by a plain request when nobody confirms it in time. */
 export async function stop(): Promise<string> {
-  if (transmit({ type: "stop" })) return "";
+  const confirmed = ask({ type: "stop" });
+  const late = new Promise<null>((resolve) => setTimeout(() => resolve(null), STOP_PATIENCE));
+  if ((await Promise.race([confirmed, late]))?.type === "accepted") return "";
   try {
-    const answer = await fetch("/stop", { method: "POST", keepalive: true });
+    const answer = await fetchAsSession("/stop", { method: "POST", keepalive: true });
     return answer.ok ? "" : "STOP was not accepted";
   } catch {
     return "STOP did not arrive: no contact with the server";
@@ -104,7 +108,8 @@ export function connect(): void {
 
 async function checkSession(): Promise<void> {
   try {
-    if ((await fetch("/", { method: "HEAD" })).status === 403) store.contact.value = "shut out";
+    if (!proof() || (await fetch("/", { method: "HEAD" })).status === 403)
+      store.contact.value = "shut out";
   } catch {
     // The server is away; the next attempt to connect will show it.
   }

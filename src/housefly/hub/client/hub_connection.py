@@ -6,17 +6,17 @@ import socket
 from contextlib import suppress
 
 
-class LoopbackConnection:
+class HubConnection:
     """Connects on the first question; not thread-safe.
 
     Args:
-        port: of the hub's query server on loopback.
+        path: of the hub's Unix socket.
         key: bearer token of the run.
         timeout: of one question [s].
     """
 
-    def __init__(self, port: int, key: str, timeout: float) -> None:
-        self._port, self._key, self._timeout = port, key, timeout
+    def __init__(self, path: str, key: str, timeout: float) -> None:
+        self._path, self._key, self._timeout = path, key, timeout
         self._socket: socket.socket | None = None
 
     def ask(self, question: str) -> str:
@@ -24,9 +24,15 @@ class LoopbackConnection:
         if self._socket is not None:
             with suppress(ConnectionError):
                 return self._asked(self._socket, question)
-        self._socket = socket.create_connection(("127.0.0.1", self._port), self._timeout)
-        self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        return self._asked(self._socket, f"{self._key}\n{question}")
+        line = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        try:
+            line.settimeout(self._timeout)
+            line.connect(self._path)
+        except OSError:
+            line.close()
+            raise
+        self._socket = line
+        return self._asked(line, f"{self._key}\n{question}")
 
     def close(self) -> None:
         """Close the connection."""

@@ -1,0 +1,143 @@
+"""``housefly safety``: the safety case."""
+
+from __future__ import annotations
+
+import os
+import platform
+import time
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from housefly.app.commands.subcommand import Subcommand
+from housefly.app.terminal import console, new_progress
+from housefly.errors import ConfigError
+
+if TYPE_CHECKING:
+    from housefly.app.safety_case.plan import SafetyPlan
+    from housefly.app.safety_case.trial import TrialResult
+
+_DESCRIPTION = """\
+Fly every fault of the matrix (docs/faults.md) in every phase of a service, in the simulated room, \
+hundreds of
+times with different seeds, and judge each flight on the truth: contacts, fence, commands, motors, \
+and whether
+it ends. The same flights without guards show that the faults do harm. What was flown is kept: \
+Ctrl-C and the
+same command go on. The result is one page, safety-case.html."""
+_EPILOG = """\
+examples:
+  housefly safety                              all of it (about an hour and a half on two cores)
+  housefly safety --quick                      a few flights of each row
+  housefly safety --rows F13 F05 --seeds 40    two rows only
+  housefly safety --again F13/2cm --seed 7     one flight again, with what was told"""
+_QUICK_SEEDS, _QUICK_CONTROLS, _QUICK_CALM = 16, 4, 12
+
+
+def _add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "--out", default="safety-case", metavar="DIR", help="where to write (default: safety-case)"
+    )
+    parser.add_argument("--rows", nargs="+", default=[], metavar="ROW", help="only these: F01 ...")
+    parser.add_argument(
+        "--seeds", type=int, default=300, metavar="N", help="flights of each row (default: 300)"
+    )
+    parser.add_argument("--quick", action="store_true", help="few flights of each row, no pairs")
+    parser.add_argument(
+        "--workers", type=int, default=0, metavar="N", help="processes (default: one per core)"
+    )
+    parser.add_argument("--again", metavar="ROW", help="fly one flight and say how it went")
+    parser.add_argument("--seed", type=int, default=0, help="of --again (default: 0)")
+    parser.add_argument("--unguarded", action="store_true", help="of --again: without guards")
+
+
+def _run(options: Namespace) -> int:
+    """Fly; 0 when no flight was unsafe."""
+    from housefly.app.compiling import CompiledPart, compile_once
+    from housefly.app.safety_case.plan import flown_rows
+
+    known = [row.number for row in flown_rows()]
+    for row in options.rows:
+        if row not in known:
+            raise ConfigError("--rows", f"{row!r} is not flown here; there are {', '.join(known)}")
+    if not 1 <= options.seeds <= 100_000:
+        raise ConfigError("--seeds", f"is {options.seeds}; allowed: 1 to 100000")
+    if not 0 <= options.seed < 2**31 - 1:
+        raise ConfigError("--seed", f"is {options.seed}; allowed: 0 to {2**31 - 2}")
+    compile_once(CompiledPart.CHAIN, console.print)
+    return _fly_again(options) if options.again else _fly_all(options)
+
+
+def _plan(options: Namespace) -> SafetyPlan:
+    from housefly.app.safety_case.plan import SafetyPlan
+
+    rows = tuple(options.rows)
+    if options.quick:
+        return SafetyPlan(_QUICK_SEEDS, _QUICK_CONTROLS, 0, _QUICK_CALM, rows)
+    return SafetyPlan(seeds=options.seeds, rows=rows)
+
+
+def _fly_all(options: Namespace) -> int:
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+
+    from housefly.app.safety_case.campaign import flown_results, fly_plan
+    from housefly.app.safety_case.page import write_safety_case
+
+    out, keys, began = Path(options.out), _plan(options).keys(), time.monotonic()
+    workers = options.workers or len(os.sched_getaffinity(0))
+    there = {result.key for result in flown_results(out)}
+    unsafe = 0
+    columns = (
+        TextColumn("flights"), BarColumn(30), MofNCompleteColumn(),
+        TextColumn("{task.fields[unsafe]} unsafe"), TimeRemainingColumn(),
+    )  # fmt: skip
+    with new_progress(*columns) as progress:
+        done = sum(key in there for key in keys)
+        task = progress.add_task("", total=len(keys), completed=done, unsafe=0)
+
+        def on_result(result: TrialResult) -> None:
+            nonlocal unsafe
+            unsafe += result.unsafe and result.key.guarded
+            progress.update(task, advance=1, unsafe=unsafe)
+
+        results = fly_plan(keys, out, workers, on_result)
+    page = write_safety_case(out, results, _made(options, len(results), time.monotonic() - began))
+    guarded = [result for result in results if result.key.guarded]
+    bad = sum(result.unsafe for result in guarded)
+    console.print(f"{bad} of {len(guarded)} flights unsafe; the page: {page}", soft_wrap=True)
+    return 1 if bad else 0
+
+
+def _fly_again(options: Namespace) -> int:
+    from housefly.app.safety_case.faulty_flight import fly_trial
+    from housefly.app.safety_case.trial import TrialKey
+
+    row = "" if options.again == "calm" else options.again
+    result = fly_trial(TrialKey(row, options.seed, not options.unguarded))
+    for name, words in result.to_json().items():
+        console.print(f"{name:<18}{words}", soft_wrap=True)
+    return 1 if result.unsafe else 0
+
+
+def _made(options: Namespace, flights: int, seconds: float) -> dict[str, str]:
+    from importlib import metadata
+
+    rows = f" --rows {' '.join(options.rows)}" if options.rows else ""
+    how = " --quick" if options.quick else f" --seeds {options.seeds}"
+    return {
+        "made by": f"housefly safety{how}{rows}",
+        "on": time.strftime("%Y-%m-%d %H:%M"),
+        "flights": f"{flights:,}".replace(",", " "),
+        "time of this run": f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores",
+        "versions": f"Housefly {metadata.version('housefly')}, Python {platform.python_version()}",
+    }
+
+
+SAFETY_COMMAND = Subcommand(
+    name="safety",
+    help="fly every fault in every phase, and judge each flight on the truth",
+    description=_DESCRIPTION,
+    add_arguments=_add_arguments,
+    run=_run,
+    epilog=_EPILOG,
+)

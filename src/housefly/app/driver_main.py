@@ -1,0 +1,40 @@
+"""The driver process: ``python -m housefly.app.driver_main``, started by the launcher.
+
+It is the last to leave: told to end while the drone is in the air, it lands it first.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import gc
+import signal
+from contextlib import suppress
+
+from housefly.app.priority import raise_priority
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.clock import RealClock
+from housefly.drones.ardrone.driver import ArDrone
+from housefly.drones.driver_server import DriverServer
+
+
+def main() -> None:
+    """Run the driver until it has been asked to end and the drone is down."""
+    runtime = runtime_from_environment()
+    raise_priority()
+    gc.collect()
+    gc.freeze()
+    with suppress(KeyboardInterrupt):
+        asyncio.run(_run(runtime))
+
+
+async def _run(runtime: Runtime) -> None:
+    site, clock = runtime.site(), RealClock()
+    server = DriverServer(ArDrone(site.drone, site.limits, clock), runtime.driver_socket, clock)
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        loop.add_signal_handler(number, server.leave)
+    await server.run()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,171 @@
+"""Judges a flight on the truth: contacts, fence, commands, motors, and whether it ends.
+
+The numbers I1 to I10 are those of the fault matrix. What the pilot believed plays no part, except
+for what a person was told.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import hypot, inf, isfinite
+
+from housefly.app.safety_case.ground_track import distance_to_path
+from housefly.config.site import Site
+from housefly.geometry import Vec2, Vec3, stopping_distance
+from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode, Severity
+from housefly.room.model import Room
+from housefly.twin.contracts import FlightState
+from housefly.twin.world import SimulatedWorld
+
+STANDING = 0.12
+"""A drone whose origin is lower than this stands on the floor [m]."""
+FALL_HEIGHT = 0.3
+"""Motors that stop above this let the drone fall [m]."""
+HARD_LANDING = 1.5
+"""A drone that comes down faster than this is damaged [m/s]."""
+_LOOK_PERIOD = 0.05
+"""How often clearances are taken [s]."""
+_COMMAND_SLACK = 1e-9
+
+
+@dataclass(slots=True)
+class Oracle:
+    """Watches one flight in the simulated room.
+
+    Attributes:
+        world: the simulated room.
+        site, room: what is flown in.
+        faulty_since: when the fault began [s]; infinite before.
+    """
+
+    world: SimulatedWorld
+    site: Site
+    room: Room
+    faulty_since: float = inf
+    violations: dict[str, str] = field(default_factory=dict)
+    told_at: float | None = None
+    told: str = ""
+    deviation: float = 0.0
+    room_clearance: float = inf
+    person_clearance: float = inf
+    top_speed: float = 0.0
+    grounded_at: float | None = None
+    _path: tuple[Vec2, ...] = ()
+    _cut_ordered: bool = False
+    _looked_at: float = -inf
+    _height: float = 0.0
+
+    def watch(self, step: PilotStep) -> None:
+        """Take in one step of the pilot and what the world did since the last."""
+        truth, state = self.world.truth(), self.world.onboard().flight
+        self._watch_words(step)
+        self._watch_command(step)
+        self._watch_motors(step, state, truth.pose.position[2])
+        self._watch_place(truth.pose.position, truth.velocity, state)
+        self._watch_contacts()
+        self._watch_clearance(step.now, state)
+        if step.outputs.path is not None:
+            self._path = step.outputs.path.waypoints
+        if state.airborne and step.now >= self.faulty_since and self._path:
+            away = distance_to_path(truth.pose.position[:2], self._path)
+            self.deviation = max(self.deviation, away)
+        is_down = not state.airborne and truth.pose.position[2] < STANDING
+        if not is_down:
+            self.grounded_at = None
+        elif self.grounded_at is None:
+            self.grounded_at = step.now
+        self._height = truth.pose.position[2]
+
+    def _break(self, invariant: str, words: str) -> None:
+        self.violations.setdefault(invariant, f"{invariant}: {words}")
+
+    def _watch_words(self, step: PilotStep) -> None:
+        """I7: when was a person told, and what."""
+        if self.told_at is not None or step.now < self.faulty_since:
+            return
+        words = [e.text for e in step.outputs.events if e.severity is not Severity.INFO]
+        words.extend(step.outputs.warnings)
+        if step.outputs.safety not in (SafetyMode.NOMINAL, SafetyMode.STOPPED):
+            words.append(step.outputs.reason)
+        if words:
+            self.told_at, self.told = step.now, words[0]
+
+    def _watch_command(self, step: PilotStep) -> None:
+        """I3: finite, and within the limits."""
+        limits, s = self.site.limits, step.outputs.command.setpoint
+        if not all(map(isfinite, (s.theta, s.phi, s.vz, s.yaw_rate))):
+            self._break("I3", "a command was not a number")
+        bounds = (limits.tilt_max, limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
+        asked = (s.theta, s.phi, s.vz, s.yaw_rate)
+        if any(abs(a) > b + _COMMAND_SLACK for a, b in zip(asked, bounds, strict=True)):
+            self._break("I3", "a command was above its limit")
+        self._cut_ordered |= step.outputs.command.action is Action.CUT
+
+    def _watch_motors(self, step: PilotStep, state: FlightState, height: float) -> None:
+        """I4: nobody cuts the motors of a flying drone, unless it tumbles."""
+        if self._cut_ordered and height > FALL_HEIGHT and not self._tumbles():
+            self._break("I4", f"the motors were cut at {height:.1f} m")
+
+    def _tumbles(self) -> bool:
+        onboard = self.world.onboard()
+        return onboard.angles_out_of_range or onboard.flight is FlightState.EMERGENCY
+
+    def _watch_place(self, position: Vec3, velocity: Vec3, state: FlightState) -> None:
+        """I2: inside the room's fence by its stopping distance; and no fall."""
+        speed = hypot(*velocity[:2])
+        if self.world.now >= self.faulty_since and state.airborne:
+            self.top_speed = max(self.top_speed, speed)
+        x_min, y_min, x_max, y_max = self.room.bounds
+        x, y, z = position
+        outside = max(x_min - x, x - x_max, y_min - y, y - y_max, 0.0)
+        if outside > stopping_distance(self.site.limits.speed, 1.0, 0.3):
+            self._break("I2", f"{outside:.1f} m outside the room")
+        if z < STANDING <= self._height and -velocity[2] > HARD_LANDING:
+            self._break("fall", f"came down at {-velocity[2]:.1f} m/s")
+
+    def _watch_contacts(self) -> None:
+        """I1: touches nothing but the floor while its motors turn."""
+        for contact in self.world.contact_log:
+            if contact.motors_turned:
+                what = f"{contact.kind.value} {contact.name}".strip()
+                self._break("I1", f"touched {what} at {contact.speed:.1f} m/s")
+
+    def _watch_clearance(self, now: float, state: FlightState) -> None:
+        if not state.airborne or now - self._looked_at < _LOOK_PERIOD:
+            return
+        self._looked_at = now
+        clearance = self.world.clearance()
+        self.room_clearance = min(self.room_clearance, clearance.solid)
+        self.person_clearance = min(self.person_clearance, clearance.person)
+
+    def ended(self, step: PilotStep) -> bool:
+        """Return whether the drone stands, idle, for a second."""
+        telemetry = step.inputs.telemetry
+        stands = telemetry is None or telemetry.status in (
+            DroneStatus.LANDED,
+            DroneStatus.EMERGENCY,
+            DroneStatus.UNKNOWN,
+        )
+        return (
+            stands
+            and step.outputs.phase is Phase.IDLE
+            and self.grounded_at is not None
+            and step.now - self.grounded_at > 1.0
+        )
+
+    def conclude(self, step: PilotStep, expired: bool) -> str:
+        """Return how the flight ended, in words; one that never ends is not safe."""
+        state = self.world.onboard().flight
+        if not expired:
+            return "stands on the floor"
+        if self.grounded_at is not None:
+            return "stands on the floor, not idle"
+        height = self.world.truth().pose.position[2]
+        words = f"{step.outputs.phase.value} at {height:.1f} m: {step.outputs.reason or 'nominal'}"
+        if state.airborne and height < FALL_HEIGHT:
+            self._break("end", f"motors turn on the floor: {words}")
+        elif not state.airborne:
+            self._break("end", f"stands {height:.1f} m above the floor: {words}")
+        else:
+            self._break("end", f"never ended: {words}")
+        return words

@@ -1,0 +1,65 @@
+"""Which flights the safety case is made of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+
+from housefly.app.safety_case.trial import TrialKey
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
+
+FAULT_FREE = ""
+"""The row without a fault: every word in it is a false alarm."""
+
+
+@dataclass(frozen=True, slots=True)
+class SafetyPlan:
+    """How many flights of what.
+
+    Attributes:
+        seeds: flights of each row, shared out among its variants.
+        controls: flights of each harmful row without guards.
+        pairs: flights of each pair of rows.
+        fault_free: flights without a fault.
+        rows: only these rows; all when empty.
+    """
+
+    seeds: int = 300
+    controls: int = 24
+    pairs: int = 1
+    fault_free: int = 300
+    rows: tuple[str, ...] = ()
+
+    def keys(self) -> list[TrialKey]:
+        """Return every flight, those that tell most first."""
+        rows = [row for row in flown_rows() if not self.rows or row.number in self.rows]
+        keys = [TrialKey(name, seed) for row in rows for seed, name in _named(row, self.seeds)]
+        keys += [
+            TrialKey(name, seed, guarded=False)
+            for row in rows
+            if row.harmful
+            for seed, name in _named(row, self.controls)
+        ]
+        if not self.rows:
+            keys += [TrialKey(FAULT_FREE, seed) for seed in range(self.fault_free)]
+            keys += [
+                TrialKey(f"{a.number}+{b.number}", seed)
+                for a, b in combinations(rows, 2)
+                for seed in range(self.pairs)
+            ]
+        return keys
+
+
+def flown_rows() -> tuple[FaultRow, ...]:
+    """Return the rows that can be flown in lock step."""
+    return tuple(row for row in FAULT_CATALOGUE if variants_flown(row))
+
+
+def variants_flown(row: FaultRow) -> tuple[str, ...]:
+    """Return the names of a row's variants that can be flown in lock step."""
+    return tuple(f"{row.number}/{v.name}" for v in row.variants if not v.wires_only)
+
+
+def _named(row: FaultRow, seeds: int) -> list[tuple[int, str]]:
+    names = variants_flown(row)
+    return [(seed // len(names), names[seed % len(names)]) for seed in range(seeds)]

@@ -1,0 +1,74 @@
+"""What one flight with a fault was, and how it ended on the truth."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from housefly.app.safety_case.fault_phase import FaultPhase
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class TrialKey:
+    """One flight of the safety case.
+
+    Attributes:
+        row: of the fault matrix, with its variant: ``F13/2cm``; a pair is joined by ``+``.
+        seed: of everything random; it also chooses phase and tracking rate.
+        guarded: with its guards, else the negative control.
+    """
+
+    row: str
+    seed: int
+    guarded: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class TrialResult:
+    """How one flight ended; times count from the fault [s], None where there was none.
+
+    Attributes:
+        key: which flight.
+        phase: where the fault began.
+        violations: invariants that were broken, in words; none means safe.
+        ending: how it ended, in words.
+        told_after: until a person was told.
+        safe_after: until it stood on the floor, or the mission went on to its end.
+        deviation: farthest true distance from the path [m].
+        room_clearance, person_clearance: smallest true gap to the hull while it flew [m].
+        top_speed: true, after the fault [m/s].
+        told: what a person was told, first words.
+    """
+
+    key: TrialKey
+    phase: FaultPhase
+    violations: tuple[str, ...]
+    ending: str
+    told_after: float | None
+    safe_after: float | None
+    deviation: float
+    room_clearance: float | None
+    person_clearance: float | None
+    top_speed: float
+    told: str = ""
+
+    @property
+    def unsafe(self) -> bool:
+        """Whether an invariant was broken."""
+        return bool(self.violations)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the result as plain values."""
+        return {**asdict(self), "phase": self.phase.value}
+
+
+def result_from_json(plain: dict[str, Any]) -> TrialResult:
+    """Return the result that ``to_json`` gave; raises KeyError or ValueError for anything else."""
+    return TrialResult(
+        **{
+            **plain,
+            "key": TrialKey(**plain["key"]),
+            "phase": FaultPhase(plain["phase"]),
+            "violations": tuple(plain["violations"]),
+        }
+    )

@@ -1,0 +1,80 @@
+"""Text from outside: files of a sane kind and size, and words without control characters."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from pathlib import Path
+from typing import Any
+
+from housefly.errors import ConfigError
+
+_MAX_FILE_SIZE = 16 * 2**20
+"""Largest text file that is read [bytes]."""
+_MAX_LENGTH = 4096
+"""Longest text of one value, a path for example [characters]."""
+_MAX_DEPTH = 40
+"""Deepest nesting of one value."""
+
+
+def read_text_file(path: Path) -> str:
+    """Return the content of an UTF-8 file.
+
+    Raises:
+        OSError: it cannot be read, is a device or a pipe, or is larger than 16 MiB.
+        UnicodeDecodeError: it is not UTF-8.
+    """
+    try:
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    except (ValueError, UnicodeEncodeError) as error:
+        raise OSError(errno.EINVAL, f"no possible name ({error})") from error
+    with os.fdopen(descriptor, "rb") as file:
+        found = os.fstat(descriptor)
+        if stat.S_ISDIR(found.st_mode):
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if not stat.S_ISREG(found.st_mode):
+            raise OSError(errno.EINVAL, "no ordinary file")
+        content = file.read(_MAX_FILE_SIZE + 1)
+    if len(content) > _MAX_FILE_SIZE:
+        raise OSError(errno.EFBIG, f"larger than {_MAX_FILE_SIZE >> 20} MiB")
+    return content.decode("utf-8")
+
+
+def is_file(path: Path) -> bool:
+    """Return whether a path is an ordinary file; an impossible name is none."""
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def refuse_odd_values(tree: Any, source: str = "", key: str = "", depth: int = 0) -> None:
+    """Raise ConfigError for a text that no key may hold, and for endless nesting."""
+    if depth > _MAX_DEPTH:
+        raise ConfigError(shortened(key, 60), f"is nested deeper than {_MAX_DEPTH} levels", source)
+    if isinstance(tree, str):
+        _check(tree, key, source)
+    elif isinstance(tree, dict):
+        for name, value in tree.items():
+            _check(str(name), f"{key or 'a'} key", source)
+            refuse_odd_values(value, source, f"{key}.{name}" if key else str(name), depth + 1)
+    elif isinstance(tree, list | tuple):
+        for number, value in enumerate(tree):
+            refuse_odd_values(value, source, f"{key}.{number}", depth + 1)
+
+
+def _check(text: str, key: str, source: str) -> None:
+    if len(text) > _MAX_LENGTH:
+        raise ConfigError(
+            key, f"has {len(text)} characters; allowed: {_MAX_LENGTH} at most", source
+        )
+    if any(ord(letter) < 32 or letter == "\x7f" for letter in text):
+        raise ConfigError(key, f"is {shortened(text)!r}; allowed: no control characters", source)
+    if any("\ud800" <= letter <= "\udfff" for letter in text):
+        raise ConfigError(key, f"is {shortened(text)!r}; allowed: text in UTF-8", source)
+
+
+def shortened(text: str, length: int = 200) -> str:
+    """Return a text of at most so many characters, for an error message."""
+    return text if len(text) <= length else f"{text[: length - 4]} ..."

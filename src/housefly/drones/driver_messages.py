@@ -1,0 +1,178 @@
+"""What pilot and driver tell each other over their socket: bytes and back.
+
+Each message is magic, kind, size of its body [bytes], body. A command carries the time at which the
+pilot gave it: what comes late counts for nothing (``wires.ardrone.command_sequencer``).
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import isfinite
+
+from housefly.errors import WireError
+from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry, VideoFrame
+
+_MAGIC = b"HFd1"
+_HEADER = struct.Struct("<4sBI")
+_COMMAND = struct.Struct("<B5d")
+_TELEMETRY = struct.Struct("<Bdd4d3d??3d")
+_LINK = struct.Struct("<??d")
+_VIDEO = struct.Struct("<?HHIdd")
+_BODY_MAX = 1_100_000
+"""Longest body accepted [bytes]: a picture of the largest size (``pave.MAX_PAYLOAD``)."""
+_ACTIONS, _STATES = tuple(Action), tuple(DroneStatus)
+
+
+@dataclass(frozen=True, slots=True)
+class TimedCommand:
+    """A command of the pilot, and when it was given [s, monotonic clock of this machine]."""
+
+    command: Command
+    issued_at: float
+
+
+@dataclass(frozen=True, slots=True)
+class DriverStatus:
+    """Health of the driver's wires.
+
+    Attributes:
+        connected, video_connected: whether reports arrive, and pictures.
+        telemetry_rate_hz: reports per second.
+        problem: what is wrong, in words, or "".
+    """
+
+    connected: bool = False
+    video_connected: bool = False
+    telemetry_rate_hz: float = 0.0
+    problem: str = ""
+
+
+DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame
+
+
+def encode_driver_message(message: DriverMessage) -> bytes:
+    """Return a message with its header."""
+    kind = _KINDS.index(type(message))
+    body = _ENCODE[kind](message)
+    return _HEADER.pack(_MAGIC, kind, len(body)) + body
+
+
+class MessageReader:
+    """Cuts a stream into messages."""
+
+    def __init__(self) -> None:
+        self._buffer = bytearray()
+
+    def feed(self, data: bytes) -> list[DriverMessage]:
+        """Append the next bytes and return the messages now complete, oldest first.
+
+        Raises:
+            WireError: no message of ours; the connection is of no use any more.
+        """
+        self._buffer += data
+        messages: list[DriverMessage] = []
+        while len(self._buffer) >= _HEADER.size:
+            magic, kind, size = _HEADER.unpack_from(self._buffer)
+            if magic != _MAGIC or kind >= len(_KINDS) or size > _BODY_MAX:
+                raise WireError("pilot and driver do not speak the same language")
+            end = _HEADER.size + size
+            if len(self._buffer) < end:
+                break
+            body = bytes(memoryview(self._buffer)[_HEADER.size : end])
+            del self._buffer[:end]
+            messages.append(_decoded(kind, body))
+        return messages
+
+
+def _decoded(kind: int, body: bytes) -> DriverMessage:
+    try:
+        return _DECODE[kind](body)
+    except (struct.error, IndexError, ValueError, TypeError, RecursionError) as error:
+        raise WireError(f"a {_KINDS[kind].__name__} that cannot be read: {error}") from error
+
+
+def _command_bytes(timed: TimedCommand) -> bytes:
+    setpoint = timed.command.setpoint
+    return _COMMAND.pack(
+        _ACTIONS.index(timed.command.action),
+        timed.issued_at,
+        *(setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate),
+    )
+
+
+def _command(body: bytes) -> TimedCommand:
+    action, issued_at, *setpoint = _COMMAND.unpack(body)
+    if not isfinite(issued_at):
+        raise ValueError("the time is not finite")
+    return TimedCommand(Command(_ACTIONS[action], Setpoint(*setpoint)), issued_at)
+
+
+def _telemetry_bytes(report: Telemetry) -> bytes:
+    acceleration = report.acceleration or (0.0, 0.0, 0.0)
+    numbers = _TELEMETRY.pack(
+        _STATES.index(report.status),
+        *(report.received_at, report.battery),
+        *(report.phi, report.theta, report.psi, report.height),
+        *report.velocity,
+        *(report.configured, report.acceleration is not None),
+        *acceleration,
+    )
+    return numbers + json.dumps([report.faults, report.notes]).encode()
+
+
+def _telemetry(body: bytes) -> Telemetry:
+    status, received_at, battery, phi, theta, psi, height, *rest = _TELEMETRY.unpack_from(body)
+    forward, left, up, configured, accelerates, *acceleration = rest
+    faults, notes = json.loads(body[_TELEMETRY.size :])
+    x, y, z = acceleration
+    return Telemetry(
+        received_at=received_at,
+        status=_STATES[status],
+        battery=battery,
+        phi=phi,
+        theta=theta,
+        psi=psi,
+        height=height,
+        velocity=(forward, left, up),
+        faults=tuple(map(str, faults)),
+        acceleration=(x, y, z) if accelerates else None,
+        configured=configured,
+        notes=tuple(map(str, notes)),
+    )
+
+
+def _status_bytes(status: DriverStatus) -> bytes:
+    flags = _LINK.pack(status.connected, status.video_connected, status.telemetry_rate_hz)
+    return flags + status.problem.encode()
+
+
+def _status(body: bytes) -> DriverStatus:
+    connected, video_connected, rate_hz = _LINK.unpack_from(body)
+    return DriverStatus(connected, video_connected, rate_hz, body[_LINK.size :].decode())
+
+
+def _video_bytes(frame: VideoFrame) -> bytes:
+    return (
+        _VIDEO.pack(
+            *(frame.keyframe, frame.width, frame.height),
+            *(frame.sequence, frame.received_at, frame.drone_time),
+        )
+        + frame.data
+    )
+
+
+def _video(body: bytes) -> VideoFrame:
+    return VideoFrame(body[_VIDEO.size :], *_VIDEO.unpack_from(body))
+
+
+_KINDS: tuple[type[DriverMessage], ...] = (TimedCommand, Telemetry, DriverStatus, VideoFrame)
+_ENCODE: tuple[Callable[..., bytes], ...] = (
+    _command_bytes,
+    _telemetry_bytes,
+    _status_bytes,
+    _video_bytes,
+)
+_DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (_command, _telemetry, _status, _video)

@@ -1,0 +1,42 @@
+"""Whether the charge suffices: for the way out, the way back and a landing above the floor."""
+
+from __future__ import annotations
+
+from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2
+from housefly.messages.flight import OrderKind
+from housefly.pilot.behavior.mission import Mission, Refused, VehicleStatus
+from housefly.pilot.behavior.navigator import Navigator
+
+LANDING_TIME = 15.0
+"""A landing, with what goes before it, takes no longer than this [s]."""
+RETURN_RESERVE = 0.02
+"""Charge that is left above the floor when a drone that turned home in time stands."""
+
+
+def charge_for(seconds: float, drain: float, limits: LimitsConfig) -> float:
+    """Return the charge [1] that a flight of so long and a landing need; drain in 1/s."""
+    return limits.battery_floor + RETURN_RESERVE + drain * (seconds + LANDING_TIME)
+
+
+def charge_refusal(
+    mission: Mission, vehicle: VehicleStatus, navigator: Navigator, limits: LimitsConfig
+) -> Refused | None:
+    """Return why the charge does not suffice for a mission and the way home, None when it does."""
+    if mission.kind is OrderKind.HOME or vehicle.place is None:
+        return None
+    home = navigator.home().goal
+    goal = mission.goal or vehicle.place
+    seconds = _duration(navigator, vehicle.place, mission.goal) + mission.look_s
+    seconds += _duration(navigator, goal, home)
+    needed = charge_for(seconds, 1.0 / limits.flight_time, limits)
+    if vehicle.battery >= needed:
+        return None
+    return Refused(
+        f"the battery is too low: {vehicle.battery:.0%}, there and back ({seconds:.0f} s) needs"
+        f" {needed:.0%}; charge it"
+    )
+
+
+def _duration(navigator: Navigator, start: Vec2, goal: Vec2 | None) -> float:
+    return navigator.route(start, goal).duration if goal is not None else 0.0

@@ -1,0 +1,145 @@
+"""Watches the column below the drone before it lands: free to the floor, or it waits or moves on.
+
+    arrived ──column free, nobody within GUIDED_DISTANCE──────────► the drone's own landing
+       │ └────column free──► sinks by the pilot ──low, still free──► the drone's own landing
+       └──column blocked──► waits in the air; after a while tries another place within 2 m
+
+The drone's own landing cannot be called back. With people about, the pilot therefore sinks to
+``LAST_HEIGHT`` itself, and rises again when somebody comes. What the safety gate lands is landed.
+"""
+
+from __future__ import annotations
+
+from math import inf
+
+from housefly.geometry import distance
+from housefly.messages.flight import Event, Phase, Severity
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
+from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
+from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
+from housefly.pilot.behavior.navigator import Navigator
+
+GUIDED_DISTANCE = 4.0
+"""With somebody nearer than this the pilot sinks itself [m]: the drone's own landing takes 3 s."""
+LAST_HEIGHT = 0.45
+"""From here the drone lands by itself [m]."""
+SINK_LEAD = 0.33
+"""The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
+GAP_TIME = 0.3
+"""Something stands below when the heights disagree for this long [s]."""
+SPOT_PERIOD = 3.0
+"""How often another place to land is looked for [s]."""
+SPOT_DISTANCE = 0.9
+"""Something that only the drone's own sensor shows is left behind by at least this [m]."""
+
+_CHOSEN = frozenset({Signal.ARRIVED_HOME, Signal.BLOCKED, Signal.OVERDUE})
+"""Signals that lead to a landing which can wait."""
+
+
+class LandingMonitor:
+    """Lets the landings of one commander happen, or holds them back."""
+
+    def __init__(self, commander: Commander, navigator: Navigator) -> None:
+        self._commander, self._people = commander, navigator.people
+        self._gap_since = inf
+        self._asked_at = -inf
+        self._fault = self._told = ""
+        self._sinking: TrackingTask | None = None
+
+    def allowed(self, found: list[Signal], vehicle: VehicleStatus) -> list[Signal]:
+        """Return the signals without those that would land the drone onto somebody."""
+        phase = self._commander.state.phase
+        landing = [
+            signal
+            for signal in found
+            if signal in _CHOSEN and SIGNALS[signal][phase] is Phase.LANDING
+        ]
+        self._measure(vehicle)
+        if phase in (Phase.LANDING, Phase.TAKING_OFF, Phase.IDLE):
+            self._sinking, self._fault = None, ""
+            return found
+        if self._commander.task is not self._sinking:
+            self._sinking = None
+        if not landing and self._sinking is None:
+            return found
+        others = [signal for signal in found if signal not in landing]
+        self._fault = self._column_fault(vehicle)
+        if self._fault:
+            self._rise()
+            return others
+        if self._sinking is None and not self._is_guided(vehicle):
+            return found
+        return others if self._sink(vehicle) else [*others, *(landing or [Signal.ARRIVED_HOME])]
+
+    def step(self, vehicle: VehicleStatus) -> list[Event]:
+        """Say what holds a landing back, and look for another place."""
+        if not self._fault:
+            self._told = ""
+            return []
+        fault, self._fault = self._fault, ""
+        events = []
+        if not self._told:
+            text = f"not landing: {fault}"
+            events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
+            self._told, self._asked_at = fault, vehicle.now
+        if vehicle.now - self._asked_at >= SPOT_PERIOD:
+            self._asked_at = vehicle.now
+            events.extend(self._elsewhere(vehicle))
+        return events
+
+    def _measure(self, vehicle: VehicleStatus) -> None:
+        is_gap = height_gap(vehicle) > HEIGHT_GAP_MAX
+        self._gap_since = min(self._gap_since, vehicle.now) if is_gap else inf
+
+    def _has_gap(self, vehicle: VehicleStatus) -> bool:
+        return vehicle.now - self._gap_since >= GAP_TIME
+
+    def _column_fault(self, vehicle: VehicleStatus) -> str:
+        if vehicle.place is None:
+            return ""
+        fault = self._people.landing_fault(vehicle.place, vehicle.now)
+        if not fault and self._has_gap(vehicle):
+            return f"something {height_gap(vehicle):.1f} m high seems to stand below"
+        return fault
+
+    def _is_guided(self, vehicle: VehicleStatus) -> bool:
+        if vehicle.place is None:
+            return False
+        near = self._people.separation(vehicle.place, (0.0, 0.0), vehicle.now, 0.0)
+        return near.now < GUIDED_DISTANCE
+
+    def _rise(self) -> None:
+        if self._sinking is not None:
+            self._commander.descend_to(None)
+            self._sinking = None
+
+    def _sink(self, vehicle: VehicleStatus) -> bool:
+        """Sink a little further; return whether there is still a way to go."""
+        assert vehicle.estimate is not None
+        x, y, z = vehicle.estimate.position
+        if z <= LAST_HEIGHT + 0.05:
+            return False
+        commander = self._commander
+        if self._sinking is None:
+            commander.hold_at(commander.state.mission.goal or (x, y), vehicle)
+        commander.descend_to(max(LAST_HEIGHT, z - SINK_LEAD))
+        self._sinking = commander.task
+        return True
+
+    def _elsewhere(self, vehicle: VehicleStatus) -> list[Event]:
+        place = vehicle.place
+        if place is None:
+            return []
+        least = SPOT_DISTANCE if self._has_gap(vehicle) else 0.0
+        spot = self._people.landing_spot(place, vehicle.now, least)
+        if spot is None or self._commander.land_at(spot, vehicle) is not None:
+            if self._told != _NOWHERE:
+                self._told = _NOWHERE
+                return [Event(vehicle.now, Severity.WARNING, "landing_blocked", _NOWHERE)]
+            return []
+        text = f"landing {distance(place, spot):.1f} m beside"
+        return [Event(vehicle.now, Severity.INFO, "landing_elsewhere", text)]
+
+
+_NOWHERE = "no clear place to land within 2 m: waiting in the air"

@@ -1,0 +1,258 @@
+"""The pre-flight checks: what must be right before a take-off, with value, limit, why and mend.
+
+A check that is required and fails refuses the take-off; the others are told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import degrees, isfinite, radians
+
+from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2, distance
+from housefly.messages.preflight import PreflightCheck
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
+from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, TAKE_OFF_RESERVE
+
+TILT_ON_PAD_MAX = radians(12.0)
+"""A drone that leans more than this does not stand on its feet [rad]."""
+PAD_DISTANCE_MAX = 0.4
+"""Farther from its pad than this somebody should look whether tracking has it right [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class PreflightInputs:
+    """What the checks look at.
+
+    Attributes:
+        vehicle: the drone.
+        limits: of the site.
+        home: its pad [m].
+        stopped: STOP is latched.
+        take_off_fault: who or what stands above or beside it, in words, or "".
+        sees_people: a sensor of the room sees people here.
+    """
+
+    vehicle: VehicleStatus
+    limits: LimitsConfig
+    home: Vec2
+    stopped: bool = False
+    take_off_fault: str = ""
+    sees_people: bool = True
+
+    @property
+    def tilt(self) -> float:
+        """How far the drone leans by its own word [rad]; 0 before the first."""
+        told = self.vehicle.telemetry
+        return max(abs(told.phi), abs(told.theta)) if told else 0.0
+
+    @property
+    def complaints(self) -> str:
+        """What the drone complains about that forbids a flight."""
+        told = self.vehicle.telemetry
+        return ", ".join(word for word in told.faults if word in GROUNDING_FAULTS) if told else ""
+
+    @property
+    def notes(self) -> str:
+        """What is not as it should be with the drone's settings and sensors."""
+        told = self.vehicle.telemetry
+        return "; ".join(told.notes) if told else ""
+
+    @property
+    def height_error(self) -> float:
+        """How far tracking has the drone from the height where it stands [m]; 0 when unknown."""
+        error = self.vehicle.consistency.height_error
+        return error if isfinite(error) else 0.0
+
+    @property
+    def off_pad(self) -> float:
+        """How far the drone stands from its pad [m]; 0 when unknown."""
+        place = self.vehicle.place
+        return distance(place, self.home) if place is not None else 0.0
+
+    @property
+    def charge_needed(self) -> float:
+        """Smallest charge for a take-off, 0 to 1."""
+        return self.limits.battery_floor + TAKE_OFF_RESERVE
+
+
+@dataclass(frozen=True, slots=True)
+class PreflightRule:
+    """One check: what is looked at, what is allowed, why, and how to mend it.
+
+    Attributes:
+        code: short name.
+        title: in words.
+        passes: whether all is well.
+        value, limit: in words.
+        why: what would happen otherwise.
+        mend: what to do.
+        required: no take-off without it.
+    """
+
+    code: str
+    title: str
+    passes: Callable[[PreflightInputs], bool]
+    value: Callable[[PreflightInputs], str]
+    limit: Callable[[PreflightInputs], str]
+    why: str
+    mend: str
+    required: bool = True
+
+    def check(self, inputs: PreflightInputs) -> PreflightCheck:
+        """Return what the check finds."""
+        return PreflightCheck(
+            code=self.code,
+            title=self.title,
+            passed=self.passes(inputs),
+            required=self.required,
+            value=self.value(inputs),
+            limit=self.limit(inputs),
+            why=self.why,
+            mend=self.mend,
+        )
+
+
+PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
+    PreflightRule(
+        "drone_answers",
+        "the drone answers",
+        lambda i: i.vehicle.telemetry_age <= i.limits.telemetry_age,
+        lambda i: _age(i.vehicle.telemetry_age),
+        lambda i: f"at most {i.limits.telemetry_age:g} s",
+        "a drone that is not heard cannot be stopped",
+        "switch it on, join its Wi-Fi, and see `housefly doctor`",
+    ),
+    PreflightRule(
+        "drone_landed",
+        "it stands, by its own word",
+        lambda i: i.vehicle.status is DroneStatus.LANDED,
+        lambda i: i.vehicle.status.value,
+        lambda _: "landed",
+        "only a drone that stands can take off",
+        "press RESET when it is in its emergency state and nobody is near",
+    ),
+    PreflightRule(
+        "drone_upright",
+        "it stands on its feet",
+        lambda i: i.tilt <= TILT_ON_PAD_MAX,
+        lambda i: f"{degrees(i.tilt):.0f} deg",
+        lambda _: f"at most {degrees(TILT_ON_PAD_MAX):.0f} deg",
+        "a drone that leans takes off sideways",
+        "put it level on its pad",
+    ),
+    PreflightRule(
+        "drone_configured",
+        "it has confirmed its limits",
+        lambda i: i.vehicle.telemetry is not None and i.vehicle.telemetry.configured,
+        lambda i: "yes" if i.vehicle.telemetry and i.vehicle.telemetry.configured else "no",
+        lambda _: "yes",
+        "its own limits of tilt, height and speed hold when everything else fails",
+        "wait a few seconds, or switch it off and on",
+    ),
+    PreflightRule(
+        "drone_healthy",
+        "it complains about nothing",
+        lambda i: not i.complaints,
+        lambda i: i.complaints or "nothing",
+        lambda _: "nothing",
+        "it would land, or fall, in the middle of its flight",
+        "look at propellers, motors and battery, then switch it off and on",
+    ),
+    PreflightRule(
+        "charge",
+        "the battery is charged",
+        lambda i: i.vehicle.battery >= i.charge_needed,
+        lambda i: f"{i.vehicle.battery:.0%}",
+        lambda i: f"at least {i.charge_needed:.0%}, and more for a long way",
+        "it has to come home, and to land",
+        "charge it, or change the battery",
+    ),
+    PreflightRule(
+        "tracking",
+        "tracking sees it",
+        lambda i: i.vehicle.pose_age <= i.limits.pose_age_level,
+        lambda i: _age(i.vehicle.pose_age),
+        lambda i: f"at most {i.limits.pose_age_level:g} s",
+        "it flies by where tracking sees it",
+        "look at the tracking system: is it running, does it stream the body under this name?",
+    ),
+    PreflightRule(
+        "tracked_height",
+        "tracking has it where it stands",
+        lambda i: abs(i.height_error) <= HEIGHT_ERROR_MAX,
+        lambda i: f"{i.height_error:+.2f} m",
+        lambda _: f"within {HEIGHT_ERROR_MAX:g} m",
+        "a floor at another height is a room at another height",
+        "set the tracking system's origin on the floor, and define the drone's body anew",
+    ),
+    PreflightRule(
+        "stop",
+        "nobody has pressed STOP",
+        lambda i: not i.stopped,
+        lambda i: "pressed" if i.stopped else "no",
+        lambda _: "no",
+        "STOP is latched until a person resumes",
+        "press Resume when all is well",
+    ),
+    PreflightRule(
+        "take_off_column",
+        "nobody and nothing is above or beside it",
+        lambda i: not i.take_off_fault,
+        lambda i: i.take_off_fault or "clear",
+        lambda _: "clear",
+        "it climbs straight up from where it stands",
+        "clear the pad",
+    ),
+    PreflightRule(
+        "settings",
+        "its settings and sensors are as they should be",
+        lambda i: not i.notes,
+        lambda i: i.notes or "yes",
+        lambda _: "yes",
+        "it may fly otherwise than planned",
+        "see the drone's page of the manual",
+        required=False,
+    ),
+    PreflightRule(
+        "pad",
+        "it stands on its pad",
+        lambda i: i.off_pad <= PAD_DISTANCE_MAX,
+        lambda i: f"{i.off_pad:.2f} m from it",
+        lambda _: f"within {PAD_DISTANCE_MAX:g} m",
+        "if it does stand there, tracking and map disagree, and walls are not where they seem",
+        "put it on its pad; if it is there, compare the tracking system's origin with the map",
+        required=False,
+    ),
+    PreflightRule(
+        "sees_people",
+        "a sensor sees people",
+        lambda i: i.sees_people,
+        lambda i: "yes" if i.sees_people else "none does",
+        lambda _: "yes",
+        "it stops for people, and makes way, only where a sensor sees them",
+        "add a scanner or a depth camera to the site; until then keep people out of the room",
+        required=False,
+    ),
+)
+"""All checks, in the order in which a person would look."""
+
+
+def preflight(inputs: PreflightInputs) -> tuple[PreflightCheck, ...]:
+    """Return what every check finds."""
+    return tuple(rule.check(inputs) for rule in PREFLIGHT_RULES)
+
+
+def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> str:
+    """Return why no take-off is allowed, in words, or ""."""
+    for check in checks:
+        if check.required and not check.passed:
+            return f"{check.title}: {check.value}, must be {check.limit}; {check.mend}"
+    return ""
+
+
+def _age(seconds: float) -> str:
+    return f"{seconds:.1f} s ago" if isfinite(seconds) else "never"

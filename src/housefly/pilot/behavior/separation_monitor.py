@@ -1,0 +1,239 @@
+"""Keeps the drone away from people: slower near them, out of their way before they arrive.
+
+A drone that follows a path stops or goes around by ``collision_monitor``; what stands, waits, looks
+or cannot stop in time makes way here. Whoever is cornered lands while there is time, else holds
+still.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.geometry import Vec2, distance
+from housefly.messages.flight import Event, Phase, Severity
+from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
+from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
+from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME
+from housefly.pilot.planning.separation import Separation
+
+SPEED_FACTOR_MIN = 0.3
+"""Share of the cruise speed at the comfort distance from people, and nearer."""
+YIELD_HORIZON = 3.0
+"""A standing drone makes way for who comes too near within this time [s] ..."""
+CRUISE_HORIZON = 1.5
+"""... one on its way within this [s]."""
+YIELD_PERIOD = 0.1
+"""How often it is asked who comes near [s]."""
+CALM_TIME = 1.0
+"""It goes back when nobody has come near for this long [s]."""
+APPROACH = 0.1
+"""Who comes nearer by less than this does not approach [m]."""
+LEAD_TIME = 1.1
+"""A place this far ahead at the wanted speed makes the drone fly at it [s]."""
+CORNERED_DISTANCE = 0.25
+"""The drone is cornered when even the best place lets somebody come nearer than this [m]."""
+CORNERED_TIME = 0.1
+"""It must be so for this long [s]."""
+TOUCHDOWN_TIME = 3.4
+"""A landing takes no longer than this until the drone stands [s]."""
+DECISION_TIME = 4.4
+"""The drone lands no earlier than this before somebody reaches it [s]."""
+QUIET_TIME = 3.0
+"""Making way again so soon after the last time is not told again [s]."""
+_GUIDED = frozenset({Phase.OUTBOUND, Phase.RETURNING})
+
+
+@dataclass(frozen=True, slots=True)
+class Yielding:
+    """How the drone makes way.
+
+    Attributes:
+        post: where it was, and comes back to [m].
+        yaw: heading to keep [rad].
+        refuge: where it goes [m].
+        name: for whom.
+        phase: in which it began.
+        threatened_at: when somebody last came near [s].
+        cornered_at: since when there is nowhere to go [s]; infinite while there is.
+    """
+
+    post: Vec2
+    yaw: float
+    refuge: Vec2
+    name: str
+    phase: Phase
+    threatened_at: float
+    cornered_at: float = float("inf")
+
+
+class SeparationMonitor:
+    """Watches people for one commander.
+
+    Attributes:
+        speed_factor: share of the cruise speed to fly at, 0 to 1.
+    """
+
+    def __init__(self, commander: Commander, navigator: Navigator, paper: bool) -> None:
+        self.speed_factor = 1.0
+        self._commander, self._people, self._paper = commander, navigator.people, paper
+        self._yielding: Yielding | None = None
+        self._task: TrackingTask | None = None
+        self._asked_at = self._told_at = self._ended_at = -float("inf")
+        self._is_cornered_told = False
+
+    @property
+    def is_yielding(self) -> bool:
+        """Whether the drone makes way now."""
+        return self._yielding is not None and self._commander.task is self._task
+
+    def step(self, vehicle: VehicleStatus) -> list[Event]:
+        """Look at people once, and say what is done about them."""
+        place, state = vehicle.place, self._commander.state
+        if place is None or (not len(self._people) and self._yielding is None):
+            self.speed_factor = 1.0
+            return []
+        near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
+        self.speed_factor = self._factor(near.now)
+        is_ours = state.phase in AIRBORNE_PHASES and not state.stopped
+        if not is_ours or self._paper or vehicle.landing_forced:
+            self._yielding = None
+            return []
+        if vehicle.now - self._asked_at < YIELD_PERIOD - 1e-6:
+            return []
+        self._asked_at = vehicle.now
+        if self._yielding is not None and not (
+            self.is_yielding and self._yielding.phase is state.phase
+        ):
+            self._yielding = None
+        threat = self._threat(vehicle, place)
+        if threat is not None:
+            return self._make_way(threat, vehicle, place)
+        return self._calm(vehicle, place) if self._yielding is not None else []
+
+    def _factor(self, distance_now: float) -> float:
+        """Return the share of the cruise speed at a distance from people [m]."""
+        config = self._people.config
+        if distance_now >= config.slow_distance:
+            return 1.0
+        span = max(config.slow_distance - config.comfort_distance, 1e-6)
+        share = max(0.0, (distance_now - config.comfort_distance) / span)
+        return SPEED_FACTOR_MIN + (1.0 - SPEED_FACTOR_MIN) * share
+
+    def _threat(self, vehicle: VehicleStatus, place: Vec2) -> Separation | None:
+        """Return who comes too near, or None."""
+        config, task = self._people.config, self._commander.task
+        following = task.profile is not None and self._commander.state.phase in _GUIDED
+        if following and vehicle.estimate is not None:
+            velocity = vehicle.estimate.velocity[:2]
+            found = self._people.separation(
+                place, velocity, vehicle.now, CRUISE_HORIZON, walking=True
+            )
+            return found if found.closest < config.min_distance else None
+        found = self._people.separation(place, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
+        comes = found.closest < min(config.comfort_distance, found.now - APPROACH)
+        return found if comes or found.now < config.min_distance else None
+
+    def _make_way(self, threat: Separation, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+        assert vehicle.estimate is not None
+        before, now = self._yielding, vehicle.now
+        vx, vy, _ = vehicle.estimate.velocity
+        kept = before.refuge if before else None
+        found = self._people.refuge(place, (vx, vy), now, kept)
+        cornered = found.separation < CORNERED_DISTANCE
+        since = min(now, before.cornered_at) if before and cornered else now
+        self._yielding = Yielding(
+            post=before.post if before else self._post(place),
+            yaw=before.yaw if before else self._yaw(vehicle, place),
+            refuge=found.place,
+            name=threat.name,
+            phase=self._commander.state.phase,
+            threatened_at=now,
+            cornered_at=since if cornered else float("inf"),
+        )
+        if cornered and now - since >= CORNERED_TIME:
+            events = self._corner(vehicle, place)
+            if self._yielding is None:
+                return events
+        else:
+            events = self._tell(vehicle)
+        self._go(vehicle, place)
+        return events
+
+    def _go(self, vehicle: VehicleStatus, place: Vec2) -> None:
+        """Set the place to fly to: as far ahead as makes the drone fly at the wanted speed."""
+        yielding = self._yielding
+        assert yielding is not None
+        (x, y), (gx, gy) = place, yielding.refuge
+        lead = self._people.config.yield_speed * LEAD_TIME
+        share = min(1.0, lead / max(distance(place, yielding.refuge), 1e-6))
+        why = f"{yielding.name} comes near: making way"
+        hold = (x + share * (gx - x), y + share * (gy - y))
+        self._commander.give_way(hold, yielding.yaw, why, vehicle)
+        self._task = self._commander.task
+
+    def _calm(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+        """Go on to the refuge, then back when nobody is near any more."""
+        yielding = self._yielding
+        assert yielding is not None
+        if vehicle.now - yielding.threatened_at < CALM_TIME:
+            self._go(vehicle, place)
+            return []
+        if yielding.phase in _GUIDED:
+            self._end(vehicle)
+            return []
+        there = self._people.separation(yielding.post, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
+        if there.closest < self._people.config.comfort_distance + APPROACH:
+            self._go(vehicle, place)
+            return []
+        if self._commander.go_back(yielding.post, vehicle) is not None:
+            return []
+        self._end(vehicle)
+        return [Event(vehicle.now, Severity.INFO, "going_back", "nobody comes near: going back")]
+
+    def _end(self, vehicle: VehicleStatus) -> None:
+        self._yielding, self._is_cornered_told = None, False
+        self._ended_at = vehicle.now
+
+    def _corner(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+        """Land while there is time, else hold still and say so."""
+        assert self._yielding is not None
+        name = self._yielding.name
+        still = (0.0, 0.0)
+        soon = self._people.separation(place, still, vehicle.now, TOUCHDOWN_TIME)
+        later = self._people.separation(place, still, vehicle.now, DECISION_TIME)
+        # Whether there is time to land is asked of the likeliest way that somebody goes.
+        likely = -SPEED_UNCERTAINTY * UNCERTAIN_TIME
+        if later.closest > likely:
+            return []
+        if soon.closest > likely:
+            self._commander.land_here(vehicle)
+            self._yielding = None
+            text = f"{name} comes near and there is no room to make way: landing here"
+            return [Event(vehicle.now, Severity.WARNING, "cornered", text)]
+        if self._is_cornered_told:
+            return []
+        self._is_cornered_told = True
+        text = f"{name} comes near and there is no room to make way"
+        return [Event(vehicle.now, Severity.WARNING, "cornered", text)]
+
+    def _tell(self, vehicle: VehicleStatus) -> list[Event]:
+        assert self._yielding is not None
+        last = max(self._told_at, self._ended_at)
+        self._told_at = vehicle.now
+        if vehicle.now - last < QUIET_TIME:
+            return []
+        text = f"{self._yielding.name} comes near: making way"
+        return [Event(vehicle.now, Severity.INFO, "making_way", text)]
+
+    def _post(self, place: Vec2) -> Vec2:
+        """Return where the drone should be in this phase [m]."""
+        task = self._commander.task
+        if task.path is not None and task.profile is not None:
+            return task.path.waypoints[-1]
+        return task.hold or place
+
+    def _yaw(self, vehicle: VehicleStatus, place: Vec2) -> float:
+        state = self._commander.state
+        wished = state.mission.arrival_yaw(place) if state.phase is Phase.LOOKING else None
+        return vehicle.estimate.yaw if wished is None and vehicle.estimate else wished or 0.0

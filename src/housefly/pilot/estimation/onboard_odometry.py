@@ -1,0 +1,216 @@
+"""Onboard odometry, compiled: the way flown by the drone's own velocity and heading alone.
+
+The drone's optical flow tells a body velocity and its gyros a heading since its own start. Turned
+into the world by the heading that tracking told, and summed up, they make a second track that no
+tracking system can bend. Its error grows slowly: white noise and a wandering bias of the flow.
+"""
+
+from __future__ import annotations
+
+from math import cos, exp, inf, isnan, nan, sin
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from housefly.numeric import compiled, wrapped
+
+FLOW_DELAY = 0.04
+"""Velocity and height of the drone's report are this old [s] (tum_ardrone, DroneKalmanFilter)."""
+FLOW_NOISE = 0.02
+"""White noise of a reported velocity, one sigma [m/s]."""
+FLOW_BIAS = 0.003
+"""Slowly wandering bias of the reported velocity, one sigma [m/s]."""
+FLOW_BIAS_TIME = 10.0
+"""Correlation time of that bias [s]."""
+REPORT_GAP_MAX = 0.25
+"""Reports further apart than this leave a hole in the odometry [s]."""
+UNTOLD_AFTER = 0.3
+"""A velocity of exactly zero for this long in flight is no velocity at all [s]."""
+HEADING_TIME = 5.0
+"""Time constant by which the onboard heading is tied to the tracked one [s]."""
+
+MOTION_RING_SIZE = 512
+"""Reports kept: two seconds and a half at 200 Hz; a power of two."""
+ONBOARD_MOTION = np.dtype(
+    [(name, "f8") for name in ("at", "psi", "height", "x", "y", "vx", "vy", "way", "variance")]
+)
+"""One report: when it came [s], heading since the drone's start, unwrapped [rad], height [m], the
+place [m], velocity [m/s] and way [m] of the odometry one ``FLOW_DELAY`` before, and the variance of
+that place by white noise [m^2].
+"""
+MotionRing = NDArray[Any]
+
+
+class OnboardReport(NamedTuple):
+    """What one report of the drone says: time [s], attitude [rad], velocity [m/s], height [m].
+
+    Attributes:
+        at, theta, phi, psi, forward, left, height: as in ``Telemetry``.
+        vz: climb rate by tracking, which the wire does not tell [m/s].
+        airborne: the propellers carry the drone; on the ground it stands still.
+    """
+
+    at: float
+    theta: float
+    phi: float
+    psi: float
+    forward: float
+    left: float
+    height: float
+    vz: float
+    airborne: bool
+
+
+class OdometryState(NamedTuple):
+    """Where the odometry stands.
+
+    Attributes:
+        count: reports taken in.
+        heading: tracked heading minus onboard heading [rad]; nan before the first sighting.
+        heading_at: when that was brought up to date [s].
+        since: the odometry has no hole since then [s]; inf while it is not told.
+        zero_since: the velocity is exactly zero since then [s]; inf when it is not.
+    """
+
+    count: int
+    heading: float
+    heading_at: float
+    since: float
+    zero_since: float
+
+
+class OdometryAt(NamedTuple):
+    """The odometry at one time; fields as in ``ONBOARD_MOTION``."""
+
+    psi: float
+    height: float
+    x: float
+    y: float
+    vx: float
+    vy: float
+    way: float
+    variance: float
+
+
+NO_ODOMETRY = OdometryState(count=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf)
+
+
+@compiled
+def flow_bias_variance(seconds: float) -> float:
+    """Return the variance of the odometry over a time [s] by the bias of the flow [m^2]."""
+    tau = FLOW_BIAS_TIME
+    return 2.0 * FLOW_BIAS**2 * tau * (seconds - tau * (1.0 - exp(-seconds / tau)))
+
+
+@compiled
+def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport) -> OdometryState:
+    """Return the odometry after a report; one that is not newer than the last changes nothing."""
+    mask = ring.size - 1
+    before, row = ring[(s.count - 1) & mask], ring[s.count & mask]
+    dt = report.at - before.at if s.count > 0 else inf
+    if dt <= 0.0:
+        return s
+    is_zero = report.airborne and report.forward == 0.0 and report.left == 0.0
+    zero_since = min(s.zero_since, report.at) if is_zero else inf
+    silent = report.at - zero_since > UNTOLD_AFTER
+    since = s.since
+    if dt > REPORT_GAP_MAX or silent or isnan(s.heading):
+        since = report.at
+    row.at, row.height = report.at, report.height
+    row.psi = report.psi if s.count == 0 else before.psi + wrapped(report.psi - before.psi)
+    row.vx, row.vy = _world_velocity(s, ring, report)
+    if s.count == 0 or dt > REPORT_GAP_MAX:
+        row.x, row.y, row.way, row.variance = 0.0, 0.0, 0.0, 0.0
+        if s.count > 0:
+            row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance
+    else:
+        mean_x, mean_y = 0.5 * (before.vx + row.vx), 0.5 * (before.vy + row.vy)
+        row.x, row.y = before.x + dt * mean_x, before.y + dt * mean_y
+        row.way = before.way + dt * (mean_x * mean_x + mean_y * mean_y) ** 0.5
+        noise = FLOW_NOISE * dt if report.airborne else 0.0
+        row.variance = before.variance + noise * noise + (0.5 * dt * dt) ** 2
+    return OdometryState(
+        count=s.count + 1,
+        heading=s.heading,
+        heading_at=s.heading_at,
+        since=since,
+        zero_since=zero_since,
+    )
+
+
+@compiled
+def _world_velocity(
+    s: OdometryState, ring: MotionRing, report: OnboardReport
+) -> tuple[float, float]:
+    """Return the velocity in the world that the flow means, with the heading of its time."""
+    if not report.airborne or isnan(s.heading):
+        return 0.0, 0.0
+    ct, st, cp, sp = cos(report.theta), sin(report.theta), cos(report.phi), sin(report.phi)
+    if ct < 0.5 or cp < 0.5:
+        return 0.0, 0.0
+    forward = (report.forward + st * report.vz) / ct
+    left = (report.left - forward * sp * st - report.vz * sp * ct) / cp
+    psi = report.psi
+    if s.count > 0:
+        psi = odometry_at(s, ring, report.at - FLOW_DELAY).psi
+    c, n = cos(psi + s.heading), sin(psi + s.heading)
+    return c * forward - n * left, n * forward + c * left
+
+
+@compiled
+def odometry_at(s: OdometryState, ring: MotionRing, at: float) -> OdometryAt:
+    """Return attitude and height told for a time [s], and the odometry's place then.
+
+    Between two reports it is interpolated, after the newest extrapolated for a while.
+    """
+    psi, _ = _around(s, ring, at)
+    second = min(psi + 1, s.count - 1)
+    a, b = ring[psi & (ring.size - 1)], ring[second & (ring.size - 1)]
+    share = _share(a.at, b.at, at)
+    heading = a.psi + share * (b.psi - a.psi)
+    first, ahead = _around(s, ring, at + FLOW_DELAY)
+    second = min(first + 1, s.count - 1)
+    a, b = ring[first & (ring.size - 1)], ring[second & (ring.size - 1)]
+    share = _share(a.at, b.at, at + FLOW_DELAY)
+    ahead = min(max(ahead, 0.0), REPORT_GAP_MAX) if second == first else 0.0
+    return OdometryAt(
+        psi=heading,
+        height=a.height,
+        x=a.x + share * (b.x - a.x) + ahead * a.vx,
+        y=a.y + share * (b.y - a.y) + ahead * a.vy,
+        vx=a.vx + share * (b.vx - a.vx),
+        vy=a.vy + share * (b.vy - a.vy),
+        way=a.way + share * (b.way - a.way),
+        variance=a.variance + share * (b.variance - a.variance),
+    )
+
+
+@compiled
+def _around(s: OdometryState, ring: MotionRing, at: float) -> tuple[int, float]:
+    """Return the number of the last report not after a time [s], and how long before it came."""
+    mask = ring.size - 1
+    index, oldest = s.count - 1, max(s.count - ring.size, 0)
+    while index > oldest and ring[index & mask].at > at:
+        index -= 1
+    return index, at - ring[index & mask].at
+
+
+@compiled
+def _share(before: float, after: float, at: float) -> float:
+    return min(max((at - before) / (after - before), 0.0), 1.0) if after > before else 0.0
+
+
+@compiled
+def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -> OdometryState:
+    """Return the odometry with its heading tied to one that tracking told [rad] for a time [s]."""
+    if s.count == 0:
+        return s
+    off = wrapped(yaw - odometry_at(s, ring, at).psi)
+    heading = off
+    if not isnan(s.heading):
+        share = min(max(at - s.heading_at, 0.0) / HEADING_TIME, 1.0)
+        heading = wrapped(s.heading + share * wrapped(off - s.heading))
+    return OdometryState(
+        count=s.count, heading=heading, heading_at=at, since=s.since, zero_since=s.zero_since
+    )

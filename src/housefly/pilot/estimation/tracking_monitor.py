@@ -1,0 +1,243 @@
+"""Holds tracking against what the drone itself feels: which poses are believed, and how well.
+
+The drone's own report is used as a second track (``onboard_odometry``). It is never flown by; it
+says when tracking lies, and after a gap whether the place that comes back can be the drone's.
+Numbers are compiled; here are states, and what a drone on the ground may do.
+"""
+
+from __future__ import annotations
+
+from math import hypot, inf, isfinite, nan
+
+import numpy as np
+
+from housefly.geometry import Vec2, Vec3
+from housefly.messages.sensing import DroneStatus, Sighting, Telemetry
+from housefly.numeric import wrapped
+from housefly.pilot.estimation.carrying import CarryDetector
+from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.estimation.latency import NO_LATENCY, lag_bank, latency_advanced
+from housefly.pilot.estimation.onboard_odometry import (
+    MOTION_RING_SIZE,
+    NO_ODOMETRY,
+    ONBOARD_MOTION,
+    REPORT_GAP_MAX,
+    OdometryAt,
+    OnboardReport,
+    odometry_advanced,
+    odometry_at,
+    odometry_headed,
+)
+from housefly.pilot.estimation.track_windows import (
+    EMPTY_WINDOWS,
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    displacement_bound,
+    windows_advanced,
+    windows_restarted,
+)
+
+GAP_MIN = 0.3
+"""After a gap of this long a pose must agree with the odometry, or with the prediction [s]."""
+JUMP_FLOOR = 0.08
+"""A pose nearer than this to where the odometry says is never refused [m]."""
+JUMP_CEILING = 0.25
+"""... and one further than this always, however long the gap: a stopping distance [m]."""
+TURN_JUMP = 0.35
+"""A heading further than this from where the gyros say is refused [rad]."""
+START_RADIUS = 0.4
+"""So near to where it took off, the floor below is the floor it stood on [m]."""
+HEIGHT_TIME = 0.3
+"""Time constant of the height's comparison [s]: the sonar is noisy."""
+MOVED_AT_REST = 0.1
+"""Further than this from where it came to rest, a drone that nobody moved is drifting [m]."""
+AIRBORNE = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
+
+
+class TrackingMonitor:
+    """Holds the poses of one drone against its reports.
+
+    Args:
+        position_noise: one sigma of a sighting [m].
+    """
+
+    def __init__(self, position_noise: float) -> None:
+        self._noise = position_noise
+        self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
+        self._odometry = NO_ODOMETRY
+        self._rows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
+        self._windows = EMPTY_WINDOWS
+        self._bank = lag_bank()
+        self._latency = NO_LATENCY
+        self._carry = CarryDetector()
+        self._airborne = False
+        self._attitude_told = False
+        self._height_told = False
+        self._reported_at = -inf
+        self._last: tuple[Sighting, OdometryAt] | None = None
+        self._start: Vec3 | None = None
+        self._rest: Vec2 | None = None
+        self._height_error = nan
+        self._height_at = nan
+        self._refused_since: float | None = None
+
+    def feel(self, telemetry: Telemetry | None, status: DroneStatus, vz: float) -> None:
+        """Take in the drone's newest report, with the climb rate by tracking [m/s]."""
+        if telemetry is None or telemetry.received_at <= self._reported_at:
+            return
+        self._reported_at = telemetry.received_at
+        airborne = status in AIRBORNE
+        if airborne != self._airborne:
+            self._leave_or_reach_ground(airborne)
+        self._carry = self._carry.updated(telemetry, airborne)
+        self._attitude_told |= any((telemetry.phi, telemetry.theta, telemetry.psi))
+        self._height_told = not airborne or telemetry.height > 0.0
+        forward, left, _ = telemetry.velocity
+        report = OnboardReport(
+            at=telemetry.received_at,
+            theta=telemetry.theta,
+            phi=telemetry.phi,
+            psi=telemetry.psi,
+            forward=forward,
+            left=left,
+            height=telemetry.height,
+            vz=vz,
+            airborne=airborne,
+        )
+        if all(map(isfinite, report[:-1])):
+            self._odometry = odometry_advanced(self._odometry, self._motion, report)
+
+    def _leave_or_reach_ground(self, airborne: bool) -> None:
+        self._airborne = airborne
+        self._windows = windows_restarted(self._windows)
+        self._latency, self._rest = NO_LATENCY, None
+        self._start = self._last[0].pose.position if self._last and airborne else None
+
+    @property
+    def carried(self) -> bool:
+        """Whether somebody may have moved the drone on the ground since its last believed pose."""
+        since = self._last[0].captured_at if self._last else -inf
+        return self._carry.stirred_since(since)
+
+    def agrees(self, sighting: Sighting, predicted: Vec2 | None) -> bool:
+        """Return whether a sighting can be the drone, by its own motion.
+
+        Args:
+            sighting: of the drone.
+            predicted: where the filter expects it [m]; what a gap is judged by when the odometry
+                has a hole.
+        """
+        if self._last is None:
+            return True
+        last, then = self._last
+        seconds = sighting.captured_at - last.captured_at
+        if seconds <= 0.0:
+            return True
+        if not self._is_covered(last.captured_at, sighting.captured_at):
+            return seconds < GAP_MIN or predicted is None or _near(sighting, predicted)
+        now = odometry_at(self._odometry, self._motion, sighting.captured_at)
+        return self._is_on_track(last, then, sighting, now, seconds)
+
+    def _is_on_track(
+        self, last: Sighting, then: OdometryAt, new: Sighting, now: OdometryAt, seconds: float
+    ) -> bool:
+        (x0, y0, _), (x1, y1, _) = last.pose.position, new.pose.position
+        off = hypot(x1 - x0 - (now.x - then.x), y1 - y0 - (now.y - then.y))
+        white, way = now.variance - then.variance, now.way - then.way
+        change = hypot(now.vx - then.vx, now.vy - then.vy)
+        bound = displacement_bound(seconds, white, way, change, self._noise)
+        turn = wrapped(new.pose.yaw - last.pose.yaw - (now.psi - then.psi))
+        return off <= min(JUMP_FLOOR + bound, JUMP_CEILING) and abs(turn) <= TURN_JUMP
+
+    def _is_covered(self, since: float, until: float) -> bool:
+        """Return whether the odometry has no hole between two times [s]."""
+        is_fresh = until <= self._reported_at + REPORT_GAP_MAX
+        return self._attitude_told and is_fresh and self._odometry.since <= since
+
+    def vouches(self, at: float) -> bool:
+        """Return whether the odometry leads from the last believed pose to a time [s]."""
+        return self._last is not None and self._is_covered(self._last[0].captured_at, at)
+
+    @property
+    def refusing(self) -> bool:
+        """Whether the newest sighting was refused."""
+        return self._refused_since is not None
+
+    def refuse(self, now: float) -> None:
+        """A sighting was refused because it does not agree."""
+        self._refused_since = now if self._refused_since is None else self._refused_since
+
+    def accept(self, sighting: Sighting) -> None:
+        """Take in a sighting that is believed."""
+        self._refused_since = None
+        at, pose = sighting.captured_at, sighting.pose
+        self._compare_heights(at, pose.position)
+        if self._attitude_told:
+            self._odometry = odometry_headed(self._odometry, self._motion, at, pose.yaw)
+        onboard = odometry_at(self._odometry, self._motion, at)
+        self._last = sighting, onboard
+        if not self._airborne:
+            self._rest_at(pose.position)
+            return
+        if not self._is_covered(at, at):
+            self._windows = windows_restarted(self._windows)
+            self._latency = NO_LATENCY
+            return
+        x, y, z = pose.position
+        self._windows = windows_advanced(
+            self._windows, self._rows, at, x, y, pose.yaw, onboard, self._noise
+        )
+        self._latency = latency_advanced(
+            self._latency, self._bank, self._odometry, self._motion, at, x, y, z, pose.yaw
+        )
+
+    def _rest_at(self, position: Vec3) -> None:
+        """Remember where the drone lies still."""
+        if self._rest is None or self.carried:
+            self._rest = position[:2]
+
+    def _compare_heights(self, at: float, position: Vec3) -> None:
+        if self._odometry.count == 0 or not self._height_told:
+            self._height_error = nan
+            return
+        told = odometry_at(self._odometry, self._motion, at).height
+        error = position[2] - (told if self._airborne else 0.0)
+        if isfinite(self._height_error):
+            share = min(max(at - self._height_at, 0.0) / HEIGHT_TIME, 1.0)
+            error = self._height_error + share * (error - self._height_error)
+        self._height_error, self._height_at = error, at
+
+    def consistency(self, now: float) -> TrackingConsistency:
+        """Return how well tracking agrees with the drone's own report, now [s]."""
+        refused = now - self._refused_since if self._refused_since is not None else 0.0
+        return TrackingConsistency(
+            drift=self._windows.drift if self._airborne else self._moved_at_rest(),
+            frame_error=self._windows.frame_error,
+            mirrored=self._windows.mirrored,
+            height_error=self._told_height_error(),
+            latency_error=self._latency.error,
+            refused_for=refused,
+        )
+
+    def _moved_at_rest(self) -> float:
+        """Return how far tracking has moved a drone that lies still [m]."""
+        if self._rest is None or self._last is None:
+            return nan
+        x, y, _ = self._last[0].pose.position
+        moved = hypot(x - self._rest[0], y - self._rest[1])
+        return moved if moved > MOVED_AT_REST else 0.0
+
+    def _told_height_error(self) -> float:
+        """Return the error of the height where the floor below is known, or where it is too low."""
+        error, start = self._height_error, self._start
+        if not self._airborne or error < 0.0:
+            return error
+        if start is None or self._last is None:
+            return nan
+        x, y, _ = self._last[0].pose.position
+        return error if hypot(x - start[0], y - start[1]) < START_RADIUS else nan
+
+
+def _near(sighting: Sighting, place: Vec2) -> bool:
+    x, y, _ = sighting.pose.position
+    return hypot(x - place[0], y - place[1]) <= JUMP_CEILING

@@ -1,0 +1,103 @@
+"""Everybody who is known in one room: how near they come, where to make way, where to land."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from housefly.config.site import Site
+from housefly.geometry import Vec2
+from housefly.messages.obstacles import Obstacle
+from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
+from housefly.pilot.planning.people import NOBODY, People, people_at
+from housefly.pilot.planning.separation import Refuge, Separation, refuge, separation
+from housefly.room.distance import half_diagonal
+from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.model import Room
+
+HULL_MARGIN = 0.05
+"""A column must be wider than the hull by this [m]."""
+TAKE_OFF_LEAD = 2.0
+"""Nobody may come near a drone within this time when it takes off [s] ..."""
+LANDING_LEAD = 1.5
+"""... or lands [s]."""
+
+
+class PeopleMap:
+    """Distances from people and free columns; without people it costs nothing.
+
+    Attributes:
+        config: distances to keep.
+    """
+
+    def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
+        self.config = site.people
+        self._hull = half_diagonal(site.drone.hull_length, site.drone.hull_width)
+        self._static = StaticColumns(room, site.map.flight_height + site.map.half_band)
+        self._grid = grid
+        self._obstacles: tuple[Obstacle, ...] = ()
+        self._things: Callable[[], OccupancyGrid] = lambda: grid
+        self._people: People = NOBODY
+        self._at = 0.0
+
+    def __len__(self) -> int:
+        return len(self._people)
+
+    def update(
+        self, obstacles: Iterable[Obstacle], things: Callable[[], OccupancyGrid], now: float
+    ) -> None:
+        """Take in what is known at a time [s]; ``things`` makes the map without people."""
+        self._obstacles, self._things, self._at = tuple(obstacles), things, now
+        self._people = people_at(self._obstacles, now)
+
+    def separation(
+        self, place: Vec2, velocity: Vec2, now: float, horizon: float, *, walking: bool = False
+    ) -> Separation:
+        """Return how near people come to a drone that goes on with its velocity [m, m/s, s].
+
+        With ``walking`` only those count who walk.
+        """
+        if not len(self._people):
+            return Separation()
+        people = self._now(now)
+        people = people.walking() if walking else people
+        return separation(people, place, velocity, self._hull, horizon)
+
+    def refuge(self, place: Vec2, velocity: Vec2, now: float, kept: Vec2 | None) -> Refuge:
+        """Return where to make way to from a place [m] with a velocity [m/s]."""
+        enough = self.config.comfort_distance + 0.2
+        speed = self.config.yield_speed
+        people = self._now(now)
+        return refuge(people, self._things(), place, velocity, self._hull, speed, enough, kept)
+
+    def landing_fault(self, place: Vec2, now: float, lead: float = LANDING_LEAD) -> str:
+        """Return who or what stands below or beside a landing at a place [m], in words, or ""."""
+        if not self._obstacles:
+            return ""
+        least = self.config.min_distance
+        return column_fault(self._obstacles, self._now(now), place, self._hull, least, lead)
+
+    def landing_spot(self, place: Vec2, now: float, least: float = 0.0) -> Vec2 | None:
+        """Return the nearest place within 2 m where a landing hurts nobody and nothing [m].
+
+        It is at least ``least`` metres away.
+        """
+        grid, wide = self._things(), self._hull + HULL_MARGIN
+        for spot in spots_around(place, least):
+            is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
+            if is_open and not self.landing_fault(spot, now):
+                return spot
+        return None
+
+    def take_off_fault(self, place: Vec2, now: float) -> str:
+        """Return why not to take off from a place [m], in words, or ""."""
+        if self._grid.kind(self._grid.cell_of(place)) is Cell.VIRTUAL:
+            return "the drone stands in a no-fly area: carry it out"
+        if self._static.overhang(place) < self._hull + HULL_MARGIN:
+            return "something hangs over the drone: carry it to where the air above is free"
+        fault = self.landing_fault(place, now, TAKE_OFF_LEAD)
+        return f"{fault}: the air around the drone must be free" if fault else ""
+
+    def _now(self, now: float) -> People:
+        if now - self._at < 1e-9:
+            return self._people
+        return people_at(self._obstacles, now)

@@ -1,0 +1,91 @@
+"""What charge and clock still allow: the way home decides, with the drain that was measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, isfinite, nan
+
+from housefly.config.limits import LimitsConfig
+from housefly.pilot.behavior.charge import LANDING_TIME, charge_for
+from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.timers import Stopwatch, Window
+
+DRAIN_KNOWN_AFTER, DRAIN_KNOWN_SHARE = 30.0, 0.03
+"""The drain is measured once a flight took this long [s] and cost this share of the charge."""
+DRAIN_MARGIN = 1.2
+"""The measured drain is taken this many times."""
+CLIFF_SPAN = 3.0
+"""A charge that falls is compared with that of so long ago [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class EnergyBudget:
+    """What charge and clock allow; charges from 0 to 1.
+
+    Attributes:
+        airborne_for: how long the drone has been in the air [s].
+        time_left: how long it may still fly by the clock alone, on the charge at take-off [s].
+        time_needed: to come home from here and land [s].
+        charge_needed: to come home from here and land above the floor.
+        charge_lost: in the last ``CLIFF_SPAN``.
+        gauge_still_for: how long the charge has not changed in the air [s].
+    """
+
+    airborne_for: float
+    time_left: float
+    time_needed: float
+    charge_needed: float
+    charge_lost: float
+    gauge_still_for: float
+
+
+NO_ENERGY = EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0)
+
+
+class EnergyMonitor:
+    """Watches the charge of one flight."""
+
+    def __init__(self, limits: LimitsConfig) -> None:
+        self._limits = limits
+        self._airborne = Stopwatch()
+        self._still = Stopwatch()
+        self._lately: Window[float] = Window(CLIFF_SPAN)
+        self._at_take_off = nan
+        self._last = nan
+
+    def observe(self, inputs: GateInputs) -> EnergyBudget:
+        """Take one step in."""
+        now, charge = inputs.now, inputs.battery
+        airborne_for = self._airborne.update(inputs.airborne, now)
+        if not inputs.airborne:
+            self._lately.clear()
+        is_higher = not charge <= self._at_take_off
+        if isfinite(charge) and (is_higher or not inputs.airborne):
+            self._at_take_off = charge
+        if isfinite(charge):
+            self._lately.add(now, charge)
+        still = inputs.airborne and charge == self._last
+        self._last = charge
+        return EnergyBudget(
+            airborne_for=airborne_for,
+            time_left=self._budget() - airborne_for,
+            time_needed=inputs.home_time + LANDING_TIME,
+            charge_needed=charge_for(inputs.home_time, self._drain(airborne_for), self._limits),
+            charge_lost=max([0.0, *self._lately.values(now)]) - charge if isfinite(charge) else 0.0,
+            gauge_still_for=self._still.update(still, now),
+        )
+
+    def _budget(self) -> float:
+        """Return how long the charge at take-off lasts [s]; infinite where it is unknown."""
+        if not isfinite(self._at_take_off):
+            return inf
+        usable = max(0.0, self._at_take_off - self._limits.battery_floor)
+        return usable * self._limits.flight_time
+
+    def _drain(self, airborne_for: float) -> float:
+        """Return the drain to count on [1/s]: that of the limits, or a greater measured one."""
+        expected = 1.0 / self._limits.flight_time
+        used = self._at_take_off - self._last
+        if airborne_for < DRAIN_KNOWN_AFTER or not used >= DRAIN_KNOWN_SHARE:
+            return expected
+        return max(expected, DRAIN_MARGIN * used / airborne_for)

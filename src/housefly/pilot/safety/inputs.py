@@ -1,0 +1,112 @@
+"""What the last gate is told in one step, and the box that the drone has to stay in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite, nan
+
+from housefly.geometry import Vec2, Vec3, stopping_distance
+from housefly.messages.flight import Phase
+from housefly.messages.sensing import DroneStatus, Telemetry
+from housefly.messages.steering import Reference, Setpoint
+from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
+
+AIRBORNE_STATUSES = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
+"""States in which the propellers carry the drone."""
+CRUISE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
+"""Phases in which we say where the drone should be."""
+REACTION_TIME = 0.3
+"""Time from an order to brake until the drone brakes that distances allow for [s]."""
+BRAKING_DECELERATION = 1.0
+"""How hard the drone can be counted on to brake [m/s^2]."""
+
+
+@dataclass(frozen=True, slots=True)
+class GateInputs:
+    """What is known at one step.
+
+    Attributes:
+        now: time [s].
+        status: the drone's last word about itself.
+        battery: charge, 0 to 1; NaN counts as empty.
+        pose_age, telemetry_age: [s]; infinite before the first.
+        position: estimated place [m], None before the first sighting.
+        stopped: STOP is latched.
+        cutting: the motors are to be cut.
+        phase: of the mission.
+        velocity: estimated, world [m/s].
+        reference: of the last step, None where no trajectory is followed or a maneuver flies.
+        flight_height: z_ref [m]; nan while none is wanted.
+        flown: the setpoint that flew the drone in the last step; None where it flew itself.
+        telemetry: the drone's newest report, None before the first.
+        consistency: tracking held against that report.
+        late: how much later than planned this step runs [s].
+        home_time: how long the way home takes from here [s].
+        has_way_home: the planner has a way home from here.
+    """
+
+    now: float
+    status: DroneStatus
+    battery: float
+    pose_age: float
+    telemetry_age: float
+    position: Vec3 | None
+    stopped: bool
+    cutting: bool
+    phase: Phase = Phase.HOLDING
+    velocity: Vec3 | None = None
+    reference: Reference | None = None
+    flight_height: float = nan
+    flown: Setpoint | None = None
+    telemetry: Telemetry | None = None
+    consistency: TrackingConsistency = NOTHING_KNOWN
+    late: float = 0.0
+    home_time: float = 0.0
+    has_way_home: bool = True
+
+    @property
+    def airborne(self) -> bool:
+        """Whether the propellers carry the drone, by its last word."""
+        return self.status in AIRBORNE_STATUSES
+
+    @property
+    def cruising(self) -> bool:
+        """Whether it flies, by its own word and by ours."""
+        return self.status is DroneStatus.FLYING and self.phase in CRUISE_PHASES
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """The drone's complaints, in words."""
+        return self.telemetry.faults if self.telemetry else ()
+
+
+@dataclass(frozen=True, slots=True)
+class Geofence:
+    """The box to stay in: x_min, y_min, x_max, y_max, and the ceiling above the floor [m]."""
+
+    bounds: tuple[float, float, float, float]
+    ceiling: float
+
+    def outside(self, position: Vec3) -> float:
+        """Return how far a point lies outside in the plane [m]; infinite when it is no number."""
+        return self._beyond((position[0], position[1]))
+
+    def leaving(self, position: Vec3, velocity: Vec3) -> float:
+        """Return how much farther outside the drone will be where it can come to rest [m]."""
+        (x, y, z), (vx, vy, vz) = position, velocity
+        here, rest = (x, y), (x + _way_to_rest(vx), y + _way_to_rest(vy))
+        sideways = self._beyond(rest) - self._beyond(here)
+        top = z + _way_to_rest(max(vz, 0.0)) - max(self.ceiling, z)
+        farther = max(sideways, top)
+        return farther if isfinite(farther) else 0.0
+
+    def _beyond(self, point: Vec2) -> float:
+        x, y = point
+        x_min, y_min, x_max, y_max = self.bounds
+        gaps = (x_min - x, x - x_max, y_min - y, y - y_max)
+        return max(0.0, *gaps) if x == x and y == y else float("inf")
+
+
+def _way_to_rest(speed: float) -> float:
+    way = stopping_distance(abs(speed), BRAKING_DECELERATION, REACTION_TIME)
+    return way if speed > 0.0 else -way

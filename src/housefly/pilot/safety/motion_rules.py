@@ -1,0 +1,279 @@
+"""Rules of the last gate about motion: where the drone is, how it moves, and what was asked."""
+
+from __future__ import annotations
+
+from math import degrees, dist, hypot, isfinite
+
+from housefly.messages.steering import SafetyMode
+from housefly.pilot.behavior.standing import STANDS_HIGH
+from housefly.pilot.safety.limits import too_old
+from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+
+M, N = SafetyMode, Counting
+
+GRAVITY = 9.81
+"""[m/s^2]."""
+CEILING_SLACK = 0.5
+"""The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
+CEILING_CLEARANCE = 0.3
+"""No higher than this below the ceiling of the room [m]."""
+HEIGHT_OFF, HEIGHT_FAR = 0.25, 0.4
+"""Off the wanted height by this: warn, land [m]."""
+CLIMB_TIME = 6.0
+"""After a take-off, and when another height is wanted, it has this long to reach it [s]."""
+VERTICAL_SPEED_SLACK = 0.4
+"""A drone may climb or sink this much faster than ``limits.vertical_speed_max`` [m/s]."""
+TILT_ERROR_MAX = 0.2
+"""The attitude may differ from what we ask for by this [rad]."""
+BLOW_ACCELERATION = 6.0
+"""A specific force that differs from gravity by more than this is a blow [m/s^2] ..."""
+BLOW_SPEED = 0.55
+"""... and so is a change of velocity within 0.2 s by more than this [m/s]."""
+STUCK_TILT, STUCK_SPEED = 0.1, 0.08
+"""Stuck is who is tilted by more than this [rad] and slower than this [m/s]."""
+CONTROL_ERROR_HOLD, CONTROL_ERROR_LAND = 0.5, 1.0
+"""Distance to the reference: hold, land [m]."""
+VELOCITY_ERROR_MAX = 0.3
+"""The velocity may differ from that of the reference by this [m/s]."""
+LEAVING_MAX = 0.1
+"""A drone is held that would come to rest this much farther outside [m]."""
+
+
+def control_error(c: RuleContext) -> float:
+    """Return how far the drone is from where it should be, in the plane [m]; 0 where unknown."""
+    if c.now.reference is None or c.now.position is None:
+        return 0.0
+    return dist(c.now.position[:2], c.now.reference.position[:2])
+
+
+def velocity_error(c: RuleContext) -> float:
+    """Return how much the velocity differs from the wanted one [m/s]; 0 where unknown."""
+    if c.now.reference is None or c.now.velocity is None or c.now.flown is None:
+        return 0.0
+    return dist(c.now.velocity[:2], c.now.reference.velocity[:2])
+
+
+def height_off(c: RuleContext) -> float:
+    """Return how far above its height the drone is [m]; 0 where that is unknown or too early."""
+    is_old = too_old(c.now.pose_age, c.limits.pose_age_level)
+    if c.now.position is None or is_old or c.seen.climbing_for < CLIMB_TIME:
+        return 0.0
+    off = c.now.position[2] - c.now.flight_height
+    return off if isfinite(off) else 0.0
+
+
+def blow(c: RuleContext) -> float:
+    """Return the specific force beyond gravity in the drone's report [m/s^2]; 0 where unknown."""
+    if c.now.telemetry is None or c.now.telemetry.acceleration is None:
+        return 0.0
+    return abs(hypot(*c.now.telemetry.acceleration) - GRAVITY)
+
+
+def climb_rate(c: RuleContext) -> float:
+    """Return how fast the drone climbs by tracking [m/s]; 0 where unknown."""
+    return c.now.velocity[2] if c.now.velocity else 0.0
+
+
+def _is_stuck(c: RuleContext) -> bool:
+    if not c.seen.tilt_asked > STUCK_TILT or c.now.velocity is None:
+        return False
+    onboard = hypot(*c.now.telemetry.velocity[:2]) if c.now.telemetry else 0.0
+    return max(hypot(*c.now.velocity[:2]), onboard) < STUCK_SPEED
+
+
+def _leaving(c: RuleContext) -> float:
+    if c.now.position is None or c.now.velocity is None:
+        return 0.0
+    return c.fence.leaving(c.now.position, c.now.velocity)
+
+
+def _stands_above(c: RuleContext) -> float:
+    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
+        return 0.0
+    return c.now.position[2] - c.seen.standing_height
+
+
+def _contact_words(c: RuleContext) -> str:
+    what = f"{c.seen.velocity_change:.1f} m/s faster or slower at once (limit {BLOW_SPEED:g} m/s)"
+    if blow(c) > BLOW_ACCELERATION:
+        what = f"a blow of {blow(c):.0f} m/s^2 (limit {BLOW_ACCELERATION:g} m/s^2)"
+    return f"struck something: {what}, landing"
+
+
+def _height_words(c: RuleContext) -> str:
+    off = height_off(c)
+    side = "above" if off > 0.0 else "below"
+    return f"{abs(off):.2f} m {side} its height of {c.now.flight_height:.2f} m"
+
+
+MOTION_RULES: tuple[SafetyRule, ...] = (
+    SafetyRule(
+        code="outside_fence",
+        mode=M.LAND,
+        counts=N.AIRBORNE,
+        condition="too far outside the map",
+        broken=lambda c: (
+            c.now.position is not None and c.fence.outside(c.now.position) > c.limits.fence_margin
+        ),
+        words=lambda c: f"more than {c.limits.fence_margin} m outside the map: landing",
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="too_high",
+        mode=M.LAND,
+        counts=N.AIRBORNE,
+        condition="above the highest height plus slack, or too near to the ceiling of the room",
+        broken=lambda c: c.now.position is not None and not c.now.position[2] <= c.fence.ceiling,
+        words=lambda c: f"higher than {c.fence.ceiling:.1f} m: landing",
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="too_low",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="below the lowest height",
+        broken=lambda c: (
+            c.now.position is not None
+            and c.now.position[2] < min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF)
+        ),
+        words=lambda c: (
+            f"lower than {min(c.limits.height_min, c.now.flight_height - HEIGHT_OFF):.2f} m:"
+            " landing"
+        ),
+        after=0.4,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="height_error",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="far from its height",
+        broken=lambda c: abs(height_off(c)) > HEIGHT_FAR,
+        words=lambda c: f"{_height_words(c)} (limit {HEIGHT_FAR} m): landing",
+        after=2.0,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="height_not_reached",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="off its height for long",
+        broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
+        words=lambda c: f"{_height_words(c)} for long (limit {HEIGHT_OFF} m): landing",
+        after=10.0,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="vertical_speed",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="climbs or sinks faster than the largest climb rate plus slack",
+        broken=lambda c: abs(climb_rate(c)) > c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK,
+        words=lambda c: (
+            f"climbs at {climb_rate(c):+.1f} m/s (limit"
+            f" {c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK:.1f} m/s): landing"
+        ),
+        after=0.2,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="tilt_error",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="leans otherwise than told",
+        broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
+        words=lambda c: (
+            f"leans {degrees(c.seen.tilt_error):.0f} degrees otherwise than told"
+            f" (limit {degrees(TILT_ERROR_MAX):.0f}): landing"
+        ),
+        after=0.5,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="contact",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="a blow: acceleration, or a velocity that is suddenly another",
+        broken=lambda c: blow(c) > BLOW_ACCELERATION or c.seen.velocity_change > BLOW_SPEED,
+        words=_contact_words,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="stuck",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="it leans as told and neither tracking nor its own report sees it move",
+        broken=_is_stuck,
+        words=lambda c: (
+            f"leans {degrees(c.seen.tilt_asked):.0f} degrees and does not move"
+            f" (limit {degrees(STUCK_TILT):.0f}): stuck on something, landing"
+        ),
+        after=1.5,
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="control_lost",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="very far from where it should be",
+        broken=lambda c: control_error(c) > CONTROL_ERROR_LAND,
+        words=lambda c: (
+            f"{control_error(c):.1f} m from where it should be"
+            f" (limit {CONTROL_ERROR_LAND:g} m): landing"
+        ),
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="near_fence",
+        mode=M.HOLD,
+        counts=N.CRUISE,
+        condition="would come to rest outside the map, or at its ceiling (v^2 / 2a and reaction)",
+        broken=lambda c: _leaving(c) > LEAVING_MAX,
+        words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: the drone holds itself",
+        lasts=0.5,
+    ),
+    SafetyRule(
+        code="control_error",
+        mode=M.HOLD,
+        counts=N.CRUISE,
+        condition="far from where it should be",
+        broken=lambda c: control_error(c) > CONTROL_ERROR_HOLD,
+        words=lambda c: (
+            f"{control_error(c):.1f} m from where it should be"
+            f" (limit {CONTROL_ERROR_HOLD:g} m): the drone holds itself"
+        ),
+        after=0.5,
+    ),
+    SafetyRule(
+        code="drifting",
+        mode=M.HOLD,
+        counts=N.CRUISE,
+        condition="moves otherwise than told",
+        broken=lambda c: velocity_error(c) > VELOCITY_ERROR_MAX,
+        words=lambda _: (
+            f"moves more than {VELOCITY_ERROR_MAX:g} m/s otherwise than told:"
+            " the drone holds itself"
+        ),
+        after=0.5,
+        lasts=1.0,
+    ),
+    SafetyRule(
+        code="height_off",
+        mode=M.WARN,
+        counts=N.CRUISE,
+        condition="off its height",
+        broken=lambda c: abs(height_off(c)) > HEIGHT_OFF,
+        words=lambda c: f"{_height_words(c)} (limit {HEIGHT_OFF} m)",
+        after=0.5,
+    ),
+    SafetyRule(
+        code="not_on_floor",
+        mode=M.WARN,
+        counts=N.GROUND,
+        condition="it stands higher than it did",
+        broken=lambda c: _stands_above(c) > STANDS_HIGH,
+        words=lambda c: (
+            f"stands {_stands_above(c):.2f} m above the floor (limit {STANDS_HIGH} m): on something"
+        ),
+    ),
+)

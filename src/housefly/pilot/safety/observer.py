@@ -1,0 +1,149 @@
+"""What the last gate works out of one flight so far: what no single step shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import exp, hypot, inf, isfinite, nan
+
+from housefly.config.limits import LimitsConfig
+from housefly.geometry import Vec2
+from housefly.messages.flight import Phase
+from housefly.messages.sensing import DroneStatus
+from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget, EnergyMonitor
+from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.timers import Stopwatch, Window
+
+TILT_TIME = 0.2
+"""Time constant with which what we ask for is smoothed, about that of the drone's answer [s]."""
+VELOCITY_SPAN = 0.2
+"""Velocities are compared over this span [s]."""
+HOLD_SPAN = 10.0
+"""How far back holding is added up [s]."""
+LATE_SPAN = 1.0
+"""How far back late steps are counted [s]."""
+LATE_STEP = 0.05
+"""A step later than this is a late one [s]."""
+STEP_MAX = 0.1
+"""A step counts for no more than this [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class FlightObservations:
+    """What a flight has shown so far.
+
+    Attributes:
+        climbing_for: how long the drone has flown at its present wanted height [s].
+        standing_height: tracked height of a drone that stands [m].
+        tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
+        tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
+            either is unknown.
+        velocity_change: within ``VELOCITY_SPAN``, in the plane [m/s].
+        held_for: how long it was held in the last ``HOLD_SPAN`` [s].
+        late_steps: how many steps of the last ``LATE_SPAN`` were late.
+        landing_for: how long a landing has been wanted [s].
+        energy: what charge and clock still allow.
+    """
+
+    climbing_for: float = 0.0
+    standing_height: float = 0.0
+    tilt_asked: float = nan
+    tilt_error: float = nan
+    velocity_change: float = 0.0
+    held_for: float = 0.0
+    late_steps: int = 0
+    landing_for: float = 0.0
+    energy: EnergyBudget = NO_ENERGY
+
+
+NOTHING_OBSERVED = FlightObservations()
+
+
+class FlightObserver:
+    """Remembers one flight; fed once a step."""
+
+    def __init__(self, limits: LimitsConfig) -> None:
+        self._limits = limits
+        self._energy = EnergyMonitor(limits)
+        self._now = inf
+        self._climbing, self._landing = Stopwatch(), Stopwatch()
+        self._height = inf
+        self._standing = inf
+        self._asked: Vec2 | None = None
+        self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
+        self._held: Window[float] = Window(HOLD_SPAN)
+        self._late: Window[float] = Window(LATE_SPAN)
+
+    def observe(self, inputs: GateInputs, held: bool, landing: bool) -> FlightObservations:
+        """Take one step in.
+
+        Args:
+            inputs: of the step.
+            held: a rule made the drone hold in the step before.
+            landing: the gate is landing the drone.
+        """
+        now = inputs.now
+        dt = min(max(now - self._now, 0.0), STEP_MAX)
+        self._now = now
+        self._stand(inputs)
+        self._tilt(inputs, dt)
+        wants_down = inputs.airborne and (landing or inputs.phase is Phase.LANDING)
+        return FlightObservations(
+            climbing_for=self._climbing_for(inputs),
+            standing_height=self._standing if isfinite(self._standing) else 0.0,
+            tilt_asked=hypot(*self._asked) if self._asked else nan,
+            tilt_error=self._tilt_error(inputs),
+            velocity_change=self._velocity_change(inputs),
+            held_for=self._held_for(now, dt if held and inputs.airborne else 0.0),
+            late_steps=self._late_steps(inputs),
+            landing_for=self._landing.update(wants_down, now),
+            energy=self._energy.observe(inputs),
+        )
+
+    def _stand(self, inputs: GateInputs) -> None:
+        """Learn the height of a drone that stands: the lowest, it may have landed on something."""
+        is_seen = inputs.position is not None and inputs.pose_age <= self._limits.pose_age_level
+        if inputs.status is DroneStatus.LANDED and is_seen and inputs.position is not None:
+            height = inputs.position[2]
+            self._standing = min(self._standing, height) if isfinite(height) else self._standing
+
+    def _climbing_for(self, inputs: GateInputs) -> float:
+        is_same = inputs.flight_height == self._height
+        self._height = inputs.flight_height
+        return self._climbing.update(inputs.cruising and is_same, inputs.now)
+
+    def _tilt(self, inputs: GateInputs, dt: float) -> None:
+        if inputs.flown is None:
+            self._asked = None
+            return
+        theta, phi = inputs.flown.theta, inputs.flown.phi
+        before = self._asked or (0.0, 0.0)
+        share = 1.0 - exp(-dt / TILT_TIME)
+        self._asked = (
+            before[0] + share * (theta - before[0]),
+            before[1] + share * (phi - before[1]),
+        )
+
+    def _tilt_error(self, inputs: GateInputs) -> float:
+        heard = inputs.telemetry
+        if self._asked is None or heard is None:
+            return nan
+        return hypot(self._asked[0] - heard.theta, self._asked[1] - heard.phi)
+
+    def _velocity_change(self, inputs: GateInputs) -> float:
+        if inputs.velocity is None or not inputs.cruising:
+            self._velocities.clear()
+            return 0.0
+        vx, vy, _ = inputs.velocity
+        self._velocities.add(inputs.now, (vx, vy))
+        before_x, before_y = self._velocities.values(inputs.now)[0]
+        return hypot(vx - before_x, vy - before_y)
+
+    def _held_for(self, now: float, dt: float) -> float:
+        if dt:
+            self._held.add(now, dt)
+        return sum(self._held.values(now))
+
+    def _late_steps(self, inputs: GateInputs) -> int:
+        if inputs.late > LATE_STEP:
+            self._late.add(inputs.now, inputs.late)
+        return len(self._late.values(inputs.now))

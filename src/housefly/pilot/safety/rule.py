@@ -1,0 +1,92 @@
+"""What one rule of the last gate is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages.sensing import DroneStatus
+from housefly.messages.steering import SafetyMode
+from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.observer import FlightObservations
+
+
+class Counting(Enum):
+    """When a rule counts."""
+
+    ALWAYS = "always"
+    AIRBORNE = "in the air"
+    FLYING = "flying"
+    CRUISE = "flying, not landing"
+    LANDING = "told to land"
+    GROUND = "on the ground"
+
+
+class Clearing(Enum):
+    """What ends the answer to a broken rule."""
+
+    ITSELF = "by itself"
+    GROUND = "once it stands"
+    ORDER = "a fresh order on the ground"
+    RESUME = "Resume"
+    RESET = "a reset"
+
+
+@dataclass(frozen=True, slots=True)
+class RuleContext:
+    """What a rule may look at.
+
+    Attributes:
+        now: what is known in this step.
+        seen: what the flight has shown so far.
+        limits: of the site.
+        fence: of the room.
+    """
+
+    now: GateInputs
+    seen: FlightObservations
+    limits: LimitsConfig
+    fence: Geofence
+
+
+@dataclass(frozen=True, slots=True)
+class SafetyRule:
+    """One thing that may be wrong.
+
+    Attributes:
+        code: short name for events.
+        mode: what is done about it.
+        counts: when it counts.
+        condition: what is wrong, for the documentation.
+        broken: whether it is wrong now, where it counts.
+        words: for people, with value and limit.
+        after: it counts once it was wrong for this long [s].
+        lasts: it goes on counting for this long [s].
+        clears: what ends it; that of its mode where none is given.
+    """
+
+    code: str
+    mode: SafetyMode
+    counts: Counting
+    condition: str
+    broken: Callable[[RuleContext], bool]
+    words: Callable[[RuleContext], str]
+    after: float = 0.0
+    lasts: float = 0.0
+    clears: Clearing = Clearing.ITSELF
+
+    def applies(self, context: RuleContext) -> bool:
+        """Return whether it is wrong now and counts now, whatever came before."""
+        return COUNTED[self.counts](context) and self.broken(context)
+
+
+COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {
+    Counting.ALWAYS: lambda _: True,
+    Counting.AIRBORNE: lambda c: c.now.airborne,
+    Counting.FLYING: lambda c: c.now.status is DroneStatus.FLYING,
+    Counting.CRUISE: lambda c: c.now.cruising,
+    Counting.LANDING: lambda c: c.now.airborne and c.seen.landing_for > 0.0,
+    Counting.GROUND: lambda c: c.now.status is DroneStatus.LANDED,
+}

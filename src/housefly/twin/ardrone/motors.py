@@ -1,0 +1,64 @@
+"""The four motors: a wrench as four thrusts, what weak motors and a low voltage leave of it.
+
+Order everywhere: front left, front right, rear right, rear left. Front left and rear right turn so
+that more of their thrust turns the drone to the left.
+"""
+
+from __future__ import annotations
+
+from housefly.twin.ardrone.body import MOTOR_ARM
+from housefly.twin.ardrone.inner_loops import MOTORS_OFF, THRUST_MAX, Wrench
+from housefly.twin.disturbance import MotorGains
+
+_YAW_ARM = 0.02
+"""Torque about z over thrust of one rotor [m]; typical of propellers of this size."""
+_MOTOR_MAX = THRUST_MAX / 4
+
+
+def motor_duties(wrench: Wrench) -> MotorGains:
+    """Return the duty cycles of the four motors, 0 to 1; turning left or right is left out."""
+    if wrench.thrust <= 0.0:
+        return 0.0, 0.0, 0.0, 0.0
+    front_left, front_right, rear_right, rear_left = (
+        min(max(4 * force / THRUST_MAX, 0.0), 1.0) for force in _lifts(wrench)
+    )
+    return front_left, front_right, rear_right, rear_left
+
+
+def achieved_wrench(wrench: Wrench, gains: MotorGains, voltage_share: float = 1.0) -> Wrench:
+    """Return what motors make of a wrench.
+
+    Each saturates between none and full thrust; lift and attitude go before yaw.
+
+    Args:
+        wrench: what the firmware asks.
+        gains: share of its thrust that each motor has, 0 to 1.
+        voltage_share: voltage over the voltage without load; full thrust falls with its square,
+            because the speed of a motor follows its voltage.
+    """
+    if wrench.thrust <= 0.0:
+        return MOTORS_OFF
+    full = _MOTOR_MAX * voltage_share * voltage_share
+    lifts = [min(max(force, 0.0), full) for force in _lifts(wrench)]
+    room = min(min(force, full - force) for force in lifts)
+    turn = min(max(wrench.yaw / (4 * _YAW_ARM), -room), room)
+    signed = (turn, -turn, turn, -turn)
+    front_left, front_right, rear_right, rear_left = (
+        gain * (force + share) for gain, force, share in zip(gains, lifts, signed, strict=True)
+    )
+    return Wrench(
+        thrust=front_left + front_right + rear_right + rear_left,
+        roll=MOTOR_ARM * (front_left - front_right - rear_right + rear_left),
+        pitch=MOTOR_ARM * (rear_right + rear_left - front_left - front_right),
+        yaw=_YAW_ARM * (front_left - front_right + rear_right - rear_left),
+    )
+
+
+def _lifts(wrench: Wrench) -> MotorGains:
+    """Return the thrust of each motor [N] that lifts, rolls and pitches."""
+    lift, roll, pitch = (
+        wrench.thrust / 4,
+        wrench.roll / (4 * MOTOR_ARM),
+        wrench.pitch / (4 * MOTOR_ARM),
+    )
+    return lift + roll - pitch, lift - roll - pitch, lift - roll + pitch, lift + roll + pitch

@@ -1,0 +1,67 @@
+"""The simulated drone under disturbances; without any, sensors and motors are left alone."""
+
+from __future__ import annotations
+
+from housefly.config.site import Site
+from housefly.twin.ardrone.battery import CUT_OFF_VOLTAGE, Battery
+from housefly.twin.ardrone.inner_loops import MOTORS_OFF, Wrench
+from housefly.twin.ardrone.motors import achieved_wrench
+from housefly.twin.ardrone.onboard_sensors import BodyState, SensorReading
+from housefly.twin.ardrone.sensor_faults import FaultySensors
+from housefly.twin.disturbance import NEUTRAL, Disturbances
+from housefly.twin.external_forces import ExternalForces
+from housefly.twin.physics import Physics
+
+_STRONG = (1.0, 1.0, 1.0, 1.0)
+
+
+class DisturbedDrone:
+    """Stands between sensors and firmware, and between firmware and physics.
+
+    Args:
+        site: seed, and the drag of the drone.
+        physics: what is pushed and loaded.
+        battery: what a new charge is given to.
+    """
+
+    def __init__(self, site: Site, physics: Physics, battery: Battery) -> None:
+        self._physics, self._battery = physics, battery
+        self._sensors = FaultySensors(site.twin.seed)
+        self._forces = ExternalForces(site.twin.seed, site.drone.drag)
+        self._by = NEUTRAL
+
+    @property
+    def by(self) -> Disturbances:
+        """What disturbs it; setting it counts from the next control period on."""
+        return self._by
+
+    @by.setter
+    def by(self, disturbances: Disturbances) -> None:
+        if disturbances.payload != self._by.payload:
+            self._physics.load(disturbances.payload)
+        if disturbances.charge is not None and disturbances.charge != self._by.charge:
+            self._battery.charge = disturbances.charge
+        self._by = NEUTRAL if disturbances == NEUTRAL else disturbances
+
+    def sense(self, reading: SensorReading, motors_turn: bool) -> SensorReading:
+        """Return what the firmware reads of what healthy sensors read."""
+        if self._by is NEUTRAL:
+            return reading
+        return self._sensors.read(reading, self._by, motors_turn)
+
+    def advance(self, wrench: Wrench, body: BodyState) -> None:
+        """Move the drone by one control period under what the firmware asks of its motors."""
+        by = self._by
+        if by is NEUTRAL:
+            self._physics.advance(wrench, body)
+            return
+        self._physics.advance(self._achieved(wrench), body, self._forces.step(by, body))
+
+    def _achieved(self, wrench: Wrench) -> Wrench:
+        """Return what the motors make of a wrench."""
+        by, voltage = self._by, self._battery.voltage
+        if by.battery_gauge_stuck and voltage <= CUT_OFF_VOLTAGE:
+            return MOTORS_OFF
+        if by.motor_gains == _STRONG and by.voltage_sag == 0.0:
+            return wrench
+        return achieved_wrench(wrench, by.motor_gains, max(0.0, 1.0 - by.voltage_sag / voltage))

@@ -1,0 +1,456 @@
+"""The fault matrix: its 45 rows, what injects each, where, and the safe outcome that it demands.
+
+A row that is no fault of the simulated room names the test or command that covers it, or says that
+nothing does. ``docs/faults.md`` is made from this table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import inf
+
+from housefly.errors import ConfigError
+from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, Injection
+
+NOT_COVERED = "not covered"
+
+
+@dataclass(frozen=True, slots=True)
+class FaultVariant:
+    """One way to inject a row.
+
+    Attributes:
+        name: behind the slash of ``F13/5cm``.
+        faults: as seen from the moment at which the row begins, which is 0 s.
+        from_start: it makes sense only from before take-off on, like a wrong map.
+        wires_only: it cannot be made in lock step.
+    """
+
+    name: str
+    faults: tuple[Fault, ...]
+    from_start: bool = False
+    wires_only: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FaultRow:
+    """One row of the fault matrix.
+
+    Attributes:
+        number: F01 to F45.
+        title: what happens.
+        safe_outcome: how it must end, in words.
+        where: where it can be made; without LOCKSTEP and WIRES it is no fault of the twin.
+        variants: ways to inject it, the first being meant when none is named.
+        harmful: whether the same flight without its guards is expected to do harm.
+        covered_by: the test or command that shows it where no variant does, or ``NOT_COVERED``.
+    """
+
+    number: str
+    title: str
+    safe_outcome: str
+    where: frozenset[Injection]
+    variants: tuple[FaultVariant, ...] = ()
+    harmful: bool = False
+    covered_by: str = field(default="", kw_only=True)
+
+    def faults_of(self, variant: str = "") -> tuple[Fault, ...]:
+        """Return the faults of a variant, the first without a name; raises ConfigError."""
+        if not self.variants:
+            raise ConfigError(
+                "fault",
+                f"{self.number} ({self.title}) is no fault of the simulated room; it is covered"
+                f" by: {self.covered_by}",
+            )
+        for known in self.variants:
+            if variant in ("", known.name):
+                return known.faults
+        names = ", ".join(f"{self.number}/{known.name}" for known in self.variants)
+        raise ConfigError("fault", f"{self.number} has no variant {variant!r}; it has {names}")
+
+
+def row_of(number: str) -> FaultRow:
+    """Return a row by its number; raises ConfigError for one that the matrix does not have."""
+    for row in FAULT_CATALOGUE:
+        if row.number == number:
+            return row
+    raise ConfigError("fault", f"{number} is no row; there are F01 to F{len(FAULT_CATALOGUE)}")
+
+
+_C, _K = FaultComponent, FaultKind
+_TWIN = frozenset({Injection.LOCKSTEP, Injection.WIRES})
+_LOCKSTEP, _WIRES = frozenset({Injection.LOCKSTEP}), frozenset({Injection.WIRES})
+_PROCESS, _USER = frozenset({Injection.PROCESS}), frozenset({Injection.USER})
+
+
+def _mocap(
+    aspect: str,
+    kind: FaultKind = _K.WRONG,
+    size: float | None = None,
+    lasting: float = inf,
+    start: float = 0.0,
+) -> Fault:
+    return Fault(_C.MOCAP, kind, aspect, start, lasting, size)
+
+
+def _gap_then_offset(gap: float, offset: float) -> FaultVariant:
+    """Return the loss of tracking for a while, after which it has the drone elsewhere."""
+    return FaultVariant(
+        f"gap{gap:g}s_{offset:g}m",
+        (_mocap("", _K.OFF, lasting=gap), _mocap("position", size=offset, start=gap)),
+    )
+
+
+def _one(
+    component: FaultComponent,
+    kind: FaultKind,
+    aspect: str = "",
+    size: float | None = None,
+    *,
+    lasting: float = inf,
+    name: str = "",
+    wires_only: bool = False,
+) -> FaultVariant:
+    fault = Fault(component, kind, aspect, 0.0, lasting, size)
+    return FaultVariant(name or kind.value, (fault,), wires_only=wires_only)
+
+
+FAULT_CATALOGUE: tuple[FaultRow, ...] = (
+    FaultRow(
+        "F01", "no tracking for 0.2 s",
+        "flies on by its model: no change of state, under 5 cm off", _TWIN,
+        (FaultVariant("0.2s", (_mocap("", _K.OFF, lasting=0.2),)),),
+    ),
+    FaultRow(
+        "F02", "no tracking for 1 s",
+        "hovers at once, told; goes on by itself when the place fits", _TWIN,
+        (FaultVariant("1s", (_mocap("", _K.OFF, lasting=1.0),)),), True,
+    ),
+    FaultRow(
+        "F03", "no tracking for 5 s, or for good",
+        "hovers, then lands where it is; never returns", _TWIN,
+        (
+            FaultVariant("5s", (_mocap("", _K.OFF, lasting=5.0),)),
+            FaultVariant("for_good", (_mocap("", _K.OFF),)),
+        ), True,
+    ),
+    FaultRow(
+        "F04", "tracking jumps a metre and back",
+        "the samples are refused; nothing is seen of it", _TWIN,
+        (
+            FaultVariant("1m", (_mocap("position", size=1.0, lasting=0.03),)),
+            FaultVariant("3m", (_mocap("position", size=3.0, lasting=0.03),)),
+        ),
+    ),
+    FaultRow(
+        "F05", "tracking jumps and stays, at once or behind a gap",
+        "hovers, then lands; the new place is never believed in the air", _TWIN,
+        (
+            FaultVariant("1m", (_mocap("position", size=1.0),)),
+            FaultVariant("0.5m", (_mocap("position", size=0.5),)),
+            *(
+                _gap_then_offset(gap, offset)
+                for gap, offset in (
+                    (0.3, 0.3), (0.8, 0.4), (1.2, 0.5), (1.5, 0.6), (1.9, 0.8), (1.9, 1.0),
+                )
+            ),
+        ), True,
+    ),
+    FaultRow(
+        "F06", "the drone and another body are exchanged",
+        "hovers, then lands; says that the bodies are in conflict", _TWIN,
+        (FaultVariant("exchanged", (_mocap("bodies"),)),), True,
+    ),
+    FaultRow(
+        "F07", "the drone's body is turned, or its axes are wrong",
+        "hovers, then lands within 0.3 m of travel; told before take-off where it can be", _TWIN,
+        (
+            FaultVariant("180deg", (_mocap("yaw", size=3.1415926),)),
+            FaultVariant("90deg", (_mocap("yaw", size=1.5707963),)),
+            FaultVariant("60deg", (_mocap("yaw", size=1.0471976),)),
+            FaultVariant("30deg", (_mocap("yaw", size=0.5235988),)),
+            FaultVariant("axes", (_mocap("axes"),), from_start=True),
+        ), True,
+    ),
+    FaultRow(
+        "F08", "frozen poses under fresh stamps",
+        "counts as no tracking: hovers, then lands", _TWIN,
+        (_one(_C.MOCAP, _K.STUCK),), True,
+    ),
+    FaultRow(
+        "F09", "stamps backward, doubled, or of the future",
+        "dropped and counted; if nothing better comes, as no tracking", _TWIN,
+        (
+            FaultVariant("backward", (_mocap("stamp", size=-0.3),)),
+            FaultVariant("doubled", (_mocap("stamp", _K.STUCK),)),
+            FaultVariant("future", (_mocap("stamp", size=0.5),)),
+            FaultVariant("mixed", (_mocap("stamp", _K.GARBAGE),)),
+        ),
+    ),
+    FaultRow(
+        "F10", "poses that are not numbers, or no rotations",
+        "dropped and counted; as no tracking when they go on", _TWIN,
+        (
+            FaultVariant("nan", (_mocap("", _K.GARBAGE),)),
+            FaultVariant("no_rotation", (_mocap("orientation", _K.GARBAGE),)),
+        ),
+    ),
+    FaultRow(
+        "F11", "tracking falls to 10 Hz", "flies on within the bound for 10 Hz", _TWIN,
+        (_one(_C.MOCAP, _K.SLOW, size=10.0, name="10hz"),),
+    ),
+    FaultRow(
+        "F12", "tracking is late, with or without saying so",
+        "predicts ahead and flies slower; above 0.3 s holds; what it does not say is found within"
+        " 5 s", _TWIN,
+        (
+            _one(_C.MOCAP, _K.DELAYED, size=0.2, name="0.2s"),
+            _one(_C.MOCAP, _K.DELAYED, size=0.3, name="0.3s"),
+            FaultVariant("unstamped_0.3s", (_mocap("latency", size=0.3),)),
+            FaultVariant("unstamped_0.15s", (_mocap("latency", size=0.15),)),
+        ), True,
+    ),
+    FaultRow(
+        "F13", "the tracked place drifts, or steps once a second",
+        "told at 0.1 m, landed before 0.3 m", _TWIN,
+        (
+            FaultVariant("2cm", (_mocap("drift", size=0.02),)),
+            FaultVariant("5cm", (_mocap("drift", size=0.05),)),
+            FaultVariant("steps", (_mocap("steps", size=0.14),)),
+        ), True,
+    ),
+    FaultRow(
+        "F14", "30 % of the datagrams to and from the drone are lost",
+        "flies on; landing and stopping are repeated until they are seen", _TWIN,
+        (
+            FaultVariant("30percent", (
+                Fault(_C.COMMANDS, _K.INTERMITTENT, magnitude=0.3, seed=1),
+                Fault(_C.TELEMETRY, _K.INTERMITTENT, magnitude=0.3, seed=2),
+            )),
+        ),
+    ),
+    FaultRow(
+        "F15", "datagrams overtake each other or come twice",
+        "old commands are dropped; taking off twice is taking off", _TWIN,
+        (
+            FaultVariant("both", (
+                Fault(_C.COMMANDS, _K.WRONG, "order", magnitude=0.3, seed=1),
+                Fault(_C.COMMANDS, _K.WRONG, "copies", magnitude=0.3, seed=2),
+                Fault(_C.TELEMETRY, _K.WRONG, "order", magnitude=0.3, seed=3),
+            )),
+        ),
+    ),
+    FaultRow(
+        "F16", "the link to or from the drone lags for a while",
+        "holds above 0.3 s; no stale command is obeyed late", _TWIN,
+        (
+            _one(_C.COMMANDS, _K.DELAYED, size=1.0, lasting=2.0, name="up_1s"),
+            _one(_C.TELEMETRY, _K.DELAYED, size=1.0, lasting=2.0, name="down_1s"),
+            _one(_C.COMMANDS, _K.DELAYED, size=0.5, lasting=2.0, name="up_0.5s"),
+            _one(_C.COMMANDS, _K.DELAYED, size=2.0, lasting=2.0, name="up_2s"),
+        ), True,
+    ),
+    FaultRow(
+        "F17", "the link to the drone is lost for good",
+        "its own watchdog lands it; the user is told that it is on its own", _TWIN,
+        (FaultVariant("off", (Fault(_C.COMMANDS, _K.OFF), Fault(_C.TELEMETRY, _K.OFF))),),
+    ),
+    FaultRow(
+        "F18", "the drone falls silent and still obeys",
+        "lands by tracking", _TWIN, (_one(_C.TELEMETRY, _K.OFF),),
+    ),
+    FaultRow(
+        "F19", "the pictures stop, are damaged or stand still",
+        "the flight does not notice; the picture is greyed with its age", _WIRES,
+        (
+            _one(_C.VIDEO, _K.OFF, wires_only=True),
+            _one(_C.VIDEO, _K.STUCK, wires_only=True),
+            _one(_C.VIDEO, _K.GARBAGE, wires_only=True),
+        ),
+    ),
+    FaultRow(
+        "F20", "the charge falls off a cliff", "lands now, on the nearest clear spot", _TWIN,
+        (
+            _one(_C.BATTERY, _K.WRONG, size=0.08, name="8percent"),
+            _one(_C.BATTERY, _K.WRONG, size=0.18, name="18percent"),
+        ), True,
+    ),
+    FaultRow(
+        "F21", "the battery's gauge stands still or shows no number",
+        "flies by time; the next take-off is refused", _TWIN,
+        (_one(_C.BATTERY, _K.STUCK), _one(_C.BATTERY, _K.GARBAGE)), True,
+    ),
+    FaultRow(
+        "F22", "a weak motor, a damaged propeller, a sagging battery",
+        "told; lands; tumbling cuts the motors", _TWIN,
+        (
+            _one(_C.MOTOR, _K.WRONG, "front_left", 0.6, name="60percent"),
+            _one(_C.MOTOR, _K.WRONG, "front_left", 0.8, name="80percent"),
+            _one(_C.MOTOR, _K.OFF, "front_left", name="off"),
+            _one(_C.MOTOR, _K.WRONG, "propeller", 0.8, name="propeller"),
+            _one(_C.MOTOR, _K.WRONG, "all", 0.8, name="all_80percent"),
+            _one(_C.BATTERY, _K.WRONG, "voltage", 1.5, name="sag"),
+        ), True,
+    ),
+    FaultRow(
+        "F23", "held by something: tether, load, fan, wind",
+        "told; asks for less, lands, or cuts when it stays tilted on the floor", _TWIN,
+        (
+            _one(_C.TETHER, _K.WRONG, size=1.2, name="tether"),
+            _one(_C.PAYLOAD, _K.WRONG, size=0.02, name="20g"),
+            _one(_C.PAYLOAD, _K.WRONG, size=0.05, name="50g"),
+            _one(_C.FAN, _K.WRONG, size=2.0, name="fan"),
+            _one(_C.WIND, _K.WRONG, size=2.0, name="wind"),
+            _one(_C.WIND, _K.WRONG, "gust", 1.0, name="gusts"),
+        ), True,
+    ),
+    FaultRow(
+        "F24", "the pilot is killed",
+        "hovers after 0.25 s, lands after 2 s; a fresh pilot does not fly on",
+        _LOCKSTEP | _PROCESS, (_one(_C.PILOT, _K.OFF, name="silent"),), True,
+        covered_by="tests/wires/ardrone/test_command_sequencer.py"
+        "::test_a_pilot_that_comes_back_after_the_watchdog_landed_does_not_fly_on",
+    ),
+    FaultRow(
+        "F25", "the driver is killed",
+        "the drone's own watchdog brakes and lands it; a fresh driver offers landing only",
+        _LOCKSTEP | _PROCESS,
+        (FaultVariant("gone", (Fault(_C.COMMANDS, _K.OFF), Fault(_C.TELEMETRY, _K.OFF))),), True,
+        covered_by="tests/twin/test_world.py"
+        "::test_a_drone_without_its_client_flies_on_for_two_seconds_then_brakes_and_lands",
+    ),
+    FaultRow(
+        "F26", "the browser of the pilot goes away in flight",
+        "the errand is finished, then it hovers and lands", _USER,
+        covered_by="tests/web/test_console.py"
+        "::test_control_is_lost_three_seconds_after_its_holder_left (the lease; the landing is"
+        " not covered)",
+    ),
+    FaultRow(
+        "F27", "two people command at once",
+        "the second is refused with the holder's name; STOP and Land from anyone", _USER,
+        covered_by="tests/web/test_console.py::test_a_watcher_may_stop_and_land_and_nothing_else",
+    ),
+    FaultRow(
+        "F28", "the web server is flooded, or a client reads slowly",
+        "nobody else notices; STOP under 50 ms; the offender is cut off", _USER,
+        covered_by="tests/web/test_console.py::test_a_flood_is_cut_down_but_stop_still_passes",
+    ),
+    FaultRow(
+        "F29", "the disk is full or read-only, the database locked",
+        "the flight goes on; no new take-off", _PROCESS,
+        covered_by="tests/app/test_hub_faults.py"
+        "::test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes (the take-off"
+        " is not covered)",
+    ),
+    FaultRow(
+        "F30", "power is lost while it writes",
+        "the store opens and lost at most 1 s", _PROCESS,
+        covered_by="tests/app/test_hub_faults.py::"
+        "test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_completes",
+    ),
+    FaultRow(
+        "F31", "the wall clock is set", "nothing happens but a line in the log", _USER,
+        covered_by=NOT_COVERED,
+    ),
+    FaultRow(
+        "F32", "the machine stalls for 0.3 to 1 s",
+        "it was level before; hovers, goes on or lands, and says why", _LOCKSTEP | _PROCESS,
+        (
+            _one(_C.PILOT, _K.OFF, lasting=0.3, name="0.3s"),
+            _one(_C.PILOT, _K.OFF, lasting=1.0, name="1s"),
+            _one(_C.PILOT, _K.INTERMITTENT, size=0.8, name="starved"),
+        ), True,
+    ),
+    FaultRow(
+        "F33", "a chair is put on the way",
+        "stops before it; a new way within 0.3 s, or holds and tells", _TWIN,
+        (
+            _one(_C.OBSTACLES, _K.WRONG, size=1.0, name="1m"),
+            _one(_C.OBSTACLES, _K.WRONG, size=1.5, name="1.5m"),
+        ), True,
+    ),
+    FaultRow(
+        "F34", "somebody steps in front, walks up to it, or crosses",
+        "slower at 2 m, holds at 1 m, gives way when approached; never over people", _TWIN,
+        (
+            _one(_C.PEOPLE, _K.WRONG, size=1.5, name="stands"),
+            _one(_C.PEOPLE, _K.WRONG, "walking", 1.0, name="walks_up"),
+            _one(_C.PEOPLE, _K.WRONG, "walking", 1.5, name="head_on"),
+            _one(_C.PEOPLE, _K.WRONG, "crossing", 1.0, name="crosses"),
+        ), True,
+    ),
+    FaultRow(
+        "F35", "a chair is put right beside the drone",
+        "creeps to the nearest free place, or lands; never fails in silence", _TWIN,
+        (_one(_C.OBSTACLES, _K.WRONG, size=0.65, name="0.65m"),),
+    ),
+    FaultRow(
+        "F36", "the goal is in an obstacle, outside, or cannot be reached",
+        "refused before anything moves, with the nearest free place", _USER,
+        covered_by="tests/pilot/test_orders.py"
+        "::test_an_order_that_cannot_be_done_is_refused_in_words_and_nothing_moves",
+    ),
+    FaultRow(
+        "F37", "a second drone crosses", "the lower priority holds, 1 m apart", _USER,
+        covered_by=f"{NOT_COVERED}: one drone only",
+    ),
+    FaultRow(
+        "F38", "the drone is exchanged or starts anew in a session",
+        "not ready; the old goal is gone; its settings are read again", _TWIN | _PROCESS,
+        (
+            FaultVariant("silent_3s", (
+                Fault(_C.COMMANDS, _K.OFF, duration=3.0),
+                Fault(_C.TELEMETRY, _K.OFF, duration=3.0),
+            )),
+        ),
+    ),
+    FaultRow(
+        "F39", "malformed packets on a wire",
+        "nothing escapes the parser; counted; strangers are dropped", _USER,
+        covered_by="tests/wires (properties of every parser); no long fuzzing",
+    ),
+    FaultRow(
+        "F40", "a publisher floods the bus", "the loop stays on time; the publisher is named",
+        _USER,
+        covered_by="tests/app/test_obstacle_inbox.py::test_a_flood_is_cut_down (obstacles only)",
+    ),
+    FaultRow(
+        "F41", "a bad configuration", "refused with the key and its range", _USER,
+        covered_by="tests/config",
+    ),
+    FaultRow(
+        "F42", "the map is mirrored, turned or shifted",
+        "no take-off until it is confirmed; else found, and landed", _TWIN,
+        (
+            FaultVariant("mirrored", (_mocap("map"),), from_start=True),
+            FaultVariant("shifted_0.5m", (_mocap("origin_x", size=0.5),), from_start=True),
+            FaultVariant("shifted_y_0.5m", (_mocap("origin_y", size=0.5),), from_start=True),
+            FaultVariant("higher_0.6m", (_mocap("origin_z", size=0.6),), from_start=True),
+            FaultVariant("lower_0.6m", (_mocap("origin_z", size=-0.6),), from_start=True),
+            FaultVariant("turned", (_mocap("map_yaw", size=0.5),), from_start=True),
+        ), True,
+    ),
+    FaultRow(
+        "F43", "orders at the worst moment, and many of them",
+        "defined for every state and event", _USER,
+        covered_by="tests/pilot/test_orders.py"
+        "::test_every_order_in_every_phase_leaves_the_pilot_sane",
+    ),
+    FaultRow(
+        "F44", "somebody or something is on the pad",
+        "shifts to a clear spot, or climbs and holds; told", _TWIN,
+        (
+            _one(_C.OBSTACLES, _K.WRONG, "pad", name="stool"),
+            _one(_C.PEOPLE, _K.WRONG, "pad", name="child"),
+        ), True,
+    ),
+    FaultRow(
+        "F45", "a hostile page or machine", "refused and logged; no command reaches the drone",
+        _USER,
+        covered_by="tests/web/test_server.py::test_a_page_of_another_site_cannot_open_a_socket,"
+        " tests/bus/test_stop.py::test_a_replayed_datagram_does_nothing",
+    ),
+)  # fmt: skip
+"""The rows, in order."""

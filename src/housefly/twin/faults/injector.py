@@ -1,0 +1,153 @@
+"""All faults of one simulated room: hands every stream to what befalls it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Protocol
+
+from housefly.config.site import Site
+from housefly.errors import ConfigError
+from housefly.messages import DepthImage
+from housefly.twin.contracts import EncodedPicture, MocapFrame, OnboardState
+from housefly.twin.disturbance import Disturbances
+from housefly.twin.faults.fault import Fault, FaultSchedule
+from housefly.twin.faults.intruders import (
+    MOVABLE_INTRUDERS,
+    PEOPLE_INTRUDERS,
+    IntruderFaults,
+    IntruderWorld,
+    puts_in_the_way,
+)
+from housefly.twin.faults.mocap_stream import MocapStream
+from housefly.twin.faults.onboard_stream import OnboardStream
+from housefly.twin.faults.parse import faults_of
+from housefly.twin.faults.physical import PhysicalFaults
+from housefly.twin.faults.sensor_stream import (
+    Scan,
+    SensorStream,
+    changed_image,
+    changed_picture,
+    changed_scan,
+)
+from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, Injection
+from housefly.twin.movable import Movable
+from housefly.twin.people.script import PersonScript
+
+
+class DisturbableWorld(IntruderWorld, Protocol):
+    """What physical faults and people in the way need of a world."""
+
+    @property
+    def now(self) -> float:
+        """World time [s]."""
+        ...
+
+    def disturb(self, disturbances: Disturbances) -> None:
+        """Replace all disturbances."""
+        ...
+
+
+class FaultInjector:
+    """The faults of a site, and those that are injected later.
+
+    Args:
+        site: whose ``[[faults]]``, tracking system and drone's body.
+        where: lock step or wires: a fault that cannot be made there is refused.
+        intruders: whether people and things may be put in the way by faults injected later; those
+            of the site may always be.
+
+    Attributes:
+        schedule: what fails when.
+
+    Raises:
+        ConfigError: a fault cannot be read, or not be made there.
+    """
+
+    def __init__(
+        self, site: Site, where: Injection = Injection.LOCKSTEP, *, intruders: bool = False
+    ) -> None:
+        of_site = faults_of(site)
+        self._where = where
+        self._has_intruders = intruders or any(map(puts_in_the_way, of_site.faults))
+        self._mocap = MocapStream(site.tracking.body, site.twin.mocap_rate_hz)
+        self._onboard = OnboardStream()
+        self._scans: SensorStream[Scan] = SensorStream(FaultComponent.LASER, changed_scan)
+        self._images: SensorStream[DepthImage] = SensorStream(FaultComponent.DEPTH, changed_image)
+        self._pictures = SensorStream(FaultComponent.VIDEO, changed_picture)
+        self._physical, self._intruders = PhysicalFaults(), IntruderFaults()
+        self.schedule = FaultSchedule()
+        self.inject(*of_site.faults)
+
+    @property
+    def movables(self) -> tuple[Movable, ...]:
+        """What the world must have, to be put in the way; nothing where no fault does."""
+        return MOVABLE_INTRUDERS if self._has_intruders else ()
+
+    @property
+    def people(self) -> tuple[PersonScript, ...]:
+        """Whom the world must have, to be put in the way; nobody where no fault does."""
+        return PEOPLE_INTRUDERS if self._has_intruders else ()
+
+    def inject(self, *faults: Fault) -> None:
+        """Add faults; raises ConfigError for one that cannot be made here."""
+        for fault in faults:
+            if self._where not in fault.type.where:
+                possible = " or ".join(sorted(place.value for place in fault.type.where))
+                raise ConfigError(
+                    "fault",
+                    f"{fault} cannot be made in {self._where.value}, only in {possible}",
+                )
+            if puts_in_the_way(fault) and not self._has_intruders:
+                raise ConfigError(
+                    "fault",
+                    f"{fault} needs somebody to put in the way: name it in the site's [[faults]],"
+                    " or make the room with intruders = True",
+                )
+        self.schedule = self.schedule.with_faults(faults)
+
+    def act_on(self, world: DisturbableWorld) -> None:
+        """Disturb the drone, and move who is in the way, as it is now."""
+        self._intruders.note_pad(world)
+        if not self.schedule.faults:
+            return
+        active = self.schedule.active(world.now)
+        disturbances = self._physical.changed(active, world)
+        if disturbances is not None:
+            world.disturb(disturbances)
+        self._intruders.update(active, world, world.now)
+
+    def frames(self, frames: Iterable[MocapFrame], now: float) -> tuple[MocapFrame, ...]:
+        """Return the frames of the tracking system that arrive by now [s]."""
+        return self._mocap.passed(frames, self.schedule, now)
+
+    def reported(self, true: OnboardState) -> OnboardState:
+        """Return what the drone reports of its state."""
+        return self._onboard.reported(true, self.schedule)
+
+    def scan(self, name: str, take: Callable[[], Scan], now: float) -> Scan | None:
+        """Return what a scanner says now; None when it says nothing."""
+        return self._scans.read(name, take, self.schedule, now)
+
+    def depth_image(
+        self, name: str, take: Callable[[], DepthImage], now: float
+    ) -> DepthImage | None:
+        """Return the image of a depth camera; None when there is none."""
+        return self._images.read(name, take, self.schedule, now)
+
+    def picture(self, picture: EncodedPicture, now: float) -> EncodedPicture | None:
+        """Return the picture that the drone's camera sends; None when there is none."""
+        return self._pictures.read("", lambda: picture, self.schedule, now)
+
+    def device_fault(self, now: float, number: int) -> Fault | None:
+        """Return what befalls a device's message of this number; None for nothing."""
+        for fault in self.schedule.active(now, FaultComponent.DEVICES):
+            if fault.kind is not FaultKind.INTERMITTENT or fault.strikes(number):
+                return fault
+        return None
+
+    def pilot_is_heard(self, number: int, now: float) -> bool:
+        """Return whether the driver hears the pilot's step of this number; lock step only."""
+        return not any(
+            fault.kind is FaultKind.OFF or fault.strikes(number)
+            for fault in self.schedule.active(now, FaultComponent.PILOT)
+        )

@@ -1,0 +1,105 @@
+"""The true course of a flight, written to a file: where the drone was, what it touched.
+
+One JSON object a line: samples at 50 Hz, and each contact when it begins and again at the end. It
+is for the summary of a flight, never for the pilot.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from math import isfinite
+from pathlib import Path
+from types import TracebackType
+from typing import Self
+
+from housefly.twin.contact_log import Contact
+from housefly.twin.world import SimulatedWorld
+
+TRUTH_RATE_HZ = 50.0
+_FLUSH_EVERY = 25
+"""Samples between two flushes: a killed process loses at most half a second."""
+
+
+class TruthLog:
+    """Writes the truth of a world; a context manager.
+
+    Args:
+        world: what is true.
+        path: of the file; what an earlier process wrote is kept.
+        clock: stamps the samples, as the pilot's steps are stamped [s].
+
+    Raises:
+        OSError: the file cannot be written.
+    """
+
+    def __init__(self, world: SimulatedWorld, path: Path, clock: Callable[[], float]) -> None:
+        self._world, self._clock = world, clock
+        self._file = path.open("a", encoding="utf-8")
+        self._due = 0.0
+        self._samples = 0
+        self._told = 0
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def sample(self) -> None:
+        """Write a sample when it is due, and the contacts that are new."""
+        now = self._world.now
+        if now < self._due:
+            return
+        self._due = now + 1.0 / TRUTH_RATE_HZ - 1e-6
+        at = self._clock()
+        truth, clearance = self._world.truth(), self._world.clearance()
+        self._write(
+            {
+                "at": round(at, 6),
+                "position": [round(value, 5) for value in truth.pose.position],
+                "airborne": self._world.onboard().flight.airborne,
+                "solid": _finite(clearance.solid),
+                "person": _finite(clearance.person),
+            }
+        )
+        for contact in self._world.contact_log[self._told :]:
+            self._write(_line(contact, at - now))
+            self._told += 1
+        self._samples += 1
+        if self._samples % _FLUSH_EVERY == 0:
+            self._file.flush()
+
+    def close(self) -> None:
+        """Write how long each contact lasted, and close the file."""
+        if self._file.closed:
+            return
+        offset = self._clock() - self._world.now
+        for contact in self._world.contact_log:
+            self._write(_line(contact, offset))
+        self._file.close()
+
+    def _write(self, values: dict[str, object]) -> None:
+        self._file.write(json.dumps(values, allow_nan=False) + "\n")
+
+
+def _line(contact: Contact, offset: float) -> dict[str, object]:
+    return {
+        "contact": contact.name,
+        "kind": contact.kind.value,
+        "began": contact.began_at,
+        "at": round(contact.began_at + offset, 3),
+        "duration": round(contact.ended_at - contact.began_at, 3),
+        "speed": round(contact.speed, 3),
+        "height": round(contact.height, 3),
+        "motors": contact.motors_turned,
+    }
+
+
+def _finite(value: float) -> float | None:
+    return round(value, 5) if isfinite(value) else None

@@ -1,0 +1,77 @@
+"""Who asked for what and when: a file that only this user can read, written on a thread of its own.
+
+Nothing waits for the disk: a line that finds the queue full is counted as lost and said so in the
+next one. STOP does not depend on it.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import queue
+import threading
+import time
+from pathlib import Path
+
+_LOG = logging.getLogger(__name__)
+_WAITING = 2000
+"""Lines that may wait for the disk."""
+MAX_SIZE = 8 * 2**20
+"""A file longer than this [bytes] is put aside, and a new one begun; the one before is removed."""
+
+
+class AuditLog:
+    """Appends one JSON object a line: ``at`` (Unix time [s]), ``who``, ``session``, ``what``.
+
+    Args:
+        file: mode 0600; its folder is made if missing.
+    """
+
+    def __init__(self, file: Path) -> None:
+        self._file = file
+        self._lines: queue.Queue[str | None] = queue.Queue(_WAITING)
+        self._lost = 0
+        self._thread = threading.Thread(target=self._run, name="audit", daemon=True)
+        self._thread.start()
+
+    def record(self, who: str, session: str, what: str) -> None:
+        """Write a line soon; never waits, never raises.
+
+        Args:
+            who: name of the viewer or program.
+            session: the start of its session's name, which is no secret.
+            what: what was asked, and what became of it.
+        """
+        line = {"at": round(time.time(), 3), "who": who, "session": session[:8], "what": what}
+        if self._lost:
+            line["lost"] = self._lost
+        try:
+            self._lines.put_nowait(json.dumps(line))
+            self._lost = 0
+        except queue.Full:
+            self._lost += 1
+
+    def close(self) -> None:
+        """Write what waits, for at most a second."""
+        try:
+            self._lines.put(None, timeout=1.0)
+        except queue.Full:
+            return
+        self._thread.join(timeout=1.0)
+
+    def _run(self) -> None:
+        while (line := self._lines.get()) is not None:
+            try:
+                self._append(line)
+            except OSError as error:
+                _LOG.error("the audit log %s cannot be written: %s", self._file, error.strerror)
+
+    def _append(self, line: str) -> None:
+        self._file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
+        flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
+        with os.fdopen(os.open(self._file, flags, 0o600), "a", encoding="utf-8") as file:
+            os.fchmod(file.fileno(), 0o600)
+            file.write(line + "\n")
+            if file.tell() > MAX_SIZE:
+                self._file.replace(self._file.with_suffix(".old.jsonl"))

@@ -1,0 +1,67 @@
+"""What was flown is kept, and a plan goes on where it ended."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from housefly.app.safety_case import campaign
+from housefly.app.safety_case.campaign import RESULTS_FILE, flown_results, fly_plan
+from housefly.app.safety_case.fault_phase import FaultPhase
+from housefly.app.safety_case.page import write_safety_case
+from housefly.app.safety_case.plan import SafetyPlan, flown_rows
+from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.errors import RecordingError
+
+
+def landed(key: TrialKey) -> TrialResult:
+    """Return the result of a flight that nobody flew."""
+    bad = ("I1: touched wall at 0.5 m/s",) if key.seed == 3 else ()
+    return TrialResult(
+        key, FaultPhase.CRUISE, bad, "stands", 0.2, 6.0, 0.1, 0.4, None, 0.5, "lost <b>"
+    )
+
+
+KEYS = [TrialKey("F03/5s", seed) for seed in range(6)]
+
+
+def test_a_plan_that_was_cut_off_goes_on_and_flies_nothing_twice(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    flown: list[TrialKey] = []
+
+    def fly(key: TrialKey) -> TrialResult:
+        flown.append(key)
+        return landed(key)
+
+    monkeypatch.setattr(campaign, "fly_trial", fly)
+    fly_plan(KEYS[:4], tmp_path, 1, lambda result: None)
+    with (tmp_path / RESULTS_FILE).open("a") as file:
+        file.write('{"key": {"row": "F03')
+    results = fly_plan(KEYS, tmp_path, 1, lambda result: None)
+    assert flown == KEYS
+    assert results == [landed(key) for key in KEYS] == flown_results(tmp_path)
+
+
+def test_a_damaged_line_is_told_with_its_number(tmp_path: Path) -> None:
+    (tmp_path / RESULTS_FILE).write_text("{}\n{}\n")
+    with pytest.raises(RecordingError, match="line 1"):
+        flown_results(tmp_path)
+
+
+def test_a_plan_holds_every_row_its_control_and_every_pair_once() -> None:
+    keys = SafetyPlan(seeds=8, controls=2, pairs=1, fault_free=3).keys()
+    assert len(set(keys)) == len(keys)
+    rows = flown_rows()
+    pairs = len(rows) * (len(rows) - 1) // 2
+    harmful = sum(row.harmful for row in rows)
+    assert len(keys) == 8 * len(rows) + 2 * harmful + 3 + pairs
+
+
+def test_the_page_names_every_row_and_the_unsafe_flight_and_escapes_words(tmp_path: Path) -> None:
+    page = write_safety_case(tmp_path, [landed(key) for key in KEYS], {"on": "today"}).read_text()
+    assert all(f'id="F{number:02d}"' in page for number in range(1, 46))
+    assert "1 of 6 flights unsafe" in page
+    assert "lost &lt;b&gt;" in page
+    assert "housefly safety --again F03/5s --seed 3" in page

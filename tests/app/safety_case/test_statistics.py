@@ -1,0 +1,27 @@
+"""The figures of a row are honest at its ends."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.app.safety_case.statistics import spread, upper_bound
+
+
+def test_no_unsafe_flight_in_three_hundred_bounds_the_share_by_one_percent() -> None:
+    assert 0.0099 < upper_bound(0, 300) < 0.01
+
+
+@given(st.integers(1, 500), st.data())
+def test_the_bound_lies_above_the_share_and_grows_with_it(
+    total: int, data: st.DataObject
+) -> None:
+    hits = data.draw(st.integers(0, total - 1))
+    assert hits / total < upper_bound(hits, total) <= upper_bound(hits + 1, total) <= 1.0
+
+
+def test_a_spread_leaves_out_what_was_not_measured() -> None:
+    assert spread([None, None]) is None
+    found = spread([None, 3.0, 1.0, 2.0])
+    assert found is not None
+    assert (found.median, found.largest) == (2.0, 3.0)

@@ -1,0 +1,107 @@
+"""What pilot and driver tell each other, and what anybody else might."""
+
+from __future__ import annotations
+
+import contextlib
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.drones.driver_messages import (
+    DriverMessage,
+    DriverStatus,
+    MessageReader,
+    TimedCommand,
+    encode_driver_message,
+)
+from housefly.errors import WireError
+from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry, VideoFrame
+
+numbers = st.floats(allow_nan=False)
+vectors = st.tuples(numbers, numbers, numbers)
+words = st.lists(st.text(max_size=30), max_size=3).map(tuple)
+commands = st.builds(
+    TimedCommand,
+    st.builds(
+        Command, st.sampled_from(Action), st.builds(Setpoint, numbers, numbers, numbers, numbers)
+    ),
+    st.floats(allow_nan=False, allow_infinity=False),
+)
+reports = st.builds(
+    Telemetry,
+    received_at=numbers,
+    status=st.sampled_from(DroneStatus),
+    battery=numbers,
+    phi=numbers,
+    theta=numbers,
+    psi=numbers,
+    height=numbers,
+    velocity=vectors,
+    faults=words,
+    acceleration=st.none() | vectors,
+    configured=st.booleans(),
+    notes=words,
+)
+states = st.builds(DriverStatus, st.booleans(), st.booleans(), numbers, st.text(max_size=50))
+pictures = st.builds(
+    VideoFrame,
+    data=st.binary(max_size=500),
+    keyframe=st.booleans(),
+    width=st.integers(0, 65535),
+    height=st.integers(0, 65535),
+    sequence=st.integers(0, 2**32 - 1),
+    received_at=numbers,
+    drone_time=numbers,
+)
+
+
+@given(
+    st.lists(st.one_of(commands, reports, states, pictures), min_size=1, max_size=5),
+    st.lists(st.integers(1, 60), min_size=1, max_size=40),
+)
+def test_messages_arrive_as_they_were_however_the_stream_is_cut(
+    messages: list[DriverMessage], cuts: list[int]
+) -> None:
+    stream = b"".join(map(encode_driver_message, messages))
+    reader, arrived = MessageReader(), []
+    for cut in cuts:
+        arrived += reader.feed(stream[:cut])
+        stream = stream[cut:]
+    assert [*arrived, *reader.feed(stream)] == messages
+
+
+@given(st.lists(st.binary(max_size=60), max_size=8))
+def test_no_bytes_make_the_reader_raise_anything_else(parts: list[bytes]) -> None:
+    reader = MessageReader()
+    try:
+        for part in parts:
+            assert reader.feed(part) == []
+    except WireError:
+        pass
+
+
+@given(st.integers(0, 3), st.binary(max_size=120))
+def test_no_body_makes_the_reader_raise_anything_else(kind: int, body: bytes) -> None:
+    data = b"HFd1" + bytes([kind]) + len(body).to_bytes(4, "little") + body
+    with contextlib.suppress(WireError):
+        MessageReader().feed(data)
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        b"GET / HTTP/1.1\r\n",
+        b"HFd1\x09\x00\x00\x00\x00",
+        b"HFd1\x00\xff\xff\xff\xff",
+    ],
+)
+def test_another_language_or_a_body_without_end_is_refused_at_its_header(header: bytes) -> None:
+    with pytest.raises(WireError):
+        MessageReader().feed(header)
+
+
+def test_a_time_that_is_no_number_is_refused() -> None:
+    for time in (float("nan"), float("inf")):
+        with pytest.raises(WireError, match="finite"):
+            MessageReader().feed(encode_driver_message(TimedCommand(Command(Action.FLY), time)))

@@ -1,0 +1,55 @@
+"""One run to one memory."""
+
+from __future__ import annotations
+
+import multiprocessing
+from pathlib import Path
+
+import pytest
+
+from housefly.config.site import Site, changed
+from housefly.errors import StoreError
+from housefly.hub.store.lock import locked_store, refuse_shared_store
+
+
+def _hold(store: str, held: object, end: object) -> None:
+    with locked_store(changed(Site(), hub__store=store)):
+        held.set()  # type: ignore[attr-defined]
+        end.wait()  # type: ignore[attr-defined]
+
+
+def test_a_memory_that_another_process_holds_is_refused_until_it_is_gone(tmp_path: Path) -> None:
+    store = str(tmp_path / "room.db")
+    site = changed(Site(), hub__store=store)
+    context = multiprocessing.get_context("spawn")
+    held, end = context.Event(), context.Event()
+    other = context.Process(target=_hold, args=(store, held, end))
+    other.start()
+    try:
+        assert held.wait(30)
+        with pytest.raises(StoreError, match=f"process {other.pid}.*room.db.*hub.store"):
+            refuse_shared_store(site)
+        with pytest.raises(StoreError), locked_store(site):
+            pass
+    finally:
+        other.kill()
+        other.join()
+    refuse_shared_store(site)
+    with locked_store(site):
+        pass
+
+
+def test_who_has_no_file_needs_no_lock(tmp_path: Path) -> None:
+    for changes in ({"hub__enabled": False}, {"hub__store": "postgresql://room@host/db"}):
+        site = changed(Site(), **changes)
+        with locked_store(site):
+            refuse_shared_store(site)
+
+
+def test_a_folder_that_cannot_be_written_is_told(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with (
+        pytest.raises(StoreError, match="cannot be written"),
+        locked_store(changed(Site(), hub__store=str(tmp_path / "file" / "room.db"))),
+    ):
+        pass

@@ -1,0 +1,120 @@
+from __future__ import annotations
+
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from housefly.pilot.estimation.onboard_odometry import (
+    FLOW_DELAY,
+    MOTION_RING_SIZE,
+    NO_ODOMETRY,
+    ONBOARD_MOTION,
+    REPORT_GAP_MAX,
+    UNTOLD_AFTER,
+    MotionRing,
+    OdometryState,
+    OnboardReport,
+    flow_bias_variance,
+    odometry_advanced,
+    odometry_at,
+    odometry_headed,
+)
+
+LEVEL = OnboardReport(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, True)
+
+
+def ring() -> MotionRing:
+    return np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
+
+
+def begun(motion: MotionRing, yaw: float, psi: float = 0.0, at: float = 0.0) -> OdometryState:
+    """Return the odometry of a drone that tracking saw once, at a heading [rad]."""
+    state = odometry_advanced(NO_ODOMETRY, motion, LEVEL._replace(at=at, psi=psi))
+    return odometry_headed(state, motion, at, yaw)
+
+
+@settings(max_examples=30)
+@given(
+    st.floats(-pi, pi),
+    st.floats(-pi, pi),
+    st.floats(-1.0, 1.0),
+    st.floats(0.1, 1.0),
+    st.floats(-0.2, 0.2),
+    st.floats(-0.2, 0.2),
+    st.floats(-0.5, 0.5),
+)
+def test_a_circle_at_any_heading_tilt_and_climb_is_followed(
+    yaw: float, psi: float, rate: float, speed: float, theta: float, phi: float, vz: float
+) -> None:
+    motion = ring()
+    state = begun(motion, yaw, psi)
+    x = y = 0.0
+    for tick in range(1, 301):
+        at = 0.01 * tick
+        then = at - FLOW_DELAY
+        forward = speed * cos(theta) - vz * sin(theta)
+        left = speed * sin(theta) * sin(phi) + vz * cos(theta) * sin(phi)
+        report = OnboardReport(at, theta, phi, psi + rate * at, forward, left, 1.0, vz, True)
+        state = odometry_advanced(state, motion, report)
+        heading = yaw + rate * then
+        x += 0.01 * speed * cos(heading)
+        y += 0.01 * speed * sin(heading)
+    found = odometry_at(state, motion, 3.0 - FLOW_DELAY)
+    assert (found.x, found.y) == pytest.approx((x, y), abs=0.06 * speed)
+    assert found.way == pytest.approx(3.0 * speed, rel=0.05)
+
+
+def test_after_the_newest_report_it_goes_on_for_a_while() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 101):
+        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick, forward=0.5))
+    newest = odometry_at(state, motion, 1.0 - FLOW_DELAY)
+    ahead = odometry_at(state, motion, 1.0)
+    assert ahead.x - newest.x == pytest.approx(0.5 * FLOW_DELAY)
+    far = odometry_at(state, motion, 5.0)
+    assert far.x - newest.x == pytest.approx(0.5 * REPORT_GAP_MAX)
+
+
+def test_a_gap_of_the_reports_is_a_hole() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 51):
+        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick, forward=0.5))
+    assert state.since <= 0.01
+    after = 0.5 + REPORT_GAP_MAX + 0.01
+    state = odometry_advanced(state, motion, LEVEL._replace(at=after, forward=0.5))
+    assert state.since == after
+
+
+def test_a_velocity_of_exactly_zero_in_flight_is_none() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 101):
+        state = odometry_advanced(state, motion, LEVEL._replace(at=0.01 * tick))
+    assert state.since > 1.0 - UNTOLD_AFTER
+    grounded = LEVEL._replace(airborne=False)
+    state = begun(motion, 0.0)
+    for tick in range(1, 101):
+        state = odometry_advanced(state, motion, grounded._replace(at=0.01 * tick))
+    assert state.since <= 0.01
+
+
+def test_an_old_report_changes_nothing() -> None:
+    motion = ring()
+    state = begun(motion, 0.0, at=1.0)
+    assert odometry_advanced(state, motion, LEVEL._replace(at=1.0, forward=9.0)) == state
+
+
+def test_the_error_by_the_bias_is_that_of_its_random_process() -> None:
+    random, dt = np.random.default_rng(1), 0.05
+    keep = np.exp(-dt / 10.0)
+    bias = random.normal(0.0, 0.003, 4000)
+    way = np.zeros(4000)
+    for _ in range(100):
+        way += dt * bias
+        bias = keep * bias + 0.003 * np.sqrt(1.0 - keep * keep) * random.normal(size=4000)
+    assert flow_bias_variance(5.0) == pytest.approx(float(np.var(way)), rel=0.1)

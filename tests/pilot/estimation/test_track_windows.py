@@ -1,0 +1,95 @@
+from __future__ import annotations
+
+from math import cos, inf, isnan, pi, sin
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from onboard_noise import flown
+
+from housefly.pilot.estimation.onboard_odometry import OdometryAt
+from housefly.pilot.estimation.track_windows import (
+    EMPTY_WINDOWS,
+    ROW_PERIOD,
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    TrackWindows,
+    windows_advanced,
+    windows_restarted,
+)
+
+
+def turned(angle: float, speed: float = 0.5, seconds: float = 1.0) -> TrackWindows:
+    """Return the windows after a straight way that tracking shows turned by an angle [rad]."""
+    rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
+    for tick in range(round(seconds / ROW_PERIOD) + 1):
+        way = speed * tick * ROW_PERIOD
+        x, y = way * cos(angle), way * sin(angle)
+        onboard = OdometryAt(0.0, 1.0, way, 0.0, speed, 0.0, way, 1e-6 * tick)
+        windows = windows_advanced(windows, rows, tick * ROW_PERIOD, x, y, 0.0, onboard, 0.002)
+    return windows
+
+
+@settings(max_examples=30)
+@given(st.floats(-pi, pi))
+def test_the_angle_of_a_body_is_read_within_thirty_centimetres_of_way(angle: float) -> None:
+    assert turned(angle, 0.5, 0.55).frame_error == pytest.approx(abs(angle), abs=1e-3)
+
+
+def test_no_angle_is_read_from_a_way_that_is_too_short() -> None:
+    assert isnan(turned(1.0, 0.02, 2.0).frame_error)
+
+
+@pytest.mark.parametrize(("factor", "mirrored"), [(1.0, False), (-1.0, True), (0.0, False)])
+def test_turns_the_other_way_round_are_a_mirror(factor: float, mirrored: bool) -> None:
+    rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
+    for tick in range(41):
+        psi = 0.5 * tick * ROW_PERIOD
+        onboard = OdometryAt(psi, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        yaw = factor * psi + 3.0
+        windows = windows_advanced(windows, rows, tick * ROW_PERIOD, 0.0, 0.0, yaw, onboard, 0.002)
+    assert windows.mirrored is mirrored
+    assert (windows.frame_error > 0.4) is (factor != 1.0)
+
+
+def test_a_way_that_comes_back_agrees_again() -> None:
+    rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
+    still = OdometryAt(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    drifts = []
+    for tick in range(800):
+        off = 0.2 if 100 <= tick < 160 else 0.0
+        at = tick * ROW_PERIOD
+        windows = windows_advanced(windows, rows, at, off, 0.0, 0.0, still, 0.002)
+        drifts.append(windows.drift)
+    assert max(drifts[100:160]) == pytest.approx(0.2)
+    assert drifts[-1] == 0.0
+
+
+def test_emptied_windows_know_nothing() -> None:
+    emptied = windows_restarted(turned(1.0))
+    assert isnan(emptied.drift) and isnan(emptied.frame_error) and not emptied.mirrored
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.5])
+def test_an_hour_of_honest_tracking_never_disagrees(speed: float) -> None:
+    assert flown(1, 3600.0, speed)[0] == 0.0
+
+
+@pytest.mark.safety
+@pytest.mark.parametrize(
+    ("speed", "period", "loss"), [(0.0, 0.01, 0.0), (0.5, 0.01, 0.0), (0.5, 0.1, 0.3)]
+)
+def test_ten_hours_of_honest_tracking_never_disagree(
+    speed: float, period: float, loss: float
+) -> None:
+    assert flown(2, 36000.0, speed, period, loss)[0] == 0.0
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.5])
+def test_two_centimetres_a_second_are_told_at_ten_and_landed_before_thirty(speed: float) -> None:
+    flights = [flown(seed, 40.0, speed, drift=0.02) for seed in range(40)]
+    told = sorted(told for _, told, _ in flights)
+    landed = [landed for _, _, landed in flights]
+    assert told[35] <= 0.1 and told[-1] < inf
+    assert max(landed) < 0.25

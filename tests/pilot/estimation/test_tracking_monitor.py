@@ -1,0 +1,213 @@
+"""Flights in MuJoCo under a tracking system that lies, scored on the truth."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+from math import hypot, isnan, radians
+
+import pytest
+from lying_tracking import (
+    Lie,
+    LiedFlight,
+    drifting,
+    gap,
+    mirrored,
+    misdefined,
+    shifted,
+    stepping,
+    unstamped,
+)
+
+import housefly
+from housefly.app.loaded_site import LoadedSite
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, Telemetry
+from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
+
+CRUISING = 12.0
+"""The drone is under way at full speed by then [s]."""
+HARMLESS = 0.65
+"""A drone that flies a service is no faster [m/s]."""
+
+
+@pytest.fixture(scope="module")
+def site() -> LoadedSite:
+    return housefly.load_site("bsen", twin__seed=3)
+
+
+def served(site: LoadedSite, lie: Lie | None, since: float = 0.0) -> LiedFlight:
+    """Return a service flown under a lie."""
+    flight = LiedFlight(housefly.Simulation(site), lie, since)
+    flight.service()
+    return flight
+
+
+def assert_harmless(flight: LiedFlight) -> None:
+    assert flight.contacts == 0
+    assert flight.speed < HARMLESS
+    assert flight.status is DroneStatus.LANDED
+    assert any(code.startswith("tracking") for code in flight.codes)
+    assert "arrived_to_look" not in flight.codes
+
+
+@pytest.mark.parametrize("degrees", [30, 60, 90, 180, -90])
+def test_a_body_that_is_defined_turned_is_caught_within_thirty_centimetres(
+    site: LoadedSite, degrees: float
+) -> None:
+    flight = served(site, misdefined(radians(degrees)))
+    assert_harmless(flight)
+    assert flight.travelled_when_told < 0.3
+
+
+@pytest.mark.parametrize(("axis", "heading"), [(0, True), (1, True), (0, False), (1, False)])
+def test_a_mirrored_map_is_caught(site: LoadedSite, axis: int, heading: bool) -> None:
+    flight = served(site, mirrored(site.room.home, axis, heading))
+    assert_harmless(flight)
+
+
+@pytest.mark.parametrize("rate", [0.02, 0.05])
+def test_a_drift_is_told_at_ten_centimetres_and_landed_before_thirty(
+    site: LoadedSite, rate: float
+) -> None:
+    flight = served(site, drifting(0.0, rate, CRUISING), CRUISING)
+    assert_harmless(flight)
+    assert flight.lied_when_told <= 0.1
+    assert flight.lied_when_landing < 0.2
+
+
+def test_steps_below_the_gate_are_not_believed(site: LoadedSite) -> None:
+    assert_harmless(served(site, stepping(0.14, 1.0, CRUISING), CRUISING))
+
+
+def test_poses_late_by_a_third_of_a_second_are_found_within_five_seconds(site: LoadedSite) -> None:
+    flight = served(site, unstamped(0.3))
+    assert_harmless(flight)
+    first = next(at for at, code, _ in flight.told if code.startswith("tracking"))
+    assert first < 0.5 + 5.0
+    assert flight.speed < 0.3
+
+
+@pytest.mark.parametrize("z", [-0.6, 0.6])
+def test_a_drone_whose_tracked_height_cannot_be_stays_down(site: LoadedSite, z: float) -> None:
+    flight = served(site, shifted(0.0, 0.0, z))
+    assert flight.contacts == 0
+    assert "airborne" not in flight.codes and "tracking_on_ground" in flight.codes
+
+
+def returns() -> list[tuple[float, float]]:
+    return list(product((0.3, 0.8, 1.2, 1.5, 1.9), (0.3, 0.4, 0.5, 0.6, 0.8, 1.0)))
+
+
+def assert_not_believed(site: LoadedSite, seconds: float, x: float, y: float) -> None:
+    flight = served(site, gap(CRUISING, seconds, x, y), CRUISING)
+    assert_harmless(flight)
+    assert flight.status is DroneStatus.LANDED
+    estimate, truth = flight.outputs and flight.outputs.estimate, flight.sim.world.truth()
+    assert estimate is not None
+    off = hypot(
+        estimate.position[0] - truth.pose.position[0], estimate.position[1] - truth.pose.position[1]
+    )
+    assert off < 0.3
+
+
+@pytest.mark.parametrize(("seconds", "off"), [(0.3, 0.3), (0.8, 0.4), (1.2, 0.5), (1.9, 1.0)])
+def test_a_wrong_place_after_a_gap_is_not_believed(
+    site: LoadedSite, seconds: float, off: float
+) -> None:
+    assert_not_believed(site, seconds, 0.0, off)
+
+
+@pytest.mark.safety
+@pytest.mark.parametrize(("seconds", "off"), returns())
+@pytest.mark.parametrize("way", [(1, 0), (-1, 0), (0, 1), (0, -1)])
+def test_no_wrong_place_of_the_grid_is_believed(
+    site: LoadedSite, seconds: float, off: float, way: tuple[int, int]
+) -> None:
+    assert_not_believed(site, seconds, off * way[0], off * way[1])
+
+
+@pytest.mark.parametrize("seconds", [0.3, 0.8, 1.2, 1.9])
+def test_the_right_place_after_a_gap_is_believed_at_once(site: LoadedSite, seconds: float) -> None:
+    flight = LiedFlight(housefly.Simulation(site), gap(CRUISING, seconds, 0.0, 0.0), CRUISING)
+    flight.run(0.5)
+    flight.step(Order(OrderKind.SERVICE, place="entrance"))
+    flight.run(CRUISING + seconds + 0.3 - flight.sim.now)
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    assert flight.outputs.estimate.pose_age < 0.1
+    assert flight.outputs.phase is Phase.OUTBOUND
+
+
+def test_without_the_check_the_same_place_is_believed(
+    site: LoadedSite, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(TrackingMonitor, "agrees", lambda *_: True)
+    flight = LiedFlight(housefly.Simulation(site), gap(CRUISING, 1.2, 0.0, 0.5), CRUISING)
+    flight.run(0.5)
+    flight.step(Order(OrderKind.SERVICE, place="entrance"))
+    flight.run(CRUISING + 1.5 - flight.sim.now)
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    assert flight.outputs.estimate.pose_age < 0.1
+    y = flight.sim.world.truth().pose.position[1]
+    assert abs(flight.outputs.estimate.position[1] - y) > 0.4
+
+
+def test_a_body_of_another_thing_is_not_taken_for_a_drone_that_lies_still(
+    site: LoadedSite,
+) -> None:
+    flight = LiedFlight(housefly.Simulation(site))
+    flight.run(3.0)
+    flight.lie = shifted(2.0, 0.0)
+    flight.run(2.0)
+    assert "lay still" in " ".join(text for _, _, text in flight.told)
+    flight.step(Order(OrderKind.SERVICE, place="entrance"))
+    flight.run(3.0)
+    assert "order_refused" in flight.codes and "airborne" not in flight.codes
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    assert (
+        hypot(
+            flight.outputs.estimate.position[0] - site.room.home[0],
+            flight.outputs.estimate.position[1] - site.room.home[1],
+        )
+        < 0.1
+    )
+
+
+def test_a_drone_that_was_carried_is_found_where_it_is_now(site: LoadedSite) -> None:
+    flight = LiedFlight(housefly.Simulation(site))
+    flight.run(3.0)
+    x, y = site.room.home
+    truth = flight.sim.world.truth()
+    flight.sim.world.put_drone((x + 1.0, y, truth.pose.position[2]), site.room.home_yaw + 0.3)
+    flight.run(2.0)
+    assert "tracking_restarted" in flight.codes
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    assert abs(flight.outputs.estimate.position[0] - x - 1.0) < 0.05
+
+
+def test_an_honest_flight_shows_nothing(site: LoadedSite) -> None:
+    flight = LiedFlight(housefly.Simulation(site))
+    monitor: list[float] = []
+    flight.run(0.5)
+    flight.step(Order(OrderKind.GO, place="entrance"))
+    while flight.sim.now < 20.0:
+        flight.step()
+        known = flight.sim.pilot.consistency
+        assert known.drift == 0.0 or isnan(known.drift)
+        assert not known.mirrored and known.refused_for == 0.0
+        assert isnan(known.latency_error) or known.latency_error == 0.0
+        monitor.append(known.frame_error)
+    assert max(angle for angle in monitor if not isnan(angle)) < radians(10.0)
+
+
+def test_flow_that_errs_ends_in_a_landing_that_blames_neither(site: LoadedSite) -> None:
+    flight = LiedFlight(housefly.Simulation(site), since=CRUISING)
+
+    def scaled(telemetry: Telemetry) -> Telemetry:
+        forward, left, up = telemetry.velocity
+        return replace(telemetry, velocity=(1.5 * forward, 1.5 * left, up))
+
+    flight.report = lambda told: scaled(told) if flight.sim.now > CRUISING else told
+    flight.service()
+    assert_harmless(flight)
+    words = next(text for _, code, text in flight.told if code == "tracking_drift")
+    assert "own way" in words

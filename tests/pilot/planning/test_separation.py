@@ -1,0 +1,88 @@
+"""How near people come, and where to make way to."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from housefly.messages import Obstacle, ObstacleKind
+from housefly.pilot.planning.people import PREDICTED_SPEED_MAX, People, people_at
+from housefly.pilot.planning.separation import refuge, separation
+from housefly.room.grid import Cell, OccupancyGrid
+
+HULL = 0.34
+
+
+def hall() -> OccupancyGrid:
+    """A hall of 8 m by 5 m; the left metre is a no-fly area."""
+    cells = np.zeros((80, 50), dtype=np.uint8)
+    cells[:10, :] = Cell.VIRTUAL
+    x, y = (np.arange(80) + 0.5)[:, None] * 0.1, (np.arange(50) + 0.5)[None, :] * 0.1
+    walls = np.minimum(np.minimum(x, 8.0 - x), np.minimum(y, 5.0 - y))
+    return OccupancyGrid((0.0, 0.0), 0.1, cells, walls)
+
+
+def people(*rows: tuple[float, ...]) -> People:
+    return People(np.array(rows).reshape(-1, 5), tuple(str(n) for n in range(len(rows))))
+
+
+def test_somebody_who_walks_past_is_nearest_on_the_way() -> None:
+    walker = people((1.0, 2.0, 1.0, 0.0, 0.2))
+    found = separation(walker, (3.0, 2.5), (0.0, 0.0), HULL, 3.0)
+    assert found.now == pytest.approx(hypot(2.0, 0.5) - 0.2 - HULL)
+    assert found.closest == pytest.approx(0.5 - 0.2 - HULL - 0.2, abs=0.02)
+
+
+def test_nobody_is_infinitely_far() -> None:
+    assert separation(people(), (3.0, 2.5), (0.0, 0.0), HULL, 3.0).closest == float("inf")
+
+
+walkers = st.lists(
+    st.tuples(
+        st.floats(0.5, 7.5),
+        st.floats(0.5, 4.5),
+        st.floats(-1.5, 1.5),
+        st.floats(-1.5, 1.5),
+        st.just(0.2),
+    ),
+    min_size=1,
+    max_size=3,
+)
+
+
+@settings(max_examples=12, deadline=None)
+@given(walkers, st.floats(1.6, 7.0), st.floats(1.0, 4.0))
+def test_a_refuge_is_never_worse_than_staying_and_never_in_a_wall_or_a_no_fly_area(
+    rows: list[tuple[float, ...]], x: float, y: float
+) -> None:
+    crowd, grid = people(*rows), hall()
+    found = refuge(crowd, grid, (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
+    alone = refuge(crowd, _closed(), (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
+    assert alone.place == (x, y)
+    assert min(found.separation, 1.2) >= min(alone.separation, 1.2) - 1e-9
+    if found.place != (x, y):
+        assert grid.kind(grid.cell_of(found.place)) is Cell.FREE
+        assert grid.clearance_at(found.place) > HULL
+
+
+def _closed() -> OccupancyGrid:
+    return OccupancyGrid(
+        (0.0, 0.0), 0.1, np.full((80, 50), Cell.OUTSIDE, np.uint8), np.zeros((80, 50))
+    )
+
+
+def test_people_are_named_by_kind_or_motion_and_no_faster_than_believed() -> None:
+    seen = (
+        Obstacle("person", (1.0, 1.0), 0.2, kind=ObstacleKind.PERSON),
+        Obstacle("chair", (2.0, 1.0), 0.2),
+        Obstacle("mover", (3.0, 1.0), 0.2, velocity=(0.5, 0.0)),
+        Obstacle("pushed", (4.0, 1.0), 0.2, velocity=(0.5, 0.0), kind=ObstacleKind.THING),
+        Obstacle("racer", (5.0, 1.0), 0.2, velocity=(9.0, 0.0), kind=ObstacleKind.PERSON),
+    )
+    found = people_at(seen, 0.1)
+    assert found.names == ("person", "mover", "racer")
+    assert found.rows[2, 2] == pytest.approx(PREDICTED_SPEED_MAX)

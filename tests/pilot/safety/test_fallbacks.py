@@ -1,0 +1,78 @@
+"""An answer that needs more knowledge than there is becomes one that needs less."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, SafetyMode, Telemetry
+from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.fallbacks import DESCENT_MARGIN, possible_mode
+from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.limits import DESCENT_RATE
+from housefly.pilot.safety.observer import FlightObservations
+from housefly.pilot.safety.rule import RuleContext
+from housefly.pilot.safety.rules import MODE_SEVERITY
+
+M = SafetyMode
+FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.4)
+FINE = GateInputs(
+    10.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, telemetry=None
+)
+DEAF = Telemetry(10.0, DroneStatus.FLYING, 0.9, faults=("ultrasound deaf",))
+LONGEST = FENCE.ceiling / DESCENT_RATE + DESCENT_MARGIN
+
+
+def mode(wanted: SafetyMode, landing_for: float = 0.0, **changes: object) -> SafetyMode:
+    inputs = replace(FINE, **changes)  # type: ignore[arg-type]
+    seen = FlightObservations(landing_for=landing_for)
+    return possible_mode(wanted, RuleContext(inputs, seen, LimitsConfig(), FENCE))
+
+
+@given(st.sampled_from(SafetyMode), st.booleans(), st.floats(0.0, 9.0), st.floats(-1.0, 1.0))
+def test_what_takes_the_place_of_an_answer_is_never_milder(
+    wanted: SafetyMode, has_way: bool, age: float, error: float
+) -> None:
+    known = TrackingConsistency(height_error=error)
+    found = mode(wanted, has_way_home=has_way, pose_age=age, consistency=known)
+    assert MODE_SEVERITY[found] >= MODE_SEVERITY[wanted]
+    assert found is wanted or wanted in (M.RETURN, M.LAND)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"has_way_home": False},
+        {"pose_age": 0.26},
+        {"consistency": TrackingConsistency(refused_for=0.1)},
+        {"consistency": TrackingConsistency(mirrored=True)},
+    ],
+)
+def test_without_a_way_home_or_a_place_to_believe_it_lands_instead(
+    changes: dict[str, object],
+) -> None:
+    assert mode(M.RETURN) is M.RETURN
+    assert mode(M.RETURN, **changes) is M.LAND
+
+
+def test_a_drone_that_does_not_know_its_height_sinks_by_our_setpoint() -> None:
+    assert mode(M.LAND) is M.LAND
+    assert mode(M.LAND, telemetry=DEAF) is M.DESCEND
+    assert mode(M.LAND, consistency=TrackingConsistency(height_error=-0.31)) is M.DESCEND
+    assert mode(M.RETURN, has_way_home=False, telemetry=DEAF) is M.DESCEND
+
+
+def test_something_below_is_no_reason_to_sink_onto_it() -> None:
+    assert mode(M.LAND, consistency=TrackingConsistency(height_error=0.9)) is M.LAND
+
+
+def test_a_descent_ends_on_the_floor_or_where_the_floor_must_be() -> None:
+    assert mode(M.LAND, telemetry=DEAF, position=(5.0, 2.0, 0.09)) is M.LAND
+    assert mode(M.LAND, telemetry=DEAF, position=(5.0, 2.0, 0.11)) is M.DESCEND
+    assert mode(M.LAND, telemetry=DEAF, position=None) is M.DESCEND
+    assert mode(M.LAND, LONGEST - 0.1, telemetry=DEAF) is M.DESCEND
+    assert mode(M.LAND, LONGEST + 0.1, telemetry=DEAF) is M.LAND

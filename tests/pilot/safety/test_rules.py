@@ -1,0 +1,320 @@
+"""Every row of the last gate, each way: told in time when broken, never when just within bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import inf, nan
+from pathlib import Path
+
+import pytest
+from gate_words import rules_table
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, Phase, Reference, SafetyMode, Setpoint, Telemetry
+from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.gate import Gate, GateAssessment
+from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
+from housefly.pilot.safety.tracking_rules import (
+    DRIFT_LAND,
+    DRIFT_WARN,
+    FRAME_ERROR_MAX,
+    LATENCY_HOLD,
+    LATENCY_SLOW,
+)
+
+LIMITS = LimitsConfig()
+FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.3)
+RULES = {rule.code: rule for rule in SAFETY_RULES}
+HERE = (5.0, 2.0, 1.1)
+REPORT = Telemetry(0.0, DroneStatus.FLYING, 0.9, height=1.05, acceleration=(0.0, 0.0, 9.81))
+FINE = GateInputs(
+    now=0.0,
+    status=DroneStatus.FLYING,
+    battery=0.9,
+    pose_age=0.02,
+    telemetry_age=0.05,
+    position=HERE,
+    stopped=False,
+    cutting=False,
+    phase=Phase.OUTBOUND,
+    velocity=(0.0, 0.0, 0.0),
+    reference=Reference(HERE, (0.0, 0.0, 0.0), 0.0),
+    flight_height=1.1,
+    flown=Setpoint(),
+    telemetry=REPORT,
+    home_time=20.0,
+)
+STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=(5.0, 2.0, 0.05))
+TICK = 0.05
+SETTLED = 8.0
+Change = Callable[[GateInputs, float], GateInputs]
+"""What becomes of the inputs so long [s] after everything was fine."""
+
+
+def drained(inputs: GateInputs) -> GateInputs:
+    """A battery that lasts for ten minutes, as its gauge shows it."""
+    return replace(inputs, battery=round(inputs.battery - inputs.now / 600.0, 2))
+
+
+def now(**changes: object) -> Change:
+    """These values from the first moment on."""
+    return lambda inputs, _: replace(inputs, **changes)  # type: ignore[arg-type]
+
+
+def told(**changes: object) -> Change:
+    """The drone reports these values."""
+    report = replace(REPORT, **changes)  # type: ignore[arg-type]
+    return lambda inputs, _: replace(inputs, telemetry=report)
+
+
+def seen(**changes: object) -> Change:
+    """Tracking against the drone's own report."""
+    return now(consistency=TrackingConsistency(**changes))  # type: ignore[arg-type]
+
+
+def at(z: float, **changes: object) -> Change:
+    """The drone is at this height."""
+    return now(position=(5.0, 2.0, z), **changes)
+
+
+def off(distance: float) -> Change:
+    """The drone is so far from where it should be."""
+    return now(position=(5.0 + distance, 2.0, 1.1))
+
+
+def moving(vx: float, vz: float = 0.0, **changes: object) -> Change:
+    """The drone moves along x and z; the reference with it, if not told otherwise."""
+    reference = Reference(HERE, (vx, 0.0, 0.0), 0.0)
+    return now(**{"velocity": (vx, 0.0, vz), "reference": reference, **changes})
+
+
+def pulsed(period: float, length: float, change: Change) -> Change:
+    """A change that comes for a length and goes, once a period [s]."""
+    return lambda inputs, t: change(inputs, t) if t % period < length - 1e-9 else inputs
+
+
+def lying(speed: float = 0.0, z: float = 0.06) -> Change:
+    """It lies on the floor, or nearly so, told to land."""
+    still = replace(REPORT, velocity=(speed, 0.0, 0.0), height=0.0)
+    return now(position=(5.0, 2.0, z), phase=Phase.LANDING, telemetry=still)
+
+
+CONFIGURED_LATE = told(configured=False)
+DAWDLING = now(flown=Setpoint(theta=0.12))
+
+BROKEN: dict[str, tuple[Change, Change, float]] = {
+    # code: (broken, just within bounds, how long after it begins it is wrong by its condition [s])
+    "cut": (now(cutting=True), now(), 0.0),
+    "emergency": (now(status=DroneStatus.EMERGENCY), now(), 0.0),
+    "motors_running": (lying(), lying(speed=0.12), 0.0),
+    "landing_refused": (now(phase=Phase.LANDING), lying(), LIMITS.landing_timeout),
+    "telemetry_lost": (now(telemetry_age=1.01), now(telemetry_age=1.0), 0.0),
+    "drone_fault": (told(faults=("motors problem",)), told(faults=("ultrasound deaf",)), 0.0),
+    "not_configured": (CONFIGURED_LATE, pulsed(5.0, 4.9, CONFIGURED_LATE), 0.0),
+    "battery_low": (now(battery=0.149), now(battery=0.151), 0.0),
+    "battery_cliff": (now(battery=0.72), now(battery=0.75), 0.0),
+    "flight_time_over": (now(), now(), inf),
+    "loop_stalled": (now(late=1.01), now(late=1.0), 0.0),
+    "held_too_often": (
+        pulsed(0.5, 0.25, now(pose_age=0.5)),
+        pulsed(0.5, 0.15, now(pose_age=0.5)),
+        7.0,
+    ),
+    "stopped": (now(stopped=True), now(), 0.0),
+    "battery_return": (now(battery=0.227), now(battery=0.24), 0.0),
+    "flight_time": (now(home_time=440.0), now(home_time=350.0), 0.0),
+    "configuring": (CONFIGURED_LATE, now(), 0.0),
+    "loop_late": (now(late=0.26), now(late=0.25), 0.0),
+    "loop_slow": (pulsed(0.3, 0.05, now(late=0.06)), pulsed(0.6, 0.05, now(late=0.06)), 0.6),
+    "drone_complains": (told(faults=("ultrasound deaf",)), told(faults=("motors problem",)), 0.0),
+    "drone_settings": (told(notes=("tilt limit refused",)), now(), 0.0),
+    "battery_weak": (now(battery=0.27), now(battery=0.29), 0.0),
+    "battery_gauge": (now(battery=0.8), now(), 60.0),
+    "tracking_lost": (now(pose_age=2.01), now(pose_age=2.0), 0.0),
+    "poses_refused_long": (seen(refused_for=2.01), seen(refused_for=2.0), 0.0),
+    "tracking_drift": (seen(drift=DRIFT_LAND + 0.01), seen(drift=DRIFT_LAND), 0.0),
+    "tracking_frame": (
+        seen(frame_error=-FRAME_ERROR_MAX - 0.01),
+        seen(frame_error=FRAME_ERROR_MAX - 0.01),
+        0.0,
+    ),
+    "tracking_mirrored": (seen(mirrored=True), seen(), 0.0),
+    "tracking_height": (seen(height_error=-0.31), seen(height_error=-0.29), 0.0),
+    "tracking_old": (now(pose_age=0.26), now(pose_age=0.25), 0.0),
+    "poses_refused": (seen(refused_for=0.31), seen(refused_for=0.3), 0.0),
+    "tracking_late": (
+        seen(latency_error=LATENCY_HOLD + 0.01),
+        seen(latency_error=LATENCY_HOLD),
+        0.0,
+    ),
+    "tracking_slow": (
+        seen(latency_error=LATENCY_SLOW + 0.01),
+        seen(latency_error=LATENCY_SLOW),
+        0.0,
+    ),
+    "tracking_drifting": (seen(drift=DRIFT_WARN + 0.01), seen(drift=DRIFT_WARN), 0.0),
+    "tracking_on_ground": (
+        now(status=DroneStatus.LANDED, consistency=TrackingConsistency(height_error=0.31)),
+        now(status=DroneStatus.LANDED, consistency=TrackingConsistency(height_error=0.29)),
+        0.0,
+    ),
+    "tracking_height_off": (seen(height_error=0.31), seen(height_error=0.29), 0.0),
+    "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
+    "too_high": (at(2.31), at(2.3), 0.0),
+    "too_low": (at(0.29), at(0.31), 0.0),
+    "height_error": (at(1.51), at(1.49), 0.0),
+    "height_not_reached": (at(0.84), at(0.86), 0.0),
+    "vertical_speed": (moving(0.0, 1.11), moving(0.0, -1.09), 0.0),
+    "tilt_error": (told(phi=-0.21), told(phi=0.19), 0.0),
+    "contact": (told(acceleration=(6.0, 0.0, 15.0)), told(acceleration=(4.0, 0.0, 14.0)), 0.0),
+    "stuck": (DAWDLING, now(flown=Setpoint(theta=0.12), velocity=(0.09, 0.0, 0.0)), 0.4),
+    "control_lost": (off(1.01), off(0.99), 0.0),
+    "near_fence": (
+        moving(0.5, position=(9.9, 2.0, 1.1), reference=None),
+        moving(0.5, position=(9.8, 2.0, 1.1), reference=None),
+        0.0,
+    ),
+    "control_error": (off(0.51), off(-0.49), 0.0),
+    "drifting": (
+        now(velocity=(0.0, 0.31, 0.0)),
+        moving(0.3, reference=Reference(HERE, (0.01, 0.0, 0.0), 0.0)),
+        0.0,
+    ),
+    "height_off": (at(1.36), at(1.34), 0.0),
+    "not_on_floor": (
+        now(status=DroneStatus.LANDED, position=(5.0, 2.0, 0.21)),
+        now(status=DroneStatus.LANDED, position=(5.0, 2.0, 0.19)),
+        0.0,
+    ),
+}
+
+
+def assessed(change: Change, seconds: float) -> list[tuple[float, GateAssessment]]:
+    """Return what a gate finds in the time after the change, on top of a flight that is fine."""
+    gate = Gate(LIMITS, FENCE)
+    gate.assess(replace(STOOD, now=-TICK))
+    found = []
+    for n in range(round((SETTLED + seconds) / TICK)):
+        inputs = drained(replace(FINE, now=TICK * n))
+        since = inputs.now - SETTLED
+        if since >= -1e-9:
+            found.append((since, gate.assess(change(inputs, max(since, 0.0)))))
+        else:
+            assert gate.assess(inputs).mode is SafetyMode.NOMINAL
+    return found
+
+
+def times(code: str, change: Change, seconds: float) -> list[float]:
+    """Return when a rule was broken after a change [s]."""
+    found = assessed(change, seconds)
+    return [at for at, each in found if any(rule.code == code for rule in each.broken)]
+
+
+def test_every_rule_has_its_case() -> None:
+    assert set(BROKEN) == set(RULES)
+
+
+@pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
+def test_what_is_broken_is_told_half_a_second_after_its_time_and_never_sooner(code: str) -> None:
+    change, _, observable = BROKEN[code]
+    due = RULES[code].after + observable
+    found = times(code, change, due + 0.6)
+    assert found and found[0] <= due + 0.5
+    assert found[0] >= RULES[code].after - 1e-6
+
+
+@pytest.mark.parametrize("code", sorted(RULES))
+def test_what_is_just_within_its_bounds_is_not_told(code: str) -> None:
+    _, fine, observable = BROKEN[code]
+    seconds = RULES[code].after + min(observable, 62.0) + 5.0
+    assert times(code, fine, seconds) == []
+
+
+@pytest.mark.parametrize("code", sorted(set(RULES) - {"flight_time_over"}))
+def test_what_is_broken_has_words_with_no_number_that_is_none(code: str) -> None:
+    change, _, observable = BROKEN[code]
+    found = assessed(change, RULES[code].after + observable + 0.6)
+    words = [rule.words for _, each in found for rule in each.broken if rule.code == code]
+    assert all(words) and not any("nan" in word or "inf " in word for word in words)
+
+
+def test_a_normal_flight_of_seconds_breaks_nothing() -> None:
+    assert all(each.mode is SafetyMode.NOMINAL for _, each in assessed(now(), 5.0))
+
+
+def test_the_clock_ends_a_flight_that_the_gauge_does_not() -> None:
+    gate, first = Gate(LIMITS, FENCE), {}
+    gate.assess(replace(STOOD, now=0.0, battery=0.5))
+    for n in range(1, 251):
+        each = gate.assess(replace(FINE, now=float(n), battery=0.5))
+        for rule in each.broken:
+            first.setdefault(rule.code, n)
+    usable = (0.5 - LIMITS.battery_floor) * LIMITS.flight_time
+    assert first["battery_gauge"] == pytest.approx(62, abs=1)
+    assert first["flight_time"] == pytest.approx(usable - 35.0 + 2.0, abs=1.1)
+    assert first["flight_time_over"] == pytest.approx(usable + 2.0, abs=1.1)
+
+
+def test_a_battery_that_empties_faster_than_expected_turns_home_sooner() -> None:
+    gate = Gate(LIMITS, FENCE)
+    gate.assess(replace(STOOD, now=0.0))
+    for n in range(1, 200):
+        charge = 0.9 - 0.005 * n
+        each = gate.assess(replace(FINE, now=float(n), battery=charge))
+        if each.mode is SafetyMode.RETURN:
+            break
+    assert each.code == "battery_return"
+    assert charge - 0.005 * (20.0 + 15.0) == pytest.approx(LIMITS.battery_floor, abs=0.07)
+    assert charge - 0.005 * (20.0 + 15.0) > LIMITS.battery_floor
+
+
+@pytest.mark.parametrize("velocity", [(0.56, 0.0, 0.0), (0.0, -0.56, 0.0)])
+def test_a_velocity_that_is_suddenly_another_is_a_blow(velocity: tuple[float, ...]) -> None:
+    reference = Reference(HERE, velocity, 0.0)  # type: ignore[arg-type]
+    assert times("contact", now(velocity=velocity, reference=reference), 0.2)
+    slow = tuple(0.9 * each for each in velocity)
+    assert not times("contact", now(velocity=slow, reference=reference), 0.2)
+
+
+def test_the_same_change_of_velocity_is_none_when_it_takes_its_time() -> None:
+    def braking(inputs: GateInputs, t: float) -> GateInputs:
+        speed = min(0.8, 2.0 * t)
+        return moving(speed)(inputs, t)
+
+    assert not times("contact", braking, 0.4)
+
+
+def test_a_rule_that_is_broken_now_and_then_starts_anew_each_time() -> None:
+    assert times("control_error", pulsed(0.6, 0.4, off(0.6)), 5.0) == []
+
+
+def test_an_answer_lasts_as_long_as_its_rule_says() -> None:
+    found = times("loop_late", lambda i, t: replace(i, late=0.3 if t < 0.04 else 0.0), 2.0)
+    assert found[-1] == pytest.approx(RULES["loop_late"].lasts, abs=0.06)
+
+
+def test_the_table_is_worst_first_and_names_each_rule_once() -> None:
+    ranks = [MODE_SEVERITY[rule.mode] for rule in SAFETY_RULES]
+    assert ranks == sorted(ranks, reverse=True)
+    assert len(RULES) == len(SAFETY_RULES)
+
+
+def test_the_page_shows_the_table_of_the_code() -> None:
+    page = Path(__file__).parents[3] / "docs" / "safety.md"
+    assert rules_table() in page.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("report", [None, replace(REPORT, acceleration=None)])
+def test_a_drone_that_tells_little_breaks_nothing(report: Telemetry | None) -> None:
+    assert all(
+        each.mode is SafetyMode.NOMINAL
+        for _, each in assessed(now(telemetry=report, reference=None, flown=None), 3.0)
+    )
+
+
+def test_a_drone_that_is_nowhere_breaks_only_what_is_about_that() -> None:
+    lost = now(position=None, velocity=None, reference=None, pose_age=inf, flight_height=nan)
+    codes = {rule.code for _, each in assessed(lost, 1.0) for rule in each.broken}
+    assert codes == {"tracking_lost", "tracking_old"}

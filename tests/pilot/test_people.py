@@ -1,0 +1,284 @@
+"""People: paths keep away from them, a drone that stands makes way, and nobody is landed on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from math import cos, hypot, pi, sin
+from typing import Any
+
+import pytest
+
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Obstacle,
+    ObstacleKind,
+    OrderKind,
+    Phase,
+    Pose,
+    Sighting,
+)
+from housefly.room.distance import half_diagonal
+
+Fly = Callable[..., Any]
+HULL = half_diagonal(0.517, 0.451)
+BODY = 0.2
+"""Radius of a person's body [m]."""
+
+
+class Person:
+    """Somebody whom a sensor sees twenty times a second, walking straight on from a time on."""
+
+    def __init__(
+        self,
+        place: tuple[float, float],
+        velocity: tuple[float, float] = (0.0, 0.0),
+        leaves_at: float = 0.0,
+        kind: ObstacleKind = ObstacleKind.PERSON,
+        name: str = "somebody",
+    ) -> None:
+        self.start, self.velocity, self.leaves_at, self.kind = place, velocity, leaves_at, kind
+        self.name, self.closest, self.walks_for = name, float("inf"), 1e9
+
+    def place(self, now: float) -> tuple[float, float]:
+        since = min(max(0.0, now - self.leaves_at), self.walks_for)
+        return self.start[0] + since * self.velocity[0], self.start[1] + since * self.velocity[1]
+
+    def seen(self, flight: Any) -> tuple[Obstacle, ...]:
+        now = flight.now
+        x, y = self.place(now)
+        if flight.body.z > 0.15:
+            apart = hypot(flight.body.x - x, flight.body.y - y)
+            self.closest = min(self.closest, apart - BODY - HULL)
+        if round(now * 100) % 5:
+            return ()
+        walks = self.leaves_at <= now < self.leaves_at + self.walks_for
+        velocity = self.velocity if walks else (0.0, 0.0)
+        return (
+            Obstacle(
+                self.name,
+                (x, y),
+                BODY,
+                velocity=velocity,
+                seen_at=now,
+                source="laser",
+                kind=self.kind,
+            ),
+        )
+
+
+def hovering(fly: Fly, at: tuple[float, float], **options: Any) -> Any:
+    """A flight that hovers at a place [m]."""
+    flight = fly(**options)
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=at))
+    flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+    flight.run(1.0)
+    return flight
+
+
+@pytest.mark.parametrize("bearing", [0.0, 0.3, 0.5, 0.75, 1.0, 1.4])
+def test_who_walks_towards_a_hover_is_made_way_for_and_it_comes_back(
+    fly: Fly, bearing: float
+) -> None:
+    flight = hovering(fly, (3.5, 2.5))
+    c, s = cos(bearing * pi), sin(bearing * pi)
+    away = 4.0 if abs(s) < 0.5 else 2.2
+    walker = Person((3.5 + away * c, 2.5 + away * s), (-c, -s), flight.now + 1.0)
+    walker.walks_for = 2.0 * away
+    flight.around = walker.seen
+    flight.run(1.0 + walker.walks_for)
+    assert walker.closest > 0.5
+    assert flight.told("making_way")
+    flight.around = lambda f: ()
+    flight.run(18.0)
+    assert hypot(flight.body.x - 3.5, flight.body.y - 2.5) < 0.3
+
+
+def test_what_is_not_known_as_a_person_is_not_made_way_for(fly: Fly) -> None:
+    """The negative control."""
+    flight = hovering(fly, (3.5, 2.5))
+    thing = Person((7.0, 2.5), (-1.0, 0.0), flight.now + 1.0, ObstacleKind.THING)
+    flight.around = thing.seen
+    flight.run(8.0)
+    assert thing.closest < 0.0
+
+
+def test_somebody_who_runs_head_on_into_a_drone_on_its_way_is_not_touched(fly: Fly) -> None:
+    flight = fly()
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=(5.0, 3.6)))
+    flight.until(lambda o: o.phase is Phase.OUTBOUND)
+    flight.run(2.0)
+    b = flight.body
+    length = hypot(5.0 - b.x, 3.6 - b.y)
+    ux, uy = (5.0 - b.x) / length, (3.6 - b.y) / length
+    runner = Person((b.x + 4.5 * ux, b.y + 4.5 * uy), (-1.5 * ux, -1.5 * uy), flight.now)
+    flight.around = runner.seen
+    flight.run(6.0)
+    assert runner.closest > 0.0
+
+
+@pytest.mark.parametrize("later", [0.0, 1.0, 2.0])
+def test_somebody_who_crosses_is_waited_for(fly: Fly, later: float) -> None:
+    flight = fly()
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=(10.75, 3.5)))
+    flight.until(lambda o: o.phase is Phase.OUTBOUND)
+    walker = Person((5.0, 0.3), (0.0, 0.9), flight.now + later)
+    walker.walks_for = 4.5
+    flight.around = walker.seen
+    flight.run(12.0)
+    assert walker.closest > 0.4
+
+
+def test_paths_keep_the_comfort_distance_where_there_is_room(fly: Fly) -> None:
+    flight = fly()
+    person = Person((8.8, 2.7))
+    flight.around = person.seen
+    flight.depart()
+    flight.until(lambda o: o.phase is Phase.HOLDING, 90.0)
+    assert person.closest > 0.9
+
+
+def test_near_somebody_the_drone_is_slow(fly: Fly) -> None:
+    flight = fly()
+    person = Person((6.0, 4.0))
+    flight.around = person.seen
+    flight.depart()
+    fastest = 0.0
+    for _ in range(3000):
+        outputs = flight.step()
+        x, y = person.place(flight.now)
+        if hypot(flight.body.x - x, flight.body.y - y) - BODY - HULL < 1.0:
+            fastest = max(fastest, flight.speed)
+        if outputs.phase is Phase.HOLDING:
+            break
+    assert 0.0 < fastest < 0.4
+
+
+def test_nobody_is_flown_over_however_low_they_are(fly: Fly) -> None:
+    flight = fly()
+    x, y = 8.5, 2.2
+    closest = [9.0]
+
+    def lying(f: Any) -> tuple[Obstacle, ...]:
+        closest[0] = min(closest[0], hypot(f.body.x - x, f.body.y - y))
+        if round(f.now * 100) % 10:
+            return ()
+        seen = Obstacle("child", (x, y), BODY, seen_at=f.now, bottom=0.0, top=0.4)
+        return (replace(seen, kind=ObstacleKind.PERSON),)
+
+    flight.around = lying
+    flight.depart()
+    flight.until(lambda o: o.phase is Phase.HOLDING, 90.0)
+    assert closest[0] > BODY + HULL + 0.4
+
+
+def test_a_tracked_person_and_an_unknown_body_are_in_the_way(fly: Fly) -> None:
+    for name in ("visitor", "another drone"):
+        flight = fly()
+        place = (3.6, 1.6)
+        see = flight._look
+
+        def look(
+            see: Any = see, flight: Any = flight, name: str = name, place: Any = place
+        ) -> tuple[Sighting, ...]:
+            at = flight.now - 0.02
+            return (*see(), Sighting(name, Pose((*place, 0.0)), at, flight.now))
+
+        flight._look = look
+        flight.depart()
+        closest = 9.0
+        while flight.outputs.phase is not Phase.HOLDING and flight.now < 90.0:
+            flight.step()
+            apart = hypot(flight.body.x - place[0], flight.body.y - place[1])
+            closest = min(closest, apart)
+        assert flight.outputs.phase is Phase.HOLDING
+        assert closest > HULL + 0.25
+
+
+def homeward(fly: Fly) -> Any:
+    """A flight that comes home from nearby."""
+    flight = hovering(fly, (4.0, 1.25))
+    flight.step(flight.order(OrderKind.HOME))
+    return flight
+
+
+def test_who_stands_on_the_pad_is_not_landed_on(fly: Fly) -> None:
+    flight = homeward(fly)
+    child = Person((2.0, 1.25))
+    flight.around = child.seen
+    flight.run(60.0)
+    assert child.closest > 0.4
+    assert flight.status is not DroneStatus.LANDED or flight.home_error > HULL + BODY
+
+
+def test_who_comes_while_the_drone_sinks_makes_it_rise_again(fly: Fly) -> None:
+    flight = homeward(fly)
+    walker = Person((5.2, 1.25), (-1.0, 0.0), 1e9)
+    flight.around = walker.seen
+    flight.until(lambda o: flight.body.z < 0.9, 40.0)
+    assert flight.status is DroneStatus.FLYING
+    walker.leaves_at, walker.walks_for = flight.now, 2.6
+    flight.run(5.0)
+    assert walker.closest > 0.3
+
+
+def test_with_nobody_near_the_drone_lands_by_itself_at_once(fly: Fly) -> None:
+    flight = homeward(fly)
+    flight.until(lambda o: o.command.action is Action.LAND, 40.0)
+    assert flight.body.z > 1.0
+
+
+def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:
+    flight = homeward(fly)
+    step = flight.pilot.step
+
+    def with_stool(now: float, inputs: Any) -> Any:
+        over = flight.home_error < 0.4
+        height = max(0.0, flight.body.z - (0.6 if over else 0.0))
+        return step(now, replace(inputs, telemetry=replace(inputs.telemetry, height=height)))
+
+    flight.pilot.step = with_stool
+    flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
+    assert flight.told("landing_blocked") and flight.home_error > 0.5
+
+
+def test_no_take_off_while_somebody_stands_beside_the_drone(fly: Fly) -> None:
+    flight = fly()
+    person = Person((2.7, 1.25))
+    flight.around = person.seen
+    flight.run(0.5)
+    outputs = flight.step(flight.order(OrderKind.TAKE_OFF))
+    assert outputs.phase is Phase.IDLE
+    assert any("somebody is too close" in event.text for event in outputs.events)
+    person.start = (5.0, 1.25)
+    flight.run(0.2)
+    assert flight.step(flight.order(OrderKind.TAKE_OFF)).phase is Phase.TAKING_OFF
+
+
+def test_an_order_to_land_onto_somebody_waits_and_a_second_one_does_not(fly: Fly) -> None:
+    flight = hovering(fly, (3.5, 2.5))
+    person = Person((3.5, 3.4))
+    flight.around = person.seen
+    flight.run(0.2)
+    outputs = flight.step(flight.order(OrderKind.LAND))
+    assert outputs.command.action is not Action.LAND
+    flight.run(0.1)
+    assert flight.step(flight.order(OrderKind.LAND)).command.action is Action.LAND
+
+
+def test_a_way_that_closes_again_and_again_is_not_told_every_tick(fly: Fly) -> None:
+    flight = fly()
+    flight.depart(4.0)
+    x, y = flight.body.x + 0.9, flight.body.y + 0.9
+    for tick in range(600):
+        side = 0.35 if tick // 4 % 2 else -0.35
+        flight.around = lambda f, side=side: (
+            Obstacle("flicker", (x + side, y - side), 0.3, seen_at=f.now, source="laser"),
+        )
+        flight.step()
+    told = [event for event in flight.events if event.code in ("way_blocked", "detour")]
+    assert len(told) < 12

@@ -1,0 +1,77 @@
+"""Senders that send too much are dropped and named; the loop and the other senders go on."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from housefly.bus.endpoint import endpoint_in
+from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.tracking import TrackingConfig
+from housefly.messages import Order, OrderKind, Sighting
+from housefly.tracking.rate_limit import FRAMES_PER_SECOND_MAX
+from housefly.tracking.vicon import ViconTracker
+from housefly.wires.vicon import (
+    FrameInfo,
+    GlobalSegments,
+    ObjectEnums,
+    StreamInfo,
+    encode_packet,
+)
+
+pytestmark = pytest.mark.wire
+OFFERED = frozenset({StreamInfo.KIND, FrameInfo.KIND, GlobalSegments.KIND})
+
+
+async def test_a_flood_of_vicon_frames_does_not_hold_the_loop(loopback: str) -> None:
+    frames = b"".join(encode_packet([FrameInfo(number)]) for number in range(1, 20_000))
+
+    async def flood(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(encode_packet([ObjectEnums(OFFERED)]))
+        with suppress(OSError):
+            while True:
+                writer.write(frames)
+                await writer.drain()
+
+    server = await asyncio.start_server(flood, loopback, 8010)
+    tracker = ViconTracker(TrackingConfig(address=loopback))
+    told: list[tuple[Sighting, ...]] = []
+    running = asyncio.create_task(tracker.run(told.append))
+    turns, end = 0, time.monotonic() + 1.5
+    while time.monotonic() < end:
+        await asyncio.sleep(0)
+        turns += 1
+    assert tracker.counts.flooded > FRAMES_PER_SECOND_MAX
+    assert tracker.counts.frames <= 3 * FRAMES_PER_SECOND_MAX
+    assert "more than 2000 frames a second" in tracker.problem
+    assert turns > 200, "the loop hardly turned"
+    running.cancel()
+    server.close()
+    await asyncio.gather(running, return_exceptions=True)
+
+
+def test_a_message_that_is_too_long_is_dropped_before_it_is_read(tmp_path: Path) -> None:
+    tmp_path.chmod(0o700)
+    endpoint = endpoint_in(tmp_path)
+    heard: list[Order] = []
+    wide_open = replace(ORDER_TOPIC, fault=lambda _: "")
+    with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
+        bus.subscribe(ORDER_TOPIC, heard.append)
+        end = time.monotonic() + 20.0
+        while not heard and time.monotonic() < end:
+            other.publish(ORDER_TOPIC, Order(OrderKind.HOVER))
+            time.sleep(0.05)
+        heard.clear()
+        other.publish(wide_open, Order(OrderKind.GO, "x" * 300_000))
+        other.publish(wide_open, Order(OrderKind.GO, goal=(1e308, 1e308)))
+        other.publish(ORDER_TOPIC, Order(OrderKind.LAND, sender="last"))
+        while not any(order.sender == "last" for order in heard) and time.monotonic() < end:
+            time.sleep(0.02)
+    assert {order.kind for order in heard} <= {OrderKind.HOVER, OrderKind.LAND}
+    assert heard[-1].sender == "last"

@@ -1,0 +1,129 @@
+"""Another user of the machine cannot reach the bus or the room's memory of a run."""
+
+from __future__ import annotations
+
+import os
+import socket
+import stat
+import subprocess
+import tempfile
+from contextlib import closing
+from pathlib import Path
+
+import pytest
+
+from housefly.app.run_folder import new_run_folder
+from housefly.app.runtime import Runtime, discovery_entry, new_runtime
+from housefly.bus.endpoint import endpoint_in
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.config.site import Site
+from housefly.errors import LinkError
+from housefly.hub.client.discovery import announced, folder
+from housefly.hub.query_server import QueryServer
+
+pytestmark = pytest.mark.wire
+NOBODY = 65534
+CONNECT = (
+    "import socket, sys\n"
+    "link = socket.socket(socket.AF_UNIX)\n"
+    "try:\n"
+    "    link.connect(sys.argv[1])\n"
+    "except OSError as error:\n"
+    "    sys.exit(type(error).__name__)\n"
+)
+as_root = pytest.mark.skipif(os.geteuid() != 0, reason="only root can become another user")
+
+
+@pytest.fixture
+def runtime(tmp_path: Path) -> Runtime:
+    return new_runtime(Site(), tmp_path)
+
+
+def bus_file(runtime: Runtime) -> Path:
+    return Path(runtime.bus.removeprefix("unixsock-stream/"))
+
+
+def connected_as_nobody(path: Path) -> str:
+    """Return "" when another user could connect, else the name of the error."""
+    done = subprocess.run(
+        ["/usr/bin/env", "python3", "-S", "-c", CONNECT, str(path)],
+        user=NOBODY,
+        group=NOBODY,
+        extra_groups=(),
+        cwd="/",
+        capture_output=True,
+        text=True,
+    )
+    return done.stderr.strip()
+
+
+@as_root
+def test_another_user_cannot_connect_to_the_bus_nor_to_the_memory(runtime: Runtime) -> None:
+    with (
+        ZenohBus(listen=runtime.bus),
+        closing(QueryServer(lambda text: text, "key", runtime.room_socket)),
+    ):
+        assert connected_as_nobody(bus_file(runtime)) == "PermissionError"
+        assert connected_as_nobody(runtime.room_socket) == "PermissionError"
+
+
+@as_root
+def test_the_attack_itself_works_where_the_folder_is_open(runtime: Runtime) -> None:
+    place = runtime.room_socket.parent
+    with socket.socket(socket.AF_UNIX) as open_door:
+        open_door.bind(str(place / "open"))
+        open_door.listen()
+        place.chmod(0o755)
+        (place / "open").chmod(0o777)
+        assert connected_as_nobody(place / "open") == ""
+
+
+def test_the_sockets_of_a_run_lie_in_a_folder_of_its_user(runtime: Runtime) -> None:
+    found = bus_file(runtime).parent.stat()
+    assert stat.S_IMODE(found.st_mode) == 0o700
+    assert found.st_uid == os.geteuid()
+    assert runtime.room_socket.parent == bus_file(runtime).parent
+
+
+@pytest.mark.parametrize("mode", [0o755, 0o770, 0o711, 0o701])
+def test_a_bus_in_a_folder_that_others_may_enter_is_refused(tmp_path: Path, mode: int) -> None:
+    tmp_path.chmod(mode)
+    for way in ({"listen": endpoint_in(tmp_path)}, {"connect": endpoint_in(tmp_path)}):
+        with pytest.raises(LinkError, match="mode 0700"):
+            ZenohBus(**way)
+
+
+@as_root
+def test_a_bus_that_another_user_holds_is_not_joined(tmp_path: Path) -> None:
+    tmp_path.chmod(0o700)
+    os.chown(tmp_path, NOBODY, NOBODY)
+    with pytest.raises(LinkError, match="must belong to this user"):
+        ZenohBus(connect=endpoint_in(tmp_path))
+
+
+@pytest.mark.parametrize("endpoint", ["tcp/127.0.0.1:7447", "udp/127.0.0.1:7447", "", "tls/x:1"])
+def test_a_bus_that_asks_nobody_who_they_are_is_refused(endpoint: str) -> None:
+    for way in ({"listen": endpoint}, {"connect": endpoint}):
+        with pytest.raises(LinkError, match="Unix socket"):
+            ZenohBus(**way)
+
+
+def test_the_entry_by_which_programs_find_a_run_is_for_its_user_only(
+    runtime: Runtime, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
+    left = folder() / f"{os.getpid()}.json"
+    left.touch()
+    left.chmod(0o666)
+    with announced(discovery_entry(runtime)):
+        assert stat.S_IMODE(left.stat().st_mode) == 0o600
+        assert stat.S_IMODE(left.parent.stat().st_mode) == 0o700
+
+
+def test_what_a_killed_run_left_behind_is_removed_by_the_next() -> None:
+    gone = subprocess.Popen(["true"])
+    gone.wait()
+    left = Path(tempfile.mkdtemp(prefix=f"housefly-run-{gone.pid}-"))
+    mine = new_run_folder()
+    assert not left.exists()
+    assert mine.exists()

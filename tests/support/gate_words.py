@@ -1,0 +1,20 @@
+"""The table of the last gate in words, as ``docs/safety.md`` shows it."""
+
+from __future__ import annotations
+
+from housefly.pilot.safety.rules import SAFETY_RULES
+
+HEADER = ("| rule | wrong is | counts | after | answer | ends |", "|---|---|---|---|---|---|")
+
+
+def rules_table() -> str:
+    """Return one line a rule, worst first."""
+    rows = []
+    for rule in SAFETY_RULES:
+        after = f"{rule.after:g} s" if rule.after else "at once"
+        ends = rule.clears.value + (f", after {rule.lasts:g} s" if rule.lasts else "")
+        rows.append(
+            f"| `{rule.code}` | {rule.condition} | {rule.counts.value} | {after}"
+            f" | {rule.mode.value} | {ends} |"
+        )
+    return "\n".join((*HEADER, *rows))

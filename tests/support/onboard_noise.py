@@ -1,0 +1,107 @@
+"""Hours of honest and drifting tracking beside a noisy onboard report, without a world."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from housefly.pilot.estimation.onboard_odometry import (
+    FLOW_BIAS,
+    FLOW_BIAS_TIME,
+    FLOW_NOISE,
+    MOTION_RING_SIZE,
+    NO_ODOMETRY,
+    ONBOARD_MOTION,
+    MotionRing,
+    OnboardReport,
+    odometry_advanced,
+    odometry_at,
+    odometry_headed,
+)
+from housefly.pilot.estimation.track_windows import (
+    EMPTY_WINDOWS,
+    TRACK_ROW,
+    WINDOW_RING_SIZE,
+    TrackRing,
+    windows_advanced,
+)
+
+TICK = 0.01
+LONG_LEG = 8.0
+"""The drone goes to and fro, as long each way [s]."""
+
+
+@njit
+def _flown(
+    seed: int,
+    seconds: float,
+    speed: float,
+    period: float,
+    loss: float,
+    drift: float,
+    motion: MotionRing,
+    rows: TrackRing,
+) -> tuple[float, float, float]:
+    np.random.seed(seed)
+    odometry, windows = NO_ODOMETRY, EMPTY_WINDOWS
+    bias_x, bias_y, x, next_at = 0.0, 0.0, 0.0, 0.0
+    worst, told, landed = 0.0, np.inf, np.inf
+    keep = np.exp(-TICK / FLOW_BIAS_TIME)
+    drive = FLOW_BIAS * np.sqrt(1.0 - keep * keep)
+    past = np.zeros(4)
+    for tick in range(1, int(seconds / TICK)):
+        at = tick * TICK
+        wanted = speed if at % (2.0 * LONG_LEG) < LONG_LEG else -speed
+        v = past[-1] + min(max(wanted - past[-1], -0.01), 0.01)
+        x += TICK * 0.5 * (v + past[-1])
+        bias_x = keep * bias_x + drive * np.random.normal()
+        bias_y = keep * bias_y + drive * np.random.normal()
+        noise_x, noise_y = FLOW_NOISE * np.random.normal(), FLOW_NOISE * np.random.normal()
+        report = OnboardReport(
+            at, 0.0, 0.0, 0.0, past[0] + bias_x + noise_x, bias_y + noise_y, 1.0, 0.0, True
+        )
+        past[:-1] = past[1:]
+        past[-1] = v
+        odometry = odometry_advanced(odometry, motion, report)
+        if at < next_at:
+            continue
+        next_at += period
+        if np.random.random() < loss:
+            continue
+        lied = drift * max(at - 10.0, 0.0)
+        seen_x = x + 0.001 * np.random.normal()
+        seen_y = lied + 0.001 * np.random.normal()
+        odometry = odometry_headed(odometry, motion, at, 0.003 * np.random.normal())
+        if odometry.since > at:
+            continue
+        onboard = odometry_at(odometry, motion, at)
+        windows = windows_advanced(windows, rows, at, seen_x, seen_y, 0.0, onboard, 0.002)
+        if windows.drift == windows.drift:
+            worst = max(worst, windows.drift)
+        if windows.drift > 0.05 and lied > 0.0:
+            told = min(told, lied)
+        if windows.drift > 0.15 and lied > 0.0:
+            landed = min(landed, lied)
+    return worst, told, landed
+
+
+def flown(
+    seed: int,
+    seconds: float,
+    speed: float = 0.5,
+    period: float = 0.01,
+    loss: float = 0.0,
+    drift: float = 0.0,
+) -> tuple[float, float, float]:
+    """Return the largest drift told, and how far a drift had come when it was told, and landed.
+
+    Args:
+        seed: of all noise.
+        seconds: flown [s].
+        speed: to and fro [m/s].
+        period: between two poses [s].
+        loss: share of poses lost.
+        drift: of tracking across the way, after 10 s [m/s].
+    """
+    motion, rows = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION), np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
+    return _flown(seed, seconds, speed, period, loss, drift, motion, rows)

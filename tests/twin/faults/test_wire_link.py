@@ -1,0 +1,130 @@
+"""The drone's real ports with faults on them."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+
+import pytest
+
+from housefly.clock import RealClock
+from housefly.config.site import Site, changed
+from housefly.errors import WireError
+from housefly.room.model import Room
+from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.contracts import EncodedPicture
+from housefly.twin.faults.injector import FaultInjector
+from housefly.twin.faults.vocabulary import Injection
+from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
+from housefly.twin.real_time import RealTimeRunner
+from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone import at
+from housefly.wires.ardrone.navdata import NAVDATA_PORT, REQUEST_UNICAST, decode_navdata
+
+pytestmark = pytest.mark.wire
+
+
+@asynccontextmanager
+async def serving(
+    room: Room, address: str, *faults: str
+) -> AsyncIterator[tuple[SimulatedWorld, ArDroneServer]]:
+    site = changed(Site(), faults=[{"fault": fault} for fault in faults])
+    world, injector = SimulatedWorld(site, room), FaultInjector(site, Injection.WIRES)
+    server = ArDroneServer(world, address, filters=faulty_links(injector, lambda: world.now))
+    running = asyncio.create_task(RealTimeRunner(world, RealClock()).run())
+    await server.start()
+    try:
+        yield world, server
+    finally:
+        await server.stop()
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+
+
+async def navdata(address: str, count: int, patience: float) -> list[bytes]:
+    """Return what the drone sends to one who asks for it, at most so many within so long [s]."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as own:
+        own.setblocking(False)
+        own.sendto(REQUEST_UNICAST, (address, NAVDATA_PORT))
+        packets: list[bytes] = []
+        loop = asyncio.get_running_loop()
+        end = loop.time() + patience
+        while len(packets) < count and (left := end - loop.time()) > 0.0:
+            try:
+                packets.append(await asyncio.wait_for(loop.sock_recv(own, 4096), left))
+            except TimeoutError:
+                break
+        return packets
+
+
+def readable(packets: list[bytes]) -> int:
+    good = 0
+    for packet in packets:
+        try:
+            decode_navdata(packet)
+            good += 1
+        except WireError:
+            pass
+    return good
+
+
+async def test_reports_stop_come_late_or_are_noise(
+    make_room: Callable[..., Room], loopback: str
+) -> None:
+    async with serving(make_room(), loopback):
+        assert readable(await navdata(loopback, 5, 20.0)) == 5
+    async with serving(make_room(), loopback, "telemetry:garbage"):
+        noise = await navdata(loopback, 5, 20.0)
+        assert (len(noise), readable(noise)) == (5, 0)
+    async with serving(make_room(), loopback, "telemetry:off"):
+        assert await navdata(loopback, 1, 0.5) == []
+    async with serving(make_room(), loopback, "telemetry:delayed=1") as (world, _):
+        assert readable(await navdata(loopback, 1, 20.0)) == 1
+        assert world.now > 1.0
+
+
+async def test_commands_are_lost_late_or_repeated_under_new_numbers(
+    make_room: Callable[..., Room], loopback: str
+) -> None:
+    async def heard(count: Callable[[], int], wanted: int) -> None:
+        while count() < wanted:
+            await asyncio.sleep(0.02)
+
+    async def send(*commands: at.AtCommand) -> None:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as own:
+            for number, command in enumerate(commands):
+                datagram = at.encode_datagram(1 + 10 * number, (command,))
+                own.sendto(datagram, (loopback, at.COMMAND_PORT))
+                await asyncio.sleep(0.05)
+
+    rise, rest = at.Ref(at.RefBits.TAKE_OFF), at.ComWatchdog()
+    async with serving(make_room(), loopback, "commands:off") as (_, server):
+        await send(rise, rise)
+        assert server.counters.datagrams == 0
+    async with serving(make_room(), loopback, "commands:garbage") as (_, server):
+        await send(rise, rise)
+        await heard(lambda: server.counters.datagrams, 2)
+        assert server.counters.commands == 0
+    async with serving(make_room(), loopback, "commands:delayed=0.4") as (world, server):
+        began = world.now
+        await send(rise)
+        await heard(lambda: server.counters.commands, 1)
+        assert world.now > began + 0.4
+    async with serving(make_room(), loopback, "commands:stuck") as (world, server):
+        await send(rest, rise, rise)
+        await heard(lambda: server.counters.commands, 3)
+        assert server.counters.stale_commands == 0
+        assert not world.onboard().flight.airborne
+
+
+def test_pictures_are_passed_on_as_the_faults_have_it() -> None:
+    site = changed(Site(), faults=[{"fault": "video:off@1s"}])
+    injector, shown, now = FaultInjector(site, Injection.WIRES), [], [0.0]
+    publish = faulty_pictures(injector, lambda: now[0], shown.append)
+    picture = EncodedPicture(1, b"data", True, 8, 8, 0.0)
+    publish(picture)
+    now[0] = 1.0
+    publish(picture)
+    assert shown == [picture]

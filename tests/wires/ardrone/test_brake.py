@@ -1,0 +1,106 @@
+"""The brake, against a drone of first principles: lag, delay and drag."""
+
+from __future__ import annotations
+
+from collections import deque
+from math import hypot, isfinite, tan
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.geometry import GRAVITY
+from housefly.messages import LEVEL, DroneStatus, Telemetry
+from housefly.wires.ardrone.brake import (
+    AT_REST_SPEED,
+    BRAKE_TIME_MAX,
+    AttitudeSpeed,
+    braking_setpoint,
+)
+
+TILT_MAX = 0.21
+STEP = 0.01
+speeds = st.floats(-1.5, 1.5)
+tilts = st.floats(-TILT_MAX, TILT_MAX)
+
+
+def report(
+    at: float = 0.0,
+    theta: float = 0.0,
+    phi: float = 0.0,
+    velocity: tuple[float, float] = (0.0, 0.0),
+    psi: float = 0.0,
+    status: DroneStatus = DroneStatus.FLYING,
+) -> Telemetry:
+    return Telemetry(at, status, 1.0, phi, theta, psi, 1.0, (*velocity, 0.0))
+
+
+@given(speeds, speeds, tilts, tilts, speeds, speeds)
+def test_the_brake_never_leans_further_than_it_may_and_never_moves_in_height_or_heading(
+    forward: float, left: float, theta: float, phi: float, by_forward: float, by_left: float
+) -> None:
+    newest = report(theta=theta, phi=phi, velocity=(forward, left))
+    leaning = braking_setpoint(0.1, newest, (by_forward, by_left), TILT_MAX)
+    if leaning is not None:
+        assert abs(leaning.theta) <= TILT_MAX and abs(leaning.phi) <= TILT_MAX
+        assert isfinite(leaning.theta) and isfinite(leaning.phi)
+        assert leaning.vz == leaning.yaw_rate == 0.0
+
+
+@given(st.floats(0.2, 2.0))
+def test_it_leans_against_the_speed(speed: float) -> None:
+    for velocity, leans in (
+        ((speed, 0.0), lambda s: s.theta < 0),
+        ((-speed, 0.0), lambda s: s.theta > 0),
+        ((0.0, speed), lambda s: s.phi > 0),
+        ((0.0, -speed), lambda s: s.phi < 0),
+    ):
+        assert leans(braking_setpoint(0.0, report(velocity=velocity), (0.0, 0.0), TILT_MAX))
+
+
+def test_at_rest_or_without_a_fresh_report_it_leaves_the_drone_to_its_own_hover() -> None:
+    slow = report(velocity=(0.5 * AT_REST_SPEED, 0.0))
+    assert braking_setpoint(0.0, slow, (1.0, 1.0), TILT_MAX) is None
+    assert braking_setpoint(0.5, report(velocity=(0.5, 0.0)), (0.0, 0.0), TILT_MAX) is None
+
+
+@pytest.mark.parametrize("flow_sees", [True, False])
+@given(speed=st.floats(0.2, 1.0))
+def test_with_and_without_its_flow_camera_a_drone_comes_nearly_to_rest_in_time(
+    flow_sees: bool, speed: float
+) -> None:
+    theta = tan(0.58 * speed / GRAVITY)
+    velocity, way, cruise = speed, 0.0, AttitudeSpeed()
+    for step in range(1000):
+        cruise.update(report(step * STEP, theta=theta))
+    assert cruise.velocity[0] == pytest.approx(speed, rel=0.05)
+    asked: deque[float] = deque([theta] * 6)
+    now = 10.0
+    for step in range(round((BRAKE_TIME_MAX + 0.3) / STEP)):
+        now = 10.0 + step * STEP
+        newest = report(now, theta, velocity=(velocity if flow_sees else 0.0, 0.0))
+        cruise.update(newest)
+        setpoint = braking_setpoint(now, newest, cruise.velocity, TILT_MAX)
+        if setpoint is None or now > 10.0 + BRAKE_TIME_MAX:
+            setpoint = LEVEL
+        asked.append(setpoint.theta)
+        theta += STEP * 7.0 * (asked.popleft() - theta)
+        velocity += STEP * (GRAVITY * tan(theta) - 0.58 * velocity)
+        way += velocity * STEP
+    assert abs(velocity) < 2 * AT_REST_SPEED
+    assert way < 0.6 * speed + 0.5 * speed**2
+
+
+def test_the_speed_from_attitude_turns_with_the_drone_and_starts_anew_on_the_ground() -> None:
+    speed = AttitudeSpeed()
+    for step in range(300):
+        speed.update(report(step * STEP, theta=0.03))
+    forward = speed.velocity[0]
+    speed.update(report(3.0, psi=1.5708))
+    assert hypot(*speed.velocity) == pytest.approx(forward, rel=0.02)
+    assert speed.velocity[1] == pytest.approx(-forward, rel=0.02)
+    speed.update(report(3.01, status=DroneStatus.LANDED))
+    assert speed.velocity == (0.0, 0.0)
+    speed.update(report(3.02, theta=0.2))
+    speed.update(report(9.0, theta=0.2))
+    assert speed.velocity == (0.0, 0.0)
