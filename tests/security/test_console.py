@@ -52,7 +52,7 @@ async def a_second_browser(console: Any, first: str) -> str:
         path = (await one.hear("invite", id=1))["path"]
     _, headers, _ = await console.request("GET", path)
     cookie: str = headers["set-cookie"].partition(";")[0]
-    console.proofs[cookie] = headers["location"].partition("#proof=")[2]
+    console.proofs[cookie] = headers["location"].partition("?proof=")[2]
     return cookie
 
 

@@ -100,7 +100,7 @@ class Served:
         """Return a fresh session's cookie, made through an invitation or the first link."""
         _, headers, _ = await self.request("GET", f"/?token={TOKEN}")
         cookie = headers["set-cookie"].partition(";")[0]
-        self.proofs[cookie] = headers["location"].partition("#proof=")[2]
+        self.proofs[cookie] = headers["location"].partition("?proof=")[2]
         return cookie
 
     def proved(self, headers: dict[str, str]) -> dict[str, str]:

@@ -102,7 +102,7 @@ async def credentials_of(address: str) -> tuple[str, str]:
     writer.write("\r\n".join(lines).encode())
     answer = (await reader.read()).decode()
     writer.close()
-    found = re.search(r"#proof=(\w+).*set-cookie: ([^;]+)", answer, re.DOTALL)
+    found = re.search(r"\?proof=(\w+).*set-cookie: ([^;]+)", answer, re.DOTALL)
     assert found, answer
     return found[2], found[1]
 

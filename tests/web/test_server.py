@@ -16,7 +16,7 @@ async def test_the_printed_link_opens_the_console_and_vanishes_from_the_address(
     console: Any,
 ) -> None:
     status, headers, _ = await console.request("GET", "/?token=a-token-for-tests-only")
-    assert status == 303 and re.fullmatch(r"/#proof=[0-9a-f]{64}", headers["location"])
+    assert status == 303 and re.fullmatch(r"/\?proof=[0-9a-f]{64}", headers["location"])
     cookie = headers["set-cookie"]
     assert "HttpOnly" in cookie and "SameSite=strict" in cookie
     status, _, page = await console.request("GET", "/", Cookie=cookie.partition(";")[0])

@@ -99,8 +99,8 @@ class MqttConfig(Section):
         if self.start and not _is_loopback(self.broker):
             raise ValueError(
                 f"start = true with broker {self.broker!r}: a broker of our own asks nobody who"
-                " they are; allowed: a loopback address such as 127.0.0.1, or start = false and a broker"
-                " with users"
+                " they are; allowed: a loopback address such as 127.0.0.1, or start = false and a"
+                " broker with users"
             )
         return self
 

@@ -14,15 +14,30 @@ from housefly.pilot.pilot import Pilot
 from housefly.pilot.safety.gate import Gate
 from housefly.pilot.safety.inputs import Geofence
 from housefly.pilot.safety.motion_rules import CEILING_CLEARANCE, CEILING_SLACK
+from housefly.pilot.safety.rules import ORDER_RULES, SAFETY_RULES
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.room.grid import OccupancyGrid, extent_of
 from housefly.room.model import Room
 
 
 def make_pilot(
-    site: Site, room: Room, grid: OccupancyGrid, maneuver: Maneuver | None = None
+    site: Site,
+    room: Room,
+    grid: OccupancyGrid,
+    maneuver: Maneuver | None = None,
+    *,
+    guarded: bool = True,
 ) -> Pilot:
-    """Return a pilot that knows a room by its map; a maneuver may take the place of holding."""
+    """Return a pilot that knows a room by its map.
+
+    Args:
+        site: drone, tracking, limits, mode.
+        room: what stands where.
+        grid: its map.
+        maneuver: takes the place of holding.
+        guarded: False leaves the last gate nothing but orders, and believes tracking whatever the
+            drone feels: the negative control of the simulated room.
+    """
     is_paper = site.mode == "paper"
     params = pilot_parameters(is_paper, site.drone, site.control, site.limits)
     settings = PilotSettings(
@@ -31,12 +46,14 @@ def make_pilot(
         home=room.home,
         flight_height=site.map.flight_height,
         facing_tolerance=site.control.epsilon_yaw,
+        guarded=guarded,
     )
     navigator = RoomNavigator(site, room, grid)
     missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper)
     ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
     fence = Geofence(extent_of(grid), ceiling)
-    return Pilot(settings, navigator, missions, Gate(site.limits, fence), maneuver)
+    gate = Gate(site.limits, fence, rules=SAFETY_RULES if guarded else ORDER_RULES)
+    return Pilot(settings, navigator, missions, gate, maneuver)
 
 
 def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:

@@ -25,6 +25,8 @@ class PilotSettings:
         home: the pad [m].
         flight_height: z_ref [m].
         facing_tolerance: the heading is the wanted one when nearer than this [rad].
+        guarded: tracking is held against what the drone feels; without it only in negative
+            controls.
     """
 
     parameters: PilotParameters
@@ -32,6 +34,7 @@ class PilotSettings:
     home: Vec2
     flight_height: float
     facing_tolerance: float
+    guarded: bool = True
 
 
 class Map(Protocol):

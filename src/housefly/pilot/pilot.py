@@ -153,7 +153,10 @@ class Pilot:
         return events
 
     def _new_estimator(self, now: float) -> PoseEstimator:
-        return PoseEstimator(self._params.estimator, self._settings.body, now)
+        settings = self._settings
+        return PoseEstimator(
+            self._params.estimator, settings.body, now, trusting=not settings.guarded
+        )
 
     def _estimated(self, now: float) -> tuple[PoseEstimate, Estimate | None]:
         assert self._estimator is not None

@@ -33,9 +33,9 @@ def _open_session(request: Request, auth: SessionAuth, token: str) -> Response:
     if session is None:
         # Reloading the printed address in a browser with a session shows the console again.
         return RedirectResponse("/", 303) if auth.cookie_session(request) else link_used()
-    # What stands behind the # never leaves the browser; the page keeps it for its own origin.
+    # In the query, so that what stands behind the # survives; the page takes it out at once.
     proof = auth.proof(session.partition(".")[0])
-    answer = RedirectResponse(f"/#proof={proof}", 303, headers={"cache-control": "no-store"})
+    answer = RedirectResponse(f"/?proof={proof}", 303, headers={"cache-control": "no-store"})
     secure = request.url.scheme == "https"
     answer.set_cookie(
         cookie_name(request), session, httponly=True, samesite="strict", secure=secure, path="/"

@@ -61,7 +61,7 @@ def test_a_refuge_is_never_worse_than_staying_and_never_in_a_wall_or_a_no_fly_ar
 ) -> None:
     crowd, grid = people(*rows), hall()
     found = refuge(crowd, grid, (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
-    alone = refuge(crowd, _closed(), (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
+    alone = refuge(crowd, _closed_around(x, y), (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
     assert alone.place == (x, y)
     assert min(found.separation, 1.2) >= min(alone.separation, 1.2) - 1e-9
     if found.place != (x, y):
@@ -69,10 +69,11 @@ def test_a_refuge_is_never_worse_than_staying_and_never_in_a_wall_or_a_no_fly_ar
         assert grid.clearance_at(found.place) > HULL
 
 
-def _closed() -> OccupancyGrid:
-    return OccupancyGrid(
-        (0.0, 0.0), 0.1, np.full((80, 50), Cell.OUTSIDE, np.uint8), np.zeros((80, 50))
-    )
+def _closed_around(x: float, y: float) -> OccupancyGrid:
+    """A hall where only the cell of a place is open."""
+    cells = np.full((80, 50), Cell.VIRTUAL, np.uint8)
+    cells[int(x / 0.1), int(y / 0.1)] = Cell.FREE
+    return OccupancyGrid((0.0, 0.0), 0.1, cells, np.full((80, 50), 2.0))
 
 
 def test_people_are_named_by_kind_or_motion_and_no_faster_than_believed() -> None:

@@ -27,6 +27,7 @@ class Simulation:
         loaded: site, room and map.
         movables: things that no map shows.
         intruders: whether faults injected later may put people and things in the way.
+        guarded: False flies without what keeps a flight safe, to show that a fault does harm.
 
     Attributes:
         world: the simulated room, its visitor and its movable things.
@@ -39,6 +40,7 @@ class Simulation:
         movables: tuple[Movable, ...] = (),
         *,
         intruders: bool = False,
+        guarded: bool = True,
     ) -> None:
         site = loaded.site
         scene = load_scene(site.twin.scene) if site.twin.scene else None
@@ -46,7 +48,7 @@ class Simulation:
         self.world = SimulatedWorld(
             site, loaded.room, scene, (*movables, *faults.movables), faults.people
         )
-        self.pilot = make_pilot(site, loaded.room, loaded.grid)
+        self.pilot = make_pilot(site, loaded.room, loaded.grid, guarded=guarded)
         self._room = LockstepRoom(self.world, site, faults)
         self._perception = LockstepPerception(loaded, self.world, faults)
         self._period = 1.0 / site.control.rate_hz

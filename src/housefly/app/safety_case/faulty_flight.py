@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import lru_cache
-from math import isfinite
+from math import isfinite, nan
 
 import numpy as np
 
+from housefly.app.commands.shared import lively_changes
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.simulation import Simulation
 from housefly.app.safety_case.fault_phase import AIRBORNE_PHASES, FaultPhase, has_begun
 from housefly.app.safety_case.oracle import Oracle
 from housefly.app.safety_case.trial import TrialKey, TrialResult
 from housefly.config.site import changed
-from housefly.messages import Order, OrderKind, PilotStep
+from housefly.messages import Inputs, Order, OrderKind, PilotStep
 from housefly.twin.faults.catalogue import FaultVariant, row_of
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultComponent
@@ -34,9 +35,11 @@ _REACH_TIMEOUT = 60.0
 """A phase that is not reached within this is left out: the fault begins where the drone is [s]."""
 
 
-@lru_cache(maxsize=1)
-def _base() -> LoadedSite:
-    return load_site(SAFETY_SITE, hub__enabled=False)
+@lru_cache(maxsize=2)
+def _base(scanned: bool) -> LoadedSite:
+    """Return the room, with its scanners where people and things may get in the way."""
+    lasers = lively_changes()["lasers"] if scanned else ()
+    return load_site(SAFETY_SITE, hub__enabled=False, lasers=lasers)
 
 
 def fly_trial(key: TrialKey) -> TrialResult:
@@ -46,11 +49,13 @@ def fly_trial(key: TrialKey) -> TrialResult:
     phase = phases[key.seed % len(phases)]
     rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
     delay = float(rng.uniform(0.0, _DELAY_MAX)) if phase in AIRBORNE_PHASES else 0.0
-    base = _base()
+    base = _base(needs_intruders(key.row))
     site = changed(base.site, twin__seed=1 + key.seed, twin__mocap_rate_hz=rate)
-    simulation = Simulation(replace(base, site=site), intruders=needs_intruders(key.row))
+    simulation = Simulation(
+        replace(base, site=site), intruders=needs_intruders(key.row), guarded=key.guarded
+    )
     oracle = Oracle(simulation.world, site, base.room)
-    flight = _Flight(simulation, oracle, faults_of_key(key), phase, delay)
+    flight = _Flight(simulation, oracle, key, phase, delay)
     step, expired = flight.fly()
     began, ending = oracle.faulty_since, oracle.conclude(step, expired)
     return TrialResult(
@@ -106,12 +111,13 @@ class _Flight:
         self,
         simulation: Simulation,
         oracle: Oracle,
-        faults: tuple[Fault, ...],
+        key: TrialKey,
         phase: FaultPhase,
         delay: float,
     ) -> None:
         self._simulation, self._oracle = simulation, oracle
-        self._faults, self._phase, self._delay = faults, phase, delay
+        self._faults, self._phase, self._delay = faults_of_key(key), phase, delay
+        self._guarded = key.guarded
         self._reached_at: float | None = None
 
     def fly(self) -> tuple[PilotStep, bool]:
@@ -123,7 +129,8 @@ class _Flight:
             orders: tuple[Order, ...] = ()
             if not ordered and simulation.now >= _ORDER_AT:
                 orders, ordered = (order,), True
-            step = simulation.step(simulation.inputs(*orders))
+            inputs = simulation.inputs(*orders)
+            step = simulation.step(inputs if self._guarded else _blind(inputs))
             oracle.watch(step)
             self._begin_when_due(step)
             since = simulation.now - oracle.faulty_since
@@ -142,6 +149,17 @@ class _Flight:
             return
         self._oracle.faulty_since = step.now
         self._simulation.inject(*(fault.shifted(step.now) for fault in self._faults))
+
+
+def _blind(inputs: Inputs) -> Inputs:
+    """Return the inputs of a pilot that sees nothing but the drone, and hears no sonar."""
+    body, told = _base(False).site.tracking.body, inputs.telemetry
+    return replace(
+        inputs,
+        sightings=tuple(s for s in inputs.sightings if s.body == body),
+        obstacles=(),
+        telemetry=None if told is None else replace(told, height=nan),
+    )
 
 
 def _finite(number: float) -> float | None:

@@ -180,6 +180,8 @@ class SeparationMonitor:
             self._go(vehicle, place)
             return []
         if yielding.phase in _GUIDED:
+            why = self._commander.task.waiting
+            self._commander.give_way(place, yielding.yaw, why, vehicle)
             self._end(vehicle)
             return []
         there = self._people.separation(yielding.post, (0.0, 0.0), vehicle.now, YIELD_HORIZON)

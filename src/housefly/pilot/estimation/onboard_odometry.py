@@ -129,7 +129,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         row.x, row.y = before.x + dt * mean_x, before.y + dt * mean_y
         row.way = before.way + dt * (mean_x * mean_x + mean_y * mean_y) ** 0.5
         noise = FLOW_NOISE * dt if report.airborne else 0.0
-        row.variance = before.variance + noise * noise + (0.5 * dt * dt) ** 2
+        row.variance = before.variance + noise * noise + (0.1 * dt * dt) ** 2
     return OdometryState(
         count=s.count + 1,
         heading=s.heading,

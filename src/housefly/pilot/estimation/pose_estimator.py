@@ -38,6 +38,13 @@ HISTORY_SIZE = 1024
 class PoseEstimator:
     """Feeds the sightings of one body to the compiled estimator.
 
+    Args:
+        params: of the compiled estimator.
+        body: name of the drone in the tracking system.
+        now: [s].
+        trusting: what tracking says is not held against what the drone feels; for negative
+            controls.
+
     Attributes:
         state: of the compiled estimator.
         history: the commands given, which the state refers to.
@@ -45,8 +52,11 @@ class PoseEstimator:
         monitor: holds the sightings against the drone's own report.
     """
 
-    def __init__(self, params: EstimatorParameters, body: str, now: float) -> None:
+    def __init__(
+        self, params: EstimatorParameters, body: str, now: float, *, trusting: bool = False
+    ) -> None:
         self._params = params
+        self._trusting = trusting
         self._body = body
         self._rejections = RejectionLog()
         self._last_position: Vec3 | None = None
@@ -88,9 +98,10 @@ class PoseEstimator:
         fault = sighting_fault(sighting, now, self.state.gate.last_capture)
         if fault is not None:
             return self._rejections.reject(fault, now)
-        if self._repeats(sighting) and not grounded:
+        if self._repeats(sighting) and not grounded and not self._trusting:
             return self._rejections.reject(RejectionReason.FROZEN, now)
-        if not self.monitor.agrees(sighting, self._predicted(sighting)):
+        agrees = self._trusting or self.monitor.agrees(sighting, self._predicted(sighting))
+        if not agrees:
             return self._reject(RejectionReason.DISAGREES, sighting, now, grounded)
         if not self._take(sighting, now):
             return self._reject(RejectionReason.JUMP, sighting, now, grounded)

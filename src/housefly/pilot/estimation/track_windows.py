@@ -20,7 +20,7 @@ DRIFT_WINDOWS = (1.0, 2.5, 5.0, 10.0, 20.0)
 """Windows over which displacements are compared [s]."""
 FRAME_WINDOWS = (0.5, 1.0, 2.0, 4.0)
 """Windows over which directions and turns are compared [s]."""
-SIGMAS = 5.0
+SIGMAS = 5.5
 """Displacements further apart than this many standard deviations disagree."""
 AGREE_AGAIN = 0.6
 """Displacements closer than this share of the bound agree again."""

@@ -22,7 +22,7 @@ UNAVOIDABLE = 0.3
 """What happens within this time no motion can change any more [s]."""
 YIELD_ACCELERATION = 1.0
 """How quickly the drone can be counted on to get going and to stop [m/s^2]."""
-ROOM_MARGIN = 0.1
+ROOM_MARGIN = 0.2
 """Making way keeps the hull this far from walls and things [m]."""
 _BEARINGS = tuple(2.0 * pi * n / 12 for n in range(12))
 _DISTANCES = (0.5, 1.0, 1.5, 2.2, 3.0)

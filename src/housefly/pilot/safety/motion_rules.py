@@ -69,7 +69,7 @@ def blow(c: RuleContext) -> float:
     return abs(hypot(*c.now.telemetry.acceleration) - GRAVITY)
 
 
-def climb_rate(c: RuleContext) -> float:
+def vertical_speed(c: RuleContext) -> float:
     """Return how fast the drone climbs by tracking [m/s]; 0 where unknown."""
     return c.now.velocity[2] if c.now.velocity else 0.0
 
@@ -168,9 +168,11 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.LAND,
         counts=N.CRUISE,
         condition="climbs or sinks faster than the largest climb rate plus slack",
-        broken=lambda c: abs(climb_rate(c)) > c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK,
+        broken=lambda c: (
+            abs(vertical_speed(c)) > c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK
+        ),
         words=lambda c: (
-            f"climbs at {climb_rate(c):+.1f} m/s (limit"
+            f"climbs at {vertical_speed(c):+.1f} m/s (limit"
             f" {c.limits.vertical_speed_max + VERTICAL_SPEED_SLACK:.1f} m/s): landing"
         ),
         after=0.2,

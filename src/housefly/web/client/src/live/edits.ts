@@ -98,7 +98,8 @@ async function ask(
   if (busy.value) return;
   busy.value = true;
   try {
-    const answer = await fetchAsSession(path, body ? { method: "POST", body: JSON.stringify(body) } : {});
+    const post = body ? { method: "POST", body: JSON.stringify(body) } : {};
+    const answer = await fetchAsSession(path, post);
     const tree = (await answer.json()) as EditsView & { error?: string; item?: string };
     if (answer.ok) accept(tree, done(tree));
     else complain(tree.error ?? answer.statusText, item(tree.item ?? ""));

@@ -1,11 +1,11 @@
 // The proof of this session: what our page knows beside the cookie, which browsers send to every
-// port of a host. The server hands it over behind the # of the address, once.
+// port of a host. The server hands it over in the address, once; it does not stay there.
 const PROOF_KEY = "housefly proof";
 
-const handed = /^#proof=([0-9a-f]+)$/.exec(location.hash);
+const handed = new URLSearchParams(location.search).get("proof");
 if (handed) {
-  localStorage.setItem(PROOF_KEY, handed[1]!);
-  history.replaceState(null, "", location.pathname);
+  localStorage.setItem(PROOF_KEY, handed);
+  history.replaceState(null, "", location.pathname + location.hash);
 }
 
 /** The proof, or "" in a browser that has none. */

@@ -1,0 +1,59 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from math import exp, isnan
+
+import pytest
+
+from housefly.config.limits import LimitsConfig
+from housefly.messages import DroneStatus, Phase, Setpoint, Telemetry
+from housefly.pilot.safety.inputs import GateInputs
+from housefly.pilot.safety.observer import TILT_TIME, FlightObserver
+
+FINE = GateInputs(
+    0.0, DroneStatus.FLYING, 0.9, 0.01, 0.05, (5.0, 2.0, 1.1), False, False, flight_height=1.1
+)
+TICK = 0.01
+
+
+def test_what_we_ask_for_is_smoothed_about_as_the_drone_answers() -> None:
+    observer = FlightObserver(LimitsConfig())
+    leaning = replace(FINE, flown=Setpoint(theta=0.06, phi=-0.08))
+    for n in range(1 + round(TILT_TIME / TICK)):
+        seen = observer.observe(replace(leaning, now=TICK * n), held=False, landing=False)
+    share = 1.0 - exp(-1.0)
+    assert seen.tilt_asked == pytest.approx(0.1 * share)
+    report = Telemetry(0.0, DroneStatus.FLYING, 0.9, phi=-0.08 * share, theta=0.06 * share)
+    seen = observer.observe(
+        replace(leaning, now=TILT_TIME, telemetry=report), held=False, landing=False
+    )
+    assert seen.tilt_error == pytest.approx(0.0, abs=1e-9)
+    seen = observer.observe(replace(FINE, now=TILT_TIME), held=False, landing=False)
+    assert isnan(seen.tilt_asked) and isnan(seen.tilt_error)
+
+
+def test_holding_is_added_up_in_the_air_only_and_forgotten_after_ten_seconds() -> None:
+    observer, held = FlightObserver(LimitsConfig()), []
+    for n in range(1600):
+        inputs = replace(FINE, now=TICK * n)
+        held.append(observer.observe(inputs, held=n < 200, landing=False).held_for)
+    assert held[150] == pytest.approx(1.5) and held[900] == pytest.approx(1.99)
+    assert held[1100] == pytest.approx(0.99, abs=0.02) and held[-1] == 0.0
+    ground = replace(FINE, status=DroneStatus.LANDED)
+    for n in range(100):
+        seen = observer.observe(replace(ground, now=20.0 + TICK * n), held=True, landing=False)
+    assert seen.held_for == 0.0
+
+
+def test_the_time_at_a_height_starts_anew_with_another_height_and_another_flight() -> None:
+    observer, times = FlightObserver(LimitsConfig()), []
+    for n in range(30):
+        height = 1.1 if n < 20 else 0.9
+        inputs = replace(FINE, now=0.1 * n, flight_height=height)
+        times.append(observer.observe(inputs, held=False, landing=False).climbing_for)
+    assert times[19] == pytest.approx(1.8) and times[29] == pytest.approx(0.8)
+    landing = replace(FINE, now=3.0, phase=Phase.LANDING)
+    seen = observer.observe(landing, held=False, landing=False)
+    assert seen.climbing_for == 0.0 and seen.landing_for == 0.0
+    later = observer.observe(replace(landing, now=3.5), held=False, landing=False)
+    assert later.landing_for == pytest.approx(0.5)
