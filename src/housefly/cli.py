@@ -17,6 +17,7 @@ from housefly.app.commands.gains import GAINS_COMMAND
 from housefly.app.commands.identify import IDENTIFY_COMMAND
 from housefly.app.commands.memory import MEMORY_COMMANDS
 from housefly.app.commands.plan import PLAN_COMMAND
+from housefly.app.commands.preflight import PREFLIGHT_COMMAND
 from housefly.app.commands.replay import REPLAY_COMMAND
 from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
@@ -29,6 +30,7 @@ _COMMANDS = (
     DEMO_COMMAND,
     RUN_COMMAND,
     FLY_COMMAND,
+    PREFLIGHT_COMMAND,
     PLAN_COMMAND,
     ROOM_COMMANDS,
     REPLAY_COMMAND,

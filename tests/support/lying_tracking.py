@@ -130,8 +130,8 @@ class LiedFlight:
         self.sim.advance()
         inputs = self.sim.inputs(*orders)
         if inputs.telemetry is not None:
-            inputs = replace(inputs, telemetry=self.report(inputs.telemetry))
-            self.status = inputs.telemetry.status
+            report = self.report(inputs.telemetry)
+            inputs, self.status = replace(inputs, telemetry=report), report.status
         if self.lie is not None:
             inputs = replace(inputs, sightings=self._told(inputs.sightings))
         self.outputs = self.sim.step(inputs).outputs

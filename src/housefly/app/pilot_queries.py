@@ -1,4 +1,4 @@
-"""Answers queries to the pilot process: the room, and a path before anyone flies it.
+"""Answers queries to the pilot process: the room, a path before anyone flies it, and readiness.
 
 Answers are computed on the bus's own thread, so that no query delays a control step.
 """
@@ -8,25 +8,28 @@ from __future__ import annotations
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
-from housefly.bus.topics import PLAN_QUERY, ROOM_QUERY
+from housefly.bus.topics import PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY
 from housefly.errors import WireError
 from housefly.geometry import Vec2
-from housefly.hub.api.pilot_queries import PlanRequest
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
-from housefly.messages import PilotStep, PlanAnswer
+from housefly.messages import PilotStep, PlanAnswer, PreflightCheck
 from housefly.pilot.assembly import make_pilot
+from housefly.pilot.behavior.preflight import preflight_refusal
 
 
 class PilotQueryServer:
-    """Answers ROOM_QUERY and PLAN_QUERY on a bus until closed."""
+    """Answers ROOM_QUERY, PLAN_QUERY and PREFLIGHT_QUERY on a bus until closed."""
 
     def __init__(self, loaded: LoadedSite, bus: Bus) -> None:
         self._room = to_json(room_view(loaded))
         self._loaded = loaded
         self._pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
         self._drone_at: Vec2 = loaded.room.home
+        self._preflight = to_json(PreflightView())
         self._open = [
             bus.answer(ROOM_QUERY, lambda _: self._room),
+            bus.answer(PREFLIGHT_QUERY, lambda _: self._preflight),
             bus.answer(PLAN_QUERY, self._plan),
         ]
 
@@ -34,6 +37,11 @@ class PilotQueryServer:
         """Keep the drone's position, where plans start."""
         if step.outputs.estimate is not None:
             self._drone_at = step.outputs.estimate.position[:2]
+
+    def update_preflight(self, checks: tuple[PreflightCheck, ...]) -> None:
+        """Keep what the pre-flight checks found."""
+        ready = bool(checks) and not preflight_refusal(checks)
+        self._preflight = to_json(PreflightView(ready, checks))
 
     def close(self) -> None:
         """Stop answering."""

@@ -239,6 +239,7 @@ class PilotShell:
         while True:
             await asyncio.sleep(_LINK_PERIOD)
             self._bus.publish(LINK_TOPIC, self._link_status())
+            self._queries.update_preflight(self.pilot.preflight())
 
     def _link_status(self) -> LinkStatus:
         now = self._clock.now()

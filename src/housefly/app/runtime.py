@@ -94,7 +94,12 @@ def discovery_entry(runtime: Runtime) -> RoomAddress:
     host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
     room = str(runtime.room_socket) if site.hub.enabled else ""
     return RoomAddress(
-        site.name, f"http://{host}:{site.web.port}", api_key(runtime.secret), os.getpid(), room
+        site.name,
+        f"http://{host}:{site.web.port}",
+        api_key(runtime.secret),
+        os.getpid(),
+        room,
+        runtime.bus,
     )
 
 

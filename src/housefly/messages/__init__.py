@@ -20,6 +20,7 @@ from housefly.messages.flight import (
     Severity,
 )
 from housefly.messages.obstacles import Obstacle, ObstacleKind
+from housefly.messages.preflight import PreflightCheck
 from housefly.messages.scan import Scan
 from housefly.messages.sensing import (
     DroneStatus,
@@ -69,6 +70,7 @@ __all__ = [
     "PilotStep",
     "PlanAnswer",
     "Pose",
+    "PreflightCheck",
     "Reference",
     "RoomEvent",
     "RoomNews",

@@ -8,6 +8,7 @@ from typing import Protocol
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
@@ -72,6 +73,10 @@ class Missions(Protocol):
     @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody: it may be far from where it flies to."""
+        ...
+
+    def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
+        """Return what the pre-flight checks find now."""
         ...
 
     def update(

@@ -42,6 +42,7 @@ class RoomNavigator:
 
     Attributes:
         people: everybody who is known, and how near they come.
+        sees_people: a sensor of the site sees people.
     """
 
     def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
@@ -64,6 +65,7 @@ class RoomNavigator:
         self._soon, self._names = obstacle_rows((), 0.0, 0.0, self._band)
         self._refreshed = 0.0
         self.people = PeopleMap(site, room, grid)
+        self.sees_people = site.sees_people
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float

@@ -15,6 +15,7 @@ from math import inf, nan
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Inputs, Outputs, Phase, Severity
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import DroneStatus, Estimate, Sighting, Telemetry
 from housefly.messages.steering import (
     Action,
@@ -87,6 +88,7 @@ class Pilot:
         self._status = DroneStatus.UNKNOWN
         self._now = -inf
         self._refused: set[str] = set()
+        self._vehicle: VehicleStatus | None = None
         self._way_home = WayHome(room_map.route, settings.home, self._params.speed)
         self._flown: Setpoint | None = None
         self._maneuvering = False
@@ -103,6 +105,10 @@ class Pilot:
         here = found[1].position[:2] if found else self._settings.home
         return self._map.route(start or here, goal)
 
+    def preflight(self) -> tuple[PreflightCheck, ...]:
+        """Return what the pre-flight checks find, as of the last step; nothing before the first."""
+        return self._missions.preflight(self._vehicle) if self._vehicle else ()
+
     def step(self, now: float, inputs: Inputs) -> Outputs:
         """Take in what happened and return what to do.
 
@@ -118,7 +124,7 @@ class Pilot:
         events = self._see(inputs, now)
         events.extend(self._update_map(inputs.obstacles, inputs.sightings, now))
         here, estimate = self._estimated(now)
-        vehicle = self._vehicle_status(now, estimate)
+        vehicle = self._vehicle = self._vehicle_status(now, estimate)
         facing = self._is_facing(estimate)
         events.extend(self._missions.update(inputs.orders, vehicle, self._target, facing))
         verdict = self._command(self._gate_inputs(vehicle, inputs.late), vehicle, here, dt)

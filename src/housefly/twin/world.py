@@ -160,6 +160,11 @@ class SimulatedWorld:
         self._visitor.set_present(present)
 
     @property
+    def room(self) -> Room:
+        """What stands where."""
+        return self._room
+
+    @property
     def visitor_present(self) -> bool:
         """Whether the visitor is at the door."""
         return self._visitor.present

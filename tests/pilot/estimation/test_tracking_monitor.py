@@ -102,8 +102,8 @@ def assert_not_believed(site: LoadedSite, seconds: float, x: float, y: float) ->
     flight = served(site, gap(CRUISING, seconds, x, y), CRUISING)
     assert_harmless(flight)
     assert flight.status is DroneStatus.LANDED
-    estimate, truth = flight.outputs and flight.outputs.estimate, flight.sim.world.truth()
-    assert estimate is not None
+    assert flight.outputs is not None and flight.outputs.estimate is not None
+    estimate, truth = flight.outputs.estimate, flight.sim.world.truth()
     off = hypot(
         estimate.position[0] - truth.pose.position[0], estimate.position[1] - truth.pose.position[1]
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec2, Vec3
+from housefly.messages import PreflightCheck
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,6 +15,19 @@ class PlanRequest:
     place: str = ""
     goal: Vec2 | None = None
     start: Vec2 | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PreflightView:
+    """What the pre-flight checks found half a second ago, at most; nothing before the first look.
+
+    Attributes:
+        ready: nothing forbids a take-off.
+        checks: each line of the list.
+    """
+
+    ready: bool = False
+    checks: tuple[PreflightCheck, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,21 +10,21 @@ from pydantic import ConfigDict, TypeAdapter, ValidationError
 
 from housefly.config.validation import dotted, words_of
 from housefly.errors import WireError
-from housefly.hub.api.pilot_queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.messages import PlanAnswer
 
-_Value = TypeVar("_Value", PlanRequest, RoomView, PlanAnswer)
+_Value = TypeVar("_Value", PlanRequest, RoomView, PlanAnswer, PreflightView)
 
 _CONFIG = ConfigDict(extra="forbid", allow_inf_nan=False, strict=True)
 
 _READERS: dict[Any, TypeAdapter[Any]] = {
     # A dataclass itself takes no configuration, a tuple of one does.
     kind: TypeAdapter(tuple[kind], config=_CONFIG)  # type: ignore[valid-type]
-    for kind in (PlanRequest, RoomView, PlanAnswer)
+    for kind in (PlanRequest, RoomView, PlanAnswer, PreflightView)
 }
 
 
-def to_json(value: PlanRequest | RoomView | PlanAnswer) -> str:
+def to_json(value: PlanRequest | RoomView | PlanAnswer | PreflightView) -> str:
     """Return the value as one JSON object; raises WireError for numbers that are not finite."""
     try:
         return json.dumps(asdict(value), allow_nan=False, ensure_ascii=False)

@@ -25,6 +25,7 @@ class RoomAddress:
         key: bearer token.
         pid: of the launcher.
         socket: path of the hub's query server; "" for none.
+        bus: endpoint of the run's bus; "" when it is not told.
     """
 
     site: str
@@ -32,6 +33,7 @@ class RoomAddress:
     key: str
     pid: int
     socket: str = ""
+    bus: str = ""
 
 
 @contextmanager
@@ -96,6 +98,7 @@ def _read(file: Path) -> RoomAddress | None:
             str(tree["key"]),
             int(tree["pid"]),
             str(tree.get("socket", "")),
+            str(tree.get("bus", "")),
         )
     except (OSError, ValueError, KeyError, TypeError):
         return None

@@ -5,18 +5,9 @@ from __future__ import annotations
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import OrderKind
+from housefly.pilot.behavior.charge_needed import charge_for
 from housefly.pilot.behavior.mission import Mission, Refused, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-
-LANDING_TIME = 15.0
-"""A landing, with what goes before it, takes no longer than this [s]."""
-RETURN_RESERVE = 0.02
-"""Charge that is left above the floor when a drone that turned home in time stands."""
-
-
-def charge_for(seconds: float, drain: float, limits: LimitsConfig) -> float:
-    """Return the charge [1] that a flight of so long and a landing need; drain in 1/s."""
-    return limits.battery_floor + RETURN_RESERVE + drain * (seconds + LANDING_TIME)
 
 
 def charge_refusal(

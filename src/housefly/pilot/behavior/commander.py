@@ -9,6 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
 from housefly.messages.order_fault import shown_name
+from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
@@ -25,6 +26,7 @@ from housefly.pilot.behavior.mission_tables import ORDERS, SIGNALS, Response, Si
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
 from housefly.pilot.behavior.path_profile import path_profile
+from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
 
 COAST_TIME = 0.4
 """A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
@@ -90,6 +92,21 @@ class Commander:
         by = f" by {shown_name(order.sender)}" if order.sender else ""
         text = f"{asked}{by}: {response.value}"
         return Event(vehicle.now, Severity.INFO, "order_accepted", text)
+
+    def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
+        """Return what the pre-flight checks find now."""
+        navigator, place = self._navigator, vehicle.place
+        fault = navigator.people.take_off_fault(place, vehicle.now) if place is not None else ""
+        return preflight(
+            PreflightInputs(
+                vehicle=vehicle,
+                limits=self._limits,
+                home=navigator.home().goal,
+                stopped=self._state.stopped,
+                take_off_fault=fault,
+                sees_people=navigator.sees_people,
+            )
+        )
 
     def apply(self, signal: Signal, now: float) -> bool:
         """Enter the phase that a signal leads to; return whether it is another one."""
@@ -216,10 +233,10 @@ class Commander:
         mission = self._navigator.mission(order)
         if isinstance(mission, Refused):
             return mission
-        if vehicle.place is not None and self._state.phase is Phase.IDLE:
-            fault = self._navigator.people.take_off_fault(vehicle.place, vehicle.now)
-            if fault:
-                return Refused(fault)
+        if self._state.phase is Phase.IDLE and (
+            fault := preflight_refusal(self.preflight(vehicle))
+        ):
+            return Refused(fault)
         answer = self._route(mission, vehicle)
         if isinstance(answer, Refused):
             return answer

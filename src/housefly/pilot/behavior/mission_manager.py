@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Order
+from housefly.messages.preflight import PreflightCheck
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
@@ -47,6 +48,10 @@ class MissionManager:
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody."""
         return self._separation.is_yielding
+
+    def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:
+        """Return what the pre-flight checks find now."""
+        return self._commander.preflight(vehicle)
 
     def update(
         self,

@@ -35,6 +35,11 @@ class Navigator(Protocol):
         """Everybody who is known, and how near they come."""
         ...
 
+    @property
+    def sees_people(self) -> bool:
+        """Whether a sensor of the site sees people."""
+        ...
+
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
     ) -> list[str]:

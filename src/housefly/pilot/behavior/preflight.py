@@ -30,7 +30,7 @@ class PreflightInputs:
     Attributes:
         vehicle: the drone.
         limits: of the site.
-        home: its pad [m].
+        home: its pad [m], None where there is none.
         stopped: STOP is latched.
         take_off_fault: who or what stands above or beside it, in words, or "".
         sees_people: a sensor of the room sees people here.
@@ -38,7 +38,7 @@ class PreflightInputs:
 
     vehicle: VehicleStatus
     limits: LimitsConfig
-    home: Vec2
+    home: Vec2 | None
     stopped: bool = False
     take_off_fault: str = ""
     sees_people: bool = True
@@ -70,8 +70,8 @@ class PreflightInputs:
     @property
     def off_pad(self) -> float:
         """How far the drone stands from its pad [m]; 0 when unknown."""
-        place = self.vehicle.place
-        return distance(place, self.home) if place is not None else 0.0
+        place, home = self.vehicle.place, self.home
+        return distance(place, home) if place is not None and home is not None else 0.0
 
     @property
     def charge_needed(self) -> float:

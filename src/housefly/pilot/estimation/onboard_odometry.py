@@ -66,14 +66,14 @@ class OdometryState(NamedTuple):
     """Where the odometry stands.
 
     Attributes:
-        count: reports taken in.
+        reports: how many were taken in.
         heading: tracked heading minus onboard heading [rad]; nan before the first sighting.
         heading_at: when that was brought up to date [s].
         since: the odometry has no hole since then [s]; inf while it is not told.
         zero_since: the velocity is exactly zero since then [s]; inf when it is not.
     """
 
-    count: int
+    reports: int
     heading: float
     heading_at: float
     since: float
@@ -93,7 +93,7 @@ class OdometryAt(NamedTuple):
     variance: float
 
 
-NO_ODOMETRY = OdometryState(count=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf)
+NO_ODOMETRY = OdometryState(reports=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf)
 
 
 @compiled
@@ -107,8 +107,8 @@ def flow_bias_variance(seconds: float) -> float:
 def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport) -> OdometryState:
     """Return the odometry after a report; one that is not newer than the last changes nothing."""
     mask = ring.size - 1
-    before, row = ring[(s.count - 1) & mask], ring[s.count & mask]
-    dt = report.at - before.at if s.count > 0 else inf
+    before, row = ring[(s.reports - 1) & mask], ring[s.reports & mask]
+    dt = report.at - before.at if s.reports > 0 else inf
     if dt <= 0.0:
         return s
     is_zero = report.airborne and report.forward == 0.0 and report.left == 0.0
@@ -118,11 +118,11 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     if dt > REPORT_GAP_MAX or silent or isnan(s.heading):
         since = report.at
     row.at, row.height = report.at, report.height
-    row.psi = report.psi if s.count == 0 else before.psi + wrapped(report.psi - before.psi)
+    row.psi = report.psi if s.reports == 0 else before.psi + wrapped(report.psi - before.psi)
     row.vx, row.vy = _world_velocity(s, ring, report)
-    if s.count == 0 or dt > REPORT_GAP_MAX:
+    if s.reports == 0 or dt > REPORT_GAP_MAX:
         row.x, row.y, row.way, row.variance = 0.0, 0.0, 0.0, 0.0
-        if s.count > 0:
+        if s.reports > 0:
             row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance
     else:
         mean_x, mean_y = 0.5 * (before.vx + row.vx), 0.5 * (before.vy + row.vy)
@@ -131,7 +131,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         noise = FLOW_NOISE * dt if report.airborne else 0.0
         row.variance = before.variance + noise * noise + (0.1 * dt * dt) ** 2
     return OdometryState(
-        count=s.count + 1,
+        reports=s.reports + 1,
         heading=s.heading,
         heading_at=s.heading_at,
         since=since,
@@ -152,7 +152,7 @@ def _world_velocity(
     forward = (report.forward + st * report.vz) / ct
     left = (report.left - forward * sp * st - report.vz * sp * ct) / cp
     psi = report.psi
-    if s.count > 0:
+    if s.reports > 0:
         psi = odometry_at(s, ring, report.at - FLOW_DELAY).psi
     c, n = cos(psi + s.heading), sin(psi + s.heading)
     return c * forward - n * left, n * forward + c * left
@@ -165,12 +165,12 @@ def odometry_at(s: OdometryState, ring: MotionRing, at: float) -> OdometryAt:
     Between two reports it is interpolated, after the newest extrapolated for a while.
     """
     psi, _ = _around(s, ring, at)
-    second = min(psi + 1, s.count - 1)
+    second = min(psi + 1, s.reports - 1)
     a, b = ring[psi & (ring.size - 1)], ring[second & (ring.size - 1)]
     share = _share(a.at, b.at, at)
     heading = a.psi + share * (b.psi - a.psi)
     first, ahead = _around(s, ring, at + FLOW_DELAY)
-    second = min(first + 1, s.count - 1)
+    second = min(first + 1, s.reports - 1)
     a, b = ring[first & (ring.size - 1)], ring[second & (ring.size - 1)]
     share = _share(a.at, b.at, at + FLOW_DELAY)
     ahead = min(max(ahead, 0.0), REPORT_GAP_MAX) if second == first else 0.0
@@ -190,7 +190,7 @@ def odometry_at(s: OdometryState, ring: MotionRing, at: float) -> OdometryAt:
 def _around(s: OdometryState, ring: MotionRing, at: float) -> tuple[int, float]:
     """Return the number of the last report not after a time [s], and how long before it came."""
     mask = ring.size - 1
-    index, oldest = s.count - 1, max(s.count - ring.size, 0)
+    index, oldest = s.reports - 1, max(s.reports - ring.size, 0)
     while index > oldest and ring[index & mask].at > at:
         index -= 1
     return index, at - ring[index & mask].at
@@ -204,7 +204,7 @@ def _share(before: float, after: float, at: float) -> float:
 @compiled
 def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -> OdometryState:
     """Return the odometry with its heading tied to one that tracking told [rad] for a time [s]."""
-    if s.count == 0:
+    if s.reports == 0:
         return s
     off = wrapped(yaw - odometry_at(s, ring, at).psi)
     heading = off
@@ -212,5 +212,5 @@ def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -
         share = min(max(at - s.heading_at, 0.0) / HEADING_TIME, 1.0)
         heading = wrapped(s.heading + share * wrapped(off - s.heading))
     return OdometryState(
-        count=s.count, heading=heading, heading_at=at, since=s.since, zero_since=s.zero_since
+        reports=s.reports, heading=heading, heading_at=at, since=s.since, zero_since=s.zero_since
     )

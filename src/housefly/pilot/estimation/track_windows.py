@@ -1,8 +1,8 @@
 """Tracked way against onboard way over sliding windows, compiled.
 
 A row is one sighting and the odometry of its time. Over each window the two displacements should be
-the same; what the odometry may be off by is known, so five of its standard deviations are never
-passed by a drone whose tracking is honest.
+the same; what the odometry may be off by is known, so a drone whose tracking is honest hardly ever
+passes its bound: once in about a hundred hours.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from numpy.typing import NDArray
 from housefly.numeric import compiled, wrapped
 from housefly.pilot.estimation.onboard_odometry import OdometryAt, flow_bias_variance
 
-DRIFT_WINDOWS = (1.0, 2.5, 5.0, 10.0, 20.0)
+DRIFT_WINDOWS = (1.0, 2.5, 5.0, 7.0, 10.0, 15.0)
 """Windows over which displacements are compared [s]."""
 FRAME_WINDOWS = (0.5, 1.0, 2.0, 4.0)
 """Windows over which directions and turns are compared [s]."""
-SIGMAS = 5.5
+SIGMAS = 5.25
 """Displacements further apart than this many standard deviations disagree."""
 AGREE_AGAIN = 0.6
 """Displacements closer than this share of the bound agree again."""
 FLOW_SCALE_ERROR = 0.001
 """Share by which the flow may misjudge a way."""
-TIMING_ERROR = 0.02
+TIMING_ERROR = 0.01
 """Stamps and reports may be apart by this [s]: it counts while the velocity changes."""
 DIRECTION_WAY_MIN = 0.12
 """A direction is read from no shorter way than this [m]."""
@@ -55,18 +55,17 @@ class TrackWindows(NamedTuple):
     """What the windows say.
 
     Attributes:
-        count: rows taken in.
+        taken: how many rows were taken in.
         first: number of the first row that counts.
         anchored: tracked and onboard way disagree.
-        anchor: number of the row at which both agreed last.
         anchor_x, anchor_y, anchor_at, anchor_way, anchor_variance: tracked minus onboard place
-            [m] there, its time [s], way [m] and variance [m^2].
+            [m] where both agreed last, its time [s], way [m] and variance [m^2].
         drift: how far the two have parted since [m]; nan before a window is full.
         frame_error: angle between the two directions or turns [rad]; nan before the first way.
         mirrored: turns go the other way round.
     """
 
-    count: int
+    taken: int
     first: int
     anchored: bool
     anchor_x: float
@@ -80,7 +79,7 @@ class TrackWindows(NamedTuple):
 
 
 EMPTY_WINDOWS = TrackWindows(
-    count=0,
+    taken=0,
     first=0,
     anchored=False,
     anchor_x=0.0,
@@ -115,8 +114,8 @@ def displacement_bound(
 def windows_restarted(w: TrackWindows) -> TrackWindows:
     """Return the windows emptied; what was found stays until a window is full again."""
     return TrackWindows(
-        count=w.count,
-        first=w.count,
+        taken=w.taken,
+        first=w.taken,
         anchored=False,
         anchor_x=0.0,
         anchor_y=0.0,
@@ -142,8 +141,8 @@ def windows_advanced(
 ) -> TrackWindows:
     """Return the windows after a sighting captured at a time [s], at (x, y) [m] and yaw [rad]."""
     mask = ring.size - 1
-    before, row = ring[(w.count - 1) & mask], ring[w.count & mask]
-    is_first = w.count == w.first
+    before, row = ring[(w.taken - 1) & mask], ring[w.taken & mask]
+    is_first = w.taken == w.first
     if not is_first and at - before.at < ROW_PERIOD - 1e-6:
         return w
     row.at, row.px, row.py, row.psi = at, x, y, onboard.psi
@@ -157,10 +156,10 @@ def windows_advanced(
 def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
     """Return the windows with the newest row held against those before it."""
     mask = ring.size - 1
-    new, oldest = ring[w.count & mask], max(w.first, w.count + 1 - ring.size)
-    angle, turn, mirrored, parted, since = -1.0, -1.0, False, False, w.count
+    new, oldest = ring[w.taken & mask], max(w.first, w.taken + 1 - ring.size)
+    angle, turn, mirrored, parted, since = -1.0, -1.0, False, False, w.taken
     drift_window, frame_window = 0, 0
-    for index in range(w.count - 1, oldest - 1, -1):
+    for index in range(w.taken - 1, oldest - 1, -1):
         row = ring[index & mask]
         age = new.at - row.at + 1e-6
         if frame_window < len(FRAME_WINDOWS) and age >= FRAME_WINDOWS[frame_window]:
@@ -170,7 +169,7 @@ def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
             mirrored = mirrored or _turns_back(new, row)
         if drift_window < len(DRIFT_WINDOWS) and age >= DRIFT_WINDOWS[drift_window]:
             drift_window += 1
-            if not parted and _parted(new, row, noise, 1.0):
+            if not parted and _parted(new, row, noise):
                 parted, since = True, index
         if drift_window == len(DRIFT_WINDOWS):
             break
@@ -187,7 +186,7 @@ def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
         drift = sqrt((new.px - new.ox - ax) ** 2 + (new.py - new.oy - ay) ** 2)
     error = max(angle, turn)
     return TrackWindows(
-        count=w.count + 1,
+        taken=w.taken + 1,
         first=w.first,
         anchored=anchored,
         anchor_x=ax,
@@ -202,7 +201,7 @@ def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
 
 
 @compiled
-def _parted(new: Any, row: Any, noise: float, share: float) -> bool:
+def _parted(new: Any, row: Any, noise: float) -> bool:
     """Return whether the two displacements since a row differ by more than their bound."""
     dx = (new.px - new.ox) - (row.px - row.ox)
     dy = (new.py - new.oy) - (row.py - row.oy)
@@ -210,7 +209,7 @@ def _parted(new: Any, row: Any, noise: float, share: float) -> bool:
     bound = displacement_bound(
         new.at - row.at, new.variance - row.variance, new.way - row.way, change, noise
     )
-    return dx * dx + dy * dy > (share * bound) ** 2
+    return bool(dx * dx + dy * dy > bound**2)
 
 
 @compiled
@@ -224,7 +223,7 @@ def _back(w: TrackWindows, new: Any, noise: float) -> bool:
         0.0,
         noise,
     )
-    return dx * dx + dy * dy < (AGREE_AGAIN * bound) ** 2
+    return bool(dx * dx + dy * dy < (AGREE_AGAIN * bound) ** 2)
 
 
 @compiled
@@ -252,4 +251,4 @@ def _turn_error(new: Any, row: Any) -> float:
 def _turns_back(new: Any, row: Any) -> bool:
     """Return whether tracking shows the mirror image of the drone's own turn."""
     tracked, onboard = new.yaw - row.yaw, new.psi - row.psi
-    return abs(onboard) > TURN_MIN and abs(tracked + onboard) < 0.5 * abs(onboard)
+    return bool(abs(onboard) > TURN_MIN and abs(tracked + onboard) < 0.5 * abs(onboard))

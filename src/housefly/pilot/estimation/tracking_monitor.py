@@ -197,7 +197,7 @@ class TrackingMonitor:
             self._rest = position[:2]
 
     def _compare_heights(self, at: float, position: Vec3) -> None:
-        if self._odometry.count == 0 or not self._height_told:
+        if self._odometry.reports == 0 or not self._height_told:
             self._height_error = nan
             return
         told = odometry_at(self._odometry, self._motion, at).height

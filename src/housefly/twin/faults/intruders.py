@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, hypot, pi
 from typing import Protocol
 
 from housefly.geometry import Vec2, distance, wrap_angle
+from housefly.room.model import Room
 from housefly.twin.contracts import GroundTruth
 from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.free_floor import FreeFloor, along
 from housefly.twin.faults.vocabulary import FaultComponent
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
@@ -18,15 +20,20 @@ _SLOWEST = 0.1
 """Below this speed "ahead" is where the drone's nose points [m/s]."""
 _APPROACH, _CROSSING_AHEAD, _CROSSING_FROM = 3.0, 1.5, 2.0
 """How far away somebody starts to walk up, crosses ahead, and starts beside [m]."""
-
+_NEAREST_START = 1.5
+"""Nobody starts to walk nearer to the drone than this [m]."""
+_UNAVOIDABLE = 0.8
+"""No drone on its way can stop before what is put nearer than this: it is put beside it [m]."""
+_WALK = 10.0
+"""Nobody walks farther than this [m]."""
 
 _ON_PAD = "pad"
-_PAD_FREE = 1.0
+_PAD_FREE = 1.5
 """Nobody comes to the pad while the drone is nearer to it than this [m]."""
 
 
 @dataclass(frozen=True, slots=True)
-class IntruderStart:
+class Encounter:
     """How the drone was when a fault began: its place, the pad [m], the way ahead [rad]."""
 
     drone: Vec2
@@ -34,18 +41,64 @@ class IntruderStart:
     ahead: float
 
 
-_Walk = Callable[[Fault, IntruderStart, float], Vec2]
-"""Fault, start, time since [s]: where the intruder is."""
+@dataclass(frozen=True, slots=True)
+class StraightWalk:
+    """Somebody who walks straight on until something is in their way, or who stands.
+
+    Attributes:
+        start: [m].
+        heading: [rad].
+        speed: [m/s].
+        length: they walk no farther [m].
+    """
+
+    start: Vec2
+    heading: float
+    speed: float = 0.0
+    length: float = 0.0
+
+    def place(self, since: float) -> Vec2:
+        """Return where they are so long after they set off [m]."""
+        return along(self.start, self.heading, min(self.speed * since, self.length))
 
 
-def _along(start: Vec2, direction: float, length: float) -> Vec2:
-    return start[0] + length * cos(direction), start[1] + length * sin(direction)
+_Entrance = Callable[[Fault, Encounter, FreeFloor], StraightWalk]
+"""How somebody comes into the way of the drone."""
 
 
-def _crossing(fault: Fault, start: IntruderStart, since: float) -> Vec2:
-    ahead = _along(start.drone, start.ahead, _CROSSING_AHEAD)
-    left = start.ahead + pi / 2
-    return _along(ahead, left, _CROSSING_FROM - fault.size * since)
+def _stands(fault: Fault, met: Encounter, floor: FreeFloor) -> StraightWalk:
+    """Stand ahead, or beside the drone where it could never stop in time."""
+    wanted = met.ahead + (pi / 2 if fault.size < _UNAVOIDABLE else 0.0)
+    near = min(fault.size, _UNAVOIDABLE)
+    bearing = floor.open_bearing(met.drone, wanted, near, fault.size)
+    return StraightWalk(along(met.drone, bearing, fault.size), bearing + pi)
+
+
+def _walks_up(fault: Fault, met: Encounter, floor: FreeFloor) -> StraightWalk:
+    """Walk straight at the place where the drone was, and on."""
+    bearing = floor.open_bearing(met.drone, met.ahead, _UNAVOIDABLE, _APPROACH)
+    near = along(met.drone, bearing, _NEAREST_START)
+    away = _NEAREST_START + floor.free_length(near, bearing, _APPROACH - _NEAREST_START)
+    return _walk(along(met.drone, bearing, away), bearing + pi, fault.size, floor)
+
+
+def _crosses(fault: Fault, met: Encounter, floor: FreeFloor) -> StraightWalk:
+    """Cross the way ahead, from the side with more room."""
+    ahead = along(met.drone, met.ahead, _CROSSING_AHEAD)
+    sides = [met.ahead + pi / 2, met.ahead - pi / 2]
+    away, side = max(
+        (floor.free_length(ahead, side, _CROSSING_FROM), -n) for n, side in enumerate(sides)
+    )
+    bearing = sides[-side]
+    return _walk(along(ahead, bearing, away), bearing + pi, fault.size, floor)
+
+
+def _on_pad(fault: Fault, met: Encounter, floor: FreeFloor) -> StraightWalk:
+    return StraightWalk(met.pad, met.ahead + pi)
+
+
+def _walk(start: Vec2, heading: float, speed: float, floor: FreeFloor) -> StraightWalk:
+    return StraightWalk(start, heading, speed, floor.free_length(start, heading, _WALK))
 
 
 _CHAIR, _STOOL = Movable("chair-in-the-way", 0.25, 1.5), Movable("stool-on-the-pad", 0.2, 0.6)
@@ -53,24 +106,13 @@ _PERSON = PersonScript(name="person-in-the-way", height=1.7, steps=())
 _CHILD = PersonScript(name="child-on-the-pad", height=0.9, steps=())
 _PEOPLE, _OBSTACLES = FaultComponent.PEOPLE, FaultComponent.OBSTACLES
 
-_INTRUDERS: dict[tuple[FaultComponent, str], tuple[str, _Walk]] = {
-    (_OBSTACLES, ""): (
-        _CHAIR.name,
-        lambda fault, start, since: _along(start.drone, start.ahead, fault.size),
-    ),
-    (_OBSTACLES, _ON_PAD): (_STOOL.name, lambda fault, start, since: start.pad),
-    (_PEOPLE, ""): (
-        _PERSON.name,
-        lambda fault, start, since: _along(start.drone, start.ahead, fault.size),
-    ),
-    (_PEOPLE, "walking"): (
-        _PERSON.name,
-        lambda fault, start, since: _along(
-            start.drone, start.ahead, _APPROACH - fault.size * since
-        ),
-    ),
-    (_PEOPLE, "crossing"): (_PERSON.name, _crossing),
-    (_PEOPLE, _ON_PAD): (_CHILD.name, lambda fault, start, since: start.pad),
+_INTRUDERS: dict[tuple[FaultComponent, str], tuple[str, _Entrance]] = {
+    (_OBSTACLES, ""): (_CHAIR.name, _stands),
+    (_OBSTACLES, _ON_PAD): (_STOOL.name, _on_pad),
+    (_PEOPLE, ""): (_PERSON.name, _stands),
+    (_PEOPLE, "walking"): (_PERSON.name, _walks_up),
+    (_PEOPLE, "crossing"): (_PERSON.name, _crosses),
+    (_PEOPLE, _ON_PAD): (_CHILD.name, _on_pad),
 }
 MOVABLE_INTRUDERS: tuple[Movable, ...] = (_CHAIR, _STOOL)
 """What a world must have for faults of ``obstacles``; away until then."""
@@ -85,6 +127,11 @@ def puts_in_the_way(fault: Fault) -> bool:
 
 class IntruderWorld(Protocol):
     """What moves people and things."""
+
+    @property
+    def room(self) -> Room:
+        """What stands where."""
+        ...
 
     def truth(self) -> GroundTruth:
         """Return the true state now."""
@@ -103,7 +150,7 @@ class IntruderFaults:
     """Puts and moves what is in the way, and takes it away again."""
 
     def __init__(self) -> None:
-        self._began: dict[Fault, IntruderStart] = {}
+        self._began: dict[Fault, StraightWalk] = {}
         self._pad: Vec2 | None = None
         self._present: frozenset[tuple[FaultComponent, str]] = frozenset()
 
@@ -116,11 +163,11 @@ class IntruderFaults:
         """Put everybody where they are now [s]."""
         present = set()
         for fault in filter(puts_in_the_way, active):
-            name, walk = _INTRUDERS[fault.component, fault.aspect]
+            name, entrance = _INTRUDERS[fault.component, fault.aspect]
             if fault.aspect == _ON_PAD and self._waits(fault, world):
                 continue
-            start = self._began.get(fault) or self._begun(fault, world.truth())
-            _put(world, fault.component, name, walk(fault, start, now - fault.start), start.ahead)
+            walk = self._began.get(fault) or self._begun(fault, entrance, world)
+            _put(world, fault.component, name, walk.place(now - fault.start), walk.heading)
             present.add((fault.component, name))
         for component, name in self._present - present:
             _put(world, component, name, None, 0.0)
@@ -131,21 +178,22 @@ class IntruderFaults:
         place = world.truth().pose.position[:2]
         return fault not in self._began and distance(place, self._pad or place) < _PAD_FREE
 
-    def _begun(self, fault: Fault, truth: GroundTruth) -> IntruderStart:
+    def _begun(self, fault: Fault, entrance: _Entrance, world: IntruderWorld) -> StraightWalk:
+        truth = world.truth()
         place = truth.pose.position[:2]
-        pad = place if self._pad is None else self._pad
-        start = self._began[fault] = IntruderStart(place, pad, _ahead(truth))
-        return start
+        met = Encounter(place, place if self._pad is None else self._pad, _ahead(truth))
+        walk = self._began[fault] = entrance(fault, met, FreeFloor(world.room))
+        return walk
 
 
 def _put(
-    world: IntruderWorld, component: FaultComponent, name: str, place: Vec2 | None, ahead: float
+    world: IntruderWorld, component: FaultComponent, name: str, place: Vec2 | None, heading: float
 ) -> None:
-    """Put somebody or something somewhere; people face the drone."""
+    """Put somebody or something somewhere, facing a way [rad]."""
     if component is FaultComponent.PEOPLE:
-        world.put_person(name, place, wrap_angle(ahead + pi))
+        world.put_person(name, place, wrap_angle(heading))
     else:
-        world.put(name, place, ahead)
+        world.put(name, place, heading)
 
 
 def _ahead(truth: GroundTruth) -> float:

@@ -1,0 +1,106 @@
+"""``housefly preflight``: everything that is looked at before a take-off, without one."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from housefly.app.commands.shared import add_site_arguments, load
+from housefly.app.commands.subcommand import Subcommand
+from housefly.app.terminal import console
+from housefly.errors import LinkError
+
+if TYPE_CHECKING:
+    from housefly.bus.bus import Bus
+    from housefly.config.site import Site
+    from housefly.hub.api.pilot_queries import PreflightView
+
+_START_TIMEOUT = 60.0
+"""Longest time until pilot, tracking and drone answer [s]."""
+_SETTLING_TIME = 3.0
+"""Time for tracking and the drone's settings to settle after a start [s]."""
+_EPILOG = """\
+A running house is asked; where none runs, everything is started without the console, looked at, \
+and ended.
+Nothing takes off. The exit code is 0 when a take-off would be allowed."""
+
+
+def _run(options: Namespace) -> int:
+    """Look; 0 when nothing forbids a take-off."""
+    site = load(options).site
+    view = _of_running_house(site) or _of_fresh_house(site)
+    for check in view.checks:
+        mark = "[green]ok  [/green]" if check.passed else _MARKS[check.required]
+        console.print(f"{mark}  {check.title}: {check.value}  ({check.limit})", soft_wrap=True)
+        if not check.passed:
+            console.print(f"        {check.why}", soft_wrap=True)
+            console.print(f"        -> {check.mend}", soft_wrap=True)
+    console.print("[bold]READY[/bold]" if view.ready else "[bold]NOT READY[/bold]")
+    return 0 if view.ready else 1
+
+
+_MARKS = {True: "[red]no  [/red]", False: "[yellow]look[/yellow]"}
+
+
+def _of_running_house(site: Site) -> PreflightView | None:
+    from housefly.bus.zenoh_bus import ZenohBus
+    from housefly.hub.client.discovery import running
+
+    for house in running():
+        if house.site == site.name and house.bus:
+            with ZenohBus(connect=house.bus) as bus:
+                return _asked(bus)
+    return None
+
+
+def _of_fresh_house(site: Site) -> PreflightView:
+    from housefly.app.end_signals import EndSignals
+    from housefly.app.launcher import Launcher, processes_of
+    from housefly.app.ports import refuse_taken_ports
+    from housefly.app.readiness import Readiness
+    from housefly.app.runtime import new_runtime
+    from housefly.bus.zenoh_bus import ZenohBus
+
+    refuse_taken_ports(site, web=False)
+    with tempfile.TemporaryDirectory() as name, EndSignals():
+        folder = Path(name)
+        runtime = new_runtime(site, folder)
+        with (
+            Launcher(runtime, folder, processes_of(runtime, web=False)) as launcher,
+            ZenohBus(connect=runtime.bus) as bus,
+            console.status("starting") as status,
+        ):
+            missing = Readiness(site, bus, web=False, video=False).wait(
+                _START_TIMEOUT, status.update, lambda: launcher.given_up != ()
+            )
+            if launcher.given_up:
+                raise LinkError(str(launcher.given_up[0]))
+            if missing:
+                console.print(f"after {_START_TIMEOUT:.0f} s: {missing}")
+            status.update("looking")
+            time.sleep(_SETTLING_TIME)
+            return _asked(bus)
+
+
+def _asked(bus: Bus) -> PreflightView:
+    from housefly.bus.topics import PREFLIGHT_QUERY
+    from housefly.hub.api.pilot_queries import PreflightView
+    from housefly.hub.api.pilot_queries_json import from_json
+
+    return from_json(PreflightView, bus.ask(PREFLIGHT_QUERY, ""))
+
+
+def _add_arguments(parser: ArgumentParser) -> None:
+    add_site_arguments(parser)
+
+
+PREFLIGHT_COMMAND = Subcommand(
+    name="preflight",
+    help="everything that is looked at before a take-off, without one",
+    add_arguments=_add_arguments,
+    run=_run,
+    epilog=_EPILOG,
+)
