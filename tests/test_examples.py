@@ -63,7 +63,7 @@ def test_the_service_is_flown_in_lock_step() -> None:
 def test_lost_tracking_means_hover_then_landing() -> None:
     output = run("03_lost_tracking.py")
     assert_in_order(
-        output, "level: hover", "land: land; tracking lost for 2.0 s", "landed", "all is well"
+        output, "hold: hover", "land: land; tracking lost for 2.0 s", "landed", "all is well"
     )
 
 

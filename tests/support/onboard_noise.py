@@ -22,6 +22,7 @@ from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TRACK_ROW,
     WINDOW_RING_SIZE,
+    OdometryTolerance,
     TrackRing,
     windows_advanced,
 )
@@ -75,7 +76,9 @@ def _flown(
         if odometry.since > at:
             continue
         onboard = odometry_at(odometry, motion, at)
-        windows = windows_advanced(windows, rows, at, seen_x, seen_y, 0.0, onboard, 0.002)
+        windows = windows_advanced(
+            windows, rows, at, seen_x, seen_y, 0.0, onboard, OdometryTolerance(0.002, 0.001)
+        )
         if windows.drift == windows.drift:
             worst = max(worst, windows.drift)
         if windows.drift > 0.05 and lied > 0.0:

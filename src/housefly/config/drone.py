@@ -8,6 +8,11 @@ from pydantic import Field
 
 from housefly.config.section import Section, quantity
 
+TWIN_ODOMETRY_ERROR = 0.001
+"""The simulated drone's flow has the right scale."""
+REAL_ODOMETRY_ERROR = 0.05
+"""What an unmeasured drone is given."""
+
 
 class DroneConfig(Section):
     """The drone and where it answers."""
@@ -33,5 +38,16 @@ class DroneConfig(Section):
         description=(
             "drone profile of housefly identify, relative to this file; gives the constants"
         ),
+    )
+    odometry_error: float | None = Field(
+        default=None,
+        ge=0.0,
+        le=0.3,
+        description=(
+            "share of a way by which the drone's own odometry (flow scale, tracked heading) may"
+            f" misjudge it; left out: {TWIN_ODOMETRY_ERROR} with the simulated drone, else"
+            f" {REAL_ODOMETRY_ERROR}"
+        ),
+        json_schema_extra={"unit": "1"},
     )
     has_video: bool = Field(default=True, description="whether to open the camera stream")

@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from housefly.config.control import ControlConfig
 from housefly.config.depth import DepthCameraConfig, check_depth_cameras
 from housefly.config.devices import MqttConfig
-from housefly.config.drone import DroneConfig
+from housefly.config.drone import REAL_ODOMETRY_ERROR, TWIN_ODOMETRY_ERROR, DroneConfig
 from housefly.config.edits import Edits
 from housefly.config.faults import FaultConfig
 from housefly.config.furniture import FurnitureConfig, check_furniture
@@ -77,6 +77,13 @@ class Site(Section):
                 wire for wire in (self.tracking.wire, *self.twin.mocap_wires) if wire is not None
             )
         )
+
+    @property
+    def odometry_error(self) -> float:
+        """Share of a way by which the drone's own odometry may misjudge it."""
+        if self.drone.odometry_error is not None:
+            return self.drone.odometry_error
+        return TWIN_ODOMETRY_ERROR if self.twin.enabled else REAL_ODOMETRY_ERROR
 
     @property
     def sees_people(self) -> bool:

@@ -46,6 +46,7 @@ def make_pilot(
         home=room.home,
         flight_height=site.map.flight_height,
         facing_tolerance=site.control.epsilon_yaw,
+        odometry_error=site.odometry_error,
         guarded=guarded,
     )
     navigator = RoomNavigator(site, room, grid)

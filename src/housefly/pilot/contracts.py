@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order
 from housefly.messages.obstacles import Obstacle
@@ -26,6 +27,7 @@ class PilotSettings:
         home: the pad [m].
         flight_height: z_ref [m].
         facing_tolerance: the heading is the wanted one when nearer than this [rad].
+        odometry_error: share of a way by which the drone's own odometry may misjudge it.
         guarded: tracking is held against what the drone feels; without it only in negative
             controls.
     """
@@ -35,6 +37,7 @@ class PilotSettings:
     home: Vec2
     flight_height: float
     facing_tolerance: float
+    odometry_error: float = TWIN_ODOMETRY_ERROR
     guarded: bool = True
 
 

@@ -161,7 +161,11 @@ class Pilot:
     def _new_estimator(self, now: float) -> PoseEstimator:
         settings = self._settings
         return PoseEstimator(
-            self._params.estimator, settings.body, now, trusting=not settings.guarded
+            self._params.estimator,
+            settings.body,
+            now,
+            odometry_error=settings.odometry_error,
+            trusting=not settings.guarded,
         )
 
     def _estimated(self, now: float) -> tuple[PoseEstimate, Estimate | None]:

@@ -14,6 +14,7 @@ from housefly.pilot.estimation.track_windows import (
     ROW_PERIOD,
     TRACK_ROW,
     WINDOW_RING_SIZE,
+    OdometryTolerance,
     TrackWindows,
     windows_advanced,
     windows_restarted,
@@ -27,7 +28,9 @@ def turned(angle: float, speed: float = 0.5, seconds: float = 1.0) -> TrackWindo
         way = speed * tick * ROW_PERIOD
         x, y = way * cos(angle), way * sin(angle)
         onboard = OdometryAt(0.0, 1.0, way, 0.0, speed, 0.0, way, 1e-6 * tick)
-        windows = windows_advanced(windows, rows, tick * ROW_PERIOD, x, y, 0.0, onboard, 0.002)
+        windows = windows_advanced(
+            windows, rows, tick * ROW_PERIOD, x, y, 0.0, onboard, OdometryTolerance(0.002, 0.001)
+        )
     return windows
 
 
@@ -48,7 +51,16 @@ def test_turns_the_other_way_round_are_a_mirror(factor: float, mirrored: bool) -
         psi = 0.5 * tick * ROW_PERIOD
         onboard = OdometryAt(psi, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
         yaw = factor * psi + 3.0
-        windows = windows_advanced(windows, rows, tick * ROW_PERIOD, 0.0, 0.0, yaw, onboard, 0.002)
+        windows = windows_advanced(
+            windows,
+            rows,
+            tick * ROW_PERIOD,
+            0.0,
+            0.0,
+            yaw,
+            onboard,
+            OdometryTolerance(0.002, 0.001),
+        )
     assert windows.mirrored is mirrored
     assert (windows.frame_error > 0.4) is (factor != 1.0)
 
@@ -60,7 +72,9 @@ def test_a_way_that_comes_back_agrees_again() -> None:
     for tick in range(800):
         off = 0.2 if 100 <= tick < 160 else 0.0
         at = tick * ROW_PERIOD
-        windows = windows_advanced(windows, rows, at, off, 0.0, 0.0, still, 0.002)
+        windows = windows_advanced(
+            windows, rows, at, off, 0.0, 0.0, still, OdometryTolerance(0.002, 0.001)
+        )
         drifts.append(windows.drift)
     assert max(drifts[100:160]) == pytest.approx(0.2)
     assert drifts[-1] == 0.0

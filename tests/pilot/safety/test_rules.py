@@ -163,6 +163,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "tracking_height_off": (seen(height_error=0.31), seen(height_error=0.29), 0.0),
     "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
     "too_high": (at(2.31), at(2.3), 0.0),
+    "take_off_drift": (
+        now(status=DroneStatus.TAKING_OFF, position=(5.26, 2.0, 0.5)),
+        now(status=DroneStatus.TAKING_OFF, position=(5.24, 2.0, 0.5)),
+        0.0,
+    ),
     "too_low": (at(0.29), at(0.31), 0.0),
     "height_error": (at(1.51), at(1.49), 0.0),
     "height_not_reached": (at(0.84), at(0.86), 0.0),

@@ -11,6 +11,7 @@ from housefly.twin.contracts import FlightState
 from housefly.wires.ardrone.conversions import Stick
 
 LEVEL = SensorReading(0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 1.0, 0.0, 0.0, 0.0, (0.0, 0.0, 9.8))
+ON_GROUND = LEVEL._replace(height=0.02)
 TILTED = LEVEL._replace(phi=TILT_CUTOFF + 0.1)
 UPSIDE_DOWN = LEVEL._replace(phi=3.1)
 FULL, EMPTY = 12.0, 8.9
@@ -46,7 +47,7 @@ def test_motors_rest_until_take_off_and_after_landing(grounded: Firmware) -> Non
     run(grounded, 5.0)
     assert grounded.step(LEVEL, FULL, 0.0).thrust > 0.0
     grounded.request_land()
-    assert run(grounded, 3.0) is FlightState.LANDED
+    assert run(grounded, 3.0, ON_GROUND) is FlightState.LANDED
     assert grounded.step(LEVEL, FULL, 0.0).thrust == 0.0
 
 
@@ -98,7 +99,7 @@ def test_two_seconds_without_a_client_land_the_drone(airborne: Firmware) -> None
 def test_after_a_landing_nobody_asked_for_a_repeated_take_off_bit_does_not_count(
     airborne: Firmware,
 ) -> None:
-    assert run(airborne, 3.0, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDED
+    assert run(airborne, 3.0, ON_GROUND, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDED
     airborne.request_take_off()
     assert airborne.flight is FlightState.LANDED
     airborne.request_land()

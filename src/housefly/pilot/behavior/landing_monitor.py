@@ -1,10 +1,10 @@
 """Watches the column below the drone before it lands: free to the floor, or it waits or moves on.
 
-    arrived ──column free, nobody within GUIDED_DISTANCE──────────► the drone's own landing
+    arrived ──column free, no sensor, nobody in GUIDED_DISTANCE───► the drone's own landing
        │ └────column free──► sinks by the pilot ──low, still free──► the drone's own landing
        └──column blocked──► waits in the air; after a while tries another place within 2 m
 
-The drone's own landing cannot be called back. With people about, the pilot therefore sinks to
+The drone's own landing cannot be called back. Where people may come, the pilot therefore sinks to
 ``LAST_HEIGHT`` itself, and rises again when somebody comes. What the safety gate lands is landed.
 """
 
@@ -42,6 +42,7 @@ class LandingMonitor:
 
     def __init__(self, commander: Commander, navigator: Navigator) -> None:
         self._commander, self._people = commander, navigator.people
+        self._sees_people = navigator.sees_people
         self._gap_since = inf
         self._asked_at = -inf
         self._fault = self._told = ""
@@ -104,8 +105,9 @@ class LandingMonitor:
         return fault
 
     def _is_guided(self, vehicle: VehicleStatus) -> bool:
-        if vehicle.place is None:
-            return False
+        """Return whether the pilot sinks itself: where somebody may come who would be seen."""
+        if vehicle.place is None or vehicle.estimate is None or self._sees_people:
+            return vehicle.place is not None and vehicle.estimate is not None
         near = self._people.separation(vehicle.place, (0.0, 0.0), vehicle.now, 0.0)
         return near.now < GUIDED_DISTANCE
 

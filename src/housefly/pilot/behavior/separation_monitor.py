@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
+from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
@@ -29,7 +30,7 @@ CALM_TIME = 1.0
 """It goes back when nobody has come near for this long [s]."""
 APPROACH = 0.1
 """Who comes nearer by less than this does not approach [m]."""
-LEAD_TIME = 1.1
+LEAD_TIME = 1.4
 """A place this far ahead at the wanted speed makes the drone fly at it [s]."""
 CORNERED_DISTANCE = 0.25
 """The drone is cornered when even the best place lets somebody come nearer than this [m]."""
@@ -39,6 +40,12 @@ TOUCHDOWN_TIME = 3.4
 """A landing takes no longer than this until the drone stands [s]."""
 DECISION_TIME = 4.4
 """The drone lands no earlier than this before somebody reaches it [s]."""
+TAKE_OFF_HEIGHT = 0.6
+"""A take-off is given up for who comes near while the drone is lower than this [m]; it cannot be
+steered, and higher up it is soon over.
+"""
+TAKE_OFF_HORIZON = 3.0
+"""How far ahead a take-off looks for people [s]."""
 QUIET_TIME = 3.0
 """Making way again so soon after the last time is not told again [s]."""
 _GUIDED = frozenset({Phase.OUTBOUND, Phase.RETURNING})
@@ -95,6 +102,8 @@ class SeparationMonitor:
             return []
         near = self._people.separation(place, (0.0, 0.0), vehicle.now, 0.0)
         self.speed_factor = self._factor(near.now)
+        if state.phase is Phase.TAKING_OFF and not self._paper:
+            return self._give_up_take_off(vehicle, place)
         is_ours = state.phase in AIRBORNE_PHASES and not state.stopped
         if not is_ours or self._paper or vehicle.landing_forced:
             self._yielding = None
@@ -110,6 +119,19 @@ class SeparationMonitor:
         if threat is not None:
             return self._make_way(threat, vehicle, place)
         return self._calm(vehicle, place) if self._yielding is not None else []
+
+    def _give_up_take_off(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
+        """Land a drone that has just left the floor when somebody walks up to it."""
+        is_low = vehicle.estimate is not None and vehicle.estimate.position[2] < TAKE_OFF_HEIGHT
+        if not is_low or vehicle.status is DroneStatus.LANDED:
+            return []
+        still = (0.0, 0.0)
+        found = self._people.separation(place, still, vehicle.now, TAKE_OFF_HORIZON, walking=True)
+        if found.closest >= self._people.config.min_distance:
+            return []
+        self._commander.land_here(vehicle)
+        text = f"{found.name} comes near: the take-off is given up"
+        return [Event(vehicle.now, Severity.WARNING, "take_off_given_up", text)]
 
     def _factor(self, distance_now: float) -> float:
         """Return the share of the cruise speed at a distance from people [m]."""

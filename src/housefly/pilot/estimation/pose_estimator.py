@@ -6,6 +6,7 @@ from math import dist, sqrt
 
 import numpy as np
 
+from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
@@ -22,6 +23,7 @@ from housefly.pilot.estimation.estimator import (
     pose_estimate,
     position_variance,
 )
+from housefly.pilot.estimation.track_windows import OdometryTolerance
 from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor
 from housefly.pilot.estimation.validation import (
     RejectionLog,
@@ -42,6 +44,7 @@ class PoseEstimator:
         params: of the compiled estimator.
         body: name of the drone in the tracking system.
         now: [s].
+        odometry_error: share of a way by which the drone's own odometry may misjudge it.
         trusting: what tracking says is not held against what the drone feels; for negative
             controls.
 
@@ -53,7 +56,13 @@ class PoseEstimator:
     """
 
     def __init__(
-        self, params: EstimatorParameters, body: str, now: float, *, trusting: bool = False
+        self,
+        params: EstimatorParameters,
+        body: str,
+        now: float,
+        *,
+        odometry_error: float = TWIN_ODOMETRY_ERROR,
+        trusting: bool = False,
     ) -> None:
         self._params = params
         self._trusting = trusting
@@ -63,7 +72,8 @@ class PoseEstimator:
         self.history: CommandHistory = np.zeros(HISTORY_SIZE, COMMAND_SPAN)
         self.state: EstimatorState = estimator_created(self.history, params, now)
         self.accepted: Sighting | None = None
-        self.monitor = TrackingMonitor(params.position_noise)
+        tolerance = OdometryTolerance(params.position_noise, odometry_error)
+        self.monitor = TrackingMonitor(tolerance)
 
     @property
     def rejected(self) -> dict[RejectionReason, int]:

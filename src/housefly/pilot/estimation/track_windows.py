@@ -24,8 +24,6 @@ SIGMAS = 5.25
 """Displacements further apart than this many standard deviations disagree."""
 AGREE_AGAIN = 0.6
 """Displacements closer than this share of the bound agree again."""
-FLOW_SCALE_ERROR = 0.001
-"""Share by which the flow may misjudge a way."""
 TIMING_ERROR = 0.01
 """Stamps and reports may be apart by this [s]: it counts while the velocity changes."""
 DIRECTION_WAY_MIN = 0.12
@@ -49,6 +47,18 @@ TRACK_ROW = np.dtype(
 [m^2], tracked and onboard heading, unwrapped [rad].
 """
 TrackRing = NDArray[Any]
+
+
+class OdometryTolerance(NamedTuple):
+    """What tracking and odometry may be off by.
+
+    Attributes:
+        position_noise: one sigma of a sighting [m].
+        way_error: share of the way by which flow scale and heading may misjudge it.
+    """
+
+    position_noise: float
+    way_error: float
 
 
 class TrackWindows(NamedTuple):
@@ -95,7 +105,7 @@ EMPTY_WINDOWS = TrackWindows(
 
 @compiled
 def displacement_bound(
-    seconds: float, white: float, way: float, speed_change: float, position_noise: float
+    seconds: float, white: float, way: float, speed_change: float, tolerance: OdometryTolerance
 ) -> float:
     """Return how far tracked and onboard displacement may be apart [m].
 
@@ -104,10 +114,11 @@ def displacement_bound(
         white: variance of the odometry by white noise [m^2].
         way: flown in between [m].
         speed_change: between the two looks [m/s].
-        position_noise: one sigma of a sighting [m].
+        tolerance: of tracking and odometry.
     """
-    variance = white + flow_bias_variance(seconds) + 2.0 * position_noise * position_noise
-    return SIGMAS * sqrt(variance) + FLOW_SCALE_ERROR * way + TIMING_ERROR * speed_change
+    noise = tolerance.position_noise
+    variance = white + flow_bias_variance(seconds) + 2.0 * noise * noise
+    return SIGMAS * sqrt(variance) + tolerance.way_error * way + TIMING_ERROR * speed_change
 
 
 @compiled
@@ -137,7 +148,7 @@ def windows_advanced(
     y: float,
     yaw: float,
     onboard: OdometryAt,
-    position_noise: float,
+    tolerance: OdometryTolerance,
 ) -> TrackWindows:
     """Return the windows after a sighting captured at a time [s], at (x, y) [m] and yaw [rad]."""
     mask = ring.size - 1
@@ -149,11 +160,11 @@ def windows_advanced(
     row.ox, row.oy, row.vx, row.vy = onboard.x, onboard.y, onboard.vx, onboard.vy
     row.way, row.variance = onboard.way, onboard.variance
     row.yaw = yaw if is_first else before.yaw + wrapped(yaw - before.yaw)
-    return _compared(w, ring, position_noise)
+    return _compared(w, ring, tolerance)
 
 
 @compiled
-def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
+def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) -> TrackWindows:
     """Return the windows with the newest row held against those before it."""
     mask = ring.size - 1
     new, oldest = ring[w.taken & mask], max(w.first, w.taken + 1 - ring.size)
@@ -164,18 +175,18 @@ def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
         age = new.at - row.at + 1e-6
         if frame_window < len(FRAME_WINDOWS) and age >= FRAME_WINDOWS[frame_window]:
             frame_window += 1
-            angle = max(angle, _direction_error(new, row, noise))
+            angle = max(angle, _direction_error(new, row, tolerance.position_noise))
             turn = max(turn, _turn_error(new, row))
             mirrored = mirrored or _turns_back(new, row)
         if drift_window < len(DRIFT_WINDOWS) and age >= DRIFT_WINDOWS[drift_window]:
             drift_window += 1
-            if not parted and _parted(new, row, noise):
+            if not parted and _parted(new, row, tolerance):
                 parted, since = True, index
         if drift_window == len(DRIFT_WINDOWS):
             break
     anchored, ax, ay = w.anchored, w.anchor_x, w.anchor_y
     at, way, variance = w.anchor_at, w.anchor_way, w.anchor_variance
-    if anchored and not parted and _back(w, new, noise):
+    if anchored and not parted and _back(w, new, tolerance):
         anchored = False
     if parted and not anchored:
         row = ring[since & mask]
@@ -201,19 +212,19 @@ def _compared(w: TrackWindows, ring: TrackRing, noise: float) -> TrackWindows:
 
 
 @compiled
-def _parted(new: Any, row: Any, noise: float) -> bool:
+def _parted(new: Any, row: Any, tolerance: OdometryTolerance) -> bool:
     """Return whether the two displacements since a row differ by more than their bound."""
     dx = (new.px - new.ox) - (row.px - row.ox)
     dy = (new.py - new.oy) - (row.py - row.oy)
     change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
     bound = displacement_bound(
-        new.at - row.at, new.variance - row.variance, new.way - row.way, change, noise
+        new.at - row.at, new.variance - row.variance, new.way - row.way, change, tolerance
     )
     return bool(dx * dx + dy * dy > bound**2)
 
 
 @compiled
-def _back(w: TrackWindows, new: Any, noise: float) -> bool:
+def _back(w: TrackWindows, new: Any, tolerance: OdometryTolerance) -> bool:
     """Return whether the ways have come together again since the anchor."""
     dx, dy = new.px - new.ox - w.anchor_x, new.py - new.oy - w.anchor_y
     bound = displacement_bound(
@@ -221,7 +232,7 @@ def _back(w: TrackWindows, new: Any, noise: float) -> bool:
         new.variance - w.anchor_variance,
         new.way - w.anchor_way,
         0.0,
-        noise,
+        tolerance,
     )
     return bool(dx * dx + dy * dy < (AGREE_AGAIN * bound) ** 2)
 

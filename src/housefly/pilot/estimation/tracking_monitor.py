@@ -32,6 +32,7 @@ from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TRACK_ROW,
     WINDOW_RING_SIZE,
+    OdometryTolerance,
     displacement_bound,
     windows_advanced,
     windows_restarted,
@@ -58,11 +59,11 @@ class TrackingMonitor:
     """Holds the poses of one drone against its reports.
 
     Args:
-        position_noise: one sigma of a sighting [m].
+        tolerance: what tracking and odometry may be off by.
     """
 
-    def __init__(self, position_noise: float) -> None:
-        self._noise = position_noise
+    def __init__(self, tolerance: OdometryTolerance) -> None:
+        self._tolerance = tolerance
         self._motion = np.zeros(MOTION_RING_SIZE, ONBOARD_MOTION)
         self._odometry = NO_ODOMETRY
         self._rows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW)
@@ -145,7 +146,7 @@ class TrackingMonitor:
         off = hypot(x1 - x0 - (now.x - then.x), y1 - y0 - (now.y - then.y))
         white, way = now.variance - then.variance, now.way - then.way
         change = hypot(now.vx - then.vx, now.vy - then.vy)
-        bound = displacement_bound(seconds, white, way, change, self._noise)
+        bound = displacement_bound(seconds, white, way, change, self._tolerance)
         turn = wrapped(new.pose.yaw - last.pose.yaw - (now.psi - then.psi))
         return off <= min(JUMP_FLOOR + bound, JUMP_CEILING) and abs(turn) <= TURN_JUMP
 
@@ -185,7 +186,7 @@ class TrackingMonitor:
             return
         x, y, z = pose.position
         self._windows = windows_advanced(
-            self._windows, self._rows, at, x, y, pose.yaw, onboard, self._noise
+            self._windows, self._rows, at, x, y, pose.yaw, onboard, self._tolerance
         )
         self._latency = latency_advanced(
             self._latency, self._bank, self._odometry, self._motion, at, x, y, z, pose.yaw

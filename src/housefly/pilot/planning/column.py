@@ -13,7 +13,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.live import gap
 from housefly.pilot.planning.obstacles import obstacle_rows
-from housefly.pilot.planning.people import People, may_be_person
+from housefly.pilot.planning.people import ObservedPeople, may_be_person
 from housefly.room.distance import clearance_field, footprints
 from housefly.room.model import Room
 
@@ -29,7 +29,7 @@ _SPOT_BEARINGS = tuple(2.0 * pi * n / 12 for n in range(12))
 
 def column_fault(
     obstacles: Iterable[Obstacle],
-    people: People,
+    people: ObservedPeople,
     place: Vec2,
     hull: float,
     min_distance: float,

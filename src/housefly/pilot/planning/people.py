@@ -11,6 +11,7 @@ import numpy as np
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.numeric import FloatArray
+from housefly.room.grid import OccupancyGrid
 
 PREDICTED_SPEED_MAX = 3.0
 """Who is faster is believed to be where they are, and to go on at this speed [m/s]."""
@@ -20,6 +21,10 @@ UNCERTAIN_TIME = 3.0
 """Up to this time ahead [s]; who walks into a corridor goes on to its end."""
 WALKING_SPEED = 0.35
 """Who is faster walks; slower ones sway, or their place is not exact [m/s]."""
+WALKING_TIME_MAX = 6.0
+"""Nobody is thought to walk straight on for longer than this [s]."""
+SHOULDERS = 0.15
+"""Who walks stops where the next wall is nearer to their middle than this [m]."""
 MOVING_SPEED = 0.2
 """What is faster may be a person, whatever its source says [m/s]."""
 
@@ -42,11 +47,12 @@ def predicted_velocity(obstacle: Obstacle) -> Vec2:
 
 
 @dataclass(frozen=True, slots=True)
-class People:
+class ObservedPeople:
     """Everybody at one time.
 
     Attributes:
-        rows: x, y [m], velocity x, y [m/s] and radius [m] of each, shape (n, 5).
+        rows: x, y [m], velocity x, y [m/s], radius [m] of each, and how long there is room to walk
+            on [s], shape (n, 6).
         names: of each.
     """
 
@@ -56,11 +62,11 @@ class People:
     def __len__(self) -> int:
         return len(self.names)
 
-    def walking(self) -> People:
+    def walking(self) -> ObservedPeople:
         """Return those who walk."""
         walk = np.hypot(self.rows[:, 2], self.rows[:, 3]) > WALKING_SPEED
         names = tuple(name for name, does in zip(self.names, walk, strict=True) if does)
-        return People(self.rows[walk], names)
+        return ObservedPeople(self.rows[walk], names)
 
     def distances(self, places: FloatArray, ahead: float) -> FloatArray:
         """Return how far places are from bodies a while ahead, less what is not sure [m].
@@ -72,30 +78,54 @@ class People:
         Returns:
             Shape (m, n); negative inside a body.
         """
-        there = self.rows[:, :2] + ahead * self.rows[:, 2:4]
+        walked = np.minimum(ahead, self.rows[:, 5:6])
+        there = self.rows[:, :2] + walked * self.rows[:, 2:4]
         apart = np.hypot(
             places[:, :1] - there[None, :, 0].reshape(1, -1),
             places[:, 1:] - there[None, :, 1].reshape(1, -1),
         )
+        # Somebody who stands counts as standing, else whoever is near would seem to approach.
+        walks = np.hypot(self.rows[:, 2], self.rows[:, 3]) > 0.0
         unsure = SPEED_UNCERTAINTY * min(ahead, UNCERTAIN_TIME)
-        result: FloatArray = apart - self.rows[:, 4] - unsure
+        result: FloatArray = apart - self.rows[:, 4] - unsure * walks
         return result
 
 
-NOBODY = People(np.zeros((0, 5)))
+NOBODY = ObservedPeople(np.zeros((0, 6)))
 
 
-def people_at(obstacles: Iterable[Obstacle], now: float) -> People:
-    """Return everybody among the obstacles, where they are at a time [s]."""
+def people_at(
+    obstacles: Iterable[Obstacle], now: float, walls: OccupancyGrid | None = None
+) -> ObservedPeople:
+    """Return everybody among the obstacles, where they are at a time [s].
+
+    With ``walls`` nobody walks on through them.
+    """
     found = [obstacle for obstacle in obstacles if may_be_person(obstacle)]
     if not found:
         return NOBODY
-    rows = np.array([_row_of(obstacle, now) for obstacle in found])
-    return People(rows, tuple(obstacle.id for obstacle in found))
+    rows = np.array([_row_of(obstacle, now, walls) for obstacle in found])
+    return ObservedPeople(rows, tuple(obstacle.id for obstacle in found))
 
 
-def _row_of(obstacle: Obstacle, now: float) -> tuple[float, ...]:
+def _row_of(obstacle: Obstacle, now: float, walls: OccupancyGrid | None) -> tuple[float, ...]:
     (x, y), (vx, vy) = obstacle.position, predicted_velocity(obstacle)
     age = max(0.0, now - obstacle.seen_at)
     radius = hypot(*obstacle.size) / 2 + obstacle.radius
-    return x + vx * age, y + vy * age, vx, vy, radius
+    here = (x + vx * age, y + vy * age)
+    room = WALKING_TIME_MAX if walls is None else walking_time(walls, here, (vx, vy))
+    return *here, vx, vy, radius, room
+
+
+def walking_time(walls: OccupancyGrid, start: Vec2, velocity: Vec2) -> float:
+    """Return for how long somebody can walk straight on before the next wall [s]."""
+    speed = hypot(*velocity)
+    if speed == 0.0 or walls.clearance_at(start) < SHOULDERS:
+        return WALKING_TIME_MAX
+    stride = walls.resolution / speed
+    for n in range(1, int(WALKING_TIME_MAX / stride) + 1):
+        at = n * stride
+        place = (start[0] + at * velocity[0], start[1] + at * velocity[1])
+        if walls.clearance_at(place) < SHOULDERS:
+            return at
+    return WALKING_TIME_MAX

@@ -8,7 +8,7 @@ from housefly.config.site import Site
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle
 from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
-from housefly.pilot.planning.people import NOBODY, People, people_at
+from housefly.pilot.planning.people import NOBODY, ObservedPeople, people_at
 from housefly.pilot.planning.separation import Refuge, Separation, refuge, separation
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, OccupancyGrid
@@ -36,7 +36,7 @@ class PeopleMap:
         self._grid = grid
         self._obstacles: tuple[Obstacle, ...] = ()
         self._things: Callable[[], OccupancyGrid] = lambda: grid
-        self._people: People = NOBODY
+        self._people: ObservedPeople = NOBODY
         self._at = 0.0
 
     def __len__(self) -> int:
@@ -47,7 +47,7 @@ class PeopleMap:
     ) -> None:
         """Take in what is known at a time [s]; ``things`` makes the map without people."""
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
-        self._people = people_at(self._obstacles, now)
+        self._people = people_at(self._obstacles, now, self._grid)
 
     def separation(
         self, place: Vec2, velocity: Vec2, now: float, horizon: float, *, walking: bool = False
@@ -97,7 +97,7 @@ class PeopleMap:
         fault = self.landing_fault(place, now, TAKE_OFF_LEAD)
         return f"{fault}: the air around the drone must be free" if fault else ""
 
-    def _now(self, now: float) -> People:
+    def _now(self, now: float) -> ObservedPeople:
         if now - self._at < 1e-9:
             return self._people
-        return people_at(self._obstacles, now)
+        return people_at(self._obstacles, now, self._grid)

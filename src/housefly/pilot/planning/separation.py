@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, hypot, inf, pi, sin
+from math import cos, inf, pi, sin
 
 import numpy as np
+from numpy.typing import NDArray
 
 from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
-from housefly.pilot.planning.people import People
+from housefly.pilot.planning.people import ObservedPeople
 from housefly.room.grid import Cell, OccupancyGrid
 
 STEP = 0.1
@@ -24,12 +25,18 @@ YIELD_ACCELERATION = 1.0
 """How quickly the drone can be counted on to get going and to stop [m/s^2]."""
 ROOM_MARGIN = 0.2
 """Making way keeps the hull this far from walls and things [m]."""
-_BEARINGS = tuple(2.0 * pi * n / 12 for n in range(12))
-_DISTANCES = (0.5, 1.0, 1.5, 2.2, 3.0)
-_SAMPLE = 0.2
-"""The way to a refuge is looked at every so often [m]."""
+_BEARINGS = tuple(2.0 * pi * n / 32 for n in range(32))
+_DISTANCES = (0.3, 0.6, 1.0, 1.5, 2.2, 3.0, 4.0)
+_SAMPLES = 25
+"""The way to a refuge is looked at this often."""
 _PREFERENCE = 0.04
 """A refuge must be this much better for every metre that it is farther away [m/m]."""
+_LATER = 0.4
+"""Where no place is good, being met a second later is as good as being met this much farther off
+[m/s]: the drone may find another place until then, and whoever comes may turn.
+"""
+_GOOD = 0.5
+"""A place is good if it keeps this share of the distance that is enough."""
 _CLOSED = frozenset({Cell.VIRTUAL, Cell.OUTSIDE, Cell.OCCUPIED})
 
 
@@ -62,7 +69,7 @@ class Refuge:
 
 
 def separation(
-    people: People, place: Vec2, velocity: Vec2, hull: float, horizon: float
+    people: ObservedPeople, place: Vec2, velocity: Vec2, hull: float, horizon: float
 ) -> Separation:
     """Return how near people come to a drone that goes on with its velocity.
 
@@ -85,7 +92,7 @@ def separation(
 
 
 def refuge(
-    people: People,
+    people: ObservedPeople,
     grid: OccupancyGrid,
     place: Vec2,
     velocity: Vec2,
@@ -114,12 +121,14 @@ def refuge(
         for far in _DISTANCES
         for bearing in _BEARINGS
     )
-    open_ = np.array([_is_open(grid, place, offer, hull + ROOM_MARGIN) for offer in offers])
+    open_ = _are_open(grid, place, np.array(offers), hull + ROOM_MARGIN)
     open_[0] = True
     ends = np.array(offers)[open_]
-    apart = _smallest(people, place, velocity, ends, speed) - hull
+    apart, worth = _smallest(people, place, velocity, ends, speed)
+    apart, worth = apart - hull, worth - hull
     far = np.hypot(ends[:, 0] - place[0], ends[:, 1] - place[1])
-    score = np.minimum(apart, enough) - _PREFERENCE * far
+    rank = apart if apart.max() >= _GOOD * enough else worth
+    score = np.minimum(rank, enough) - _PREFERENCE * far
     if kept is not None and open_[1]:
         score[1] += 0.1
     best = int(np.argmax(score))
@@ -128,12 +137,16 @@ def refuge(
 
 
 def _smallest(
-    people: People, place: Vec2, velocity: Vec2, ends: FloatArray, speed: float
-) -> FloatArray:
-    """Return the smallest distance from the drone's middle to a body on the way to each end."""
+    people: ObservedPeople, place: Vec2, velocity: Vec2, ends: FloatArray, speed: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return the smallest distance from the drone's middle to a body on the way to each end [m].
+
+    And the same with ``_LATER`` added for every second ahead.
+    """
     at = np.repeat(np.array([place]), len(ends), axis=0)
     v = np.repeat(np.array([velocity]), len(ends), axis=0)
     smallest: FloatArray = np.full(len(ends), inf)
+    worth = smallest
     for n in range(1, round(FORESIGHT / MOTION_STEP) + 1):
         left = ends - at
         away = np.hypot(left[:, 0], left[:, 1])
@@ -147,20 +160,21 @@ def _smallest(
         )
         at = at + MOTION_STEP * v
         if n * MOTION_STEP >= UNAVOIDABLE:
-            smallest = np.minimum(smallest, people.distances(at, n * MOTION_STEP).min(axis=1))
-    return smallest
+            apart = people.distances(at, n * MOTION_STEP).min(axis=1)
+            smallest = np.minimum(smallest, apart)
+            worth = np.minimum(worth, apart + _LATER * n * MOTION_STEP)
+    return smallest, worth
 
 
-def _is_open(grid: OccupancyGrid, start: Vec2, end: Vec2, keep: float) -> bool:
+def _are_open(grid: OccupancyGrid, start: Vec2, ends: FloatArray, keep: float) -> NDArray[np.bool_]:
     """Return whether the hull may go straight there: no wall, no thing, no no-fly zone."""
-    count = max(1, int(hypot(end[0] - start[0], end[1] - start[1]) / _SAMPLE))
-    least = min(keep, grid.clearance_at(start))
-    closed = _CLOSED - {grid.kind(grid.cell_of(start))}
-    for n in range(1, count + 1):
-        point = (
-            start[0] + (end[0] - start[0]) * n / count,
-            start[1] + (end[1] - start[1]) * n / count,
-        )
-        if grid.clearance_at(point) < least or grid.kind(grid.cell_of(point)) in closed:
-            return False
-    return True
+    here = grid.cell_of(start)
+    closed = [kind.value for kind in _CLOSED - {grid.kind(here)}]
+    shares = np.arange(1, _SAMPLES + 1)[None, :, None] / _SAMPLES
+    points = np.array(start) + shares * (ends[:, None, :] - np.array(start))
+    cells = np.floor((points - np.array(grid.origin)) / grid.resolution).astype(int)
+    inside = ((cells >= 0) & (cells < np.array(grid.cells.shape))).all(axis=2)
+    i, j = (np.where(inside, cells[:, :, axis], here[axis]) for axis in (0, 1))
+    wide = grid.clearance[i, j] >= min(keep, grid.clearance_at(start))
+    result: NDArray[np.bool_] = (inside & wide & ~np.isin(grid.cells[i, j], closed)).all(axis=1)
+    return result

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, dist, hypot, isfinite
 
+from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.safety.limits import too_old
@@ -17,6 +18,8 @@ CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
 CEILING_CLEARANCE = 0.3
 """No higher than this below the ceiling of the room [m]."""
+TAKE_OFF_DRIFT = 0.25
+"""Farther aside than this a drone that takes off is blown away, or pushed [m]."""
 HEIGHT_OFF, HEIGHT_FAR = 0.25, 0.4
 """Off the wanted height by this: warn, land [m]."""
 CLIMB_TIME = 6.0
@@ -106,6 +109,12 @@ def _height_words(c: RuleContext) -> str:
     return f"{abs(off):.2f} m {side} its height of {c.now.flight_height:.2f} m"
 
 
+def _off_start(context: RuleContext) -> float:
+    """Return how far the drone is from where it took off [m]; 0 where either is unknown."""
+    start, position = context.seen.start, context.now.position
+    return hypot(position[0] - start[0], position[1] - start[1]) if start and position else 0.0
+
+
 MOTION_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
         code="outside_fence",
@@ -125,6 +134,17 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         condition="above the highest height plus slack, or too near to the ceiling of the room",
         broken=lambda c: c.now.position is not None and not c.now.position[2] <= c.fence.ceiling,
         words=lambda c: f"higher than {c.fence.ceiling:.1f} m: landing",
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="take_off_drift",
+        mode=M.LAND,
+        counts=N.AIRBORNE,
+        condition="blown aside while it takes off",
+        broken=lambda c: c.now.status is DroneStatus.TAKING_OFF and _off_start(c) > TAKE_OFF_DRIFT,
+        words=lambda c: (
+            f"{_off_start(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m): landing"
+        ),
         clears=Clearing.GROUND,
     ),
     SafetyRule(

@@ -34,6 +34,7 @@ class FlightObservations:
     Attributes:
         climbing_for: how long the drone has flown at its present wanted height [s].
         standing_height: tracked height of a drone that stands [m].
+        start: where it took off [m]; None before it was seen standing.
         tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
@@ -46,6 +47,7 @@ class FlightObservations:
 
     climbing_for: float = 0.0
     standing_height: float = 0.0
+    start: Vec2 | None = None
     tilt_asked: float = nan
     tilt_error: float = nan
     velocity_change: float = 0.0
@@ -68,6 +70,7 @@ class FlightObserver:
         self._climbing, self._landing = Stopwatch(), Stopwatch()
         self._height = inf
         self._standing = inf
+        self._start: Vec2 | None = None
         self._asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
         self._held: Window[float] = Window(HOLD_SPAN)
@@ -90,6 +93,7 @@ class FlightObserver:
         return FlightObservations(
             climbing_for=self._climbing_for(inputs),
             standing_height=self._standing if isfinite(self._standing) else 0.0,
+            start=self._start,
             tilt_asked=hypot(*self._asked) if self._asked else nan,
             tilt_error=self._tilt_error(inputs),
             velocity_change=self._velocity_change(inputs),
@@ -100,10 +104,11 @@ class FlightObserver:
         )
 
     def _stand(self, inputs: GateInputs) -> None:
-        """Learn the height of a drone that stands: the lowest, it may have landed on something."""
+        """Learn where a drone stands; of its heights the lowest, it may be on something."""
         is_seen = inputs.position is not None and inputs.pose_age <= self._limits.pose_age_level
         if inputs.status is DroneStatus.LANDED and is_seen and inputs.position is not None:
             height = inputs.position[2]
+            self._start = inputs.position[:2]
             self._standing = min(self._standing, height) if isfinite(height) else self._standing
 
     def _climbing_for(self, inputs: GateInputs) -> float:

@@ -35,6 +35,9 @@ _TOUCHDOWN_HEIGHT = 0.3
 _TOUCHDOWN_TIME = 0.4
 """Landing: sink rate [m/s], slower below a height [m]; this long at rest [s] means ground."""
 _STANDSTILL_SPEED = 0.06
+_SONAR_GROUND = 0.15
+_DEAF_TOUCHDOWN_TIME = 3.0
+"""A sonar that sees no ground this near [m], deaf perhaps, is believed for this long [s]."""
 
 TILT_CUTOFF = radians(65.0)
 """The drone cuts its motors when it leans further than this [rad]."""
@@ -164,6 +167,7 @@ class Firmware:
         sink = _TOUCHDOWN_SINK if measured.height < _TOUCHDOWN_HEIGHT else _LANDING_SINK
         settled = self._in_state > 1.0 and abs(measured.climb) < _STANDSTILL_SPEED
         self._resting = self._resting + CONTROL_PERIOD if settled else 0.0
-        if self._resting > _TOUCHDOWN_TIME:
+        sees_ground = measured.height < _SONAR_GROUND
+        if self._resting > (_TOUCHDOWN_TIME if sees_ground else _DEAF_TOUCHDOWN_TIME):
             self._enter(FlightState.LANDED)
         return self._loops.hover(self.limits, measured, -sink)
