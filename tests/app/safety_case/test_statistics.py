@@ -13,9 +13,7 @@ def test_no_unsafe_flight_in_three_hundred_bounds_the_share_by_one_percent() -> 
 
 
 @given(st.integers(1, 500), st.data())
-def test_the_bound_lies_above_the_share_and_grows_with_it(
-    total: int, data: st.DataObject
-) -> None:
+def test_the_bound_lies_above_the_share_and_grows_with_it(total: int, data: st.DataObject) -> None:
     hits = data.draw(st.integers(0, total - 1))
     assert hits / total < upper_bound(hits, total) <= upper_bound(hits + 1, total) <= 1.0
 
