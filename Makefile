@@ -7,12 +7,13 @@ CLIENT := src/housefly/web/client
 CODE := src tests benchmarks examples scripts
 PYTEST := $(BIN)/python -m pytest -q -n 2 --dist worksteal --durations=10 --durations-min=1
 
-.PHONY: help setup setup-dev demo test interop test-fast check format bench client clean
+.PHONY: help setup setup-dev demo test interop safety test-fast check format bench client clean
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
 	@echo "make test       set everything up and run every test"
 	@echo "make interop    long flights over real wires, by every tracking rate and system"
+	@echo "make safety     fly every fault in every phase, with and without guards; writes docs/safety-case.html"
 	@echo "make test-fast  only the tests that need no wire and no browser"
 	@echo "make check      format, lint, types, import contracts"
 	@echo "make bench      measure, and write docs/results.md"
@@ -38,6 +39,11 @@ test: setup-dev
 
 interop: setup-dev
 	$(PYTEST) -m interop
+
+safety: setup-dev
+	-$(BIN)/housefly safety --out safety-case
+	cp safety-case/safety-case.html docs/safety-case.html
+	$(PYTEST) -m safety
 
 test-fast: setup-dev
 	$(PYTEST) -m 'not wire and not browser and not slow and not safety'

@@ -57,18 +57,33 @@ def make_pilot(
     return Pilot(settings, navigator, missions, gate, maneuver)
 
 
+_WARM_UP_TICKS = 200
+_WARM_UP_SPEED = 0.2
+"""How long, and how fast [m/s], the drone seems to fly while everything is compiled."""
+
+
 def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
-    """Compile every numeric function that a pilot of this site calls, by flying a second."""
+    """Compile every numeric function that a pilot of this site calls, by flying some seconds."""
     pilot = make_pilot(site, room, grid)
     heading = quaternion_from_euler(0.0, 0.0, room.home_yaw)
-    pose = Pose((*room.home, site.map.flight_height), heading)
     goal = next((place.name for place in room.places if place.name != "home"), "home")
-    for tick in range(50):
+    x, y = room.home
+    for tick in range(_WARM_UP_TICKS):
         at = 0.02 * tick
+        way = _WARM_UP_SPEED * at
+        pose = Pose((x + way, y, site.map.flight_height + 1e-4 * tick), heading)
         orders = (Order(OrderKind.GO, goal, issued_at=at),) if tick == 10 else ()
         sightings = (Sighting(site.tracking.body, pose, at, at),)
-        chair = Obstacle("chair", (room.home[0] + 1e-3 * tick, room.home[1]), 0.1, seen_at=at)
+        chair = Obstacle("chair", (x + 1e-3 * tick, y), 0.1, seen_at=at)
         obstacles = (chair,) if tick > 20 else ()
-        telemetry = Telemetry(at, DroneStatus.FLYING, 1.0)
+        telemetry = Telemetry(
+            at,
+            DroneStatus.FLYING,
+            1.0,
+            theta=1e-4 * tick,
+            psi=1e-4 * tick,
+            height=site.map.flight_height,
+            velocity=(_WARM_UP_SPEED, 0.0, 0.0),
+        )
         pilot.step(at, Inputs(sightings, telemetry, orders, obstacles))
     pilot.plan(room.home)
