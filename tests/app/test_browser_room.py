@@ -87,9 +87,6 @@ kind = "person"
 
 SITE = """
 scene = "{folder}/scene.toml"
-[hub]
-store = "{folder}/room.db"
-things = "{folder}/things.toml"
 [mqtt]
 broker = "127.0.0.1"
 port = 0
@@ -116,8 +113,9 @@ def address(tmp_path: Path, write_site: Any) -> Iterator[str]:
     (tmp_path / "scene.toml").write_text(SCENE)
     (tmp_path / "things.toml").write_text(THINGS)
     site: Path = write_site()
-    with site.open("a") as file:
-        file.write(SITE.format(folder=tmp_path))
+    things = f'[hub]\nthings = "{tmp_path}/things.toml"\n'
+    text = site.read_text().replace("[hub]\n", things)
+    site.write_text(text + SITE.format(folder=tmp_path))
     log = tmp_path / "run.log"
     with log.open("w") as output:
         command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site)]

@@ -29,6 +29,7 @@ from housefly.messages import (
     OrderKind,
     Outputs,
     PilotStep,
+    PreflightCheck,
     Severity,
     Sighting,
     TrackedFrame,
@@ -86,6 +87,12 @@ class FailingPilot:
             raise ZeroDivisionError("float division by zero")
         outputs: Outputs = self._pilot.step(now, inputs)
         return outputs
+
+    def preflight(self) -> tuple[PreflightCheck, ...]:
+        if self.fails:
+            raise ZeroDivisionError("float division by zero")
+        checks: tuple[PreflightCheck, ...] = self._pilot.preflight()
+        return checks
 
 
 async def flying_shell(room: RoomHere, steps: list[PilotStep], links: list[LinkStatus]) -> Any:

@@ -239,7 +239,15 @@ class PilotShell:
         while True:
             await asyncio.sleep(_LINK_PERIOD)
             self._bus.publish(LINK_TOPIC, self._link_status())
+            self._look_at_preflight()
+
+    def _look_at_preflight(self) -> None:
+        """Bring the pre-flight list up to date; a failure there stops no other report."""
+        try:
             self._queries.update_preflight(self.pilot.preflight())
+        except Exception:
+            traceback.print_exc()
+            self._queries.update_preflight(())
 
     def _link_status(self) -> LinkStatus:
         now = self._clock.now()

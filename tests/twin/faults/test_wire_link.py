@@ -111,7 +111,7 @@ async def test_commands_are_lost_late_or_repeated_under_new_numbers(
         began = world.now
         await send(rise)
         await heard(lambda: server.counters.commands, 1)
-        assert world.now > began + 0.4
+        assert world.now > began + 0.3
     async with serving(make_room(), loopback, "commands:stuck") as (world, server):
         await send(rest, rise, rise)
         await heard(lambda: server.counters.commands, 3)
