@@ -2,12 +2,13 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+TOOLS := $(VENV)/tools
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
 CODE := src tests benchmarks examples scripts
 PYTEST := $(BIN)/python -m pytest -q -n 2 --dist worksteal --durations=10 --durations-min=1
 
-.PHONY: help setup setup-dev demo test interop safety test-fast check format bench client clean
+.PHONY: help setup setup-dev demo test interop safety test-fast check format bench client lock audit clean
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
@@ -18,15 +19,17 @@ help:
 	@echo "make check      format, lint, types, import contracts"
 	@echo "make bench      measure, and write docs/results.md"
 	@echo "make client     rebuild the console's bundle"
+	@echo "make lock       write requirements/*.txt anew, with hashes, after a change of a version"
+	@echo "make audit      ask the advisory databases about every locked package"
 
 setup: $(VENV)/ready
 setup-dev: $(VENV)/ready-dev
 
-$(VENV)/ready: pyproject.toml constraints.txt
+$(VENV)/ready: pyproject.toml requirements/build.txt requirements/run.txt
 	@$(PYTHON) scripts/set-up run
 	@touch $@
 
-$(VENV)/ready-dev: pyproject.toml constraints.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json
+$(VENV)/ready-dev: pyproject.toml requirements/build.txt requirements/dev.txt $(PEERS)/package-lock.json $(CLIENT)/package-lock.json
 	@$(PYTHON) scripts/set-up dev
 	@touch $@ $(VENV)/ready
 
@@ -63,6 +66,17 @@ bench: setup-dev
 
 client: setup-dev
 	npm run --silent --prefix $(CLIENT) build
+
+$(TOOLS)/ready: requirements/tools.txt
+	@$(PYTHON) -m venv $(TOOLS)
+	@$(TOOLS)/bin/python -m pip install -q --require-hashes -r requirements/tools.txt
+	@touch $@
+
+lock: $(TOOLS)/ready
+	@scripts/lock $(TOOLS)/bin/uv
+
+audit: $(TOOLS)/ready
+	@scripts/audit $(TOOLS)/bin/pip-audit
 
 clean:
 	rm -rf $(VENV) $(PEERS)/node_modules $(CLIENT)/node_modules

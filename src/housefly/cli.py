@@ -11,6 +11,7 @@ from contextlib import suppress
 
 from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_COMMAND, WHERE_COMMAND
 from housefly.app.commands.campaign import CAMPAIGN_COMMAND
+from housefly.app.commands.cert import CERT_COMMAND
 from housefly.app.commands.doctor import DOCTOR_COMMAND
 from housefly.app.commands.fly import FLY_COMMAND
 from housefly.app.commands.gains import GAINS_COMMAND
@@ -23,6 +24,7 @@ from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
 from housefly.app.commands.run import DEMO_COMMAND, RUN_COMMAND
 from housefly.app.commands.safety import SAFETY_COMMAND
+from housefly.app.commands.user import USER_COMMANDS
 from housefly.config.text import refuse_odd_values, shortened
 from housefly.errors import ConfigError, HouseflyError
 
@@ -44,6 +46,8 @@ _COMMANDS = (
     CAMPAIGN_COMMAND,
     REPRODUCE_COMMAND,
     SAFETY_COMMAND,
+    CERT_COMMAND,
+    USER_COMMANDS,
     DOCTOR_COMMAND,
 )
 

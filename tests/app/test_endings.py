@@ -26,6 +26,8 @@ from outside_room import OutsideRoom, Run, running_outside, wait_for
 pytestmark = [pytest.mark.wire, pytest.mark.slow, pytest.mark.timeout(240)]
 
 _LANDING = 60.0
+_DRIVER, _PILOT = "housefly.app.driver_main", "housefly.app.pilot_main"
+_TWIN = "housefly.twin.process"
 
 
 def assert_landed_and_gone(room: OutsideRoom, run: Run) -> None:
@@ -215,26 +217,43 @@ def test_the_simulated_room_of_a_killed_run_stays_until_the_drone_is_down(
     log = (tmp_path / "log").open("wb")
     command = [*("-m", "housefly.cli", "run", "--site"), str(write_site())]
     process = subprocess.Popen([sys.executable, *command], stdout=log, stderr=subprocess.STDOUT)
-    wait_for(lambda: "ready after" in (tmp_path / "log").read_text(), 90.0, "a run that is ready")
-    parts = psutil.Process(process.pid).children(recursive=True)
-    named = {part.cmdline()[7]: part for part in parts if len(part.cmdline()) > 7}
-    named["housefly.app.driver_main"].suspend()
-    process.kill()
-    process.wait()
+    parts: list[psutil.Process] = []
     try:
-        # Who is stopped gets SIGCONT from the system as its launcher dies; the order counts.
-        gone = []
-        while len(gone) < len(named):
-            for name, part in named.items():
-                if name not in gone and not _lives(part):
-                    gone.append(name)
-            time.sleep(0.005)
-        assert gone.index("housefly.twin.process") > gone.index("housefly.app.driver_main")
-        assert gone.index("housefly.twin.process") > gone.index("housefly.app.pilot_main")
+        log_file = tmp_path / "log"
+        wait_for(lambda: "ready after" in log_file.read_text(), 150.0, "a run that is ready")
+        parts = psutil.Process(process.pid).children(recursive=True)
+        named = {part.cmdline()[7]: part for part in parts if len(part.cmdline()) > 7}
+        named[_DRIVER].suspend()
+        process.kill()
+        process.wait()
+        # Whether the system wakes the driver now depends on who takes the orphans over.
+        _watch_who_lives(named, 1.0, lambda _: False)
+        with suppress(psutil.NoSuchProcess):
+            named[_DRIVER].resume()
+        left = _watch_who_lives(named, _LANDING, lambda living: not living)
+        assert not left, f"still alive after {_LANDING:.0f} s: {', '.join(sorted(left))}"
     finally:
+        process.terminate()
+        process.wait(_LANDING)
         for part in parts:
             with suppress(psutil.NoSuchProcess):
                 part.kill()
+
+
+def _watch_who_lives(
+    named: dict[str, psutil.Process], seconds: float, until: Callable[[set[str]], bool]
+) -> set[str]:
+    """Return who lives in the end; the room must not be gone before those who land."""
+    deadline = time.monotonic() + seconds
+    while True:
+        # The room first: whoever is seen alive after it was seen gone has outlived it.
+        room_lives = _lives(named[_TWIN])
+        living = {name for name, part in named.items() if _lives(part)}
+        outlived = living & {_DRIVER, _PILOT}
+        assert room_lives or not outlived, f"the room is gone, still alive: {sorted(outlived)}"
+        if until(living) or time.monotonic() > deadline:
+            return living
+        time.sleep(0.005)
 
 
 def _lives(part: psutil.Process) -> bool:

@@ -9,7 +9,7 @@ import threading
 import time
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -181,7 +181,8 @@ def test_a_hub_that_stands_still_disturbs_neither_the_flight_nor_stop(
     with flying(write_site(), tmp_path) as flight:
         hub = psutil.Process(flight.launcher.pid("hub"))
         hub.suspend()
-        with StopSender("127.0.0.1", flight.runtime.stop_port, flight.runtime.secret) as sender:
+        listener = ("127.0.0.1", flight.runtime.stop_port)
+        with closing(StopSender(*listener, flight.runtime.secret)) as sender:
             sender.send()
         assert until(lambda: flight.phase is Phase.HOLDING, 5.0), flight.phase
         flight.order(OrderKind.RESUME)

@@ -13,7 +13,7 @@ from housefly.app.lockstep import fly_lockstep
 from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Event, Order, OrderKind, PilotStep
-from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.room.distance import half_diagonal
 from housefly.twin.movable import Movable
 from housefly.twin.world import SimulatedWorld

@@ -147,9 +147,10 @@ async def test_an_acknowledgement_cannot_be_sent_back_as_a_stop(room: Room) -> N
 
 
 async def test_another_process_stops_us(room: Room) -> None:
-    code = "import sys; from housefly.bus.stop_sender import StopSender"
+    code = "import sys; from contextlib import closing"
+    code += "; from housefly.bus.stop_sender import StopSender"
     code += "\nhost, port, secret = sys.argv[1:]"
-    code += "\nwith StopSender(host, int(port), secret) as sender: outcome = sender.send()"
+    code += "\nwith closing(StopSender(host, int(port), secret)) as sender: outcome = sender.send()"
     code += "\nprint(outcome.done() and outcome.result())"
     arguments = [*map(str, room.listener.address), SECRET]
     process = await asyncio.create_subprocess_exec(

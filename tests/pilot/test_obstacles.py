@@ -17,7 +17,7 @@ from housefly.geometry import stopping_distance
 from housefly.messages import Action, DroneStatus, Inputs, Obstacle, OrderKind, Outputs, Phase
 from housefly.pilot import navigator
 from housefly.pilot.assembly import make_pilot, warm_up
-from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.behavior.mission_signals import WAITING_TIMEOUT
 from housefly.pilot.planning import live
 from housefly.pilot.planning.obstacles import FREED_AFTER

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -18,11 +19,12 @@ def test_samples_come_at_their_rate_and_are_the_truth(
     tmp_path: Path, make_world: Callable[..., SimulatedWorld]
 ) -> None:
     world = make_world()
-    with TruthLog(world, tmp_path / "truth.jsonl", lambda: world.now + 100.0) as log:
+    path, clock = tmp_path / "truth.jsonl", lambda: world.now + 100.0
+    with closing(TruthLog(world, path, clock)) as log:
         for _ in range(200):
             world.advance(0.005)
             log.sample()
-    truth = read_truth(tmp_path / "truth.jsonl")
+    truth = read_truth(path)
     assert truth is not None
     assert len(truth.time) == pytest.approx(TRUTH_RATE_HZ, abs=1)
     assert 100.0 < truth.time[0] < 100.1
@@ -37,7 +39,7 @@ def test_a_contact_is_told_with_whom_when_and_how_fast(
 ) -> None:  # fmt: skip
     world = make_world(make_room(solids=(wall,)))
     path = tmp_path / "truth.jsonl"
-    with TruthLog(world, path, lambda: world.now) as log:
+    with closing(TruthLog(world, path, lambda: world.now)) as log:
         sticks = hand(world)
         sticks.hover()
         for _ in range(40):

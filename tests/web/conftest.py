@@ -7,10 +7,11 @@ import contextlib
 import http.client
 import json
 import shutil
-import socket
-from collections.abc import AsyncIterator, Callable
+import ssl
+from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
+from urllib.parse import urlencode
 
 import pytest
 import pytest_asyncio
@@ -18,14 +19,18 @@ import uvicorn
 from playwright.async_api import Browser, async_playwright
 from websockets.asyncio.client import ClientConnection, connect
 
+from housefly.app.certificates import CertificateFiles
 from housefly.bus.local import LocalBus
+from housefly.config.web import WebConfig
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditService
 from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
-from housefly.web.process import make_server
+from housefly.web.process import listening, make_server
 from housefly.web.server import create_app
+from housefly.web.tls import load_certificate
+from housefly.web.users import UserBook
 
 TOKEN = "a-token-for-tests-only"
 SECRET = "a-secret-for-tests-only"
@@ -66,27 +71,32 @@ class Served:
     pilot: FakePilot
     stops: list[float]
     proofs: dict[str, str] = field(default_factory=dict)
+    trust: ssl.SSLContext | None = None
 
     @property
     def origin(self) -> str:
-        return f"http://{self.host}:{self.port}"
+        return f"http{'s' if self.trust else ''}://{self.host}:{self.port}"
 
     @property
     def link(self) -> str:
         return f"{self.origin}/?token={TOKEN}"
 
     async def request(
-        self, method: str, path: str, **headers: str
+        self, method: str, path: str, body: str = "", **headers: str
     ) -> tuple[int, dict[str, str], str]:
         """Return status, headers in lower case, and text of one request."""
-        return await asyncio.to_thread(self._request, method, path, headers)
+        return await asyncio.to_thread(self._request, method, path, body, headers)
 
     def _request(
-        self, method: str, path: str, headers: dict[str, str]
+        self, method: str, path: str, body: str, headers: dict[str, str]
     ) -> tuple[int, dict[str, str], str]:
-        connection = http.client.HTTPConnection(self.host, self.port, timeout=5)
+        connection = (
+            http.client.HTTPSConnection(self.host, self.port, timeout=5, context=self.trust)
+            if self.trust
+            else http.client.HTTPConnection(self.host, self.port, timeout=5)
+        )
         try:
-            connection.request(method, path, headers=self.proved(headers))
+            connection.request(method, path, body or None, headers=self.proved(headers))
             answer = connection.getresponse()
             return (
                 answer.status,
@@ -99,6 +109,17 @@ class Served:
     async def session(self) -> str:
         """Return a fresh session's cookie, made through an invitation or the first link."""
         _, headers, _ = await self.request("GET", f"/?token={TOKEN}")
+        return self.opened(headers)
+
+    async def login(self, name: str, password: str, **headers: str) -> tuple[int, str]:
+        """Return the status of a try to log in, and the cookie of the session, or ""."""
+        form = urlencode({"name": name, "password": password})
+        given = {"Origin": self.origin, **headers}
+        status, found, _ = await self.request("POST", "/login", form, **given)
+        return status, self.opened(found) if status == 303 else ""
+
+    def opened(self, headers: dict[str, str]) -> str:
+        """Return the cookie of an answer that opens a session, and remember its proof."""
         cookie = headers["set-cookie"].partition(";")[0]
         self.proofs[cookie] = headers["location"].partition("?proof=")[2]
         return cookie
@@ -115,7 +136,8 @@ class Served:
         """Open a console's socket as a browser does, and say hello."""
         given = {"Cookie": cookie, **headers}
         async with connect(
-            f"ws://{self.host}:{self.port}/socket",
+            f"{self.origin.replace('http', 'ws')}/socket",
+            ssl=self.trust,
             origin=self.origin,
             additional_headers=self.proved(given),
             close_timeout=0.2,
@@ -138,6 +160,18 @@ def until_fixture() -> Callable[..., Any]:
     return until
 
 
+def contexts_of(
+    files: CertificateFiles | None,
+) -> tuple[ssl.SSLContext | None, ssl.SSLContext | None]:
+    """Return the server's and a client's side of a certificate."""
+    if files is None:
+        return None, None
+    web = WebConfig(tls_certificate=str(files.certificate), tls_key=str(files.key))
+    loaded = load_certificate(web)
+    assert loaded is not None
+    return loaded.context, ssl.create_default_context(cafile=str(files.authority))
+
+
 @contextlib.asynccontextmanager
 async def serve(
     host: str,
@@ -146,10 +180,11 @@ async def serve(
     coverage: Callable[[], CoverageView] | None = None,
     edits: EditService | None = None,
     view: RoomView | None = None,
+    users: UserBook | None = None,
+    certificate: CertificateFiles | None = None,
+    **more: Any,
 ) -> AsyncIterator[Served]:
-    with socket.socket() as listener:
-        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        listener.bind((host, port))
+    with listening(host, port) as listener:
         bus, stops = LocalBus(), [] if stops is None else stops
         loop = asyncio.get_running_loop()
         pilot = FakePilot(bus.join(), view or example_room())
@@ -161,13 +196,16 @@ async def serve(
             secret=SECRET,
             coverage=coverage,
             edits=edits,
+            users=users,
+            **more,
         )
-        server: uvicorn.Server = make_server(app)
+        tls, trust = contexts_of(certificate)
+        server: uvicorn.Server = make_server(app, tls)
         serving = asyncio.create_task(server.serve([listener]))
         flying = asyncio.create_task(pilot.run())
         await until(lambda: server.started)
         try:
-            yield Served(host, listener.getsockname()[1], bus, pilot, stops)
+            yield Served(host, listener.getsockname()[1], bus, pilot, stops, trust=trust)
         finally:
             flying.cancel()
             server.should_exit = True
@@ -179,6 +217,14 @@ async def console(loopback: str) -> AsyncIterator[Served]:
     """Yield a running console with a fake pilot in real time."""
     async with serve(loopback) as served:
         yield served
+
+
+@pytest.fixture(scope="module")
+def cheap_passwords() -> Iterator[None]:
+    """Make hashes of passwords cost next to nothing."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("housefly.web.passwords.COST_LOG2", 4)
+        yield
 
 
 @pytest.fixture

@@ -42,7 +42,7 @@ async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
         ),
     )
     await page.goto(console.link)
-    await expect(page.locator(".drone")).to_be_visible()
+    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
     yield page
     await context.close()
     assert troubles == []

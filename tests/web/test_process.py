@@ -20,7 +20,7 @@ from websockets.asyncio.client import ClientConnection, connect
 from housefly.bus.endpoint import endpoint_in
 from housefly.bus.stop import StopListener
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.config.site import Site
+from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.messages import OrderKind
 from housefly.web.fake_pilot import FakePilot
@@ -154,9 +154,7 @@ async def test_a_console_stops_on_two_paths_leaves_at_once_and_its_browsers_outl
 
 async def test_an_address_that_others_reach_is_refused() -> None:
     with pytest.raises(ConfigError, match=r"web\.host"):
-        await run_web(Site(), NOWHERE, "0.0.0.0", 0)
-    with pytest.raises(ConfigError, match="--name"):
-        await run_web(Site(), NOWHERE, "0.0.0.0", 0, insecure=True)
+        await run_web(changed(Site(), web__host="0.0.0.0"), NOWHERE)
 
 
 def test_a_console_that_nobody_launched_says_how_to_launch_it(

@@ -2,17 +2,40 @@ from __future__ import annotations
 
 import pytest
 
-from housefly.errors import ConfigError
-from housefly.web.security import check_bind
+from housefly.web.security import HostGuard
 
 
-@pytest.mark.parametrize("host", ["127.0.0.1", "127.9.9.9", "::1", "localhost"])
-def test_loopback_is_always_allowed(host: str) -> None:
-    check_bind(host, insecure=False)
+@pytest.mark.parametrize("host", ["127.0.0.1", "LOCALHOST:8080", "[::1]:8080", "lab.local:8443"])
+async def test_names_of_ours_pass_with_and_without_a_port(host: str) -> None:
+    assert await passes(host)
 
 
-@pytest.mark.parametrize("host", ["0.0.0.0", "::", "192.168.1.2", "housefly.local"])
-def test_an_address_that_others_reach_must_be_asked_for(host: str) -> None:
-    with pytest.raises(ConfigError, match="--insecure"):
-        check_bind(host, insecure=False)
-    check_bind(host, insecure=True)
+@pytest.mark.parametrize("host", ["", "evil.example", "127.0.0.1.evil.example", "lab.localx", "["])
+async def test_other_names_do_not(host: str) -> None:
+    assert not await passes(host)
+
+
+async def passes(host: str) -> bool:
+    """Return whether a request for a host name reaches the application."""
+    reached = False
+
+    async def app(*_: object) -> None:
+        nonlocal reached
+        reached = True
+
+    async def send(_: object) -> None:
+        pass
+
+    async def receive() -> dict[str, str]:
+        return {}
+
+    guard = HostGuard(app, frozenset({"127.0.0.1", "localhost", "::1", "lab.local"}))
+    scope = {
+        "type": "http",
+        "method": "GET",
+        "path": "/",
+        "query_string": b"",
+        "headers": [(b"host", host.encode())],
+    }
+    await guard(scope, receive, send)  # type: ignore[arg-type]
+    return reached

@@ -3,6 +3,7 @@ from __future__ import annotations
 import pytest
 from starlette.requests import HTTPConnection
 
+from housefly.web.roles import Role
 from housefly.web.session_auth import PROOF_HEADER, SessionAuth, cookie_name, same_origin
 
 
@@ -29,7 +30,8 @@ def accepts(auth: SessionAuth, session: str) -> bool:
     asked = connection(cookie, **{PROOF_HEADER: auth.proof(name)})
     assert not auth.has_session(connection(cookie)), "the cookie alone is not enough"
     assert not auth.has_session(connection(cookie, **{PROOF_HEADER: auth.proof(name + "x")}))
-    return auth.has_session(asked) and auth.session_of(asked) == name
+    found = auth.session_of(asked)
+    return auth.has_session(asked) and found is not None and found.name == name
 
 
 def test_a_link_is_good_once() -> None:
@@ -48,6 +50,10 @@ def test_a_wrong_token_and_a_forged_session_are_nothing() -> None:
     session = auth.redeem("first")
     assert session is not None
     assert not accepts(auth, session[:-1] + ("0" if session[-1] != "0" else "1"))
+    watching = SessionAuth("first", "secret")
+    weak = watching.redeem(watching.invite(Role.WATCH))
+    assert weak is not None and accepts(watching, weak)
+    assert not accepts(watching, weak.replace(".watch.", ".admin."))
 
 
 def test_invitations_are_new_links_and_the_oldest_die_first() -> None:

@@ -52,6 +52,16 @@ def test_the_state_is_the_newest_step(listening: Listening) -> None:
     assert feed.age == pytest.approx(0.3)
 
 
+def test_what_the_drone_notes_of_its_settings_and_sensors_is_part_of_the_state(
+    listening: Listening,
+) -> None:
+    feed, pilot, _, _ = listening
+    pilot.notes = ("the ultrasound sensor is deaf",)
+    pilot.advance(0.01)
+    state = feed.state(0.0)
+    assert state is not None and state.notes == pilot.notes
+
+
 def test_no_event_is_ever_lost_between_two_looks(listening: Listening) -> None:
     feed, pilot, _, _ = listening
     for n in range(50):

@@ -11,11 +11,11 @@ import pytest
 
 from housefly.web.page_routes import STATIC_FOLDER
 
-LIMIT = 113_000
-"""100 kB, 12 kB for editing places and zones, and 1 kB for furniture that stands elsewhere."""
+LIMIT = 118_000
+"""100 kB, 12 kB for editing, 1 kB for furniture that moves, 5 kB for the pre-flight checks."""
 
 
-def test_the_whole_console_is_smaller_than_113_kilobytes() -> None:
+def test_the_whole_console_is_smaller_than_118_kilobytes() -> None:
     assert (
         sum(file.stat().st_size for file in STATIC_FOLDER.iterdir() if file.name != "LICENSES.txt")
         < LIMIT

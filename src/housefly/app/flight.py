@@ -17,6 +17,7 @@ from housefly.record.summary import Summary
 from housefly.record.truth import ContactRecord
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
+from housefly.web.exposure import checked_exposure, console_address
 
 _SUMMARY_FIGURES = (
     ("duration_s", "duration", "s", 1),
@@ -48,6 +49,8 @@ def fly_service(
     """
     FaultInjector(loaded.site, Injection.LOCKSTEP if lockstep else Injection.WIRES)
     if not lockstep:
+        if web:
+            checked_exposure(loaded.site)
         refuse_taken_ports(loaded.site, web=web)
     recorder = FlightRecorder(out, loaded.site, loaded.room, loaded.grid)
     order = Order(OrderKind.SERVICE, place=place, look_s=look_s, sender="command line")
@@ -84,8 +87,7 @@ def fly_service(
 
 
 def _address(runtime: Runtime) -> str:
-    web = runtime.site().web
-    return f"http://{web.host}:{web.port}/?token={runtime.token}"
+    return f"{console_address(runtime.site())}/?token={runtime.token}"
 
 
 def _print_summary(summary: Summary, out: Path) -> None:

@@ -25,8 +25,10 @@ from housefly.record.recorder import FlightRecorder
 
 _START_TIMEOUT = 60.0
 """Longest time until pilot, twin and drone answer [s]."""
-_STEADY_TIMEOUT = 5.0
-"""Longest time that the order waits for steady tracking [s]."""
+_STEADY_SOON, _STEADY_TIMEOUT = 3.0, 30.0
+"""The wait for steady tracking is told after the first, and ends after the second [s]: then the
+pilot says in words why it does not take off.
+"""
 STEADY_TIME, LONGEST_GAP = 1.0, 0.4
 """Tracking is steady after so long without a gap, and the longest gap [s]."""
 _INTERRUPTED = "interrupted"
@@ -69,7 +71,7 @@ def fly_over_wires(
             raise LinkError(
                 f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
-        return _serve(bus, site.tracking.body, home, order, recorder, on_step, give_up_after)
+        return _serve(bus, site.tracking.body, home, order, recorder, on_step, say, give_up_after)
 
 
 def _with_truth(processes: tuple[ProcessSpec, ...], path: Path) -> tuple[ProcessSpec, ...]:
@@ -108,6 +110,7 @@ def _serve(
     order: Order,
     recorder: FlightRecorder,
     on_step: Callable[[PilotStep], None],
+    say: Callable[[str], None],
     give_up_after: float,
 ) -> str:
     clock, seen, done = RealClock(), threading.Event(), threading.Event()
@@ -130,7 +133,9 @@ def _serve(
     ]
     try:
         # The recording must hold everything that the pilot knows, or a replay decides differently.
-        seen.wait(_STEADY_TIMEOUT)
+        if not seen.wait(_STEADY_SOON):
+            say(f"waiting until tracking sees {body} without gaps")
+            seen.wait(_STEADY_TIMEOUT - _STEADY_SOON)
         bus.publish(
             ORDER_TOPIC,
             Order(

@@ -20,6 +20,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import refuse_shared_store
 from housefly.record.recorder import FlightRecorder
+from housefly.web.exposure import checked_exposure, console_address
 
 _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""
@@ -46,6 +47,7 @@ class _DeathTeller:
 def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> int:
     """Start everything, print the console's address, and stay until Ctrl-C."""
     started = time.monotonic()
+    checked_exposure(loaded.site)
     refuse_taken_ports(loaded.site, web=True)
     refuse_shared_store(loaded.site)
     runtime = new_runtime(loaded.site, folder)
@@ -76,7 +78,7 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float)
         f" {'simulated room' if site.twin.enabled else 'real hardware'}"
     )
     console.print(
-        f"console:  [bold]http://{site.web.host}:{site.web.port}/?token={runtime.token}[/bold]",
+        f"console:  [bold]{console_address(site)}/?token={runtime.token}[/bold]",
         soft_wrap=True,
     )
     console.print(f"bus:      {runtime.bus}  (who may run programs here may listen and order)")
@@ -98,7 +100,7 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float)
         return
     console.print(
         f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold"
-        " Go. Ctrl-C lands and ends."
+        " Send. Ctrl-C lands and ends."
     )
 
 

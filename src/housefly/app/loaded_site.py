@@ -98,6 +98,9 @@ def read_site(name: str, **changes: Any) -> Site:
         changes.setdefault("twin__scene", str((path.parent / site.twin.scene).resolve()))
     if site.hub.things:
         changes.setdefault("hub__things", str((path.parent / site.hub.things).resolve()))
+    for key in ("tls_certificate", "tls_key", "users"):
+        if (name := getattr(site.web, key)) and not name.startswith("~"):
+            changes.setdefault(f"web__{key}", str((path.parent / name).absolute()))
     return changed(site, **changes) if changes else site
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextlib import nullcontext
+from contextlib import closing, nullcontext
 from pathlib import Path
 
 from housefly.app.loaded_site import LoadedSite
@@ -64,7 +64,7 @@ def fly_lockstep(
     monitor = ServiceMonitor(order_at, loaded.room.home, give_up_after)
     sequence, given = 0, False
     truth = TruthLog(world, truth_file, lambda: world.now) if truth_file else None
-    with truth or nullcontext():
+    with closing(truth) if truth else nullcontext():
         while not monitor.outcome:
             room.advance(period)
             on_world(world)

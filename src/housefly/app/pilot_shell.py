@@ -32,12 +32,12 @@ from housefly.bus.topics import (
     VIDEO_TOPIC,
 )
 from housefly.clock import Rate, RealClock
+from housefly.config.frame_check import frames_known
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError
 from housefly.messages import (
     Action,
     Command,
-    DroneStatus,
     Event,
     Inputs,
     LinkStatus,
@@ -51,6 +51,7 @@ from housefly.messages import (
     TrackedFrame,
     VideoFrame,
 )
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.contracts import Maneuver
 from housefly.room.grid import extent_of
@@ -84,7 +85,9 @@ class PilotShell:
         maneuver: Maneuver | None = None,
     ) -> None:
         self._queries = PilotQueryServer(loaded, bus)
-        self.pilot = make_pilot(loaded.site, loaded.room, loaded.grid, maneuver)
+        self.pilot = make_pilot(
+            loaded.site, loaded.room, loaded.grid, maneuver, frames=frames_known(loaded.site)
+        )
         self._body = loaded.site.tracking.body
         self._people_note = "" if loaded.site.sees_people else UNSEEN_PEOPLE
         self._rate_hz = loaded.site.control.rate_hz
@@ -207,11 +210,7 @@ class PilotShell:
 
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
-        return telemetry is not None and telemetry.status in (
-            DroneStatus.TAKING_OFF,
-            DroneStatus.FLYING,
-            DroneStatus.LANDING,
-        )
+        return telemetry is not None and telemetry.status in AIRBORNE_STATUSES
 
     def _on_sightings(self, sightings: tuple[Sighting, ...]) -> None:
         self._sightings.extend(sightings)

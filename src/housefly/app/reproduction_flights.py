@@ -35,6 +35,7 @@ from housefly.numeric import FloatArray
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
 from housefly.twin.world import SimulatedWorld
+from housefly.web.exposure import console_address
 
 _GOAL = "entrance"
 _LOOK = 4.0
@@ -143,12 +144,11 @@ def fly_recorded_over_wires(
     logs = folder / "logs"
     logs.mkdir(parents=True, exist_ok=True)
     runtime = new_runtime(loaded.site, logs)
-    web = runtime.site().web
     recorder = FlightRecorder(folder, loaded.site, loaded.room, loaded.grid)
     steps: list[PilotStep] = []
     order = Order(OrderKind.SERVICE, place=_GOAL, look_s=_LOOK, sender="reproduction")
     outcome = "failed"
-    with ConsoleCamera(f"http://{web.host}:{web.port}/?token={runtime.token}") as camera:
+    with ConsoleCamera(f"{console_address(runtime.site())}/?token={runtime.token}") as camera:
         moments = MomentShots(camera)
 
         def on_step(step: PilotStep) -> None:

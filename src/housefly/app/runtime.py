@@ -25,6 +25,7 @@ from housefly.config.environment import (
 from housefly.config.site import Site, changed, site_from_file
 from housefly.errors import ConfigError
 from housefly.hub.client.discovery import ROOM_KEY, RoomAddress
+from housefly.web.exposure import console_address
 from housefly.web.session_auth import api_key
 
 
@@ -91,11 +92,10 @@ def new_runtime(site: Site, folder: Path) -> Runtime:
 def discovery_entry(runtime: Runtime) -> RoomAddress:
     """Return what other programs of this user need to find the room of a run."""
     site = runtime.site()
-    host = f"[{site.web.host}]" if ":" in site.web.host else site.web.host
     room = str(runtime.room_socket) if site.hub.enabled else ""
     return RoomAddress(
         site.name,
-        f"http://{host}:{site.web.port}",
+        console_address(site),
         api_key(runtime.secret),
         os.getpid(),
         room,

@@ -8,6 +8,7 @@ from housefly.clock import Clock
 from housefly.config.tracking import TrackingConfig, TrackingKind
 from housefly.tracking.bridge import BridgeTracker
 from housefly.tracking.contracts import Tracker
+from housefly.tracking.map_frame import MapFrameTracker
 from housefly.tracking.natnet import NatNetTracker
 from housefly.tracking.vicon import ViconTracker
 from housefly.tracking.vrpn import VrpnTracker
@@ -22,5 +23,6 @@ TRACKERS: dict[TrackingKind, Callable[[TrackingConfig, Clock], Tracker]] = {
 
 
 def tracker_of(config: TrackingConfig, clock: Clock) -> Tracker:
-    """Return the client of a site's tracking system."""
-    return TRACKERS[config.kind](config, clock)
+    """Return the client of a site's tracking system, whose poses are those of the map."""
+    tracker = TRACKERS[config.kind](config, clock)
+    return MapFrameTracker(tracker, config) if config.is_moved else tracker

@@ -10,8 +10,6 @@ import time
 from concurrent.futures import Future, wait
 from contextlib import suppress
 from dataclasses import dataclass, field
-from types import TracebackType
-from typing import Self
 
 from housefly.bus.stop import ACKNOWLEDGED, STOP_MAGIC, StopToken, stop_key, verified
 from housefly.errors import LinkError, WireError
@@ -33,7 +31,7 @@ class _Sending:
 
 
 class StopSender:
-    """Sends STOP from any thread; as a context manager it leaves no STOP half sent.
+    """Sends STOP from any thread; ``close`` leaves no STOP half sent.
 
     A process that can open no further file and start no further thread can still send it.
 
@@ -92,17 +90,6 @@ class StopSender:
         self._thread.join()
         self._selector.close()
         self._link.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def _run(self) -> None:
         while True:

@@ -31,7 +31,9 @@ class PeopleConfig(Section):
     min_distance: float = quantity(
         0.5, 0.0, 2.0, "m", "the drone never comes nearer than this; it waits"
     )
-    yield_speed: float = quantity(0.8, 0.1, 1.5, "m/s", "highest speed of making way")
+    yield_speed: float = quantity(
+        0.8, 0.1, 1.5, "m/s", "highest speed of making way; 1.2 m/s where somebody would touch it"
+    )
 
     @model_validator(mode="after")
     def _ordered(self) -> Self:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -72,7 +71,7 @@ def _checked(key: str, value: Any, path: Path) -> float:
             f"is no constant of a drone; there are: {', '.join(CONSTANTS)}",
             str(path),
         )
-    is_number = isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if not is_number or not known.low <= value <= known.high:
         unit = "" if known.unit == "1" else f" {known.unit}"
         allowed = f"a number from {known.low:g} to {known.high:g}{unit}"

@@ -31,6 +31,16 @@ def database_file(site: Site) -> Path:
     return state / "housefly" / name / _DATABASE
 
 
+def users_file(site: Site) -> Path:
+    """Return the file of those who may log in to a site's console."""
+    if not site.web.users:
+        return edits_folder(site).with_name("users.json")
+    try:
+        return Path(site.web.users).expanduser()
+    except RuntimeError as error:  # an unknown home
+        raise ConfigError("web.users", f"is {site.web.users!r}: {error}") from error
+
+
 def edits_folder(site: Site) -> Path:
     """Return where the versions of a site's edits are: beside its memory, apart from others."""
     file = database_file(site)

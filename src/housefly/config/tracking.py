@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import pi
 from typing import Literal
 
 from pydantic import Field
@@ -47,6 +48,18 @@ class TrackingConfig(Section):
     latency: float = quantity(
         0.02, 0.0, 0.5, "s", "from exposure to arrival, where the system does not say it"
     )
+    x: float = quantity(0.0, -1000.0, 1000.0, "m", "where its origin is on the map")
+    y: float = quantity(0.0, -1000.0, 1000.0, "m", "likewise")
+    z: float = quantity(0.0, -100.0, 100.0, "m", "height of its origin above the floor")
+    yaw: float = quantity(0.0, -pi, pi, "rad", "heading of its x axis on the map")
+    body_yaw: float = quantity(
+        0.0, -pi, pi, "rad", "heading of the drone's nose in its body as defined, 0 along its x"
+    )
+
+    @property
+    def is_moved(self) -> bool:
+        """Whether poses have to be moved or turned to be those of the map."""
+        return any((self.x, self.y, self.z, self.yaw, self.body_yaw))
 
     @property
     def wire(self) -> MocapWire | None:

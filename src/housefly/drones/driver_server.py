@@ -14,7 +14,6 @@ from pathlib import Path
 
 from housefly.clock import Clock
 from housefly.drones.ardrone.driver import ArDrone
-from housefly.drones.ardrone.limits_keeper import AIRBORNE
 from housefly.drones.driver_messages import (
     DriverMessage,
     DriverStatus,
@@ -25,6 +24,7 @@ from housefly.drones.driver_messages import (
 from housefly.drones.private_socket import check_private, is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import VideoFrame
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.wires.ardrone.command_sequencer import LAND_AFTER
 
 LANDING_TIMEOUT = 25.0
@@ -136,7 +136,7 @@ class DriverServer:
         start, down_at = self._clock.now(), None
         while (now := self._clock.now()) - start < LANDING_TIMEOUT:
             report = self._drone.telemetry
-            is_down = report is None or report.status not in AIRBORNE
+            is_down = report is None or report.status not in AIRBORNE_STATUSES
             down_at = (down_at or now) if is_down else None
             settled = _SETTLE_TIME if report is not None else _SILENCE_TIME
             patience = settled if self._pilot is None else _GOODBYE_TIME

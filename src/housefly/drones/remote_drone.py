@@ -21,6 +21,7 @@ from housefly.drones.driver_messages import (
 from housefly.drones.private_socket import is_own_user
 from housefly.errors import LinkError, WireError
 from housefly.messages import Command, Telemetry, VideoFrame
+from housefly.messages.sensing import REPORT_AGE_MAX
 
 _CONNECT_TIMEOUT = 5.0
 """How long ``connect`` waits for the driver [s]."""
@@ -28,8 +29,6 @@ _RECONNECT_PAUSE = 0.05
 """Pause between two attempts to reach the driver [s]."""
 _BACKLOG_MAX = 1024
 """Bytes that may wait for a driver that does not read, before commands are thrown away."""
-_REPORT_AGE_MAX = 0.5
-"""The drone counts as connected while its newest report is younger than this [s]."""
 
 
 class RemoteDrone(asyncio.Protocol):
@@ -94,7 +93,7 @@ class RemoteDrone(asyncio.Protocol):
     def connected(self) -> bool:
         """Whether reports arrive."""
         report = self._telemetry
-        is_young = report is not None and self._clock.now() - report.received_at < _REPORT_AGE_MAX
+        is_young = report is not None and self._clock.now() - report.received_at < REPORT_AGE_MAX
         return self._status.connected and is_young
 
     @property

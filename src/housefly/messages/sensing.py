@@ -77,6 +77,12 @@ class DroneStatus(Enum):
     EMERGENCY = "emergency"
 
 
+AIRBORNE_STATUSES = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
+"""States in which the propellers carry the drone."""
+REPORT_AGE_MAX = 0.5
+"""An older report of the drone says nothing about the present [s]."""
+
+
 @dataclass(frozen=True, slots=True)
 class Telemetry:
     """The last report of the drone about itself.

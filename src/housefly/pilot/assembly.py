@@ -6,6 +6,7 @@ from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
 from housefly.messages.flight import Inputs, Order, OrderKind
 from housefly.messages.obstacles import Obstacle
+from housefly.messages.preflight import FramesKnown
 from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.behavior.mission_manager import MissionManager
 from housefly.pilot.contracts import Maneuver, PilotSettings
@@ -27,6 +28,7 @@ def make_pilot(
     maneuver: Maneuver | None = None,
     *,
     guarded: bool = True,
+    frames: FramesKnown = FramesKnown(),
 ) -> Pilot:
     """Return a pilot that knows a room by its map.
 
@@ -37,6 +39,7 @@ def make_pilot(
         maneuver: takes the place of holding.
         guarded: False leaves the last gate nothing but orders, and believes tracking whatever the
             drone feels: the negative control of the simulated room.
+        frames: what is known of the frames of tracking, drone and map; for the pre-flight checks.
     """
     is_paper = site.mode == "paper"
     params = pilot_parameters(is_paper, site.drone, site.control, site.limits)
@@ -50,7 +53,7 @@ def make_pilot(
         guarded=guarded,
     )
     navigator = RoomNavigator(site, room, grid)
-    missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper)
+    missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper, frames)
     ceiling = min(site.limits.height_max + CEILING_SLACK, room.height - CEILING_CLEARANCE)
     fence = Geofence(extent_of(grid), ceiling)
     gate = Gate(site.limits, fence, rules=SAFETY_RULES if guarded else ORDER_RULES)

@@ -16,7 +16,13 @@ from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Inputs, Outputs, Phase, Severity
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
-from housefly.messages.sensing import DroneStatus, Estimate, Sighting, Telemetry
+from housefly.messages.sensing import (
+    AIRBORNE_STATUSES,
+    DroneStatus,
+    Estimate,
+    Sighting,
+    Telemetry,
+)
 from housefly.messages.steering import (
     Action,
     Behavior,
@@ -35,7 +41,7 @@ from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsist
 from housefly.pilot.estimation.estimator import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
-from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, CRUISE_PHASES, GateInputs
+from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
 from housefly.pilot.safety.rules import MODE_SEVERITY
 from housefly.pilot.step import (
     INITIAL_STEP,
@@ -91,7 +97,7 @@ class Pilot:
         self._vehicle: VehicleStatus | None = None
         self._way_home = WayHome(room_map.route, settings.home, self._params.speed)
         self._flown: Setpoint | None = None
-        self._maneuvering = False
+        self._maneuvering = self._was_free = False
         self._height = settings.flight_height
 
     @property
@@ -296,7 +302,9 @@ class Pilot:
     def _gate_inputs(self, vehicle: VehicleStatus, late: float) -> GateInputs:
         mission, estimate = self._missions.state, vehicle.estimate
         is_free = self._maneuvering or self._missions.is_yielding
-        is_tracking = self._target is not None and not is_free
+        # The reference of the last step counts: one set for making way is no place to be at.
+        is_tracking = self._target is not None and not (is_free or self._was_free)
+        self._was_free = is_free
         if vehicle.place is not None and vehicle.status in AIRBORNE_STATUSES:
             self._way_home.update(vehicle.place, vehicle.now)
         return GateInputs(

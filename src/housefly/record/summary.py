@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from housefly.config.site import Site
 from housefly.geometry import Vec2
 from housefly.messages import DroneStatus, Event, Phase
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record.places import (
     Places,
     arrival_error,
@@ -33,10 +34,7 @@ from housefly.record.truth import ContactRecord, TrueFlight, judged_outcome
 from housefly.room.grid import OccupancyGrid
 from housefly.room.model import Room
 
-_AIRBORNE = [
-    STATUSES.index(status)
-    for status in (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
-]
+_AIRBORNE = [n for n, status in enumerate(STATUSES) if status in AIRBORNE_STATUSES]
 _TRACK_PERIOD = 0.2
 """Sampling period of the flown length [s]; shorter ones would add up the noise."""
 

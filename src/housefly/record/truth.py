@@ -5,15 +5,16 @@ Real hardware knows no truth: without the file nothing is scored on it.
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
+from pydantic import ConfigDict, TypeAdapter, ValidationError
 
+from housefly.geometry import Vec3
 from housefly.numeric import FloatArray
 
 TRUTH_FILE = "truth.jsonl"
@@ -22,6 +23,7 @@ COMPLETED = "completed"
 HOME_RADIUS = 1.0
 """A service must end within this distance of the pad [m]."""
 _WITH_CONTACT = "with contact: "
+_FINITE = ConfigDict(allow_inf_nan=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,30 +69,57 @@ class TrueFlight:
     contacts: tuple[ContactRecord, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class _Sample:
+    __pydantic_config__: ClassVar[ConfigDict] = _FINITE
+    at: float
+    position: Vec3
+    airborne: bool
+    solid: float | None
+    person: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Touch:
+    __pydantic_config__: ClassVar[ConfigDict] = _FINITE
+    at: float
+    began: float
+    kind: str
+    contact: str
+    speed: float
+    height: float
+    duration: float
+    motors: bool
+
+
+_LINE: TypeAdapter[_Sample | _Touch] = TypeAdapter(_Sample | _Touch)
+
+
 def read_truth(path: Path) -> TrueFlight | None:
     """Return the truth of a flight; None without a file or without a sample in it.
 
-    A last line that was cut off, by a process that was killed, is left out.
+    What is no line of such a file is left out: the last one may be cut off, by a process that was
+    killed.
     """
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
+        lines = path.read_bytes().splitlines()
     except OSError:
         return None
     values = [value for line in lines if (value := _parsed(line)) is not None]
-    samples = [value for value in values if "position" in value]
+    samples = [value for value in values if isinstance(value, _Sample)]
     if not samples:
         return None
     contacts = {
-        (value["began"], value["kind"], value["contact"]): _contact(value)
+        (value.began, value.kind, value.contact): _contact(value)
         for value in values
-        if "contact" in value
+        if isinstance(value, _Touch)
     }
     return TrueFlight(
-        _column(samples, "at"),
-        np.array([sample["position"] for sample in samples], dtype=np.float64),
-        np.array([sample["airborne"] for sample in samples], dtype=np.bool_),
-        _column(samples, "solid"),
-        _column(samples, "person"),
+        _column([sample.at for sample in samples]),
+        _column([sample.position for sample in samples]),
+        np.array([sample.airborne for sample in samples], dtype=np.bool_),
+        _column([sample.solid for sample in samples]),
+        _column([sample.person for sample in samples]),
         tuple(contacts.values()),
     )
 
@@ -116,25 +145,24 @@ def judged_outcome(
     return f"{outcome} {words}" if outcome == COMPLETED else f"{outcome}; {words}"
 
 
-def _parsed(line: str) -> dict[str, Any] | None:
+def _parsed(line: bytes) -> _Sample | _Touch | None:
     try:
-        value = json.loads(line)
-    except ValueError:
+        return _LINE.validate_json(line)
+    except ValidationError:
         return None
-    return value if isinstance(value, dict) else None
 
 
-def _column(samples: list[dict[str, Any]], key: str) -> FloatArray:
-    return np.array([sample[key] for sample in samples], dtype=np.float64)
+def _column(values: Sequence[float | Vec3 | None]) -> FloatArray:
+    return np.array(values, dtype=np.float64)
 
 
-def _contact(value: dict[str, Any]) -> ContactRecord:
+def _contact(value: _Touch) -> ContactRecord:
     return ContactRecord(
-        at_s=value["at"],
-        kind=value["kind"],
-        name=value["contact"],
-        speed=value["speed"],
-        height=value["height"],
-        duration_s=value["duration"],
-        motors_turned=value["motors"],
+        at_s=value.at,
+        kind=value.kind,
+        name=value.contact,
+        speed=value.speed,
+        height=value.height,
+        duration_s=value.duration,
+        motors_turned=value.motors,
     )

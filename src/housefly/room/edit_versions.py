@@ -25,6 +25,8 @@ from housefly.room.edits import edits_from_tree
 _NUMBERED = re.compile(r"^(\d{4,9})\.json")
 _DAMAGED_SUFFIX = ".damaged"
 _NO_EDITS = Edits()
+_DAMAGES = (ValueError, KeyError, TypeError, OverflowError, RecursionError, EditsError)
+"""What a file that nobody should have touched can make of its reader."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +168,7 @@ class EditVersions:
             return None  # another process has just moved it aside
         except OSError as error:
             raise EditsError(f"{path} cannot be read: {error.strerror}") from error
-        except (ValueError, KeyError, TypeError, RecursionError, EditsError) as error:
+        except _DAMAGES as error:
             self._move_aside(path, error)
             return None
         return version

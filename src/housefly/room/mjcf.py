@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from math import cos, sin
 from xml.sax.saxutils import quoteattr
 
-from housefly.room.model import Room, Shape, Solid
+from housefly.room.model import BUILDING_PARTS, Room, Shape, Solid
 from housefly.room.visitor import visitor_body
 
 # Flat maps: MuJoCo lays them on a geom's local x and y, so that its sides carry them as stripes
@@ -56,7 +56,6 @@ _VISUAL = (
     ' 0.05"/><map znear="0.005" zfar="12" haze="0"/><quality shadowsize="2048"'
     ' offsamples="0"/><global offwidth="1920" offheight="1080"/></visual>'
 )
-_BUILDING = frozenset({"wall", "unexplored", "window", "entrance door", "room door"})
 # Two lights without shadows from opposite sides give every side of a box a brightness of its own.
 _LIGHTS = (("daylight", "-0.62 0.30 -0.72", 0.30), ("fill", "0.50 -0.62 -0.60", 0.22))
 _LAMP_SPACING = 3.0
@@ -149,7 +148,7 @@ def _shades(solids: tuple[Solid, ...]) -> Iterator[str]:
             solid.collides
             and low < _SHADE_BELOW
             and solid.size[2] > 0.02
-            and solid.thing not in _BUILDING
+            and solid.thing not in BUILDING_PARTS
         ):
             x, y, _ = solid.position
             a, b = solid.size[0] / 2 + _SHADE_MARGIN, solid.size[1] / 2 + _SHADE_MARGIN

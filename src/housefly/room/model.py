@@ -20,6 +20,8 @@ class Shape(Enum):
 
 
 Colour = tuple[float, float, float, float]
+BUILDING_PARTS = frozenset({"wall", "unexplored", "window", "entrance door", "room door"})
+"""What ``Solid.thing`` is where a solid belongs to the building."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import isfinite
 from pathlib import Path
 from typing import Any
 
@@ -12,13 +11,15 @@ import yaml
 from numpy.typing import NDArray
 from PIL import Image, UnidentifiedImageError
 
-from housefly.config.text import read_text_file
+from housefly.config.text import read_text_file, shortened
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.reach import Mask
 
 _MAX_SIDE = 4096
 """Longest side of an image that is read [px]."""
+_NUMBER_MAX = 1e9
+"""Largest number that a key may have; what is larger, or not finite, is none."""
 _MODES = ("trinary",)
 
 
@@ -39,6 +40,16 @@ class RosMap:
     free: Mask
 
 
+class _PlainLoader(yaml.SafeLoader):
+    """Reads what maps are made of; with aliases a few lines would stand for gigabytes."""
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        """Compose a node that is no alias."""
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("aliases (*name) are not read")
+        return super().compose_node(parent, index)
+
+
 def read_ros_map(yaml_path: Path) -> RosMap:
     """Read ``map.yaml`` and the picture that it names.
 
@@ -50,7 +61,7 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     origin = tree.get("origin")
     if not (isinstance(origin, list) and len(origin) == 3 and all(_is_number(v) for v in origin)):
         raise RoomError(
-            f"{yaml_path}: origin is {origin!r}; allowed: a list x, y, yaw of three numbers [m, m,"
+            f"{yaml_path}: origin is {_shown(origin)}; allowed: a list x, y, yaw of three numbers [m, m,"
             " rad]"
         )
     if abs(origin[2]) > 1e-6:
@@ -61,7 +72,7 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     mode = tree.get("mode", "trinary")
     if mode not in _MODES:
         raise RoomError(
-            f"{yaml_path}: mode is {mode!r}; allowed: {', '.join(_MODES)} (save the map again in"
+            f"{yaml_path}: mode is {_shown(mode)}; allowed: {', '.join(_MODES)} (save the map again in"
             " that mode)"
         )
     occupied_from = _number(tree, "occupied_thresh", 0.0, 1.0, "", yaml_path)
@@ -73,7 +84,7 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     image = tree.get("image")
     if not isinstance(image, str) or not image:
         raise RoomError(
-            f"{yaml_path}: image is {image!r}; allowed: the name of a pgm or png file beside the"
+            f"{yaml_path}: image is {_shown(image)}; allowed: the name of a pgm or png file beside the"
             " yaml"
         )
     grey, known = _picture(yaml_path.parent / image)
@@ -93,10 +104,10 @@ def _turned(rows: Mask) -> Mask:
 
 def _tree(path: Path) -> dict[str, Any]:
     try:
-        tree = yaml.safe_load(read_text_file(path))
+        tree = yaml.load(read_text_file(path), _PlainLoader)
     except (OSError, UnicodeDecodeError) as error:
         raise RoomError(f"{path} cannot be read: {error}; give the map's yaml file") from error
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise RoomError(f"{path} is not a yaml file: {error}") from error
     if not isinstance(tree, dict):
         raise RoomError(
@@ -106,7 +117,11 @@ def _tree(path: Path) -> dict[str, Any]:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _NUMBER_MAX
+
+
+def _shown(value: Any) -> str:
+    return shortened(repr(value), 80)
 
 
 def _number(
@@ -115,7 +130,7 @@ def _number(
     value = tree.get(key)
     if not _is_number(value) or not low <= float(value) <= high:  # type: ignore[arg-type]
         raise RoomError(
-            f"{path}: {key} is {value!r}; allowed: a number from {low:g} to"
+            f"{path}: {key} is {_shown(value)}; allowed: a number from {low:g} to"
             f" {high:g} {unit}".rstrip()
         )
     return float(value)  # type: ignore[arg-type]

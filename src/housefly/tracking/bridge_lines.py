@@ -68,7 +68,14 @@ def _bodies(line: bytes) -> dict[str, list[float]]:
             str(name): [float(number) for number in numbers]
             for name, numbers in tree["bodies"].items()
         }
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+    except (
+        ValueError,
+        TypeError,
+        KeyError,
+        AttributeError,
+        OverflowError,
+        RecursionError,
+    ) as error:
         raise WireError(f"bridge line: {line[:40]!r} is no frame") from error
     if any(len(numbers) != 7 for numbers in bodies.values()):
         raise WireError("bridge line: a pose has seven numbers")

@@ -54,19 +54,28 @@ class ClearanceMeter:
         return Clearance(self._nearest(self._solids), self._nearest(self._people))
 
     def _nearest(self, geoms: NDArray[np.intp]) -> float:
-        """Return the distance to the nearest of some geoms [m]; nearest spheres come first."""
-        model, data = self._physics.model, self._physics.data
-        centres, radii = data.geom_xpos[geoms], model.geom_rbound[geoms]
-        away = np.linalg.norm(centres - data.xpos[self._physics.drone_id], axis=1) - radii
-        # A plane has no bounding sphere and no end.
-        bounds = np.where(radii > 0.0, away - _HULL_RADIUS, -inf)
-        bounds[centres[:, 2] < AWAY_Z / 2] = inf
+        """Return the distance to the nearest of some geoms [m]; those that may be come first."""
+        bounds = self._lower_bounds(geoms)
         nearest = inf
         for place in np.argsort(bounds).tolist():
             if bounds[place] >= nearest:
                 break
             nearest = min(nearest, self._gap(int(geoms[place]), min(nearest, _FAR)))
         return max(0.0, nearest)
+
+    def _lower_bounds(self, geoms: NDArray[np.intp]) -> NDArray[np.float64]:
+        """Return what no distance to some geoms falls below [m]; infinite for those put away."""
+        model, data = self._physics.model, self._physics.data
+        offsets = data.xpos[self._physics.drone_id] - data.geom_xpos[geoms]
+        axes = data.geom_xmat[geoms].reshape(-1, 3, 3)
+        local = np.einsum("gk,gka->ga", offsets, axes)
+        # The box around a geom in its own frame; a plane has none, and no end.
+        centres, halves = model.geom_aabb[geoms, :3], model.geom_aabb[geoms, 3:]
+        outside = np.maximum(np.abs(local - centres) - halves, 0.0)
+        bounds = np.linalg.norm(outside, axis=1) - _HULL_RADIUS
+        bounds[model.geom_rbound[geoms] <= 0.0] = -inf
+        bounds[data.geom_xpos[geoms, 2] < AWAY_Z / 2] = inf
+        return np.asarray(bounds, np.float64)
 
     def _gap(self, geom: int, bound: float) -> float:
         """Return the distance from the hull to a geom [m], or a bound that it exceeds."""

@@ -28,6 +28,7 @@ class Contact:
             the touch lasts.
         speed: of the drone relative to what it touches, just before the first moment [m/s].
         closing_speed: part of it that led into the other, at the first moment [m/s].
+        own_speed: part of that by the drone's own motion; negative where it moved away [m/s].
         height: of the lowest point of the touch at the first moment, above the floor [m].
         motors_turned: whether the motors turned at any moment of it.
         from_above: whether the drone stood on the other at any moment of it.
@@ -39,6 +40,7 @@ class Contact:
     ended_at: float
     speed: float
     closing_speed: float
+    own_speed: float
     height: float
     motors_turned: bool
     from_above: bool
@@ -96,6 +98,7 @@ class ContactLog:
             ended_at=at,
             speed=distance(before.velocity, self._velocity(point.owner, at)),
             closing_speed=self._closing(point, at, before),
+            own_speed=_into(point, before.velocity),
             height=point.position[2],
             motors_turned=motors_turn,
             from_above=point.outward[2] > _MOSTLY_UP,
@@ -103,16 +106,15 @@ class ContactLog:
 
     def _closing(self, point: TouchPoint, at: float, before: BodyState) -> float:
         other = self._velocity(point.owner, at)
-        return max(
-            0.0,
-            sum(
-                normal * (theirs - own)
-                for normal, own, theirs in zip(point.outward, before.velocity, other, strict=True)
-            ),
-        )
+        return max(0.0, _into(point, before.velocity) - _into(point, other))
 
     def _velocity(self, owner: SolidOwner, at: float) -> Vec3:
         """Return the velocity of what is touched [m/s]; things stand still."""
         if owner.kind is not SolidKind.PERSON:
             return 0.0, 0.0, 0.0
         return self._motion.velocity(owner.name, at - CONTROL_PERIOD)
+
+
+def _into(point: TouchPoint, velocity: Vec3) -> float:
+    """Return the part of a velocity that leads into what is touched [m/s]."""
+    return -sum(normal * part for normal, part in zip(point.outward, velocity, strict=True))

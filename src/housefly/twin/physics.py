@@ -118,10 +118,16 @@ class Physics:
             1 for a, b in pairs[touching].tolist() if a not in self.floors and b not in self.floors
         )
 
-    def place(self, position: Vec3, orientation: Quaternion) -> None:
-        """Put the drone somewhere, at rest."""
+    def place(
+        self,
+        position: Vec3,
+        orientation: Quaternion,
+        velocity: Vec3 = (0.0, 0.0, 0.0),
+        rate: Vec3 = (0.0, 0.0, 0.0),
+    ) -> None:
+        """Put the drone somewhere, by default at rest; world [m], [m/s], body [rad/s]."""
         self._qpos[:] = (*position, *orientation)
-        self._qvel[:] = 0.0
+        self._qvel[:] = (*velocity, *rate)
         mujoco.mj_forward(self.model, self.data)
 
     def set_visitor(self, present: bool) -> None:

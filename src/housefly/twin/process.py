@@ -28,6 +28,7 @@ from housefly.twin.faults.faulty_devices import FaultyDevices
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
+from housefly.twin.hands_link import HandsLink
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.real_time import RealTimeRunner
@@ -48,6 +49,7 @@ class Twin:
         scene: the people and things that move; its devices speak when the site names a broker.
         bus: where the site's depth cameras send their images; None sends none.
         truth_file: where the true course of the flight goes; None writes none.
+        hands: socket on which orders to carry the drone arrive; None takes none.
 
     Raises:
         ConfigError: an address that is not loopback, without ``beyond_loopback``; a fault of the
@@ -62,6 +64,7 @@ class Twin:
         scene: Scene | None = None,
         bus: Bus | None = None,
         truth_file: Path | None = None,
+        hands: Path | None = None,
     ) -> None:
         check_address("tracking.address", site.tracking.address, beyond_loopback)
         if scene is not None and site.mqtt.broker:
@@ -71,6 +74,7 @@ class Twin:
         self._world = SimulatedWorld(site, room, scene, self._faults.movables, self._faults.people)
         clock = RealClock()
         self._truth = TruthLog(self._world, truth_file, clock.now) if truth_file else None
+        self._hands = HandsLink(self._world, hands) if hands else None
         self._time = RealTimeRunner(self._world, RealClock())
         self._drone = ArDroneServer(
             self._world,
@@ -103,6 +107,9 @@ class Twin:
                 await server.start()
             open_parts.push_async_callback(self._lasers.stop)
             await self._lasers.start()
+            if self._hands is not None:
+                open_parts.callback(self._hands.stop)
+                self._hands.start()
             work = [self._time.run(self._after_step)]
             if self._camera is not None:
                 open_parts.callback(self._camera.close)
@@ -209,6 +216,7 @@ async def run_twin(
     scene: Scene | None = None,
     bus: Bus | None = None,
     truth_file: Path | None = None,
+    hands: Path | None = None,
 ) -> None:
     """Serve the simulated room until SIGTERM, SIGINT or cancellation.
 
@@ -216,7 +224,7 @@ async def run_twin(
         ConfigError: an address that is not loopback, without ``beyond_loopback``.
         LinkError: a port that cannot be had.
     """
-    twin = Twin(site, room, beyond_loopback, scene, bus, truth_file)
+    twin = Twin(site, room, beyond_loopback, scene, bus, truth_file, hands)
     serving = asyncio.create_task(twin.run())
     loop = asyncio.get_running_loop()
     loop.add_signal_handler(signal.SIGUSR1, twin.toggle_visitor)
@@ -246,6 +254,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--truth", type=Path, help="file for the true course of the flight, for its summary"
     )
+    parser.add_argument(
+        "--hands", type=Path, help="Unix socket on which orders to carry the drone arrive"
+    )
     options = parser.parse_args(argv)
     try:
         site = site_from_file(options.site)
@@ -260,6 +271,7 @@ def main(argv: Sequence[str] | None = None) -> int:
                     scene=scene,
                     bus=bus,
                     truth_file=options.truth,
+                    hands=options.hands,
                 )
             )
     except HouseflyError as error:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Any
 
-from housefly.room.model import Room
+from housefly.room.model import BUILDING_PARTS, Room
 from housefly.twin.movable import MOVABLE_PREFIX
 from housefly.twin.people.bodies import PERSON_PREFIX
 from housefly.twin.scene_mjcf import CEILING
 
 _VISITOR = "visitor"
-_BUILDING = frozenset({"wall", "unexplored", "window", "entrance door", "room door", "partition"})
+_ROOM_PARTS = BUILDING_PARTS | {"partition"}
 
 
 class SolidKind(Enum):
@@ -78,4 +78,4 @@ def _owner(
     if geom not in things:
         return None
     thing = things[geom]
-    return SolidOwner(SolidKind.ROOM if thing in _BUILDING else SolidKind.FURNITURE, thing)
+    return SolidOwner(SolidKind.ROOM if thing in _ROOM_PARTS else SolidKind.FURNITURE, thing)

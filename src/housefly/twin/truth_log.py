@@ -10,8 +10,6 @@ import json
 from collections.abc import Callable
 from math import isfinite
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from housefly.twin.contact_log import Contact
 from housefly.twin.world import SimulatedWorld
@@ -22,7 +20,7 @@ _FLUSH_EVERY = 25
 
 
 class TruthLog:
-    """Writes the truth of a world; a context manager.
+    """Writes the truth of a world; ``close`` writes the end of it.
 
     Args:
         world: what is true.
@@ -39,17 +37,6 @@ class TruthLog:
         self._due = 0.0
         self._samples = 0
         self._told = 0
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def sample(self) -> None:
         """Write a sample when it is due, and the contacts that are new."""

@@ -13,7 +13,8 @@ from collections.abc import Callable
 import numpy as np
 
 from housefly.config.site import Site
-from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler
+from housefly.errors import WireError
+from housefly.geometry import GRAVITY, Vec2, Vec3, quaternion_from_euler, yaw_of
 from housefly.messages import DepthImage, Pose
 from housefly.room.model import Room
 from housefly.room.tracked import untracked
@@ -35,6 +36,7 @@ from housefly.twin.contracts import (
 from housefly.twin.disturbance import Disturbances, SensorCondition
 from housefly.twin.disturbed_drone import DisturbedDrone
 from housefly.twin.encounters import Encounters
+from housefly.twin.hands import Carry, CarryOrder
 from housefly.twin.marked_bodies import MarkedBodies
 from housefly.twin.mocap.cameras import MocapCameras
 from housefly.twin.mocap.frames import FrameMaker
@@ -106,6 +108,7 @@ class SimulatedWorld:
         self._now = 0.0
         self._ticks = 0
         self._heard_at = 0.0
+        self._carry: Carry | None = None
         self._wrench: Wrench = MOTORS_OFF
         self._body = self._physics.state()
         self._measured = self._sensors.read(self._body)
@@ -271,6 +274,21 @@ class SimulatedWorld:
         self._physics.place(position or home, quaternion_from_euler(0.0, 0.0, heading))
         self._body = self._physics.state()
 
+    def carry_drone(self, order: CarryOrder) -> None:
+        """Have somebody take the drone up and carry it; held in the air it stays in their hands.
+
+        Raises:
+            WireError: its motors turn.
+        """
+        if self._wrench.thrust > 0.0:
+            raise WireError("nobody takes hold of a drone whose propellers turn")
+        self._carry = Carry(order, self._body.position, yaw_of(self._body.orientation), self._now)
+
+    @property
+    def is_carried(self) -> bool:
+        """Whether the drone is on its way in somebody's hands."""
+        return self._carry is not None and not self._carry.is_over(self._now)
+
     def _delay_call(self, call: Callable[[], None]) -> None:
         self._delayed.append((self._now + self._delay, call))
 
@@ -292,6 +310,8 @@ class SimulatedWorld:
         )
         self._stage.play(self._ticks, began)
         self._disturbed.advance(self._wrench, before)
+        if self._carry is not None:
+            self._follow_hands(self._carry, began + CONTROL_PERIOD)
         self._battery.drain(CONTROL_PERIOD, self._wrench.thrust / _WEIGHT)
         self._gauge.read(self._disturbed.by)
         self._body = self._physics.state()
@@ -301,4 +321,17 @@ class SimulatedWorld:
             self._frames.expose(self._ticks * CONTROL_PERIOD, self._marked.seen(self._body))
 
 
+    def _follow_hands(self, carry: Carry, now: float) -> None:
+        """Move the drone with the hands that carry it; laid down, or started, it is let go."""
+        position, yaw, velocity, turn_rate = carry.at(now)
+        self._physics.place(
+            position, quaternion_from_euler(0.0, 0.0, yaw), velocity, (0.0, 0.0, turn_rate)
+        )
+        is_laid = carry.is_over(now) and position[2] <= STANDING_HEIGHT + _LAID
+        if is_laid or self._wrench.thrust > 0.0:
+            self._carry = None
+
+
+_LAID = 0.02
+"""A drone that is let go so near to the floor is laid down [m]."""
 _ROUNDING = 1e-9

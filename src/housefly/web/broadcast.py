@@ -1,4 +1,4 @@
-"""What the server sends to all browsers unasked: state at 20 Hz, events, link, path, the room."""
+"""What the server sends to all browsers unasked: state at 20 Hz, events, checks, the room."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ import asyncio
 import logging
 
 from housefly.errors import HouseflyError
-from housefly.hub.api.pilot_queries import PlanRequest
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.web.console import Console
-from housefly.web.protocol import LinkMessage, RoomMessage, to_text
+from housefly.web.protocol import LinkMessage, PreflightMessage, RoomMessage, to_text
+from housefly.web.session_watch import LOOK_PERIOD
 
 _LOG = logging.getLogger(__name__)
 
@@ -18,6 +19,10 @@ _ROOM_RETRY_PERIOD = 1.0
 """Pause between two requests for the room until the pilot answers [s]."""
 _HOME_PLAN_PERIOD = 2.0
 """How often the way home is planned, for the battery bar [s]."""
+_PREFLIGHT_PERIOD = 1.0
+"""How often the pilot is asked, on the ground, what its pre-flight checks found last [s]."""
+_PREFLIGHT_RETRY_PERIOD = 0.25
+"""How soon it is asked again while nothing is known, and whether it has landed [s]."""
 
 
 class Broadcast:
@@ -36,6 +41,8 @@ class Broadcast:
             tasks.create_task(self._send_changes())
             tasks.create_task(self._watch_room())
             tasks.create_task(self._watch_return_time())
+            tasks.create_task(self._watch_preflight())
+            tasks.create_task(self._watch_sessions())
 
     async def _send_changes(self) -> None:
         while True:
@@ -85,6 +92,29 @@ class Broadcast:
         while True:
             await asyncio.sleep(_HOME_PLAN_PERIOD)
             self._home_s = await self._plan_home() if self._console.flying else 0.0
+
+    async def _watch_preflight(self) -> None:
+        while True:
+            found = await self._preflight()
+            if found != self._console.preflight:
+                self._console.preflight = found
+                self._console.broadcast("preflight", to_text(PreflightMessage(found)))
+            await asyncio.sleep(_PREFLIGHT_PERIOD if found.checks else _PREFLIGHT_RETRY_PERIOD)
+
+    async def _watch_sessions(self) -> None:
+        while True:
+            await asyncio.sleep(LOOK_PERIOD)
+            self._console.check_sessions()
+
+    async def _preflight(self) -> PreflightView:
+        """Return what the checks found; nothing in flight, so that nobody reads old ones later."""
+        if self._console.flying or not self._console.pilot_is_heard:
+            return PreflightView()
+        try:
+            return await self._console.link.preflight()
+        except HouseflyError as error:
+            _LOG.debug("no pre-flight checks: %s", error)
+            return PreflightView()
 
     async def _plan_home(self) -> float:
         if self._console.room is None:

@@ -29,10 +29,12 @@ class ConnectionLimiter:
 
     Attributes:
         cut: connections closed because there were too many, or because they said nothing.
+        on_connection: is told of every connection that HTTP may begin on.
     """
 
     def __init__(self) -> None:
         self.cut = 0
+        self.on_connection: Callable[[asyncio.BaseTransport], None] = lambda transport: None
         self._waiting: dict[LimitedProtocol, float] = {}
         self._speaking: dict[LimitedProtocol, None] = {}
         self._sweeping: asyncio.TimerHandle | None = None
@@ -96,6 +98,7 @@ class LimitedProtocol(H11Protocol):
     def connection_made(self, transport: Any) -> None:
         """Register the connection."""
         super().connection_made(transport)
+        self.limiter.on_connection(transport)
         self.address = self.client[0] if self.client else ""
         self.limiter.add(self)
 

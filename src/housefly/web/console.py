@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError
-from housefly.hub.api.pilot_queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.lease import Lease
@@ -31,6 +31,7 @@ from housefly.web.protocol import (
     PlanQuestion,
     PlanReply,
     PongReply,
+    PreflightMessage,
     RefusedReply,
     RoomMessage,
     StopRequest,
@@ -39,8 +40,10 @@ from housefly.web.protocol import (
     Welcome,
     to_text,
 )
+from housefly.web.roles import Role, role_for_message, role_objection
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
+from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed, on_the_ground
 from housefly.web.viewer import Viewer
 
@@ -70,11 +73,12 @@ class Console:
     ) -> None:
         self.feed, self.link, self.lease = feed, link, Lease()
         self.room: RoomView | None = None
+        self.preflight = PreflightView()
         self.viewers: set[Viewer] = set()
         self.seats = Seats()
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self._stopped_at = float("-inf")
-        self._numbers: dict[str, int] = {}
+        self._numbers: dict[tuple[str, str], int] = {}
         self._tasks: set[asyncio.Task[None]] = set()
         self._handlers: dict[type, Callable[[Viewer, Any], None]] = {
             Hello: self._hello,
@@ -104,6 +108,11 @@ class Console:
             first = error.errors()[0]
             key = dotted(first["loc"]) or "message"
             viewer.send(RefusedReply(0, f"{key}: {words_of(first)}"))
+            self._within_rate(viewer)
+            return
+        if objection := self._role_objection(viewer, message):
+            self._record(viewer.name, viewer.session.name, f"{message.type} refused: {objection}")
+            viewer.send(RefusedReply(getattr(message, "id", 0), objection))
             self._within_rate(viewer)
             return
         self.lease.renew(viewer.number, self._clock.now())
@@ -137,13 +146,23 @@ class Console:
             self.feed.log_event(Severity.WARNING, "control", text)
             self.broadcast_viewers()
 
-    def name_of_tab(self, tab: str) -> str:
-        """Return the name that others see for a tab."""
-        return self._name(self._numbers.get(tab))
+    def check_sessions(self) -> None:
+        """Close the sockets of sessions that are over; free control of who may no longer fly."""
+        for viewer in tuple(self.viewers):
+            session = self._auth.renewed(viewer.session)
+            if session is None:
+                viewer.close(CLOSE_SESSION_OVER, "this session is over")
+            may_fly = session is not None and session.role.includes(Role.FLY)
+            if viewer.present and viewer.number == self.lease.holder and not may_fly:
+                self._take_control_from(viewer)
 
-    def control_objection(self, tab: str) -> str:
-        """Return why this tab does not have control, in words, or ""."""
-        return self._no_control(self._numbers.get(tab))
+    def name_of_tab(self, owner: str, tab: str) -> str:
+        """Return the name that others see for a tab of a session's owner."""
+        return self._name(self._numbers.get((owner, tab)))
+
+    def control_objection(self, owner: str, tab: str) -> str:
+        """Return why this tab of a session's owner does not have control, in words, or ""."""
+        return self._no_control(self._numbers.get((owner, tab)))
 
     def announce(self, words: str) -> None:
         """Put a line into everybody's event log."""
@@ -152,6 +171,20 @@ class Console:
         self.feed.log_event(Severity.INFO, "room", words)
 
     # --- messages
+
+    def _role_objection(self, viewer: Viewer, message: Any) -> str:
+        """Return why a viewer's role is not enough, in words, or ""; STOP and LAND look nowhere."""
+        needed = role_for_message(message)
+        if needed is Role.WATCH:
+            return ""
+        session = self._auth.renewed(viewer.session)
+        return role_objection(session.role, needed) if session else "this session is over"
+
+    def _take_control_from(self, viewer: Viewer) -> None:
+        self.lease.release(viewer.number)
+        text = f"{viewer.name} may not fly any more and lost control"
+        self.feed.log_event(Severity.WARNING, "control", text)
+        self.broadcast_viewers()
 
     def _within_rate(self, viewer: Viewer) -> bool:
         if viewer.limiter.spend(self._clock.now()):
@@ -163,7 +196,8 @@ class Console:
         return False
 
     def _hello(self, viewer: Viewer, message: Hello) -> None:
-        number = self._numbers.get(message.tab)
+        tab = (viewer.session.owner, message.tab)  # nobody else's, even if it has the same name
+        number = self._numbers.get(tab)
         if number is None and len(self._numbers) >= _MAX_TABS:
             viewer.close(1013, "too many tabs since the console started")
             return
@@ -171,17 +205,22 @@ class Console:
             if other is not viewer and other.present and other.number == number:
                 other.number = 0
                 other.close(_CLOSE_OPENED_ELSEWHERE, "this console was opened in another tab")
-        viewer.number = self._numbers.setdefault(message.tab, len(self._numbers) + 1)
-        viewer.name = message.name or f"Viewer {viewer.number}"
+        viewer.number = self._numbers.setdefault(tab, len(self._numbers) + 1)
+        viewer.name = viewer.session.user or message.name or f"Viewer {viewer.number}"
         events = self.feed.events_after(0)
         viewer.event = events[-1].number if events else 0
         viewer.send(Welcome(viewer.number, self._clock.now(), events, self.feed.trail()))
         if self.room is not None:
             viewer.send(RoomMessage(self.room))
+        viewer.send_latest("preflight", to_text(PreflightMessage(self.preflight)))
         viewer.send_latest("path", to_text(self.feed.path()))
         if (link := self.feed.link()) is not None:
             viewer.send_latest("link", to_text(link))
-        if self.lease.holder is None and sum(other.present for other in self.viewers) == 1:
+        if (
+            self.lease.holder is None
+            and sum(other.present for other in self.viewers) == 1
+            and viewer.session.role.includes(Role.FLY)
+        ):
             self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
         self.broadcast_viewers()
 
@@ -189,7 +228,7 @@ class Console:
         viewer.send(PongReply(message.sent, self._clock.now()))
 
     def _stop(self, viewer: Viewer, message: StopRequest) -> None:
-        self.stop(viewer.name, viewer.session)
+        self.stop(viewer.name, viewer.session.name)
         viewer.send(AcceptedReply(message.id))
 
     def stop(self, sender: str, session: str = "") -> None:
@@ -204,10 +243,12 @@ class Console:
         if message.order is OrderKind.STOP:
             self._stop(viewer, StopRequest("stop", message.id))
         elif reason := self._order_objection(viewer, message):
-            self._record(viewer.name, viewer.session, f"{message.order.value} refused: {reason}")
+            self._record(
+                viewer.name, viewer.session.name, f"{message.order.value} refused: {reason}"
+            )
             viewer.send(RefusedReply(message.id, reason))
         else:
-            self._audit(viewer.name, order_in_words(message), viewer.session)
+            self._audit(viewer.name, order_in_words(message), viewer.session.name)
             sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
             self._start(self._confirm(viewer, message.id, sent))
 
@@ -216,7 +257,7 @@ class Console:
             return order_objection(message, self.room)
         if problem := self._no_control(viewer.number):
             return problem
-        if self.feed.age > _PILOT_TIMEOUT and message.order is not OrderKind.CUT:
+        if not self.pilot_is_heard and message.order is not OrderKind.CUT:
             return "no contact with the pilot"
         return order_objection(message, self.room)
 
@@ -256,24 +297,34 @@ class Console:
             words = "took control"
         elif message.action == "release":
             problem, words = self.lease.release(me), "laid down control"
-        elif message.to in {other.number for other in self.viewers if other.present}:
+        elif message.to in {other.number for other in self.viewers if self._may_fly(other)}:
             problem = self.lease.hand_over(me, message.to, now)
             words = f"handed control to {self._name(message.to)}"
         else:
-            problem, words = "that viewer is not here any more", ""
+            problem, words = "that viewer is not here any more, or may not fly", ""
         if problem:
             viewer.send(RefusedReply(message.id, problem))
             return
-        self._record(viewer.name, viewer.session, words)
+        self._record(viewer.name, viewer.session.name, words)
         self.feed.log_event(Severity.INFO, "control", f"{viewer.name} {words}")
         viewer.send(AcceptedReply(message.id))
         self.broadcast_viewers()
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
-        self._record(viewer.name, viewer.session, "made a one-time link")
-        viewer.send(InviteReply(message.id, f"/?token={self._auth.invite()}"))
+        self._record(viewer.name, viewer.session.name, "made a one-time link")
+        token = self._auth.invite(viewer.session.role)
+        viewer.send(InviteReply(message.id, f"/?token={token}"))
 
     # --- helpers
+
+    def _may_fly(self, viewer: Viewer) -> bool:
+        session = self._auth.renewed(viewer.session) if viewer.present else None
+        return session is not None and session.role.includes(Role.FLY)
+
+    @property
+    def pilot_is_heard(self) -> bool:
+        """Whether what is known of the pilot is of now."""
+        return self.feed.age <= _PILOT_TIMEOUT
 
     @property
     def flying(self) -> bool:
@@ -290,7 +341,7 @@ class Console:
         """Log who asked for what; the pilot adds it to the event log unless it is silent."""
         _LOG.info("%s: %s", sender, words)
         self._record(sender, session, words)
-        if self.feed.age > _PILOT_TIMEOUT:
+        if not self.pilot_is_heard:
             text = f"{sender}: {words}, but the pilot is not heard"
             self.feed.log_event(Severity.WARNING, "order", text)
 

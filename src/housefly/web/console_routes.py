@@ -11,6 +11,7 @@ from starlette.routing import BaseRoute, Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.console import Console
+from housefly.web.session import Session
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol
 from housefly.web.viewer import Viewer
 
@@ -19,14 +20,15 @@ def console_routes(console: Console, auth: SessionAuth) -> list[BaseRoute]:
     """Return ``/socket`` and ``/stop``."""
 
     async def socket(websocket: WebSocket) -> None:
-        if await auth.admit(websocket):
-            with console.seats.taken(auth.session_of(websocket)) as seated:
-                await _serve(websocket, console, auth.session_of(websocket), seated=seated)
+        if session := await auth.admit(websocket):
+            with console.seats.taken(session.owner) as seated:
+                await _serve(websocket, console, session, seated=seated)
 
     async def stop(request: Request) -> Response:
-        if not auth.is_own_page(request):
+        session = auth.session_of(request) if auth.is_own_page(request) else None
+        if session is None:
             return JSONResponse({"reason": "this page may not stop the drone"}, status_code=403)
-        console.stop("a browser without a socket", auth.session_of(request))
+        console.stop(session.user or "a browser without a socket", session.name)
         return JSONResponse({"stopped": True})
 
     return [WebSocketRoute("/socket", socket), Route("/stop", stop, methods=["POST"])]
@@ -45,7 +47,7 @@ def _expect_hello(viewer: Viewer) -> None:
         viewer.close(1008, "a browser says hello first")
 
 
-async def _serve(websocket: WebSocket, console: Console, session: str, *, seated: bool) -> None:
+async def _serve(websocket: WebSocket, console: Console, session: Session, *, seated: bool) -> None:
     """Carry messages both ways until either side leaves."""
     if not seated:
         await websocket.close(1013, "too many viewers, in all or of this browser")

@@ -34,10 +34,10 @@ _VIEW: TypeAdapter[EditsView] = TypeAdapter(EditsView)
 class _Control(Protocol):
     """What the console knows of a browser tab and of who has control."""
 
-    def name_of_tab(self, tab: str) -> str:
+    def name_of_tab(self, owner: str, tab: str) -> str:
         """Return the name that others see."""
 
-    def control_objection(self, tab: str) -> str:
+    def control_objection(self, owner: str, tab: str) -> str:
         """Return why this tab does not have control, in words, or ""."""
 
     def announce(self, words: str) -> None:
@@ -100,7 +100,8 @@ class EditsApi:
         work: Callable[[EditService, _EditRequest, str], EditsView],
         did: str,
     ) -> Response:
-        if not self._auth.is_own_page(request):
+        session = self._auth.session_of(request) if self._auth.is_own_page(request) else None
+        if session is None:
             return error_response(403, "this page may not change the room")
         body = await _body(request)
         if body is None:
@@ -109,9 +110,9 @@ class EditsApi:
             asked = _parsed(body)
         except ValueError as error:
             return error_response(422, str(error))
-        if objection := self._control.control_objection(asked.tab):
+        if objection := self._control.control_objection(session.owner, asked.tab):
             return error_response(403, objection)
-        by = self._control.name_of_tab(asked.tab)
+        by = self._control.name_of_tab(session.owner, asked.tab)
         answer = await self._answer(lambda service: work(service, asked, by))
         if answer.status_code == 200:
             self._control.announce(f"{by} {did} places and zones")

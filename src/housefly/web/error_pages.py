@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from html import escape
+from math import ceil
 
 from starlette.responses import HTMLResponse
 
@@ -26,15 +27,42 @@ _PAGE = """<!doctype html>
 """
 
 
+_FORM_HEADERS = {
+    "cache-control": "no-store",
+    "referrer-policy": "same-origin",
+    "content-security-policy": (
+        "default-src 'none'; img-src 'self'; style-src 'self'; base-uri 'none';"
+        " form-action 'self'; frame-ancestors 'none'"
+    ),
+}
+"""For the pages with a form: without a referrer browsers would send no Origin with it."""
+_LOGIN_FORM = """<form method="post" action="/login">
+<p><label>Name<br><input name="name" autocomplete="username" autocapitalize="none"
+ required maxlength="24" autofocus></label></p>
+<p><label>Password<br><input name="password" type="password" autocomplete="current-password"
+ required maxlength="256"></label></p>
+<p><button type="submit">Log in</button></p>
+</form>"""
+_LOGOUT_FORM = """<form method="post" action="/logout">
+<p><button type="submit">Log out</button></p>
+</form>"""
+
+
 def _page(
-    title: str, *paragraphs: str, status: int = 200, link: tuple[str, str] | None = None
+    title: str,
+    *paragraphs: str,
+    status: int = 200,
+    link: tuple[str, str] | None = None,
+    form: str = "",
 ) -> HTMLResponse:
-    """Return a plain page with a title, paragraphs, and an optional link (address, text)."""
+    """Return a plain page: title, paragraphs, an optional link (address, text), a form's HTML."""
     body = [f"<p>{escape(text)}</p>" for text in paragraphs]
+    body += [form] if form else []
     if link:
         body.append(f'<p><a href="{escape(link[0])}">{escape(link[1])}</a></p>')
     text = _PAGE.format(title=escape(title), body="\n".join(body))
-    return HTMLResponse(text, status_code=status, headers={"cache-control": "no-store"})
+    headers = _FORM_HEADERS if form else {"cache-control": "no-store"}
+    return HTMLResponse(text, status_code=status, headers=headers)
 
 
 def link_used() -> HTMLResponse:
@@ -61,4 +89,38 @@ def no_session() -> HTMLResponse:
         "If you came here through such a link on another page, try again:",
         status=403,
         link=("/", "Open the console"),
+    )
+
+
+def login_page(problem: str = "", wait: float = 0.0) -> HTMLResponse:
+    """Return the page that asks who is there.
+
+    Args:
+        problem: why the last try did not succeed.
+        wait: when to try again [s]; 0 for at once.
+    """
+    page = _page("Who is there?", *filter(None, (problem,)), status=403, form=_LOGIN_FORM)
+    if wait > 0.0:
+        page.status_code = 429
+        page.headers["retry-after"] = str(ceil(wait))
+    return page
+
+
+def signed_in(user: str, role: str) -> HTMLResponse:
+    """Return the page that says who one is and what one may do."""
+    who = f"You are {user}" if user else "You came in by a one-time link"
+    return _page(
+        "Your session",
+        f"{who}; your role is {role!r}. STOP and LAND are for everybody.",
+        form=_LOGOUT_FORM,
+        link=("/", "Back to the console"),
+    )
+
+
+def signed_out() -> HTMLResponse:
+    """Return the page after logging out."""
+    return _page(
+        "You are logged out",
+        "Every window of this session is closed to it. The drone goes on with what it does.",
+        link=("/", "Log in again"),
     )

@@ -19,10 +19,17 @@ import uvicorn
 
 from housefly.bus.bus import Bus
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, PLAN_QUERY, ROOM_QUERY, STEP_TOPIC
+from housefly.bus.topics import (
+    LINK_TOPIC,
+    ORDER_TOPIC,
+    PLAN_QUERY,
+    PREFLIGHT_QUERY,
+    ROOM_QUERY,
+    STEP_TOPIC,
+)
 from housefly.clock import Clock, RealClock
 from housefly.geometry import Vec2, wrap_angle
-from housefly.hub.api.pilot_queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import (
     Action,
@@ -41,13 +48,14 @@ from housefly.messages import (
     PilotStep,
     PlanAnswer,
     Pose,
+    PreflightCheck,
     Reference,
     SafetyMode,
     Severity,
     Sighting,
     Telemetry,
 )
-from housefly.web.fake_room import FAKE_PILOT_SPEED, example_room, plan_on
+from housefly.web.fake_room import EXAMPLE_CHECKS, FAKE_PILOT_SPEED, example_room, plan_on
 from housefly.web.server import create_app
 
 _CLIMB_RATE = 0.6
@@ -64,6 +72,9 @@ class FakePilot:
         room: what it flies in.
         clock: its time.
         orders: every order it received, oldest first.
+        checks: what its pre-flight checks find.
+        notes: what the drone notes of its settings and sensors.
+        link_notes: what the pilot notes of its wires.
     """
 
     bus: Bus
@@ -84,12 +95,16 @@ class FakePilot:
     pose_age: float = 0.024
     sequence: int = 0
     publishing: bool = True
+    checks: tuple[PreflightCheck, ...] = EXAMPLE_CHECKS
+    notes: tuple[str, ...] = ()
+    link_notes: tuple[str, ...] = ()
     _events: list[Event] = field(default_factory=list)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
         self.position = self.room.home
         self.bus.subscribe(ORDER_TOPIC, self._obey)
+        self.bus.answer(PREFLIGHT_QUERY, lambda _: to_json(self._preflight()))
         self.bus.answer(ROOM_QUERY, lambda _: to_json(self.room))
         self.bus.answer(
             PLAN_QUERY, lambda text: to_json(self._answer(from_json(PlanRequest, text)))
@@ -104,11 +119,23 @@ class FakePilot:
                 self.publish_link()
 
     def publish_link(self) -> None:
-        """Publish a healthy link status."""
+        """Publish the status of wires that are well."""
         if self.publishing:
             self.bus.publish(
                 LINK_TOPIC,
-                LinkStatus(self.clock.now(), True, True, True, 100.0, 15.0, 30.0, 1e-4, 4e-4, 2e-3),
+                LinkStatus(
+                    at=self.clock.now(),
+                    tracking_connected=True,
+                    drone_connected=True,
+                    video_connected=True,
+                    tracking_rate_hz=100.0,
+                    telemetry_rate_hz=15.0,
+                    video_rate_hz=30.0,
+                    loop_p50_s=1e-4,
+                    loop_p99_s=4e-4,
+                    loop_max_s=2e-3,
+                    notes=self.link_notes,
+                ),
             )
 
     def advance(self, dt: float) -> None:
@@ -260,7 +287,9 @@ class FakePilot:
         sightings: tuple[Sighting, ...] = ()
         if self.room.visitor is not None:
             sightings = (Sighting("visitor", Pose((*self.room.visitor, 1.0)), now, now),)
-        telemetry = Telemetry(now - 0.03, self.status, self.battery, height=self.height)
+        telemetry = Telemetry(
+            now - 0.03, self.status, self.battery, height=self.height, notes=self.notes
+        )
         outputs = Outputs(
             Command(Action.FLY if self.status is DroneStatus.FLYING else Action.IDLE),
             estimate,
@@ -279,6 +308,11 @@ class FakePilot:
             tuple(self._events),
         )
         return PilotStep(self.sequence, now, Inputs(sightings, telemetry), outputs)
+
+    def _preflight(self) -> PreflightView:
+        return PreflightView(
+            all(one.passed or not one.required for one in self.checks), self.checks
+        )
 
     def _answer(self, request: PlanRequest) -> PlanAnswer:
         start = request.start or self.position

@@ -8,10 +8,36 @@ from math import dist
 
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import GridView, OutlineView, PlaceView, RoomView
-from housefly.messages import Path, PlanAnswer
+from housefly.messages import Path, PlanAnswer, PreflightCheck
 
 FAKE_PILOT_SPEED = 0.5
 """Speed of the fake drone [m/s]."""
+
+EXAMPLE_CHECKS = (
+    PreflightCheck(
+        code="charge",
+        title="the battery is charged",
+        fault="the battery is too low",
+        passed=True,
+        required=True,
+        value="86%",
+        limit="at least 20%",
+        why="it has to come home, and to land",
+        mend="charge it, or change the battery",
+    ),
+    PreflightCheck(
+        code="sees_people",
+        title="a sensor sees people without markers",
+        fault="people without markers are unseen",
+        passed=True,
+        required=False,
+        value="yes",
+        limit="yes",
+        why="it makes way only for people whom a sensor sees",
+        mend="keep people out of the room",
+    ),
+)
+"""Two pre-flight checks of which all is well: one that is required, one that is told only."""
 
 _Cell = tuple[int, int]
 

@@ -6,7 +6,7 @@ Pictures are decoded only while such a browser watches.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from io import BytesIO
 
 import av
@@ -23,20 +23,26 @@ _BOUNDARY = "picture"
 _JPEG_QUALITY = 75
 
 
-def mjpeg_response(video: VideoRelay, seats: Seats, session: str) -> StreamingResponse:
-    """Answer with pictures until the browser leaves; with none when it has no seat."""
+def mjpeg_response(
+    video: VideoRelay, seats: Seats, owner: str, may_watch: Callable[[], bool]
+) -> StreamingResponse:
+    """Answer with pictures until the browser leaves or may not; with none when it has no seat."""
     kind = f"multipart/x-mixed-replace; boundary={_BOUNDARY}"
     return StreamingResponse(
-        _seated_pictures(video, seats, session),
+        _seated_pictures(video, seats, owner, may_watch),
         media_type=kind,
         headers={"cache-control": "no-store"},
     )
 
 
-async def _seated_pictures(video: VideoRelay, seats: Seats, session: str) -> AsyncIterator[bytes]:
-    with seats.taken(session) as seated:
+async def _seated_pictures(
+    video: VideoRelay, seats: Seats, owner: str, may_watch: Callable[[], bool]
+) -> AsyncIterator[bytes]:
+    with seats.taken(owner) as seated:
         if seated:
             async for picture in _pictures(video):
+                if not may_watch():
+                    return
                 yield picture
 
 

@@ -8,10 +8,10 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import ORDER_TOPIC, PLAN_QUERY, ROOM_QUERY
+from housefly.bus.topics import ORDER_TOPIC, PLAN_QUERY, PREFLIGHT_QUERY, ROOM_QUERY
 from housefly.clock import Clock
 from housefly.errors import HouseflyError
-from housefly.hub.api.pilot_queries import PlanRequest, RoomView
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import Order, OrderKind, PlanAnswer
 
@@ -54,6 +54,10 @@ class PilotLink:
     async def plan(self, request: PlanRequest) -> PlanAnswer:
         """Ask for a path; raises LinkError or WireError."""
         return from_json(PlanAnswer, await self._ask(PLAN_QUERY, to_json(request)))
+
+    async def preflight(self) -> PreflightView:
+        """Ask what the pre-flight checks found last; raises LinkError or WireError."""
+        return from_json(PreflightView, await self._ask(PREFLIGHT_QUERY, ""))
 
     def close(self) -> None:
         """Shut the threads down without waiting for answers."""

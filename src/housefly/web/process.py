@@ -15,6 +15,7 @@ import os
 import secrets
 import signal
 import socket
+import ssl
 import sys
 from collections.abc import Sequence
 from concurrent.futures import Future
@@ -27,8 +28,8 @@ from starlette.applications import Starlette
 from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
-from housefly.config.site import Site, site_from_file
-from housefly.config.state import edits_folder
+from housefly.config.site import Site, changed, site_from_file
+from housefly.config.state import edits_folder, users_file
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
@@ -36,8 +37,11 @@ from housefly.web.audit_log import AuditLog
 from housefly.web.connections import ConnectionLimiter, limited_protocol
 from housefly.web.coverage_layer import coverage_view
 from housefly.web.edit_service import EditService
-from housefly.web.security import LOOPBACK_NAMES, check_bind
+from housefly.web.exposure import checked_exposure, console_address
+from housefly.web.handshakes import HandshakeListener
 from housefly.web.server import create_app
+from housefly.web.session import EndedSessions
+from housefly.web.users import UserBook
 
 _LOG = logging.getLogger(__name__)
 
@@ -49,7 +53,6 @@ _ACCEPTED_AT_ONCE = 8
 """Connections accepted in one turn of the loop; the rest waits, so that STOP does not."""
 _BACKLOG = 512
 """Connections that may wait for it."""
-_WILDCARD_ADDRESSES = frozenset({"0.0.0.0", "::"})
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -61,61 +64,36 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         site = site_from_file(options.site)
         folder = options.site.parent
-        serving = run_web(
-            site,
-            options.bus,
-            options.host,
-            options.port,
-            insecure=options.insecure,
-            names=options.name,
-            folder=folder,
-        )
-        asyncio.run(serving)
+        if options.port is not None:
+            site = changed(site, web__port=options.port)
+        asyncio.run(run_web(site, options.bus, folder))
     except HouseflyError as error:
         print(error, file=sys.stderr)
         return 1
     return 0
 
 
-async def run_web(
-    site: Site,
-    endpoint: str,
-    host: str | None = None,
-    port: int | None = None,
-    *,
-    insecure: bool = False,
-    names: Sequence[str] = (),
-    folder: Path = Path(),
-) -> None:
+async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
     """Serve the console of a site on its bus until cancelled or signalled.
 
     Args:
-        site: says where to listen.
+        site: says where to listen; port 0 takes a free one.
         endpoint: zenoh endpoint of the pilot.
-        host: address to listen on instead of the site's.
-        port: TCP port instead of the site's; 0 takes a free one.
-        insecure: allow an address that other machines reach.
-        names: further host names to answer to.
         folder: of the site file, for relative paths.
 
     Raises:
         ConfigError: the address is not allowed or taken, or a secret is missing.
     """
-    host, port = host or site.web.host, site.web.port if port is None else port
-    check_bind(host, insecure=insecure)
-    if host in _WILDCARD_ADDRESSES and not names:
-        raise ConfigError(
-            "web.host",
-            f"is {host!r}: say with --name under which names browsers will ask for the console",
-        )
+    exposure = checked_exposure(site)
+    certificate = exposure.certificate
     token = os.environ.get(TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     stop = _stop_sender()
-    with _listening(host, port) as listener, ZenohBus(connect=endpoint) as bus:
+    with listening(site.web.host, site.web.port) as listener, ZenohBus(connect=endpoint) as bus:
         app = create_app(
             bus,
             token,
             lambda: stop.send().add_done_callback(_report_stop),
-            hosts=LOOPBACK_NAMES | {host, *names},
+            hosts=exposure.names,
             secret=os.environ.get(SECRET_VARIABLE, ""),
             drone_body=site.tracking.body,
             furniture=site.furniture,
@@ -126,36 +104,53 @@ async def run_web(
                 lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))
             ),
             audit=AuditLog(edits_folder(site).with_name("commands.jsonl")),
+            users=UserBook(users_file(site)),
+            ended=EndedSessions(folder / "ended-sessions"),
         )
-        address = f"http://{f'[{host}]' if ':' in host else host}:{listener.getsockname()[1]}"
+        site = changed(site, web__port=listener.getsockname()[1])
         # Later collections skip what lives for the whole run, so that nobody waits for them.
         gc.freeze()
-        print(f"console ready: {address}/?token={token}", flush=True)
-        await make_server(app).serve([listener])
+        print(f"console ready: {console_address(site)}/?token={token}", flush=True)
+        await make_server(app, certificate.context if certificate else None).serve([listener])
 
 
-def make_server(app: Starlette) -> uvicorn.Server:
-    """Return the HTTP server; it exits within a second even while browsers are connected."""
-    return _Server(
-        uvicorn.Config(
-            app,
-            log_level="warning",
-            access_log=False,
-            server_header=False,
-            http=limited_protocol(ConnectionLimiter()),
-            ws="websockets-sansio",
-            ws_max_size=_MAX_MESSAGE_SIZE,
-            ws_ping_interval=_PING_PERIOD,
-            ws_ping_timeout=_PING_PERIOD,
-            backlog=_ACCEPTED_AT_ONCE,
-            ws_per_message_deflate=False,
-            timeout_graceful_shutdown=1,
-        )
+def make_server(app: Starlette, tls: ssl.SSLContext | None = None) -> uvicorn.Server:
+    """Return the HTTP server; it exits within a second even while browsers are connected.
+
+    Args:
+        app: what it serves.
+        tls: encrypts every connection; None for plain HTTP.
+    """
+    limiter = ConnectionLimiter()
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        server_header=False,
+        proxy_headers=False,  # anybody could write them, and with them another address
+        http=limited_protocol(limiter),
+        ws="websockets-sansio",
+        ws_max_size=_MAX_MESSAGE_SIZE,
+        ws_ping_interval=_PING_PERIOD,
+        ws_ping_timeout=_PING_PERIOD,
+        backlog=_ACCEPTED_AT_ONCE,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
     )
+    config.load()
+    config.ssl = tls
+    return _Server(config, limiter)
 
 
 class _Server(uvicorn.Server):
+    def __init__(self, config: uvicorn.Config, limiter: ConnectionLimiter) -> None:
+        super().__init__(config)
+        self._limiter = limiter
+
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        for listener in sockets or ():
+            if isinstance(listener, HandshakeListener):
+                self._limiter.on_connection = listener.finished
         await super().startup(sockets)
         for listener in sockets or ():
             listener.listen(_BACKLOG)  # asyncio takes one number for both
@@ -165,11 +160,12 @@ def _exit(number: int, frame: FrameType | None) -> None:
     raise SystemExit(0)
 
 
-def _listening(host: str, port: int) -> socket.socket:
+def listening(host: str, port: int) -> HandshakeListener:
+    """Return a socket that listens; raises ConfigError when the address cannot be had."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     # Without the protocol asyncio leaves Nagle on, and every answer waits 40 ms for an
     # acknowledgement.
-    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    listener = HandshakeListener(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     try:
         listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.bind((host, port))
@@ -208,20 +204,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--bus", required=True, help="zenoh endpoint of the pilot, unixsock-stream/PATH"
     )
-    parser.add_argument("--host", help="address to listen on instead of the site's")
     parser.add_argument(
         "--port", type=int, help="TCP port instead of the site's; 0 takes a free one"
-    )
-    parser.add_argument(
-        "--name",
-        action="append",
-        default=[],
-        help="further host name to answer to; may be repeated",
-    )
-    parser.add_argument(
-        "--insecure",
-        action="store_true",
-        help="allow an address that other machines reach, without encryption",
     )
     return parser
 

@@ -13,7 +13,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import ConfigDict, Field, TypeAdapter
 
 from housefly.geometry import Vec2, Vec3
-from housefly.hub.api.pilot_queries import RoomView
+from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import (
     Action,
     Behavior,
@@ -159,6 +159,14 @@ class RoomMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class PreflightMessage:
+    """What the pre-flight checks found; no checks in flight, or while nobody has looked."""
+
+    preflight: PreflightView
+    type: Literal["preflight"] = "preflight"
+
+
+@dataclass(frozen=True, slots=True)
 class OtherBody:
     """Another tracked body: the visitor, or furniture with length and width [m] and yaw [rad]."""
 
@@ -176,6 +184,8 @@ class StateMessage:
         heard_at: when the server received the step [s].
         battery, battery_return: charge, and the share that the flight home would cost, 0 to 1.
         flight_s: flight time that the charge allows [s].
+        faults, notes: the drone's complaints, and what is not as it should be with its settings or
+            sensors.
         height: the drone's own height sensor [m].
         wanted: reference position [m].
         path: number of the path in use; the path itself comes as PathMessage.
@@ -189,6 +199,7 @@ class StateMessage:
     flight_s: float | None
     telemetry_age: float | None
     faults: tuple[str, ...]
+    notes: tuple[str, ...]
     height: float | None
     position: Vec3 | None
     velocity: Vec3 | None
@@ -299,6 +310,7 @@ class InviteReply:
 ServerMessage = (
     Welcome
     | RoomMessage
+    | PreflightMessage
     | StateMessage
     | PathMessage
     | LinkMessage

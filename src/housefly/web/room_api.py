@@ -27,9 +27,11 @@ from housefly.hub.api.json import first_problem, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.messages import RoomNews
 from housefly.web.responses import error_response, json_response
+from housefly.web.roles import Role
 from housefly.web.room_openapi import openapi_document
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol, same_origin
+from housefly.web.session_watch import while_logged_in
 
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
@@ -101,12 +103,14 @@ class RoomApi:
         ):
             await websocket.close(1008, _WHO_MAY_ASK)
             return
-        with self._seats.taken(self._auth.session_of(websocket)) as seated:
+        session = self._auth.session_of(websocket)
+        with self._seats.taken(session.owner if session else "") as seated:
             if not seated:
                 await websocket.close(1013, "too many listen, in all or of this session")
                 return
             await websocket.accept(chosen_subprotocol(websocket))
-            await self._tell(websocket)
+            async with while_logged_in(websocket, self._auth, session, Role.WATCH):
+                await self._tell(websocket)
 
     async def _tell(self, websocket: WebSocket) -> None:
         """Send news until the listener leaves or is too slow."""

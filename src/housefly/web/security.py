@@ -1,18 +1,14 @@
-"""Where the console may listen, and the checks against pages of other sites on every request.
+"""Checks against pages of other sites on every request.
 
 Host names are allow-listed against DNS rebinding, and every answer carries protective headers.
 """
 
 from __future__ import annotations
 
-import ipaddress
-
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.responses import PlainTextResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from starlette.websockets import WebSocketClose
-
-from housefly.errors import ConfigError
 
 LOOPBACK_NAMES = frozenset({"127.0.0.1", "localhost", "::1"})
 
@@ -27,25 +23,6 @@ _PROTECTIVE_HEADERS = {
     "cross-origin-resource-policy": "same-origin",
     "permissions-policy": "camera=(), microphone=(), geolocation=()",
 }
-
-
-def check_bind(host: str, *, insecure: bool) -> None:
-    """Refuse a listening address that other machines reach, unless ``insecure`` allows it.
-
-    Raises:
-        ConfigError: naming the key and the way out.
-    """
-    try:
-        is_loopback = host == "localhost" or ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        is_loopback = False
-    if not is_loopback and not insecure:
-        raise ConfigError(
-            "web.host",
-            f"is {host!r}: other machines could reach the console over an unencrypted link;"
-            " allowed: a loopback address such as 127.0.0.1 (use an SSH tunnel from elsewhere), or"
-            " the option --insecure if you trust everyone on that network",
-        )
 
 
 class HostGuard:
@@ -96,7 +73,9 @@ def _host_name(host: str) -> str:
 def _with_headers(send: Send) -> Send:
     async def sending(message: Message) -> None:
         if message["type"] == "http.response.start":
-            MutableHeaders(scope=message).update(_PROTECTIVE_HEADERS)
+            headers = MutableHeaders(scope=message)
+            for name, value in _PROTECTIVE_HEADERS.items():
+                headers.setdefault(name, value)  # the login page has a form, and says so
         await send(message)
 
     return sending

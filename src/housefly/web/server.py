@@ -1,6 +1,8 @@
 """The console's server as one ASGI application.
 
 /                the console (with ``?token=`` : exchanges a one-time link for a session)
+/login, /logout  POST: a user's name and password for a session, and its end
+/account         who one is, and the way out
 /static/...      the built client
 /socket          WebSocket: state to the browser, orders from it
 /stop            POST: STOP, for a browser whose socket is down
@@ -33,12 +35,17 @@ from housefly.web.coverage_layer import CoverageLayer, CoverageView
 from housefly.web.coverage_routes import coverage_routes
 from housefly.web.edit_service import EditService
 from housefly.web.edits_api import EditsApi
+from housefly.web.logins import Logins
 from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
+from housefly.web.role_guard import RoleGuard
 from housefly.web.room_api import RoomApi
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
+from housefly.web.session import EndedSessions
 from housefly.web.session_auth import SessionAuth, api_key
+from housefly.web.session_pages import session_routes
 from housefly.web.state_feed import StateFeed
+from housefly.web.users import UserBook
 from housefly.web.video import VideoRelay
 from housefly.web.video_routes import video_routes
 
@@ -58,6 +65,8 @@ def create_app(
     coverage: Callable[[], CoverageView] | None = None,
     edits: EditService | None = None,
     audit: AuditLog | None = None,
+    users: UserBook | None = None,
+    ended: EndedSessions | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -74,9 +83,12 @@ def create_app(
         coverage: computes what the tracking cameras see, on a thread; None when nobody knows.
         audit: where every command is written down; None writes nothing.
         edits: where places and zones are edited; None where they are not.
+        users: who may log in; None for nobody.
+        ended: sessions that are over.
     """
     clock = clock or RealClock()
-    auth = SessionAuth(token, secret or secrets.token_urlsafe(32))
+    auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
+    logins = Logins(users, clock, audit) if users else None
     link = PilotLink(bus, stop, clock)
     console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock, audit)
     video = VideoRelay(bus)
@@ -85,16 +97,18 @@ def create_app(
     edits_api = EditsApi(edits, auth, console)
     closing = [link.close, room_api.close, edits_api.close, *([layer.close] if layer else [])]
     closing += [audit.close] if audit else []
+    closing += [logins.close] if logins else []
     return Starlette(
         routes=[
-            *page_routes(auth),
+            *page_routes(auth, logins),
+            *session_routes(auth, logins, audit),
             *console_routes(console, auth),
             *video_routes(video, auth),
             *coverage_routes(layer, auth),
             *room_api.routes(),
             *edits_api.routes(),
         ],
-        middleware=[Middleware(HostGuard, hosts=hosts)],
+        middleware=[Middleware(HostGuard, hosts=hosts), Middleware(RoleGuard, auth=auth)],
         lifespan=_lifespan(bus, console, video, closing),
     )
 

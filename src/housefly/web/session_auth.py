@@ -15,77 +15,136 @@ from hashlib import sha256
 from starlette.requests import HTTPConnection
 from starlette.websockets import WebSocket
 
+from housefly.clock import Clock, RealClock
+from housefly.web.roles import Role
+from housefly.web.session import EndedSessions, Session
+from housefly.web.users import User, UserBook
+
 PROOF_HEADER = "x-housefly-proof"
 SUBPROTOCOL = "housefly"
 """What a browser offers on a WebSocket beside ``proof.…``, because it cannot set headers there."""
 _PROOF_PREFIX = "proof."
 _COOKIE = "housefly"
+_SECURE_PREFIX = "__Host-"
+"""Browsers take such a cookie only over TLS and from this host itself."""
 _MAX_INVITES = 20
+_LOGIN = "~"
+"""What the grant of a login begins with."""
+LONGEST_LOGIN = 12 * 3600.0
+"""A login is over after this time [s]; a session of a link lives as long as the run."""
 
 
 class SessionAuth:
-    """Holds the open one-time links and checks the sessions that were made from them.
+    """Holds the open one-time links and checks the sessions that were made from them or by login.
 
     Sessions are signed, not stored: a console that restarts with the same secret still knows its
-    browsers.
+    browsers. What a user may do is looked up anew each time.
 
     Args:
-        token: the first one-time link's token.
+        token: the first one-time link's token; it opens a session of the highest role.
         secret: key of the sessions.
+        users: who may log in; None for nobody.
+        ended: sessions that are over.
+        clock: tells the age of a login.
     """
 
-    def __init__(self, token: str, secret: str) -> None:
-        self._open: list[str] = [token]
+    def __init__(
+        self,
+        token: str,
+        secret: str,
+        users: UserBook | None = None,
+        ended: EndedSessions | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        self._open: dict[str, Role] = {token: Role.ADMIN}
         self._key = hmac.digest(secret.encode(), b"housefly console session", sha256)
+        self._users, self._clock = users, clock or RealClock()
+        self._ended = EndedSessions() if ended is None else ended
 
-    def invite(self) -> str:
+    def invite(self, role: Role = Role.ADMIN) -> str:
         """Return a new one-time token; too many open ones expire the oldest."""
+        while len(self._open) >= _MAX_INVITES:
+            del self._open[next(iter(self._open))]
         token = secrets.token_urlsafe(24)
-        self._open = [*self._open[1 - _MAX_INVITES :], token]
+        self._open[token] = role
         return token
 
     def redeem(self, token: str) -> str | None:
         """Exchange a one-time token for a session cookie's value; None for an invalid token."""
         for known in self._open:
             if hmac.compare_digest(known.encode(), token.encode()):
-                self._open.remove(known)
-                name = secrets.token_urlsafe(24)
-                return f"{name}.{self._sign(name)}"
+                return self._new_cookie(self._open.pop(known).value)
         return None
 
-    def cookie_session(self, connection: HTTPConnection) -> str:
-        """Return the session whose cookie the browser sent, or ""; enough to show the page."""
-        name, _, signature = connection.cookies.get(cookie_name(connection), "").partition(".")
-        signed = hmac.compare_digest(signature.encode(), self._sign(name).encode())
-        return name if name and signed else ""
+    def log_in(self, user: User) -> str:
+        """Return the cookie's value of a new session of a user whose password was right."""
+        begun = int(self._clock.now())
+        return self._new_cookie(f"{_LOGIN}{user.name}:{user.fingerprint}:{begun}")
 
-    def session_of(self, connection: HTTPConnection) -> str:
-        """Return the session of a request that has its cookie and its proof, or ""."""
-        name = self.cookie_session(connection)
+    def log_out(self, session: Session) -> None:
+        """End a session for good."""
+        self._ended.add(session.name)
+
+    def cookie_session(self, connection: HTTPConnection) -> Session | None:
+        """Return the session whose cookie the browser sent; enough to show the page."""
+        name, grant, signature = _three(connection.cookies.get(cookie_name(connection), ""))
+        signed = hmac.compare_digest(signature.encode(), self._sign(f"{name}.{grant}").encode())
+        return self._session(name, grant) if name and signed else None
+
+    def session_of(self, connection: HTTPConnection) -> Session | None:
+        """Return the session of a request that has its cookie and its proof."""
+        session = self.cookie_session(connection)
+        name = session.name if session else ""
         proved = hmac.compare_digest(_offered_proof(connection).encode(), self.proof(name).encode())
-        return name if name and proved else ""
+        return session if proved else None
 
     def has_session(self, connection: HTTPConnection) -> bool:
         """Return whether a request has cookie and proof of a session."""
-        return bool(self.session_of(connection))
+        return self.session_of(connection) is not None
+
+    def renewed(self, session: Session) -> Session | None:
+        """Return a session with what it may do now, or None when it is over."""
+        return self._session(session.name, session.grant)
 
     def proof(self, session: str) -> str:
-        """Return what the page of a session knows beside the cookie."""
+        """Return what the page of a session, by name, knows beside the cookie."""
         return hmac.new(self._key, b"proof " + session.encode(), sha256).hexdigest()
 
     def is_own_page(self, connection: HTTPConnection) -> bool:
         """Return whether the request comes from a page of this server, with a session."""
         return same_origin(connection) and self.has_session(connection)
 
-    async def admit(self, websocket: WebSocket) -> bool:
-        """Close a WebSocket that another site or a stranger opens; return whether it may go on."""
-        if self.is_own_page(websocket):
-            return True
+    async def admit(self, websocket: WebSocket) -> Session | None:
+        """Return the session of a WebSocket; close one that another site or a stranger opens."""
+        session = self.session_of(websocket)
+        if session is not None and same_origin(websocket):
+            return session
         await websocket.close(1008, "this page may not open the console")
-        return False
+        return None
 
-    def _sign(self, name: str) -> str:
-        return hmac.new(self._key, name.encode(), sha256).hexdigest()
+    def _new_cookie(self, grant: str) -> str:
+        named = f"{secrets.token_urlsafe(24)}.{grant}"
+        return f"{named}.{self._sign(named)}"
+
+    def _session(self, name: str, grant: str) -> Session | None:
+        if name in self._ended:
+            return None
+        if not grant.startswith(_LOGIN):
+            return Session(name, grant, Role(grant))
+        user_name, fingerprint, begun = grant.removeprefix(_LOGIN).split(":")
+        user = self._users.find(user_name) if self._users else None
+        if user is None or user.fingerprint != fingerprint:
+            return None
+        return Session(name, grant, user.role, user.name)
+
+    def _sign(self, text: str) -> str:
+        return hmac.new(self._key, text.encode(), sha256).hexdigest()
+
+
+def _three(cookie: str) -> tuple[str, str, str]:
+    """Return the parts of a cookie: name, grant, signature; empty ones when it is none."""
+    parts = cookie.split(".")
+    return (parts[0], parts[1], parts[2]) if len(parts) == 3 else ("", "", "")
 
 
 def _offered_proof(connection: HTTPConnection) -> str:
@@ -111,10 +170,16 @@ def api_key(secret: str) -> str:
 
 def cookie_name(connection: HTTPConnection) -> str:
     """Return our cookie's name; it holds the port, which browsers do not tell cookies apart by."""
-    return f"{_COOKIE}_{connection.url.port or 'default'}"
+    prefix = _SECURE_PREFIX if is_encrypted(connection) else ""
+    return f"{prefix}{_COOKIE}_{connection.url.port or 'default'}"
+
+
+def is_encrypted(connection: HTTPConnection) -> bool:
+    """Return whether a request came over TLS."""
+    return connection.url.scheme in ("https", "wss")
 
 
 def same_origin(connection: HTTPConnection) -> bool:
     """Return whether the Origin header names this server; a missing header does not."""
-    scheme = "https" if connection.url.scheme in ("https", "wss") else "http"
+    scheme = "https" if is_encrypted(connection) else "http"
     return connection.headers.get("origin") == f"{scheme}://{connection.headers.get('host')}"

@@ -182,6 +182,7 @@ def _state(
         flight_s=telemetry.battery * _RATED_ENDURANCE if telemetry else None,
         telemetry_age=step.now - telemetry.received_at if telemetry else None,
         faults=telemetry.faults if telemetry else (),
+        notes=telemetry.notes if telemetry else (),
         height=telemetry.height if telemetry else None,
         position=estimate.position if estimate else None,
         velocity=estimate.velocity if estimate else None,

@@ -12,8 +12,10 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.error_pages import no_session
 from housefly.web.mjpeg import mjpeg_response
+from housefly.web.roles import Role
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol
+from housefly.web.session_watch import while_logged_in
 from housefly.web.video import FrameQueue, VideoRelay
 
 
@@ -22,13 +24,18 @@ def video_routes(video: VideoRelay, auth: SessionAuth) -> list[BaseRoute]:
     seats = Seats()
 
     async def h264(websocket: WebSocket) -> None:
-        if await auth.admit(websocket):
-            with seats.taken(auth.session_of(websocket)) as seated:
-                await _serve(websocket, video, seated=seated)
+        if session := await auth.admit(websocket):
+            with seats.taken(session.owner) as seated:
+                async with while_logged_in(websocket, auth, session, Role.WATCH):
+                    await _serve(websocket, video, seated=seated)
 
     async def jpeg(request: Request) -> Response:
         session = auth.session_of(request)
-        return mjpeg_response(video, seats, session) if session else no_session()
+        if session is None:
+            return no_session()
+        return mjpeg_response(
+            video, seats, session.owner, lambda: auth.renewed(session) is not None
+        )
 
     return [WebSocketRoute("/video", h264), Route("/video.mjpeg", jpeg)]
 

@@ -10,6 +10,7 @@ from starlette.websockets import WebSocket
 
 from housefly.web.protocol import PlanQuestion, ServerMessage, to_text
 from housefly.web.rate_limit import CommandLimiter
+from housefly.web.session import Session
 
 _MAX_QUEUED_MESSAGES = 1000
 """Answers and events that may wait for one browser; with more its socket is closed."""
@@ -20,7 +21,7 @@ class Viewer:
     """A socket with a queue of messages that must arrive and a slot for the newest of each kind.
 
     Attributes:
-        session: name of the session that the socket belongs to.
+        session: the session that the socket belongs to, with its role when it was opened.
         number: who this is; kept over reconnects of the same tab.
         name: shown to the others.
         event: last line of the event log that was sent.
@@ -30,7 +31,7 @@ class Viewer:
     """
 
     socket: WebSocket
-    session: str = ""
+    session: Session
     number: int = 0
     name: str = ""
     event: int = 0

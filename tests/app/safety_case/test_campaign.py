@@ -7,11 +7,18 @@ from pathlib import Path
 import pytest
 
 from housefly.app.safety_case import campaign
-from housefly.app.safety_case.campaign import RESULTS_FILE, flown_results, fly_plan
+from housefly.app.safety_case.campaign import (
+    RESULTS_FILE,
+    flown_results,
+    fly_plan,
+    fly_wired_plan,
+    wired_results,
+)
 from housefly.app.safety_case.fault_phase import FaultPhase
 from housefly.app.safety_case.page import write_safety_case
 from housefly.app.safety_case.plan import SafetyPlan, flown_rows
 from housefly.app.safety_case.trial import TrialKey, TrialResult
+from housefly.app.safety_case.wired_flight import WiredKey, WiredResult, wired_keys
 from housefly.errors import RecordingError
 
 
@@ -24,6 +31,10 @@ def landed(key: TrialKey) -> TrialResult:
 
 
 KEYS = [TrialKey("F03/5s", seed) for seed in range(6)]
+WIRED = [
+    WiredResult(WiredKey("F24/killed", 0), 3.0, (), "landed"),
+    WiredResult(WiredKey("F24/killed", 1), 4.0, ("I1: touched room wall",), "landed"),
+]
 
 
 def test_a_plan_that_was_cut_off_goes_on_and_flies_nothing_twice(
@@ -44,6 +55,22 @@ def test_a_plan_that_was_cut_off_goes_on_and_flies_nothing_twice(
     assert results == [landed(key) for key in KEYS] == flown_results(tmp_path)
 
 
+def test_a_flight_in_real_processes_is_kept_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    results = {result.key: result for result in WIRED}
+    monkeypatch.setattr(campaign, "fly_wired", lambda key, folder: results[key])
+    fly_wired_plan([WIRED[1].key], tmp_path, lambda result: None)
+    fly_wired_plan(list(results), tmp_path, lambda result: None)
+    assert wired_results(tmp_path) == [WIRED[1], WIRED[0]]
+
+
+def test_every_row_that_wires_can_carry_is_flown_in_real_processes() -> None:
+    flown = {key.row.partition("/")[0] for key in wired_keys(1)}
+    assert {"F02", "F13", "F19", "F24", "F25", "F30", "F34"} <= flown
+    assert {key.row for key in wired_keys(4, ("F24",))} == {"F24/killed", "F24/stopped"}
+
+
 def test_a_damaged_line_is_told_with_its_number(tmp_path: Path) -> None:
     (tmp_path / RESULTS_FILE).write_text("{}\n{}\n")
     with pytest.raises(RecordingError, match="line 1"):
@@ -60,8 +87,9 @@ def test_a_plan_holds_every_row_its_control_and_every_pair_once() -> None:
 
 
 def test_the_page_names_every_row_and_the_unsafe_flight_and_escapes_words(tmp_path: Path) -> None:
-    page = write_safety_case(tmp_path, [landed(key) for key in KEYS], {"on": "today"}).read_text()
+    path = write_safety_case(tmp_path, [landed(key) for key in KEYS], WIRED, {"on": "today"})
+    page = path.read_text()
     assert all(f'id="F{number:02d}"' in page for number in range(1, 46))
-    assert "1 of 6 flights unsafe" in page
+    assert "2 of 8 flights unsafe" in page
     assert "lost &lt;b&gt;" in page
     assert "housefly safety --again F03/5s --seed 3" in page

@@ -13,14 +13,35 @@ from housefly.app.safety_case.trial import TrialKey
     [
         ("F34/walks_up", 2, 0.3),
         pytest.param("F34/walks_up", 3, 0.3, marks=pytest.mark.safety),
+        pytest.param("F34/walks_up", 9, 0.2, marks=pytest.mark.safety),
         pytest.param("F34/head_on", 3, 0.0, marks=pytest.mark.safety),
         ("F34/head_on", 7, 0.3),
+        pytest.param("F34/head_on", 9, 0.0, marks=pytest.mark.safety),
+        pytest.param("F34/head_on", 10, 0.0, marks=pytest.mark.safety),
         pytest.param("F44/child", 3, 0.4, marks=pytest.mark.safety),
     ],
 )
 def test_nobody_is_touched(row: str, seed: int, least: float) -> None:
-    """Who walks up while the drone turns, cruises and lands; a child on the pad."""
+    """Who walks up while the drone climbs, turns, cruises and lands; a child on the pad."""
     result = fly_trial(TrialKey(row, seed))
     assert not result.violations
     assert result.person_clearance is not None
     assert result.person_clearance > least
+
+
+@pytest.mark.safety
+@pytest.mark.parametrize("seed", [2, 9, 12])
+def test_a_chair_that_is_taken_for_a_person_does_not_keep_the_drone_in_the_air(seed: int) -> None:
+    """It stands right beside the drone, and beside its pad when it comes home."""
+    result = fly_trial(TrialKey("F35/0.65m", seed))
+    assert not result.violations
+    assert result.ending == "stands on the floor"
+
+
+def test_who_runs_into_a_drone_that_takes_off_too_late_for_any_steering_is_counted_by_itself() -> (
+    None
+):
+    """At 1.5 m/s from 3 m they arrive 0.6 s after the take-off ends."""
+    result = fly_trial(TrialKey("F34/head_on", 1))
+    assert not result.violations
+    assert "person" in result.walked_into

@@ -9,6 +9,7 @@ import pytest
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Estimate, Telemetry
+from housefly.messages.preflight import FrameCheckState, FramesKnown
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.preflight import (
     PREFLIGHT_RULES,
@@ -56,6 +57,8 @@ BROKEN = {
     "settings": told(notes=("the tilt limit is 0.3 rad",)),
     "pad": replace(READY, home=(1.5, 2.0)),
     "sees_people": replace(READY, sees_people=False),
+    "frames_right": replace(READY, frames=FramesKnown(FrameCheckState.WRONG, "mirrored")),
+    "frames_checked": replace(READY, frames=FramesKnown(FrameCheckState.STALE)),
 }
 
 
@@ -76,5 +79,5 @@ def test_what_is_wrong_fails_its_own_check_and_refuses_only_where_it_must(rule) 
     refused = preflight_refusal(checks)
     assert bool(refused) == rule.required
     if refused:
-        assert rule.title in refused
+        assert rule.fault in refused
         assert rule.mend in refused

@@ -94,6 +94,13 @@ def test_in_a_corridor_the_drone_flees_from_who_comes_as_far_as_it_can() -> None
     assert found.place[0] > 5.0
 
 
+def test_who_stands_beside_the_drone_is_left_although_nothing_undoes_the_beginning() -> None:
+    found = refuge(
+        people((4.0, 1.8, 0.0, 0.0, 0.2)), hall(), (4.0, 2.5), (0.0, 0.0), HULL, 0.8, 1.2
+    )
+    assert hypot(found.place[0] - 4.0, found.place[1] - 1.8) - HULL - 0.2 > 0.9
+
+
 def test_nobody_is_thought_to_walk_through_a_wall_and_who_stands_does_not_come() -> None:
     assert walking_time(hall(), (6.5, 2.5), (1.0, 0.0)) == pytest.approx(1.4, abs=0.11)
     assert walking_time(hall(), (6.5, 2.5), (0.0, 0.0)) == WALKING_TIME_MAX

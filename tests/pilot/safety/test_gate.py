@@ -20,6 +20,7 @@ from housefly.messages import (
     Severity,
     Telemetry,
 )
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.gate import (
     AIRBORNE_ACTIONS,
@@ -31,10 +32,10 @@ from housefly.pilot.safety.gate import (
     GateVerdict,
     released,
 )
-from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import DESCENT_RATE, GatedCommand
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObserver
-from housefly.pilot.safety.rule import RuleContext
+from housefly.pilot.safety.rule import COUNTED, RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, ORDER_RULES, SAFETY_RULES
 
 LIMITS = LimitsConfig()
@@ -136,7 +137,8 @@ def test_the_worst_broken_rule_decides(each: GateInputs) -> None:
     mode = gate.judge(Command(Action.HOVER), each).mode
     seen = FlightObserver(LIMITS).observe(each, held=False, landing=False)
     context = RuleContext(each, seen, LIMITS, FENCE)
-    at_once = [rule for rule in SAFETY_RULES if rule.after == 0.0 and rule.applies(context)]
+    counted = [rule for rule in SAFETY_RULES if COUNTED[rule.counts](context)]
+    at_once = [rule for rule in counted if rule.after == 0.0 and rule.broken(context)]
     worst = max((MODE_SEVERITY[possible_mode(rule.mode, context)] for rule in at_once), default=0)
     assert MODE_SEVERITY[mode] >= worst
     assert MODE_SEVERITY[mode] == worst or gate.landing

@@ -11,10 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Telemetry
+from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
     LAND_AFTER,
-    REPORT_AGE_MAX,
     TRIM_TIME,
     CommandSequencer,
     Permit,
@@ -22,13 +22,13 @@ from housefly.wires.ardrone.command_sequencer import (
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 from housefly.wires.ardrone.emergency_button import PRESS_TIME_MAX
 
+AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 MAXIMA = Maxima(0.2, 0.7, 1.75)
 LAND = at.Ref(at.RefBits.LAND)
 TAKE_OFF = at.Ref(at.RefBits.TAKE_OFF)
 PRESS = at.Ref(at.RefBits.EMERGENCY)
 HOVER = at.Pcmd()
 STICKS = at.Pcmd(at.PcmdFlag.PROGRESSIVE, pitch=-0.5)
-AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 
 
 def report(status: DroneStatus, at_time: float) -> Telemetry:

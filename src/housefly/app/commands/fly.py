@@ -39,6 +39,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.flight import fly_service
+    from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=not options.lockstep)
     out = Path(options.out or time.strftime("flights/%Y-%m-%d_%H-%M-%S"))
@@ -48,6 +49,8 @@ def _run(options: Namespace) -> int:
         raise ConfigError("place", str(error.args[0])) from error
     if not 0.0 <= options.look <= 120.0:
         raise ConfigError("--look", f"is {options.look}; allowed: a number from 0 to 120 s")
+    if not (options.lockstep or options.headless):
+        checked_exposure(loaded.site)
     compile_once(CompiledPart.CHAIN, console.print)
     outcome = fly_service(
         loaded,

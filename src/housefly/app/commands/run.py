@@ -38,8 +38,10 @@ def _run(options: Namespace) -> int:
     """Start what the site needs and stay until Ctrl-C; the drone lands first."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.interactive import run_interactively
+    from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=True)
+    checked_exposure(loaded.site)
     compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:

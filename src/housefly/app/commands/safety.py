@@ -6,6 +6,8 @@ import os
 import platform
 import time
 from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,7 +17,6 @@ from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
     from housefly.app.safety_case.plan import SafetyPlan
-    from housefly.app.safety_case.trial import TrialResult
 
 _DESCRIPTION = """\
 Fly every fault of the matrix (docs/faults.md) in every phase of a service, in the simulated room, \
@@ -29,6 +30,7 @@ _EPILOG = """\
 examples:
   housefly safety                              all of it (about an hour and a half on two cores)
   housefly safety --quick                      a few flights of each row
+  housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --rows F13 F05 --seeds 40    two rows only
   housefly safety --again F13/2cm --seed 7     one flight again, with what was told"""
 _QUICK_SEEDS, _QUICK_CONTROLS, _QUICK_CALM = 16, 4, 12
@@ -46,6 +48,11 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--workers", type=int, default=0, metavar="N", help="processes (default: one per core)"
     )
+    parser.add_argument(
+        "--wires", type=int, default=0, metavar="N",
+        help="also N flights of each row in real processes and real time, about 40 s each"
+        " (default: 0)",
+    )  # fmt: skip
     parser.add_argument("--again", metavar="ROW", help="fly one flight and say how it went")
     parser.add_argument("--seed", type=int, default=0, help="of --again (default: 0)")
     parser.add_argument("--unguarded", action="store_true", help="of --again: without guards")
@@ -62,6 +69,8 @@ def _run(options: Namespace) -> int:
             raise ConfigError("--rows", f"{row!r} is not flown here; there are {', '.join(known)}")
     if not 1 <= options.seeds <= 100_000:
         raise ConfigError("--seeds", f"is {options.seeds}; allowed: 1 to 100000")
+    if not 0 <= options.wires <= 1000:
+        raise ConfigError("--wires", f"is {options.wires}; allowed: 0 to 1000")
     if not 0 <= options.seed < 2**31 - 1:
         raise ConfigError("--seed", f"is {options.seed}; allowed: 0 to {2**31 - 2}")
     compile_once(CompiledPart.CHAIN, console.print)
@@ -78,34 +87,53 @@ def _plan(options: Namespace) -> SafetyPlan:
 
 
 def _fly_all(options: Namespace) -> int:
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
-
-    from housefly.app.safety_case.campaign import flown_results, fly_plan
+    from housefly.app.safety_case.campaign import (
+        flown_results,
+        fly_plan,
+        fly_wired_plan,
+        wired_results,
+    )
     from housefly.app.safety_case.page import write_safety_case
+    from housefly.app.safety_case.wired_flight import wired_keys
 
     out, keys, began = Path(options.out), _plan(options).keys(), time.monotonic()
     workers = options.workers or len(os.sched_getaffinity(0))
     there = {result.key for result in flown_results(out)}
-    unsafe = 0
+    with _progress("flights", len(keys), sum(key in there for key in keys)) as add:
+        results = fly_plan(keys, out, workers, lambda r: add(r.unsafe and r.key.guarded))
+    wired_wanted = wired_keys(options.wires, tuple(options.rows))
+    wired_there = {result.key for result in wired_results(out)}
+    done = sum(key in wired_there for key in wired_wanted)
+    with _progress("in real time", len(wired_wanted), done) as add:
+        wired = fly_wired_plan(wired_wanted, out, lambda r: add(r.unsafe))
+    made = _made(options, len(results) + len(wired), time.monotonic() - began)
+    page = write_safety_case(out, results, wired, made)
+    guarded = [result for result in results if result.key.guarded]
+    bad = sum(r.unsafe for r in guarded) + sum(r.unsafe for r in wired)
+    total = len(guarded) + len(wired)
+    console.print(f"{bad} of {total} flights unsafe; the page: {page}", soft_wrap=True)
+    return 1 if bad else 0
+
+
+@contextmanager
+def _progress(what: str, total: int, done: int) -> Iterator[Callable[[bool], None]]:
+    """Show how far it is, and yield what counts a flight and whether it was unsafe."""
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
+
     columns = (
-        TextColumn("flights"), BarColumn(30), MofNCompleteColumn(),
+        TextColumn(what), BarColumn(30), MofNCompleteColumn(),
         TextColumn("{task.fields[unsafe]} unsafe"), TimeRemainingColumn(),
     )  # fmt: skip
+    unsafe = 0
     with new_progress(*columns) as progress:
-        done = sum(key in there for key in keys)
-        task = progress.add_task("", total=len(keys), completed=done, unsafe=0)
+        task = progress.add_task("", total=total, completed=done, unsafe=0, visible=total > 0)
 
-        def on_result(result: TrialResult) -> None:
+        def add(was_unsafe: bool) -> None:
             nonlocal unsafe
-            unsafe += result.unsafe and result.key.guarded
+            unsafe += was_unsafe
             progress.update(task, advance=1, unsafe=unsafe)
 
-        results = fly_plan(keys, out, workers, on_result)
-    page = write_safety_case(out, results, _made(options, len(results), time.monotonic() - began))
-    guarded = [result for result in results if result.key.guarded]
-    bad = sum(result.unsafe for result in guarded)
-    console.print(f"{bad} of {len(guarded)} flights unsafe; the page: {page}", soft_wrap=True)
-    return 1 if bad else 0
+        yield add
 
 
 def _fly_again(options: Namespace) -> int:
@@ -124,6 +152,7 @@ def _made(options: Namespace, flights: int, seconds: float) -> dict[str, str]:
 
     rows = f" --rows {' '.join(options.rows)}" if options.rows else ""
     how = " --quick" if options.quick else f" --seeds {options.seeds}"
+    how += f" --wires {options.wires}" if options.wires else ""
     return {
         "made by": f"housefly safety{how}{rows}",
         "on": time.strftime("%Y-%m-%d %H:%M"),

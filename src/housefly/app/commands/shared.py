@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from housefly import sites
+from housefly.app.lively import lively_changes
 from housefly.app.terminal import console
 
 if TYPE_CHECKING:
@@ -62,27 +61,6 @@ def add_fault_argument(parser: ArgumentParser) -> None:
 def given(changes: dict[str, Any]) -> dict[str, Any]:
     """Return the changes of a site that the options ask for: those that are not None."""
     return {key: value for key, value in changes.items() if value is not None}
-
-
-def lively_changes() -> dict[str, Any]:
-    """Return what makes the demo lively: people, their things and devices, and what sees people.
-
-    The scanners look at 0.85 m: over the headboard of the bed and the backs of chairs, at standing,
-    sitting and small people, while the drone flies above.
-    """
-    z = 0.85
-    return {
-        "hub__things": str(Path(sites.__file__).with_name("bsen_things.toml")),
-        "twin__scene": "bsen",
-        "mqtt__broker": "127.0.0.1",
-        "mqtt__start": True,
-        "mqtt__port": 0,
-        "lasers": [
-            {"name": "laser-1", "x": 5.5, "y": 0.85, "z": z, "yaw": 1.2},
-            {"name": "laser-2", "address": "127.0.0.2", "x": 13.9, "y": 3.3, "z": z, "yaw": -2.6},
-            {"name": "laser-3", "address": "127.0.0.3", "x": 0.3, "y": 4.9, "z": z, "yaw": -0.2},
-        ],
-    }
 
 
 def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:

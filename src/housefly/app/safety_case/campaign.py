@@ -8,29 +8,106 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any, Protocol, TypeVar
 
 from housefly.app.safety_case.faulty_flight import fly_trial
 from housefly.app.safety_case.trial import TrialKey, TrialResult, result_from_json
+from housefly.app.safety_case.wired_flight import (
+    WiredKey,
+    WiredResult,
+    fly_wired,
+    wired_result_from_json,
+)
 from housefly.errors import RecordingError
 
 RESULTS_FILE = "flights.jsonl"
+WIRED_RESULTS_FILE = "wired_flights.jsonl"
 _CHUNK = 4
 
 
+class FlownResult(Protocol):
+    """A result that is kept as a line of a file."""
+
+    @property
+    def key(self) -> Any:
+        """Which flight it was."""
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the result as plain values."""
+
+
+R = TypeVar("R", bound=FlownResult)
+
+
 def flown_results(folder: Path) -> list[TrialResult]:
-    """Return what a folder holds; a line cut short at the end is left out.
+    """Return what a folder holds of flights in lock step; raises RecordingError."""
+    return _read(folder / RESULTS_FILE, result_from_json)
+
+
+def wired_results(folder: Path) -> list[WiredResult]:
+    """Return what a folder holds of flights in real processes; raises RecordingError."""
+    return _read(folder / WIRED_RESULTS_FILE, wired_result_from_json)
+
+
+def fly_plan(
+    keys: list[TrialKey], folder: Path, workers: int, on_result: Callable[[TrialResult], None]
+) -> list[TrialResult]:
+    """Fly what a folder does not hold yet, and return everything that was asked for."""
+    known = flown_results(folder)
+    wanted = _wanted(keys, known)
+    return _kept(keys, known, folder / RESULTS_FILE, _flown(wanted, workers), on_result)
+
+
+def fly_wired_plan(
+    keys: list[WiredKey], folder: Path, on_result: Callable[[WiredResult], None]
+) -> list[WiredResult]:
+    """Fly the same way in real processes, one flight after another."""
+    known = wired_results(folder)
+    flights = (
+        fly_wired(key, folder / "wired" / f"{key.row.replace('/', '_')}_{key.seed}")
+        for key in _wanted(keys, known)
+    )
+    return _kept(keys, known, folder / WIRED_RESULTS_FILE, flights, on_result)
+
+
+def _wanted(keys: list[Any], known: Iterable[FlownResult]) -> list[Any]:
+    there = {result.key for result in known}
+    return [key for key in keys if key not in there]
+
+
+def _kept(
+    keys: Iterable[object],
+    known: list[R],
+    path: Path,
+    flights: Iterable[R],
+    on_result: Callable[[R], None],
+) -> list[R]:
+    """Write each result as it comes, and return those of the keys."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    results = {result.key: result for result in known}
+    _rewrite(path, known)
+    with path.open("a", encoding="utf-8") as file:
+        for result in flights:
+            file.write(json.dumps(result.to_json()) + "\n")
+            file.flush()
+            results[result.key] = result
+            on_result(result)
+    return [results[key] for key in keys]
+
+
+def _read(path: Path, parse: Callable[[dict[str, Any]], R]) -> list[R]:
+    """Return the results of a file; a line cut short at the end is left out.
 
     Raises:
         RecordingError: a line in the middle cannot be read.
     """
-    path = folder / RESULTS_FILE
     if not path.exists():
         return []
     lines = path.read_text(encoding="utf-8").splitlines()
     results = []
     for number, line in enumerate(lines, 1):
         try:
-            results.append(result_from_json(json.loads(line)))
+            results.append(parse(json.loads(line)))
         except (ValueError, KeyError, TypeError) as error:
             if number == len(lines):
                 break
@@ -38,25 +115,7 @@ def flown_results(folder: Path) -> list[TrialResult]:
     return results
 
 
-def fly_plan(
-    keys: list[TrialKey], folder: Path, workers: int, on_result: Callable[[TrialResult], None]
-) -> list[TrialResult]:
-    """Fly what a folder does not hold yet, and return everything that it holds then."""
-    known = {result.key: result for result in flown_results(folder)}
-    wanted = [key for key in keys if key not in known]
-    folder.mkdir(parents=True, exist_ok=True)
-    path = folder / RESULTS_FILE
-    _rewrite(path, known.values())
-    with path.open("a", encoding="utf-8") as file:
-        for result in _flown(wanted, workers):
-            file.write(json.dumps(result.to_json()) + "\n")
-            file.flush()
-            known[result.key] = result
-            on_result(result)
-    return [known[key] for key in keys]
-
-
-def _rewrite(path: Path, results: Iterable[TrialResult]) -> None:
+def _rewrite(path: Path, results: Iterable[FlownResult]) -> None:
     """Drop a line that was cut short."""
     lines = [json.dumps(result.to_json()) + "\n" for result in results]
     fresh = path.with_suffix(".new")

@@ -26,7 +26,9 @@ class FaultPhase(Enum):
     LANDING = "landing"
 
 
-AIRBORNE_PHASES = tuple(phase for phase in FaultPhase if phase is not FaultPhase.BEFORE_TAKE_OFF)
+IN_FLIGHT_FAULT_PHASES = tuple(
+    phase for phase in FaultPhase if phase is not FaultPhase.BEFORE_TAKE_OFF
+)
 
 
 def has_begun(phase: FaultPhase, step: PilotStep) -> bool:

@@ -8,10 +8,10 @@ from math import isfinite, nan
 
 import numpy as np
 
-from housefly.app.commands.shared import lively_changes
+from housefly.app.lively import lively_changes
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.simulation import Simulation
-from housefly.app.safety_case.fault_phase import AIRBORNE_PHASES, FaultPhase, has_begun
+from housefly.app.safety_case.fault_phase import IN_FLIGHT_FAULT_PHASES, FaultPhase, has_begun
 from housefly.app.safety_case.oracle import Oracle
 from housefly.app.safety_case.trial import TrialKey, TrialResult
 from housefly.config.site import changed
@@ -21,7 +21,7 @@ from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultComponent
 
 SAFETY_SITE = "bsen"
-_PLACE = "table"
+SAFETY_PLACE = "table"
 _LOOK_TIME = 3.0
 _ORDER_AT = 0.5
 _RATES_HZ = (100.0, 30.0, 10.0)
@@ -48,13 +48,13 @@ def fly_trial(key: TrialKey) -> TrialResult:
     phases = phases_of(key.row)
     phase = phases[key.seed % len(phases)]
     rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
-    delay = float(rng.uniform(0.0, _DELAY_MAX)) if phase in AIRBORNE_PHASES else 0.0
+    delay = float(rng.uniform(0.0, _DELAY_MAX)) if phase in IN_FLIGHT_FAULT_PHASES else 0.0
     base = _base(needs_intruders(key.row))
     site = changed(base.site, twin__seed=1 + key.seed, twin__mocap_rate_hz=rate)
     simulation = Simulation(
         replace(base, site=site), intruders=needs_intruders(key.row), guarded=key.guarded
     )
-    oracle = Oracle(simulation.world, site, base.room)
+    oracle = Oracle(simulation.world, site, base.room, cannot_hover=_cannot_hover(key.row))
     flight = _Flight(simulation, oracle, key, phase, delay)
     step, expired = flight.fly()
     began, ending = oracle.faulty_since, oracle.conclude(step, expired)
@@ -70,6 +70,7 @@ def fly_trial(key: TrialKey) -> TrialResult:
         person_clearance=_finite(oracle.person_clearance),
         top_speed=oracle.top_speed,
         told=oracle.told,
+        walked_into=oracle.walked_into,
     )
 
 
@@ -104,6 +105,10 @@ def needs_intruders(row: str) -> bool:
     return any(fault.component in intruders for fault in faults_of_key(TrialKey(row, 0)))
 
 
+def _cannot_hover(row: str) -> bool:
+    return any(variant_of(name).cannot_hover for name in row.split("+") if name)
+
+
 class _Flight:
     """One service with faults that begin in a phase."""
 
@@ -123,7 +128,9 @@ class _Flight:
     def fly(self) -> tuple[PilotStep, bool]:
         """Fly until it has ended, and return the last step and whether it had not."""
         simulation, oracle, ordered = self._simulation, self._oracle, False
-        order = Order(OrderKind.SERVICE, place=_PLACE, look_s=_LOOK_TIME, sender="safety case")
+        order = Order(
+            OrderKind.SERVICE, place=SAFETY_PLACE, look_s=_LOOK_TIME, sender="safety case"
+        )
         while True:
             simulation.advance()
             orders: tuple[Order, ...] = ()

@@ -9,12 +9,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import hypot, inf, isfinite
 
-from housefly.app.safety_case.ground_track import distance_to_path
+import numpy as np
+
 from housefly.config.site import Site
 from housefly.geometry import Vec2, Vec3, stopping_distance
 from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode, Severity
+from housefly.record.places import distances_to_path
 from housefly.room.model import Room
+from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import FlightState
+from housefly.twin.solids import SolidKind
 from housefly.twin.world import SimulatedWorld
 
 STANDING = 0.12
@@ -23,6 +27,14 @@ FALL_HEIGHT = 0.3
 """Motors that stop above this let the drone fall [m]."""
 HARD_LANDING = 1.5
 """A drone that comes down faster than this is damaged [m/s]."""
+TAKE_OFF_RATE, TAKE_OFF_END = 0.4, 1.0
+"""The drone's own take-off climbs so fast [m/s], and can be steered from this height on [m]."""
+DODGE_TIME = 0.8
+"""No drone gets out of the way of who walks straight at it within this [s]: half its hull and half
+a body are 0.5 m, which take 0.7 s at its largest tilt, and 0.1 s pass before it moves.
+"""
+TOWARDS_SPEED = 0.1
+"""A drone that moves faster than this at whom it touches flies into them [m/s]."""
 _LOOK_PERIOD = 0.05
 """How often clearances are taken [s]."""
 _COMMAND_SLACK = 1e-9
@@ -36,13 +48,19 @@ class Oracle:
         world: the simulated room.
         site, room: what is flown in.
         faulty_since: when the fault began [s]; infinite before.
+        cannot_hover: whether it has to fall by its fault, which is not judged then.
+        violations: what was broken, by invariant, in words.
+        walked_into: who walked into a drone that could not have been steered away in time, in
+            words, or "".
     """
 
     world: SimulatedWorld
     site: Site
     room: Room
     faulty_since: float = inf
+    cannot_hover: bool = False
     violations: dict[str, str] = field(default_factory=dict)
+    walked_into: str = ""
     told_at: float | None = None
     told: str = ""
     deviation: float = 0.0
@@ -51,6 +69,7 @@ class Oracle:
     top_speed: float = 0.0
     grounded_at: float | None = None
     _path: tuple[Vec2, ...] = ()
+    _bound_until: float | None = None
     _cut_ordered: bool = False
     _looked_at: float = -inf
     _height: float = 0.0
@@ -62,13 +81,14 @@ class Oracle:
         self._watch_command(step)
         self._watch_motors(step, state, truth.pose.position[2])
         self._watch_place(truth.pose.position, truth.velocity, state)
+        self._watch_take_off(step.now, state, truth.pose.position[2])
         self._watch_contacts()
         self._watch_clearance(step.now, state)
         if step.outputs.path is not None:
             self._path = step.outputs.path.waypoints
         if state.airborne and step.now >= self.faulty_since and self._path:
-            away = distance_to_path(truth.pose.position[:2], self._path)
-            self.deviation = max(self.deviation, away)
+            (away,) = distances_to_path(np.array([truth.pose.position[:2]]), self._path)
+            self.deviation = max(self.deviation, float(away))
         is_down = not state.airborne and truth.pose.position[2] < STANDING
         if not is_down:
             self.grounded_at = None
@@ -120,15 +140,39 @@ class Oracle:
         outside = max(x_min - x, x - x_max, y_min - y, y - y_max, 0.0)
         if outside > stopping_distance(self.site.limits.speed, 1.0, 0.3):
             self._break("I2", f"{outside:.1f} m outside the room")
-        if z < STANDING <= self._height and -velocity[2] > HARD_LANDING:
+        falls = z < STANDING <= self._height and -velocity[2] > HARD_LANDING
+        if falls and not self.cannot_hover:
             self._break("fall", f"came down at {-velocity[2]:.1f} m/s")
 
+    def _watch_take_off(self, now: float, state: FlightState, height: float) -> None:
+        """Note until when a fault finds a drone that nothing could steer out of the way."""
+        if self._bound_until is not None or now < self.faulty_since:
+            return
+        left = max(0.0, TAKE_OFF_END - height) / TAKE_OFF_RATE
+        is_bound = state is FlightState.TAKING_OFF
+        self._bound_until = now + left + DODGE_TIME if is_bound else now
+
     def _watch_contacts(self) -> None:
-        """I1: touches nothing but the floor while its motors turn."""
+        """I1: touches nothing but the floor while its motors turn.
+
+        Whom a fault sends at a drone that is taking off, so late that no steering could have
+        avoided them, walked into it, unless it moved at them: that is counted by itself.
+        """
         for contact in self.world.contact_log:
-            if contact.motors_turned:
+            if self._was_walked_into(contact):
+                self.walked_into = f"{contact.name} at {contact.speed:.1f} m/s"
+            elif contact.motors_turned:
                 what = f"{contact.kind.value} {contact.name}".strip()
                 self._break("I1", f"touched {what} at {contact.speed:.1f} m/s")
+
+    def _was_walked_into(self, contact: Contact) -> bool:
+        return (
+            contact.kind is SolidKind.PERSON
+            and contact.motors_turned
+            and not contact.from_above
+            and contact.began_at < (self._bound_until or -inf)
+            and contact.own_speed < TOWARDS_SPEED
+        )
 
     def _watch_clearance(self, now: float, state: FlightState) -> None:
         if not state.airborne or now - self._looked_at < _LOOK_PERIOD:

@@ -10,6 +10,7 @@ from housefly.app.safety_case.plan import FAULT_FREE
 from housefly.app.safety_case.statistics import RowFigures, Spread, row_figures
 from housefly.app.safety_case.strip_plot import strip_plot
 from housefly.app.safety_case.trial import TrialResult
+from housefly.app.safety_case.wired_flight import WiredResult
 from housefly.record.report_style import REPORT_CSS
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
 
@@ -25,20 +26,29 @@ td.number { text-align: right; white-space: nowrap; }
 td p { font-size: 12.5px; margin: 0; }
 .strip { display: block; width: 180px; height: 34px; }
 """
+_NONE = "-"
 _HEADINGS = (
     "row", "what happens, and how it must end", "unsafe", "told after", "on the floor after",
-    "from the path", "clearance", "told, by seconds", "without guards",
+    "from the path", "clearance", "told, by seconds", "without guards", "in real processes",
 )  # fmt: skip
 
 
-def write_safety_case(folder: Path, results: Sequence[TrialResult], made: dict[str, str]) -> Path:
+def write_safety_case(
+    folder: Path,
+    results: Sequence[TrialResult],
+    wired: Sequence[WiredResult],
+    made: dict[str, str],
+) -> Path:
     """Write the page and return it."""
-    rows = "".join(_row(row, results) for row in FAULT_CATALOGUE)
+    rows = "".join(_row(row, results, wired) for row in FAULT_CATALOGUE)
     headings = "".join(f"<th>{words}</th>" for words in _HEADINGS)
     body = (
-        _head(results, made)
+        _head(results, wired, made)
         + f'<section><h2>The fault matrix</h2><div class="wide"><table><tr>{headings}</tr>{rows}'
-        "</table></div></section>" + _pairs(results) + _fault_free(results) + _unsafe(results)
+        "</table></div></section>"
+        + _pairs(results)
+        + _fault_free(results)
+        + _unsafe(results, wired)
     )
     path = folder / PAGE_FILE
     path.write_text(
@@ -52,38 +62,52 @@ def write_safety_case(folder: Path, results: Sequence[TrialResult], made: dict[s
     return path
 
 
-def _head(results: Sequence[TrialResult], made: dict[str, str]) -> str:
+def _head(
+    results: Sequence[TrialResult], wired: Sequence[WiredResult], made: dict[str, str]
+) -> str:
     guarded = [result for result in results if result.key.guarded]
-    unsafe = sum(result.unsafe for result in guarded)
+    unsafe = sum(r.unsafe for r in guarded) + sum(r.unsafe for r in wired)
     kind = "bad" if unsafe else "good"
     lines = "".join(
         f"<div><dt>{_text(name)}</dt><dd>{_text(words)}</dd></div>" for name, words in made.items()
     )
     return (
         "<header><h1>Safety case</h1>"
-        f'<p class="outcome {kind}">{unsafe} of {len(guarded)} flights unsafe</p>'
+        f'<p class="outcome {kind}">{unsafe} of {len(guarded) + len(wired)} flights unsafe</p>'
         "<p>Every flight is one service in the simulated room, in lock step, with a fault that"
         " begins in a phase drawn from its seed. It is judged on the truth: contacts, fence,"
-        " commands, motors, and whether it ends. The bound is the share of unsafe flights that is"
-        " exceeded with 5 % confidence only. Nothing here was flown on hardware.</p>"
+        " commands, motors, and whether it ends. Those in real processes are flown in real time,"
+        " over real sockets; there a process may be killed, too. The bound is the share of unsafe"
+        " flights that is exceeded with 5 % confidence only. Counted by themselves are people who"
+        " walked into a drone that was taking off, too late for any steering to avoid them."
+        " Nothing here was flown on hardware.</p>"
         f"<dl>{lines}</dl></header>"
     )
 
 
-def _row(row: FaultRow, results: Sequence[TrialResult]) -> str:
+def _row(row: FaultRow, results: Sequence[TrialResult], wired: Sequence[WiredResult]) -> str:
     own = [r for r in results if _number(r) == row.number and r.key.guarded]
     control = [r for r in results if _number(r) == row.number and not r.key.guarded]
     title = f"<strong>{_text(row.title)}</strong><p>{_text(row.safe_outcome)}</p>"
+    real = _wired([result for result in wired if result.key.row.startswith(row.number)])
+    if not own and real != _NONE:
+        covered = _text(row.covered_by)
+        return (
+            f'<tr id="{row.number}"><td>{row.number}</td><td>{title}</td>'
+            f'<td colspan="7" class="none">in real processes only; {covered}</td>'
+            f"<td>{real}</td></tr>"
+        )
     if not own:
         covered = _text(row.covered_by or "not flown")
         return (
             f'<tr id="{row.number}"><td>{row.number}</td><td>{title}</td>'
-            f'<td colspan="7" class="none">not in this campaign; {covered}</td></tr>'
+            f'<td colspan="8" class="none">not in this campaign; {covered}</td></tr>'
         )
     figures = row_figures(own)
     cells = (
         row.number, title, _share(figures), _seconds(figures.told), _seconds(figures.safe),
         _metres(figures.deviation), _clearance(figures), strip_plot(own), _control(row, control),
+        real,
     )  # fmt: skip
     return f'<tr id="{row.number}">' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
 
@@ -93,6 +117,7 @@ def _share(figures: RowFigures) -> str:
     return (
         f'<span class="mark {kind}">{mark} {figures.unsafe}/{figures.flights}</span>'
         f"<p>below {100 * figures.bound:.1f} %</p>"
+        + (f"<p>{figures.walked_into} walked into</p>" if figures.walked_into else "")
     )
 
 
@@ -102,6 +127,14 @@ def _control(row: FaultRow, control: Sequence[TrialResult]) -> str:
     harmed = sum(result.unsafe for result in control)
     kind, mark = ("none", "harm") if harmed else ("unsafe", "no harm")
     return f'<span class="mark {kind}">{mark} {harmed}/{len(control)}</span>'
+
+
+def _wired(wired: Sequence[WiredResult]) -> str:
+    if not wired:
+        return _NONE
+    unsafe = sum(result.unsafe for result in wired)
+    kind, mark = ("unsafe", "✕") if unsafe else ("safe", "✓")
+    return f'<span class="mark {kind}">{mark} {unsafe}/{len(wired)}</span>'
 
 
 def _seconds(times: Spread | None) -> str:
@@ -141,15 +174,22 @@ def _fault_free(results: Sequence[TrialResult]) -> str:
     )
 
 
-def _unsafe(results: Sequence[TrialResult]) -> str:
+def _unsafe(results: Sequence[TrialResult], wired: Sequence[WiredResult]) -> str:
     unsafe = [r for r in results if r.unsafe and r.key.guarded]
-    if not unsafe:
+    unsafe_wired = [r for r in wired if r.unsafe]
+    if not unsafe and not unsafe_wired:
         return ""
     rows = "".join(
         f"<tr><td>{_text(r.key.row)}</td><td>{_text(r.phase.value)}</td>"
         f"<td>{_text('; '.join(r.violations))}</td><td>{_text(r.told)}</td>"
         f"<td><code>{_again(r)}</code></td></tr>"
         for r in unsafe[:_UNSAFE_LISTED]
+    )
+    rows += "".join(
+        f"<tr><td>{_text(r.key.row)}</td><td>{r.began_at:.1f} s</td>"
+        f"<td>{_text('; '.join(r.violations))}</td><td>{_text(r.outcome)}</td>"
+        f"<td>in real processes, seed {r.key.seed}</td></tr>"
+        for r in unsafe_wired
     )
     more = len(unsafe) - _UNSAFE_LISTED
     rest = f"<p>and {more} more</p>" if more > 0 else ""

@@ -33,12 +33,16 @@ class SafetyPlan:
     def keys(self) -> list[TrialKey]:
         """Return every flight, those that tell most first."""
         rows = [row for row in flown_rows() if not self.rows or row.number in self.rows]
-        keys = [TrialKey(name, seed) for row in rows for seed, name in _named(row, self.seeds)]
+        keys = [
+            TrialKey(name, seed)
+            for row in rows
+            for name, seed in shared_out(variants_flown(row), self.seeds)
+        ]
         keys += [
             TrialKey(name, seed, guarded=False)
             for row in rows
             if row.harmful
-            for seed, name in _named(row, self.controls)
+            for name, seed in shared_out(variants_flown(row), self.controls)
         ]
         if not self.rows:
             keys += [TrialKey(FAULT_FREE, seed) for seed in range(self.fault_free)]
@@ -60,6 +64,7 @@ def variants_flown(row: FaultRow) -> tuple[str, ...]:
     return tuple(f"{row.number}/{v.name}" for v in row.variants if not v.wires_only)
 
 
-def _named(row: FaultRow, seeds: int) -> list[tuple[int, str]]:
-    names = variants_flown(row)
-    return [(seed // len(names), names[seed % len(names)]) for seed in range(seeds)]
+def shared_out(names: tuple[str, ...], flights: int) -> list[tuple[str, int]]:
+    """Return so many flights as names and seeds, shared out among the names in turn."""
+    count = len(names)
+    return [(names[n % count], n // count) for n in range(flights)] if names else []

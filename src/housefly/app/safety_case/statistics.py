@@ -27,6 +27,7 @@ class RowFigures:
 
     Attributes:
         flights, unsafe: how many.
+        walked_into: flights in which somebody walked into a drone that nothing could steer away.
         bound: no more than this share is unsafe, with 95 % confidence.
         untold: flights in which nobody was told anything.
         told, safe: seconds from the fault until a person was told, and until the drone stood.
@@ -36,6 +37,7 @@ class RowFigures:
 
     flights: int
     unsafe: int
+    walked_into: int
     bound: float
     untold: int
     told: Spread | None
@@ -51,6 +53,7 @@ def row_figures(results: Sequence[TrialResult]) -> RowFigures:
     return RowFigures(
         flights=len(results),
         unsafe=unsafe,
+        walked_into=sum(bool(result.walked_into) for result in results),
         bound=upper_bound(unsafe, len(results)),
         untold=sum(result.told_after is None for result in results),
         told=spread(result.told_after for result in results),

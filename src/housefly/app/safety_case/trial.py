@@ -38,6 +38,7 @@ class TrialResult:
         room_clearance, person_clearance: smallest true gap to the hull while it flew [m].
         top_speed: true, after the fault [m/s].
         told: what a person was told, first words.
+        walked_into: who walked into a drone that could not have been steered away in time, or "".
     """
 
     key: TrialKey
@@ -51,6 +52,7 @@ class TrialResult:
     person_clearance: float | None
     top_speed: float
     told: str = ""
+    walked_into: str = ""
 
     @property
     def unsafe(self) -> bool:

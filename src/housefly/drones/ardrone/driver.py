@@ -16,12 +16,13 @@ from housefly.clock import Clock, RealClock
 from housefly.config.drone import DroneConfig
 from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
-from housefly.drones.ardrone.limits_keeper import AIRBORNE, LimitsKeeper
+from housefly.drones.ardrone.limits_keeper import LimitsKeeper
 from housefly.drones.ardrone.link import CommandLink, led_value
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
 from housefly.messages import Command, DroneStatus, Telemetry, VideoFrame
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
     REPEAT_AFTER,
@@ -241,7 +242,7 @@ class ArDrone:
         if report is None or report.status is DroneStatus.UNKNOWN:
             return self._sequencer.permit
         is_first, self._is_known = not self._is_known, True
-        if report.status not in AIRBORNE:
+        if report.status not in AIRBORNE_STATUSES:
             return Permit.ALL
         return Permit.HOVER_AND_LAND if is_first else self._sequencer.permit
 

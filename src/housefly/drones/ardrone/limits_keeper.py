@@ -20,11 +20,10 @@ from housefly.drones.ardrone.settings import (
 )
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.errors import LinkError
-from housefly.messages import DroneStatus
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.wires.ardrone.conversions import Maxima
 from housefly.wires.ardrone.navdata import StateBits
 
-AIRBORNE = (DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING)
 _PAUSE = 1.0
 """Pause before the drone is configured again after a failure [s]."""
 _NOT_CONFIRMED = "the drone has not confirmed its limits yet"
@@ -103,4 +102,4 @@ class LimitsKeeper:
 
     def _is_airborne(self) -> bool:
         report = self._navdata.reports.telemetry
-        return report is None or report.status in AIRBORNE
+        return report is None or report.status in AIRBORNE_STATUSES

@@ -15,6 +15,7 @@ from housefly.clock import Clock
 from housefly.drones.ardrone.link import open_datagram_socket
 from housefly.errors import WireError
 from housefly.messages import Telemetry
+from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone.conversions import telemetry_from_navdata
 from housefly.wires.ardrone.navdata import (
     NAVDATA_PORT,
@@ -30,8 +31,6 @@ SEQUENCE_JUMP_MAX = 1000
 """A packet further ahead of the one before is refused, unless there was a silence: 5 s of them."""
 PACKETS_MAX = 600
 """More datagrams in a second are thrown away unread; the drone sends 200."""
-_REPORT_AGE_MAX = 0.5
-"""The link is connected while the newest report is younger than this [s]."""
 
 PacketCondition = Callable[[NavdataPacket], bool]
 
@@ -154,7 +153,7 @@ class NavdataLink(asyncio.DatagramProtocol):
     @property
     def connected(self) -> bool:
         """Whether reports arrive."""
-        return self._clock.now() - self.reports.received_at < _REPORT_AGE_MAX
+        return self._clock.now() - self.reports.received_at < REPORT_AGE_MAX
 
     @property
     def hears_us(self) -> bool:

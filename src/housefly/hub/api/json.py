@@ -79,7 +79,7 @@ def first_problem(error: ValidationError) -> str:
 def _tree(text: str) -> dict[str, Any]:
     try:
         tree = json.loads(text)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise WireError(f"not JSON: {error}") from error
     if not isinstance(tree, dict):
         raise WireError("not a JSON object")

@@ -100,7 +100,7 @@ def _read(file: Path) -> RoomAddress | None:
             str(tree.get("socket", "")),
             str(tree.get("bus", "")),
         )
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return None
 
 

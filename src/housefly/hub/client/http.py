@@ -41,9 +41,7 @@ class HttpRoom:
     def ask(self, question: Question) -> str:
         """Return the answer or the refusal as JSON; raises LinkError if nobody answers."""
         status, text = self._get(_url_of(question))
-        if status in (401, 503):
-            raise LinkError(str(json.loads(text)["error"]))
-        return json.dumps(json.loads(text) | {"unknown": True}) if status == 404 else text
+        return checked_answer(status, text)
 
     def watch(self) -> Iterator[News]:
         """Yield changes as they happen; raises LinkError if the room goes away."""
@@ -72,6 +70,23 @@ class HttpRoom:
                 if last_try:
                     raise LinkError(f"the room does not answer: {error}") from error
         raise AssertionError
+
+
+def checked_answer(status: int, text: str) -> str:
+    """Return an HTTP answer's JSON, as the bus would give it.
+
+    Raises:
+        LinkError: who answers does not let us ask, or is not Housefly.
+    """
+    if status not in (401, 404, 503):
+        return text
+    try:
+        refusal = {"error": str(json.loads(text)["error"])}
+    except (ValueError, KeyError, TypeError, RecursionError) as error:
+        raise LinkError(f"what answers is not the room: status {status}") from error
+    if status == 404:
+        return json.dumps(refusal | {"unknown": True})
+    raise LinkError(refusal["error"])
 
 
 def _url_of(question: Question) -> str:

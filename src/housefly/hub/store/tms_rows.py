@@ -72,7 +72,7 @@ def parse_row(line: str, utc_offset: float = JAPAN_UTC_OFFSET) -> TmsRow:
     """Parse one line; raises ValueError in words."""
     try:
         tree = json.loads(line)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError(f"is no JSON ({error})") from error
     if not isinstance(tree, dict):
         raise ValueError("is no JSON object")

@@ -12,15 +12,12 @@ from math import hypot, inf
 
 from housefly.geometry import stopping_distance
 from housefly.messages.flight import Event, OrderKind, Phase, Severity
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator, PathBlock
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 
-BRAKING_DECELERATION = 1.0
-"""How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""
-REACTION_TIME = 0.3
-"""Time from seeing an obstacle to braking that distances allow for [s]."""
 BRAKING_MARGIN = 0.3
 """Beyond its stopping distance the drone begins to brake this much earlier [m]."""
 REST_SPEED = 0.1

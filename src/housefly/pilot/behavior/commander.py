@@ -9,7 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
 from housefly.messages.order_fault import shown_name
-from housefly.messages.preflight import PreflightCheck
+from housefly.messages.preflight import FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
@@ -40,8 +40,11 @@ AIRBORNE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase
 class Commander:
     """Owns the mission state and the tracking task."""
 
-    def __init__(self, limits: LimitsConfig, navigator: Navigator) -> None:
+    def __init__(
+        self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FramesKnown()
+    ) -> None:
         self._limits = limits
+        self._frames = frames
         self._navigator = navigator
         self._state = MissionState()
         self._task = TrackingTask()
@@ -105,6 +108,7 @@ class Commander:
                 stopped=self._state.stopped,
                 take_off_fault=fault,
                 sees_people=navigator.sees_people,
+                frames=self._frames,
             )
         )
 

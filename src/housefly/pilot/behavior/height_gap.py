@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from math import isfinite
 
-from housefly.messages.sensing import DroneStatus
+from housefly.messages.sensing import REPORT_AGE_MAX, DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 
 HEIGHT_GAP_MAX = 0.25
 """Something stands below when the floor seems nearer than tracking says by more than this [m]."""
 HEIGHT_MIN = 0.2
 """A lower height is not measured, but told for want of an echo [m]."""
-REPORT_AGE_MAX = 0.5
-"""An older report says nothing about what is below now [s]."""
 
 
 def height_gap(vehicle: VehicleStatus) -> float:

@@ -4,6 +4,9 @@
        │ └────column free──► sinks by the pilot ──low, still free──► the drone's own landing
        └──column blocked──► waits in the air; after a while tries another place within 2 m
 
+Whoever has not moved for long counts as a thing here, beside which the drone may land: else a chair
+that is taken for a person keeps it in the air.
+
 The drone's own landing cannot be called back. Where people may come, the pilot therefore sinks to
 ``LAST_HEIGHT`` itself, and rises again when somebody comes. What the safety gate lands is landed.
 """
@@ -28,6 +31,8 @@ SINK_LEAD = 0.33
 """The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
 GAP_TIME = 0.3
 """Something stands below when the heights disagree for this long [s]."""
+ON_GOAL = 0.3
+"""A landing so near to its goal sinks above the goal, any other one where the drone is [m]."""
 SPOT_PERIOD = 3.0
 """How often another place to land is looked for [s]."""
 SPOT_DISTANCE = 0.9
@@ -124,7 +129,9 @@ class LandingMonitor:
             return False
         commander = self._commander
         if self._sinking is None:
-            commander.hold_at(commander.state.mission.goal or (x, y), vehicle)
+            goal = commander.state.mission.goal
+            is_there = goal is not None and distance(goal, (x, y)) < ON_GOAL
+            commander.hold_at(goal if goal is not None and is_there else (x, y), vehicle)
         commander.descend_to(max(LAST_HEIGHT, z - SINK_LEAD))
         self._sinking = commander.task
         return True

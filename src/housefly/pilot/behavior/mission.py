@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import inf, isfinite, nan
 
 from housefly.geometry import Vec2, Vec3, heading_to
 from housefly.messages.flight import OrderKind, Phase
 from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
+from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
@@ -160,3 +162,31 @@ class VehicleStatus:
     def pose_age(self) -> float:
         """Age of the pose [s]; infinite before the first."""
         return self.estimate.pose_age if self.estimate else float("inf")
+
+    @property
+    def grounding_faults(self) -> str:
+        """The drone's complaints that forbid a take-off, in words, or ""."""
+        told = self.telemetry.faults if self.telemetry else ()
+        return ", ".join(word for word in told if word in GROUNDING_FAULTS)
+
+    @property
+    def configured(self) -> bool | None:
+        """Whether the drone has confirmed its limits; None before its first word."""
+        return self.telemetry.configured if self.telemetry else None
+
+    @property
+    def height_error(self) -> float:
+        """How far tracking has a standing drone from its height [m]; 0 where unknown."""
+        error = self.consistency.height_error
+        return error if isfinite(error) else 0.0
+
+
+UNHEARD = VehicleStatus(
+    now=0.0,
+    status=DroneStatus.UNKNOWN,
+    battery=nan,
+    telemetry_age=inf,
+    estimate=None,
+    landing_forced=False,
+)
+"""A drone before its first word."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Order
-from housefly.messages.preflight import PreflightCheck
+from housefly.messages.preflight import FramesKnown, PreflightCheck
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
@@ -19,9 +19,14 @@ class MissionManager:
     """Orders first, then what happened, then what stands in the way."""
 
     def __init__(
-        self, limits: LimitsConfig, navigator: Navigator, tolerance: float, paper: bool
+        self,
+        limits: LimitsConfig,
+        navigator: Navigator,
+        tolerance: float,
+        paper: bool,
+        frames: FramesKnown = FramesKnown(),
     ) -> None:
-        self._commander = Commander(limits, navigator)
+        self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
         self._landings = LandingMonitor(self._commander, navigator)

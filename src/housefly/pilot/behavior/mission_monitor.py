@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
+from housefly.geometry import distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
-from housefly.pilot.behavior.landing_monitor import LandingMonitor
+from housefly.pilot.behavior.landing_monitor import ON_GOAL, LandingMonitor
 from housefly.pilot.behavior.mission import MissionState, Refused, VehicleStatus
 from housefly.pilot.behavior.mission_signals import SignalTimers, is_near, signals
 from housefly.pilot.behavior.mission_tables import Signal
@@ -125,6 +126,8 @@ class MissionMonitor:
         elif signal is Signal.BLOCKED:
             is_landing = self._commander.state.phase is Phase.LANDING
             text += ": landing here" if is_landing else ": coming home"
+        elif signal is Signal.ARRIVED_HOME and not self._is_at_goal(before, vehicle):
+            text = "landing here"
         elif signal is Signal.OVERDUE and before.phase is Phase.HOLDING:
             text = f"no order for {self._limits.hold_timeout:.0f} s: coming home"
         elif signal is Signal.OVERDUE:
@@ -132,6 +135,12 @@ class MissionMonitor:
         elif before.phase is Phase.IDLE and signal is Signal.AIRBORNE:
             severity, text = Severity.WARNING, "the drone is in the air without an order: holding"
         return Event(vehicle.now, severity, signal.name.lower(), text)
+
+    @staticmethod
+    def _is_at_goal(state: MissionState, vehicle: VehicleStatus) -> bool:
+        """Return whether a landing is where it was meant to be."""
+        goal, place = state.mission.goal, vehicle.place
+        return goal is None or place is None or distance(goal, place) < ON_GOAL
 
     def _follow_up(
         self, signal: Signal, before: MissionState, vehicle: VehicleStatus

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import isfinite, nan
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Order, OrderKind
 from housefly.messages.order_fault import order_fault
 from housefly.messages.sensing import DroneStatus
-from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
-from housefly.pilot.behavior.mission import Refused, VehicleStatus
+from housefly.pilot.behavior.mission import UNHEARD, Refused, VehicleStatus
 from housefly.pilot.behavior.mission_tables import REFUSALS, Response
 
 ORDER_LIFETIME = 0.5
@@ -47,7 +45,7 @@ class OrderContext:
         status: the drone's own word.
         battery: charge, 0 to 1.
         telemetry_age, pose_age: [s].
-        vehicle: the rest of what is known of the drone, None before its first word.
+        vehicle: the rest of what is known of the drone.
     """
 
     age: float
@@ -58,30 +56,7 @@ class OrderContext:
     battery: float
     telemetry_age: float
     pose_age: float
-    vehicle: VehicleStatus | None = None
-
-    @property
-    def faults(self) -> str:
-        """The drone's complaints that forbid a take-off, in words."""
-        told = self.vehicle.telemetry if self.vehicle else None
-        return ", ".join(word for word in told.faults if word in GROUNDING_FAULTS) if told else ""
-
-    @property
-    def configured(self) -> bool:
-        """Whether the drone has confirmed its limits."""
-        told = self.vehicle.telemetry if self.vehicle else None
-        return told is None or told.configured
-
-    @property
-    def height_error(self) -> float:
-        """How far the tracked height is off from the drone's own [m]; 0 where unknown."""
-        error = self.vehicle.consistency.height_error if self.vehicle else nan
-        return error if isfinite(error) else 0.0
-
-    @property
-    def return_wanted(self) -> bool:
-        """Whether the safety gate wants the drone to come home."""
-        return self.vehicle is not None and self.vehicle.return_wanted
+    vehicle: VehicleStatus = UNHEARD
 
 
 OrderCheck = tuple[
@@ -112,7 +87,9 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
     ),
     (
         lambda o, c, _: (
-            c.response in MOVING_RESPONSES and c.return_wanted and o.kind is not OrderKind.HOME
+            c.response in MOVING_RESPONSES
+            and c.vehicle.return_wanted
+            and o.kind is not OrderKind.HOME
         ),
         lambda _, __: "the drone is coming home for safety",
     ),
@@ -127,17 +104,19 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
         lambda c, _: f"the drone is not ready: {c.status.value}",
     ),
     (
-        lambda _, c, __: c.response is Response.START and not c.configured,
+        lambda _, c, __: c.response is Response.START and c.vehicle.configured is False,
         lambda _, __: "the drone has not confirmed its limits yet: wait, or switch it off and on",
     ),
     (
-        lambda _, c, __: c.response is Response.START and c.faults != "",
-        lambda c, _: f"the drone says: {c.faults}",
+        lambda _, c, __: c.response is Response.START and c.vehicle.grounding_faults != "",
+        lambda c, _: f"the drone says: {c.vehicle.grounding_faults}",
     ),
     (
-        lambda _, c, __: c.response is Response.START and abs(c.height_error) > HEIGHT_ERROR_MAX,
+        lambda _, c, __: (
+            c.response is Response.START and abs(c.vehicle.height_error) > HEIGHT_ERROR_MAX
+        ),
         lambda c, _: (
-            f"tracking sees the drone {c.height_error:+.2f} m from where it stands (limit"
+            f"tracking sees the drone {c.vehicle.height_error:+.2f} m from where it stands (limit"
             f" {HEIGHT_ERROR_MAX} m): check the tracking system's origin and the drone's body"
         ),
     ),

@@ -11,9 +11,8 @@ from math import degrees, isfinite, radians
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
-from housefly.messages.preflight import PreflightCheck
+from housefly.messages.preflight import FrameCheckState, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
-from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, TAKE_OFF_RESERVE
 
@@ -34,6 +33,7 @@ class PreflightInputs:
         stopped: STOP is latched.
         take_off_fault: who or what stands above or beside it, in words, or "".
         sees_people: a sensor of the room sees people here.
+        frames: what is known of the frames of tracking, drone and map.
     """
 
     vehicle: VehicleStatus
@@ -42,6 +42,7 @@ class PreflightInputs:
     stopped: bool = False
     take_off_fault: str = ""
     sees_people: bool = True
+    frames: FramesKnown = FramesKnown()
 
     @property
     def tilt(self) -> float:
@@ -50,22 +51,10 @@ class PreflightInputs:
         return max(abs(told.phi), abs(told.theta)) if told else 0.0
 
     @property
-    def complaints(self) -> str:
-        """What the drone complains about that forbids a flight."""
-        told = self.vehicle.telemetry
-        return ", ".join(word for word in told.faults if word in GROUNDING_FAULTS) if told else ""
-
-    @property
     def notes(self) -> str:
         """What is not as it should be with the drone's settings and sensors."""
         told = self.vehicle.telemetry
         return "; ".join(told.notes) if told else ""
-
-    @property
-    def height_error(self) -> float:
-        """How far tracking has the drone from the height where it stands [m]; 0 when unknown."""
-        error = self.vehicle.consistency.height_error
-        return error if isfinite(error) else 0.0
 
     @property
     def off_pad(self) -> float:
@@ -86,6 +75,7 @@ class PreflightRule:
     Attributes:
         code: short name.
         title: in words.
+        fault: what is the matter when it fails, in words.
         passes: whether all is well.
         value, limit: in words.
         why: what would happen otherwise.
@@ -95,6 +85,7 @@ class PreflightRule:
 
     code: str
     title: str
+    fault: str
     passes: Callable[[PreflightInputs], bool]
     value: Callable[[PreflightInputs], str]
     limit: Callable[[PreflightInputs], str]
@@ -107,6 +98,7 @@ class PreflightRule:
         return PreflightCheck(
             code=self.code,
             title=self.title,
+            fault=self.fault,
             passed=self.passes(inputs),
             required=self.required,
             value=self.value(inputs),
@@ -120,15 +112,17 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "drone_answers",
         "the drone answers",
+        "the drone does not answer",
         lambda i: i.vehicle.telemetry_age <= i.limits.telemetry_age,
         lambda i: _age(i.vehicle.telemetry_age),
-        lambda i: f"at most {i.limits.telemetry_age:g} s",
+        lambda i: f"at most {i.limits.telemetry_age:g} s ago",
         "a drone that is not heard cannot be stopped",
         "switch it on, join its Wi-Fi, and see `housefly doctor`",
     ),
     PreflightRule(
         "drone_landed",
         "it stands, by its own word",
+        "the drone does not say that it stands",
         lambda i: i.vehicle.status is DroneStatus.LANDED,
         lambda i: i.vehicle.status.value,
         lambda _: "landed",
@@ -138,6 +132,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "drone_upright",
         "it stands on its feet",
+        "the drone leans",
         lambda i: i.tilt <= TILT_ON_PAD_MAX,
         lambda i: f"{degrees(i.tilt):.0f} deg",
         lambda _: f"at most {degrees(TILT_ON_PAD_MAX):.0f} deg",
@@ -147,17 +142,19 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "drone_configured",
         "it has confirmed its limits",
-        lambda i: i.vehicle.telemetry is not None and i.vehicle.telemetry.configured,
-        lambda i: "yes" if i.vehicle.telemetry and i.vehicle.telemetry.configured else "no",
-        lambda _: "yes",
+        "the drone has not confirmed its limits",
+        lambda i: i.vehicle.configured is True,
+        lambda i: "confirmed" if i.vehicle.configured else "not yet",
+        lambda _: "confirmed",
         "its own limits of tilt, height and speed hold when everything else fails",
         "wait a few seconds, or switch it off and on",
     ),
     PreflightRule(
         "drone_healthy",
         "it complains about nothing",
-        lambda i: not i.complaints,
-        lambda i: i.complaints or "nothing",
+        "the drone complains",
+        lambda i: not i.vehicle.grounding_faults,
+        lambda i: i.vehicle.grounding_faults or "nothing",
         lambda _: "nothing",
         "it would land, or fall, in the middle of its flight",
         "look at propellers, motors and battery, then switch it off and on",
@@ -165,8 +162,9 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "charge",
         "the battery is charged",
+        "the battery is too low",
         lambda i: i.vehicle.battery >= i.charge_needed,
-        lambda i: f"{i.vehicle.battery:.0%}",
+        lambda i: f"{i.vehicle.battery:.0%}" if isfinite(i.vehicle.battery) else "unknown",
         lambda i: f"at least {i.charge_needed:.0%}, and more for a long way",
         "it has to come home, and to land",
         "charge it, or change the battery",
@@ -174,17 +172,19 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "tracking",
         "tracking sees it",
+        "tracking does not see the drone",
         lambda i: i.vehicle.pose_age <= i.limits.pose_age_level,
         lambda i: _age(i.vehicle.pose_age),
-        lambda i: f"at most {i.limits.pose_age_level:g} s",
+        lambda i: f"at most {i.limits.pose_age_level:g} s ago",
         "it flies by where tracking sees it",
         "look at the tracking system: is it running, does it stream the body under this name?",
     ),
     PreflightRule(
         "tracked_height",
         "tracking has it where it stands",
-        lambda i: abs(i.height_error) <= HEIGHT_ERROR_MAX,
-        lambda i: f"{i.height_error:+.2f} m",
+        "tracking has the drone at another height",
+        lambda i: abs(i.vehicle.height_error) <= HEIGHT_ERROR_MAX,
+        lambda i: f"{i.vehicle.height_error:+.2f} m",
         lambda _: f"within {HEIGHT_ERROR_MAX:g} m",
         "a floor at another height is a room at another height",
         "set the tracking system's origin on the floor, and define the drone's body anew",
@@ -192,15 +192,17 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "stop",
         "nobody has pressed STOP",
+        "STOP is latched",
         lambda i: not i.stopped,
-        lambda i: "pressed" if i.stopped else "no",
-        lambda _: "no",
+        lambda i: "pressed" if i.stopped else "not pressed",
+        lambda _: "not pressed",
         "STOP is latched until a person resumes",
         "press Resume when all is well",
     ),
     PreflightRule(
         "take_off_column",
         "nobody and nothing is above or beside it",
+        "the way up is not free",
         lambda i: not i.take_off_fault,
         lambda i: i.take_off_fault or "clear",
         lambda _: "clear",
@@ -210,6 +212,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "settings",
         "its settings and sensors are as they should be",
+        "a setting or sensor of the drone is wrong",
         lambda i: not i.notes,
         lambda i: i.notes or "yes",
         lambda _: "yes",
@@ -220,6 +223,7 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     PreflightRule(
         "pad",
         "it stands on its pad",
+        "the drone is not on its pad",
         lambda i: i.off_pad <= PAD_DISTANCE_MAX,
         lambda i: f"{i.off_pad:.2f} m from it",
         lambda _: f"within {PAD_DISTANCE_MAX:g} m",
@@ -229,12 +233,34 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
     ),
     PreflightRule(
         "sees_people",
-        "a sensor sees people",
+        "a sensor sees people without markers",
+        "people without markers are unseen",
         lambda i: i.sees_people,
-        lambda i: "yes" if i.sees_people else "none does",
+        lambda i: "yes" if i.sees_people else "no sensor",
         lambda _: "yes",
         "it stops for people, and makes way, only where a sensor sees them",
         "add a scanner or a depth camera to the site; until then keep people out of the room",
+        required=False,
+    ),
+    PreflightRule(
+        "frames_right",
+        "the last frame check found nothing wrong",
+        "the last frame check found tracking wrong",
+        lambda i: i.frames.state is not FrameCheckState.WRONG,
+        lambda i: i.frames.words if i.frames.state is FrameCheckState.WRONG else "nothing known",
+        lambda _: "nothing",
+        "it would fly where it should not, and land or strike something",
+        "mend it as the check said, and check again: `housefly preflight --frames`",
+    ),
+    PreflightRule(
+        "frames_checked",
+        "frames checked",
+        "frames not checked",
+        lambda i: i.frames.state not in (FrameCheckState.NEVER, FrameCheckState.STALE),
+        lambda i: i.frames.said,
+        lambda _: "since [tracking] was changed",
+        "mirrored, turned or shifted axes are noticed only after the drone has moved",
+        "carry the drone once, two minutes: `housefly preflight --frames`",
         required=False,
     ),
 )
@@ -250,9 +276,9 @@ def preflight_refusal(checks: tuple[PreflightCheck, ...]) -> str:
     """Return why no take-off is allowed, in words, or ""."""
     for check in checks:
         if check.required and not check.passed:
-            return f"{check.title}: {check.value}, must be {check.limit}; {check.mend}"
+            return f"{check.fault}: {check.value}, must be {check.limit}; {check.mend}"
     return ""
 
 
 def _age(seconds: float) -> str:
-    return f"{seconds:.1f} s ago" if isfinite(seconds) else "never"
+    return f"last {seconds:.1f} s ago" if isfinite(seconds) else "never"

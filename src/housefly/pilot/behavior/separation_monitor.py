@@ -8,6 +8,9 @@ still.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
+
+import numpy as np
 
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
@@ -16,7 +19,7 @@ from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME
-from housefly.pilot.planning.separation import Separation
+from housefly.pilot.planning.separation import Refuge, Separation, approach_speed
 
 SPEED_FACTOR_MIN = 0.3
 """Share of the cruise speed at the comfort distance from people, and nearer."""
@@ -30,6 +33,8 @@ CALM_TIME = 1.0
 """It goes back when nobody has come near for this long [s]."""
 APPROACH = 0.1
 """Who comes nearer by less than this does not approach [m]."""
+EVASION_SPEED = 1.2
+"""It makes way as fast as this only where somebody would else touch it [m/s]."""
 LEAD_TIME = 1.4
 """A place this far ahead at the wanted speed makes the drone fly at it [s]."""
 CORNERED_DISTANCE = 0.25
@@ -46,6 +51,16 @@ steered, and higher up it is soon over.
 """
 TAKE_OFF_HORIZON = 3.0
 """How far ahead a take-off looks for people [s]."""
+TAKE_OFF_DOUBT = 0.2
+"""Somebody comes for so long before a take-off is given up [s]: at first sight nobody is fast."""
+GIVE_UP_TIME, GIVE_UP_TIME_PER_HEIGHT = 1.8, 2.0
+"""A take-off that is given up stands again after this [s], and this for every metre [s/m]."""
+TAKE_OFF_CLIMB_RATE, STEERABLE_HEIGHT = 0.4, 1.05
+"""A take-off climbs so fast [m/s], and can be steered from here on [m] ..."""
+ESCAPE_TIME = 0.5
+"""... and makes way within this [s]."""
+LIKELY_DISTANCE = -SPEED_UNCERTAINTY * UNCERTAIN_TIME
+"""On the likeliest way that somebody goes they touch the drone nearer than this [m]."""
 QUIET_TIME = 3.0
 """Making way again so soon after the last time is not told again [s]."""
 _GUIDED = frozenset({Phase.OUTBOUND, Phase.RETURNING})
@@ -59,6 +74,7 @@ class Yielding:
         post: where it was, and comes back to [m].
         yaw: heading to keep [rad].
         refuge: where it goes [m].
+        speed: the fastest to go there [m/s].
         name: for whom.
         phase: in which it began.
         threatened_at: when somebody last came near [s].
@@ -68,10 +84,11 @@ class Yielding:
     post: Vec2
     yaw: float
     refuge: Vec2
+    speed: float
     name: str
     phase: Phase
     threatened_at: float
-    cornered_at: float = float("inf")
+    cornered_at: float = inf
 
 
 class SeparationMonitor:
@@ -86,8 +103,9 @@ class SeparationMonitor:
         self._commander, self._people, self._paper = commander, navigator.people, paper
         self._yielding: Yielding | None = None
         self._task: TrackingTask | None = None
-        self._asked_at = self._told_at = self._ended_at = -float("inf")
-        self._is_cornered_told = False
+        self._asked_at = self._told_at = self._ended_at = -inf
+        self._coming_since = inf
+        self._is_cornered_told = self._climbs_on = False
 
     @property
     def is_yielding(self) -> bool:
@@ -121,17 +139,34 @@ class SeparationMonitor:
         return self._calm(vehicle, place) if self._yielding is not None else []
 
     def _give_up_take_off(self, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
-        """Land a drone that has just left the floor when somebody walks up to it."""
-        is_low = vehicle.estimate is not None and vehicle.estimate.position[2] < TAKE_OFF_HEIGHT
-        if not is_low or vehicle.status is DroneStatus.LANDED:
+        """Land a drone that has just left the floor when somebody walks up to it.
+
+        Not where they would arrive before it stands, but late enough to be made way for in the
+        air.
+        """
+        height = vehicle.estimate.position[2] if vehicle.estimate else TAKE_OFF_HEIGHT
+        if height >= TAKE_OFF_HEIGHT or vehicle.status is DroneStatus.LANDED:
             return []
-        still = (0.0, 0.0)
-        found = self._people.separation(place, still, vehicle.now, TAKE_OFF_HORIZON, walking=True)
+        found = self._comes_within(TAKE_OFF_HORIZON, vehicle, place)
         if found.closest >= self._people.config.min_distance:
+            self._coming_since, self._climbs_on = inf, False
+            return []
+        self._coming_since = min(self._coming_since, vehicle.now)
+        if self._climbs_on or vehicle.now - self._coming_since < TAKE_OFF_DOUBT:
+            return []
+        standing = GIVE_UP_TIME + GIVE_UP_TIME_PER_HEIGHT * height
+        away = (STEERABLE_HEIGHT - height) / TAKE_OFF_CLIMB_RATE + ESCAPE_TIME
+        is_met = self._comes_within(standing, vehicle, place).closest < 0.0
+        if is_met and self._comes_within(away, vehicle, place).closest > LIKELY_DISTANCE:
+            self._climbs_on = True
             return []
         self._commander.land_here(vehicle)
         text = f"{found.name} comes near: the take-off is given up"
         return [Event(vehicle.now, Severity.WARNING, "take_off_given_up", text)]
+
+    def _comes_within(self, horizon: float, vehicle: VehicleStatus, place: Vec2) -> Separation:
+        """Return how near who walks comes to a drone that stays, within a time [s]."""
+        return self._people.separation(place, (0.0, 0.0), vehicle.now, horizon, walking=True)
 
     def _factor(self, distance_now: float) -> float:
         """Return the share of the cruise speed at a distance from people [m]."""
@@ -154,24 +189,27 @@ class SeparationMonitor:
             return found if found.closest < config.min_distance else None
         found = self._people.separation(place, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
         comes = found.closest < min(config.comfort_distance, found.now - APPROACH)
-        return found if comes or found.now < config.min_distance else None
+        if comes:
+            return found
+        is_close = found.now < config.min_distance
+        return found if is_close and not self._people.is_still(found.name, vehicle.now) else None
 
     def _make_way(self, threat: Separation, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
         assert vehicle.estimate is not None
         before, now = self._yielding, vehicle.now
         vx, vy, _ = vehicle.estimate.velocity
-        kept = before.refuge if before else None
-        found = self._people.refuge(place, (vx, vy), now, kept)
+        found, speed = self._refuge(vehicle, place, (vx, vy))
         cornered = found.separation < CORNERED_DISTANCE
         since = min(now, before.cornered_at) if before and cornered else now
         self._yielding = Yielding(
             post=before.post if before else self._post(place),
             yaw=before.yaw if before else self._yaw(vehicle, place),
             refuge=found.place,
+            speed=speed,
             name=threat.name,
             phase=self._commander.state.phase,
             threatened_at=now,
-            cornered_at=since if cornered else float("inf"),
+            cornered_at=since if cornered else inf,
         )
         if cornered and now - since >= CORNERED_TIME:
             events = self._corner(vehicle, place)
@@ -182,13 +220,25 @@ class SeparationMonitor:
         self._go(vehicle, place)
         return events
 
+    def _refuge(self, vehicle: VehicleStatus, place: Vec2, velocity: Vec2) -> tuple[Refuge, float]:
+        """Return where to go and how fast [m/s]: no faster than usual where that is enough."""
+        kept = self._yielding.refuge if self._yielding else None
+        usual = self._people.config.yield_speed
+        found = self._people.refuge(place, velocity, vehicle.now, usual, kept)
+        if found.separation >= CORNERED_DISTANCE or usual >= EVASION_SPEED:
+            return found, usual
+        faster = self._people.refuge(place, velocity, vehicle.now, EVASION_SPEED, kept)
+        is_better = faster.separation > found.separation
+        return (faster, EVASION_SPEED) if is_better else (found, usual)
+
     def _go(self, vehicle: VehicleStatus, place: Vec2) -> None:
         """Set the place to fly to: as far ahead as makes the drone fly at the wanted speed."""
         yielding = self._yielding
         assert yielding is not None
         (x, y), (gx, gy) = place, yielding.refuge
-        lead = self._people.config.yield_speed * LEAD_TIME
-        share = min(1.0, lead / max(distance(place, yielding.refuge), 1e-6))
+        away = distance(place, yielding.refuge)
+        speed = float(approach_speed(np.array(away), yielding.speed))
+        share = speed * LEAD_TIME / max(away, 1e-6)
         why = f"{yielding.name} comes near: making way"
         hold = (x + share * (gx - x), y + share * (gy - y))
         self._commander.give_way(hold, yielding.yaw, why, vehicle)
@@ -226,11 +276,9 @@ class SeparationMonitor:
         still = (0.0, 0.0)
         soon = self._people.separation(place, still, vehicle.now, TOUCHDOWN_TIME)
         later = self._people.separation(place, still, vehicle.now, DECISION_TIME)
-        # Whether there is time to land is asked of the likeliest way that somebody goes.
-        likely = -SPEED_UNCERTAINTY * UNCERTAIN_TIME
-        if later.closest > likely:
+        if later.closest > LIKELY_DISTANCE:
             return []
-        if soon.closest > likely:
+        if soon.closest > LIKELY_DISTANCE:
             self._commander.land_here(vehicle)
             self._yielding = None
             text = f"{name} comes near and there is no room to make way: landing here"

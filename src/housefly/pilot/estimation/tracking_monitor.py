@@ -12,7 +12,7 @@ from math import hypot, inf, isfinite, nan
 import numpy as np
 
 from housefly.geometry import Vec2, Vec3
-from housefly.messages.sensing import DroneStatus, Sighting, Telemetry
+from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Sighting, Telemetry
 from housefly.numeric import wrapped
 from housefly.pilot.estimation.carrying import CarryDetector
 from housefly.pilot.estimation.consistency import TrackingConsistency
@@ -52,7 +52,6 @@ HEIGHT_TIME = 0.3
 """Time constant of the height's comparison [s]: the sonar is noisy."""
 MOVED_AT_REST = 0.1
 """Further than this from where it came to rest, a drone that nobody moved is drifting [m]."""
-AIRBORNE = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
 
 
 class TrackingMonitor:
@@ -87,7 +86,7 @@ class TrackingMonitor:
         if telemetry is None or telemetry.received_at <= self._reported_at:
             return
         self._reported_at = telemetry.received_at
-        airborne = status in AIRBORNE
+        airborne = status in AIRBORNE_STATUSES
         if airborne != self._airborne:
             self._leave_or_reach_ground(airborne)
         self._carry = self._carry.updated(telemetry, airborne)

@@ -32,7 +32,7 @@ def column_fault(
     people: ObservedPeople,
     place: Vec2,
     hull: float,
-    min_distance: float,
+    min_distances: FloatArray,
     lead: float,
 ) -> str:
     """Return who or what is in the way of a column, in words, or "".
@@ -42,14 +42,14 @@ def column_fault(
         people: everybody among them, where they are now.
         place: middle of the column [m].
         hull: half the diagonal of the hull [m].
-        min_distance: that people keep from the hull [m].
+        min_distances: that each of the people keeps from the hull [m].
         lead: people who come this near within this time count [s].
     """
     if len(people):
         for at in np.arange(0.0, lead + _STEP / 2, _STEP).tolist():
-            apart = people.distances(np.array([place]), at)[0] - hull
-            who = int(np.argmin(apart))
-            if apart[who] < min_distance:
+            spare = people.distances(np.array([place]), at)[0] - hull - min_distances
+            who = int(np.argmin(spare))
+            if spare[who] < 0.0:
                 return f"{people.names[who]} is too close"
     things = [replace(o, bottom=0.0, top=9.0) for o in obstacles if not may_be_person(o)]
     rows, names = obstacle_rows(things, 0.0, 0.0, (0.0, 9.0))

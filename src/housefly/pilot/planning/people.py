@@ -23,7 +23,7 @@ WALKING_SPEED = 0.35
 """Who is faster walks; slower ones sway, or their place is not exact [m/s]."""
 WALKING_TIME_MAX = 6.0
 """Nobody is thought to walk straight on for longer than this [s]."""
-SHOULDERS = 0.15
+PERSON_WALL_DISTANCE = 0.15
 """Who walks stops where the next wall is nearer to their middle than this [m]."""
 MOVING_SPEED = 0.2
 """What is faster may be a person, whatever its source says [m/s]."""
@@ -120,12 +120,12 @@ def _row_of(obstacle: Obstacle, now: float, walls: OccupancyGrid | None) -> tupl
 def walking_time(walls: OccupancyGrid, start: Vec2, velocity: Vec2) -> float:
     """Return for how long somebody can walk straight on before the next wall [s]."""
     speed = hypot(*velocity)
-    if speed == 0.0 or walls.clearance_at(start) < SHOULDERS:
+    if speed == 0.0 or walls.clearance_at(start) < PERSON_WALL_DISTANCE:
         return WALKING_TIME_MAX
     stride = walls.resolution / speed
     for n in range(1, int(WALKING_TIME_MAX / stride) + 1):
         at = n * stride
         place = (start[0] + at * velocity[0], start[1] + at * velocity[1])
-        if walls.clearance_at(place) < SHOULDERS:
+        if walls.clearance_at(place) < PERSON_WALL_DISTANCE:
             return at
     return WALKING_TIME_MAX

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+import numpy as np
+
 from housefly.config.site import Site
-from housefly.geometry import Vec2
+from housefly.geometry import Vec2, distance
 from housefly.messages.obstacles import Obstacle
 from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
 from housefly.pilot.planning.people import NOBODY, ObservedPeople, people_at
@@ -20,6 +22,12 @@ TAKE_OFF_LEAD = 2.0
 """Nobody may come near a drone within this time when it takes off [s] ..."""
 LANDING_LEAD = 1.5
 """... or lands [s]."""
+UNMOVED_TIME = 30.0
+"""Who has not moved for so long is landed beside, as a thing is [s] ..."""
+UNMOVED_RADIUS = 0.1
+"""... which is not to leave this distance from a place [m] ..."""
+UNMOVED_DISTANCE = 0.25
+"""... but no nearer to the hull than this [m]."""
 
 
 class PeopleMap:
@@ -37,6 +45,7 @@ class PeopleMap:
         self._obstacles: tuple[Obstacle, ...] = ()
         self._things: Callable[[], OccupancyGrid] = lambda: grid
         self._people: ObservedPeople = NOBODY
+        self._stood: dict[str, tuple[Vec2, float]] = {}
         self._at = 0.0
 
     def __len__(self) -> int:
@@ -48,6 +57,23 @@ class PeopleMap:
         """Take in what is known at a time [s]; ``things`` makes the map without people."""
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
         self._people = people_at(self._obstacles, now, self._grid)
+        self._stood = {
+            name: self._stood_since(name, (x, y), now)
+            for name, (x, y) in zip(
+                self._people.names, self._people.rows[:, :2].tolist(), strict=True
+            )
+        }
+
+    def _stood_since(self, name: str, place: Vec2, now: float) -> tuple[Vec2, float]:
+        """Return around which place somebody stands [m], and since when [s]."""
+        before = self._stood.get(name)
+        has_moved = before is None or distance(before[0], place) > UNMOVED_RADIUS
+        return (place, now) if before is None or has_moved else before
+
+    def is_still(self, name: str, now: float) -> bool:
+        """Return whether somebody has stood still for so long that they may be a thing."""
+        stood = self._stood.get(name)
+        return stood is not None and now - stood[1] >= UNMOVED_TIME
 
     def separation(
         self, place: Vec2, velocity: Vec2, now: float, horizon: float, *, walking: bool = False
@@ -62,10 +88,11 @@ class PeopleMap:
         people = people.walking() if walking else people
         return separation(people, place, velocity, self._hull, horizon)
 
-    def refuge(self, place: Vec2, velocity: Vec2, now: float, kept: Vec2 | None) -> Refuge:
-        """Return where to make way to from a place [m] with a velocity [m/s]."""
+    def refuge(
+        self, place: Vec2, velocity: Vec2, now: float, speed: float, kept: Vec2 | None
+    ) -> Refuge:
+        """Return where to make way to from a place [m], with a velocity and up to a speed [m/s]."""
         enough = self.config.comfort_distance + 0.2
-        speed = self.config.yield_speed
         people = self._now(now)
         return refuge(people, self._things(), place, velocity, self._hull, speed, enough, kept)
 
@@ -74,7 +101,10 @@ class PeopleMap:
         if not self._obstacles:
             return ""
         least = self.config.min_distance
-        return column_fault(self._obstacles, self._now(now), place, self._hull, least, lead)
+        people = self._now(now)
+        still = np.array([self.is_still(name, now) for name in people.names], dtype=bool)
+        distances = np.where(still, min(UNMOVED_DISTANCE, least), least)
+        return column_fault(self._obstacles, people, place, self._hull, distances, lead)
 
     def landing_spot(self, place: Vec2, now: float, least: float = 0.0) -> Vec2 | None:
         """Return the nearest place within 2 m where a landing hurts nobody and nothing [m].

@@ -21,8 +21,14 @@ FORESIGHT = 6.0
 """Where to go is decided by what happens within this time [s]."""
 UNAVOIDABLE = 0.3
 """What happens within this time no motion can change any more [s]."""
-YIELD_ACCELERATION = 1.0
-"""How quickly the drone can be counted on to get going and to stop [m/s^2]."""
+YIELD_ACCELERATION = 1.6
+"""How quickly the drone can be counted on to get going [m/s^2] ..."""
+YIELD_DECELERATION = 1.0
+"""... and to stop at its refuge [m/s^2]."""
+APPROACH_GAIN = 1.2
+"""Nearer to the refuge it is slower by this for every metre [1/s]."""
+YIELD_DELAY = 0.1
+"""From deciding to the first motion [s]."""
 ROOM_MARGIN = 0.2
 """Making way keeps the hull this far from walls and things [m]."""
 _BEARINGS = tuple(2.0 * pi * n / 32 for n in range(32))
@@ -37,6 +43,10 @@ _LATER = 0.4
 """
 _GOOD = 0.5
 """A place is good if it keeps this share of the distance that is enough."""
+_LASTING = 0.2
+"""Share of the distance at the end in the worth of a place: who stands beside the drone is left,
+although nothing makes the beginning any better.
+"""
 _CLOSED = frozenset({Cell.VIRTUAL, Cell.OUTSIDE, Cell.OCCUPIED})
 
 
@@ -124,13 +134,13 @@ def refuge(
     open_ = _are_open(grid, place, np.array(offers), hull + ROOM_MARGIN)
     open_[0] = True
     ends = np.array(offers)[open_]
-    apart, worth = _smallest(people, place, velocity, ends, speed)
-    apart, worth = apart - hull, worth - hull
+    apart, worth, last = (found - hull for found in _smallest(people, place, velocity, ends, speed))
     far = np.hypot(ends[:, 0] - place[0], ends[:, 1] - place[1])
-    rank = apart if apart.max() >= _GOOD * enough else worth
-    score = np.minimum(rank, enough) - _PREFERENCE * far
+    rank = np.minimum(apart if apart.max() >= _GOOD * enough else worth, enough)
+    score = rank + _LASTING * np.minimum(last, enough) - _PREFERENCE * far
     if kept is not None and open_[1]:
         score[1] += 0.1
+    score[rank < rank[0] - 1e-9] = -inf
     best = int(np.argmax(score))
     x, y = ends[best].tolist()
     return Refuge((x, y), float(apart[best]))
@@ -138,32 +148,40 @@ def refuge(
 
 def _smallest(
     people: ObservedPeople, place: Vec2, velocity: Vec2, ends: FloatArray, speed: float
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the smallest distance from the drone's middle to a body on the way to each end [m].
 
-    And the same with ``_LATER`` added for every second ahead.
+    And the same with ``_LATER`` added for every second ahead, and the distance at the end.
     """
     at = np.repeat(np.array([place]), len(ends), axis=0)
     v = np.repeat(np.array([velocity]), len(ends), axis=0)
     smallest: FloatArray = np.full(len(ends), inf)
-    worth = smallest
+    worth = apart = smallest
     for n in range(1, round(FORESIGHT / MOTION_STEP) + 1):
         left = ends - at
         away = np.hypot(left[:, 0], left[:, 1])
-        pace = np.minimum(speed, np.sqrt(2.0 * YIELD_ACCELERATION * away))
+        pace = approach_speed(away, speed)
         change = left * (pace / np.maximum(away, 1e-6))[:, None] - v
         most = np.hypot(change[:, 0], change[:, 1])
-        v = (
-            v
-            + change
-            * np.minimum(1.0, YIELD_ACCELERATION * MOTION_STEP / np.maximum(most, 1e-9))[:, None]
-        )
+        reach = YIELD_ACCELERATION * (MOTION_STEP - (YIELD_DELAY if n == 1 else 0.0))
+        v = v + change * np.minimum(1.0, reach / np.maximum(most, 1e-9))[:, None]
         at = at + MOTION_STEP * v
         if n * MOTION_STEP >= UNAVOIDABLE:
             apart = people.distances(at, n * MOTION_STEP).min(axis=1)
             smallest = np.minimum(smallest, apart)
             worth = np.minimum(worth, apart + _LATER * n * MOTION_STEP)
-    return smallest, worth
+    return smallest, worth, apart
+
+
+def approach_speed(away: FloatArray, speed: float) -> FloatArray:
+    """Return how fast to fly at a refuge that is so far away, up to a speed [m, m/s].
+
+    Proportional near it, by the root of the way left farther off.
+    """
+    near = YIELD_DECELERATION / APPROACH_GAIN**2
+    root = np.sqrt(2.0 * YIELD_DECELERATION * np.maximum(away - near / 2, 0.0))
+    result: FloatArray = np.minimum(speed, np.where(away < near, APPROACH_GAIN * away, root))
+    return result
 
 
 def _are_open(grid: OccupancyGrid, start: Vec2, ends: FloatArray, keep: float) -> NDArray[np.bool_]:

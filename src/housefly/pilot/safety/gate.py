@@ -12,13 +12,13 @@ from math import inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Severity
-from housefly.messages.sensing import DroneStatus
+from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Command, SafetyMode, Setpoint
 from housefly.pilot.safety.fallbacks import possible_mode
-from housefly.pilot.safety.inputs import AIRBORNE_STATUSES, GateInputs, Geofence
+from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.observer import FlightObserver
-from housefly.pilot.safety.rule import RuleContext, SafetyRule
+from housefly.pilot.safety.rule import COUNTED, RuleContext, SafetyRule
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 
 A, M = Action, SafetyMode
@@ -132,7 +132,7 @@ class Gate:
     ) -> None:
         self._limits = limits
         self._fence = fence
-        self._rules = rules
+        self._rules = tuple((rule, list(COUNTED).index(rule.counts)) for rule in rules)
         self._observer = FlightObserver(limits)
         self._since: dict[str, float] = {}
         self._until: dict[str, float] = {}
@@ -179,11 +179,12 @@ class Gate:
         return RuleContext(inputs, seen, self._limits, self._fence)
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
-        found = (
+        counted = [counts(context) for counts in COUNTED.values()]
+        found = [
             BrokenRule(rule.code, possible_mode(rule.mode, context), rule.words(context))
-            for rule in self._rules
-            if self._is_broken(rule, context)
-        )
+            for rule, kind in self._rules
+            if self._is_broken(rule, counted[kind], context)
+        ]
         return tuple(sorted(found, key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True))
 
     def _with_landing(
@@ -197,9 +198,9 @@ class Gate:
             sorted((*others, kept), key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True)
         )
 
-    def _is_broken(self, rule: SafetyRule, context: RuleContext) -> bool:
+    def _is_broken(self, rule: SafetyRule, counts: bool, context: RuleContext) -> bool:
         now = context.now.now
-        if not rule.applies(context):
+        if not (counts and rule.broken(context)):
             self._since.pop(rule.code, None)
             return now < self._until.get(rule.code, -inf) and context.now.airborne
         if now - self._since.setdefault(rule.code, now) < rule.after:

@@ -7,18 +7,13 @@ from math import isfinite, nan
 
 from housefly.geometry import Vec2, Vec3, stopping_distance
 from housefly.messages.flight import Phase
-from housefly.messages.sensing import DroneStatus, Telemetry
+from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Telemetry
 from housefly.messages.steering import Reference, Setpoint
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
-AIRBORNE_STATUSES = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
-"""States in which the propellers carry the drone."""
 CRUISE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
 """Phases in which we say where the drone should be."""
-REACTION_TIME = 0.3
-"""Time from an order to brake until the drone brakes that distances allow for [s]."""
-BRAKING_DECELERATION = 1.0
-"""How hard the drone can be counted on to brake [m/s^2]."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, dist, hypot, isfinite
 
+from housefly.geometry import GRAVITY
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.standing import STANDS_HIGH
@@ -12,8 +13,6 @@ from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRu
 
 M, N = SafetyMode, Counting
 
-GRAVITY = 9.81
-"""[m/s^2]."""
 CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
 CEILING_CLEARANCE = 0.3

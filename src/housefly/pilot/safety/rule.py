@@ -77,10 +77,6 @@ class SafetyRule:
     lasts: float = 0.0
     clears: Clearing = Clearing.ITSELF
 
-    def applies(self, context: RuleContext) -> bool:
-        """Return whether it is wrong now and counts now, whatever came before."""
-        return COUNTED[self.counts](context) and self.broken(context)
-
 
 COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {
     Counting.ALWAYS: lambda _: True,

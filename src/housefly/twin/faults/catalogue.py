@@ -11,7 +11,7 @@ from math import inf
 
 from housefly.errors import ConfigError
 from housefly.twin.faults.fault import Fault
-from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, Injection
+from housefly.twin.faults.vocabulary import LOCKSTEP, WIRES, FaultComponent, FaultKind, Injection
 
 NOT_COVERED = "not covered"
 
@@ -25,12 +25,15 @@ class FaultVariant:
         faults: as seen from the moment at which the row begins, which is 0 s.
         from_start: it makes sense only from before take-off on, like a wrong map.
         wires_only: it cannot be made in lock step.
+        cannot_hover: nothing keeps the drone in the air any more, so that it falls is not judged;
+            that its motors stop, and what it strikes, is.
     """
 
     name: str
     faults: tuple[Fault, ...]
     from_start: bool = False
     wires_only: bool = False
+    cannot_hover: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +82,7 @@ def row_of(number: str) -> FaultRow:
 
 
 _C, _K = FaultComponent, FaultKind
-_TWIN = frozenset({Injection.LOCKSTEP, Injection.WIRES})
-_LOCKSTEP, _WIRES = frozenset({Injection.LOCKSTEP}), frozenset({Injection.WIRES})
+_TWIN = LOCKSTEP | WIRES
 _PROCESS, _USER = frozenset({Injection.PROCESS}), frozenset({Injection.USER})
 
 
@@ -111,9 +113,12 @@ def _one(
     lasting: float = inf,
     name: str = "",
     wires_only: bool = False,
+    cannot_hover: bool = False,
 ) -> FaultVariant:
     fault = Fault(component, kind, aspect, 0.0, lasting, size)
-    return FaultVariant(name or kind.value, (fault,), wires_only=wires_only)
+    return FaultVariant(
+        name or kind.value, (fault,), wires_only=wires_only, cannot_hover=cannot_hover
+    )
 
 
 FAULT_CATALOGUE: tuple[FaultRow, ...] = (
@@ -262,7 +267,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F19", "the pictures stop, are damaged or stand still",
-        "the flight does not notice; the picture is greyed with its age", _WIRES,
+        "the flight does not notice; the picture is greyed with its age", WIRES,
         (
             _one(_C.VIDEO, _K.OFF, wires_only=True),
             _one(_C.VIDEO, _K.STUCK, wires_only=True),
@@ -287,7 +292,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         (
             _one(_C.MOTOR, _K.WRONG, "front_left", 0.6, name="60percent"),
             _one(_C.MOTOR, _K.WRONG, "front_left", 0.8, name="80percent"),
-            _one(_C.MOTOR, _K.OFF, "front_left", name="off"),
+            _one(_C.MOTOR, _K.OFF, "front_left", name="off", cannot_hover=True),
             _one(_C.MOTOR, _K.WRONG, "propeller", 0.8, name="propeller"),
             _one(_C.MOTOR, _K.WRONG, "all", 0.8, name="all_80percent"),
             _one(_C.BATTERY, _K.WRONG, "voltage", 1.5, name="sag"),
@@ -308,14 +313,14 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F24", "the pilot is killed",
         "hovers after 0.25 s, lands after 2 s; a fresh pilot does not fly on",
-        _LOCKSTEP | _PROCESS, (_one(_C.PILOT, _K.OFF, name="silent"),), True,
+        LOCKSTEP | _PROCESS, (_one(_C.PILOT, _K.OFF, name="silent"),), True,
         covered_by="tests/wires/ardrone/test_command_sequencer.py"
         "::test_a_pilot_that_comes_back_after_the_watchdog_landed_does_not_fly_on",
     ),
     FaultRow(
         "F25", "the driver is killed",
         "the drone's own watchdog brakes and lands it; a fresh driver offers landing only",
-        _LOCKSTEP | _PROCESS,
+        LOCKSTEP | _PROCESS,
         (FaultVariant("gone", (Fault(_C.COMMANDS, _K.OFF), Fault(_C.TELEMETRY, _K.OFF))),), True,
         covered_by="tests/twin/test_world.py"
         "::test_a_drone_without_its_client_flies_on_for_two_seconds_then_brakes_and_lands",
@@ -356,7 +361,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F32", "the machine stalls for 0.3 to 1 s",
-        "it was level before; hovers, goes on or lands, and says why", _LOCKSTEP | _PROCESS,
+        "it was level before; hovers, goes on or lands, and says why", LOCKSTEP | _PROCESS,
         (
             _one(_C.PILOT, _K.OFF, lasting=0.3, name="0.3s"),
             _one(_C.PILOT, _K.OFF, lasting=1.0, name="1s"),

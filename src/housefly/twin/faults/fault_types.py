@@ -6,10 +6,15 @@ from functools import cache
 from math import pi
 
 from housefly.errors import ConfigError
-from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, FaultType, Injection
+from housefly.twin.faults.vocabulary import (
+    LOCKSTEP,
+    WIRES,
+    FaultComponent,
+    FaultKind,
+    FaultType,
+)
 
 _C, _K = FaultComponent, FaultKind
-_LOCKSTEP, _WIRES = frozenset({Injection.LOCKSTEP}), frozenset({Injection.WIRES})
 
 FAULT_TYPES: tuple[FaultType, ...] = (
     FaultType(_C.MOCAP, "", _K.OFF, "no frames"),
@@ -98,15 +103,15 @@ FAULT_TYPES: tuple[FaultType, ...] = (
         _C.COMMANDS, "copies", _K.WRONG, "share of the datagrams that arrive twice", "1", 0.3, 0.0,
         1.0,
     ),
-    FaultType(_C.PILOT, "", _K.OFF, "the driver hears no pilot", where=_LOCKSTEP),
+    FaultType(_C.PILOT, "", _K.OFF, "the driver hears no pilot", where=LOCKSTEP),
     FaultType(
         _C.PILOT, "", _K.INTERMITTENT, "share of the pilot's steps lost", "1", 0.5, 0.0, 1.0,
-        _LOCKSTEP,
+        LOCKSTEP,
     ),
-    FaultType(_C.VIDEO, "", _K.OFF, "no pictures", where=_WIRES),
-    FaultType(_C.VIDEO, "", _K.STUCK, "the same picture again and again", where=_WIRES),
-    FaultType(_C.VIDEO, "", _K.GARBAGE, "pictures of noise bytes", where=_WIRES),
-    FaultType(_C.VIDEO, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, _WIRES),
+    FaultType(_C.VIDEO, "", _K.OFF, "no pictures", where=WIRES),
+    FaultType(_C.VIDEO, "", _K.STUCK, "the same picture again and again", where=WIRES),
+    FaultType(_C.VIDEO, "", _K.GARBAGE, "pictures of noise bytes", where=WIRES),
+    FaultType(_C.VIDEO, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, WIRES),
     FaultType(_C.LASER, "", _K.OFF, "no scans"),
     FaultType(_C.LASER, "", _K.STUCK, "the same scan again and again"),
     FaultType(_C.LASER, "", _K.GARBAGE, "distances at random"),
@@ -116,12 +121,12 @@ FAULT_TYPES: tuple[FaultType, ...] = (
     FaultType(_C.DEPTH, "", _K.STUCK, "the same image again and again"),
     FaultType(_C.DEPTH, "", _K.GARBAGE, "depths at random"),
     FaultType(_C.DEPTH, "", _K.INTERMITTENT, "share of the images lost", "1", 0.3, 0.0, 1.0),
-    FaultType(_C.DEVICES, "", _K.OFF, "no messages", where=_WIRES),
-    FaultType(_C.DEVICES, "", _K.GARBAGE, "payloads of noise bytes", where=_WIRES),
-    FaultType(_C.DEVICES, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, _WIRES),
+    FaultType(_C.DEVICES, "", _K.OFF, "no messages", where=WIRES),
+    FaultType(_C.DEVICES, "", _K.GARBAGE, "payloads of noise bytes", where=WIRES),
+    FaultType(_C.DEVICES, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, WIRES),
     FaultType(_C.BATTERY, "", _K.WRONG, "the charge falls to this at once", "1", 0.08, 0.0, 1.0),
     FaultType(_C.BATTERY, "", _K.STUCK, "the gauge keeps its value"),
-    FaultType(_C.BATTERY, "", _K.GARBAGE, "the charge reported is not a number", where=_LOCKSTEP),
+    FaultType(_C.BATTERY, "", _K.GARBAGE, "the charge reported is not a number", where=LOCKSTEP),
     FaultType(_C.BATTERY, "voltage", _K.WRONG, "voltage lost under load", "V", 1.0, 0.0, 5.0),
     FaultType(
         _C.MOTOR, "front_left", _K.WRONG, "share of the thrust left", "1", 0.6, 0.0, 1.0

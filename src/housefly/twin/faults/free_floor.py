@@ -14,7 +14,7 @@ BODY_HEIGHT = 1.7
 """What is lower than this stops somebody who walks [m] ..."""
 THRESHOLD_HEIGHT = 0.1
 """... what is lower than this does not: carpets, pads [m]."""
-SHOULDERS = 0.25
+WALKER_HALF_WIDTH = 0.25
 """Half the width of somebody who walks [m]."""
 _STRIDE = 0.1
 """The floor is looked at every so often [m]."""
@@ -57,4 +57,4 @@ class FreeFloor:
 
     def _is_free(self, place: Vec2) -> bool:
         x, y = (np.array([number]) for number in place)
-        return bool(clearance_field(self._standing, x, y, 1.0)[0, 0] > SHOULDERS)
+        return bool(clearance_field(self._standing, x, y, 1.0)[0, 0] > WALKER_HALF_WIDTH)

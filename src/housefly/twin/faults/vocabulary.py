@@ -55,6 +55,9 @@ class Injection(Enum):
     USER = "a user does it"
 
 
+LOCKSTEP, WIRES = frozenset({Injection.LOCKSTEP}), frozenset({Injection.WIRES})
+
+
 @dataclass(frozen=True, slots=True)
 class FaultType:
     """One way in which a component can fail.

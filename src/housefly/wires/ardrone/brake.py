@@ -19,7 +19,7 @@ BRAKE_TIME_MAX = 0.8
 """Longest time before the drone's own hover takes over [s]."""
 AT_REST_SPEED = 0.12
 """Slower than this, lead included, the drone's own hover holds better [m/s]."""
-_REPORT_AGE_MAX = 0.15
+_SPEED_AGE_MAX = 0.15
 """An older report says nothing about the present speed [s]."""
 _DRAG = 0.58
 """Linear drag over mass of the AR.Drone 2.0 [1/s]."""
@@ -71,7 +71,7 @@ def braking_setpoint(
         by_attitude: speed forward and left [m/s] where the report has none (``AttitudeSpeed``).
         tilt_max: largest tilt [rad].
     """
-    if now - report.received_at > _REPORT_AGE_MAX:
+    if now - report.received_at > _SPEED_AGE_MAX:
         return None
     measured = report.velocity[:2]
     # a flow camera that sees nothing reports zeros to the last bit

@@ -14,6 +14,7 @@ from collections.abc import Callable
 from enum import Enum
 
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
+from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.brake import BRAKE_TIME_MAX, AttitudeSpeed, braking_setpoint
 from housefly.wires.ardrone.conversions import Maxima, pcmd_from_setpoint
@@ -32,11 +33,8 @@ HOVER_AFTER = 0.25
 """Silence of the pilot after which a flying drone brakes and hovers [s]."""
 LAND_AFTER = 2.0
 """Silence of the pilot after which a flying drone lands [s]."""
-REPORT_AGE_MAX = 0.5
-"""An older report says nothing about the present [s]."""
 TRIM_TIME = 0.1
 """How long flat trim is repeated before take-off [s]."""
-_AIRBORNE = frozenset({DroneStatus.TAKING_OFF, DroneStatus.FLYING, DroneStatus.LANDING})
 _GROUNDED = frozenset({DroneStatus.LANDED, DroneStatus.EMERGENCY})
 _MOVES = frozenset({Action.FLY, Action.TAKE_OFF, Action.RESET})
 """What is worth nothing when it comes late."""
@@ -135,7 +133,7 @@ class CommandSequencer:
 
     def _action_in_force(self, now: float, report: Telemetry | None) -> Action:
         """Return the pilot's action, or what the watchdog puts in its place."""
-        airborne = report is not None and report.status in _AIRBORNE
+        airborne = report is not None and report.status in AIRBORNE_STATUSES
         if self._action in (Action.CUT, Action.RESET):
             self._must_land &= airborne
             return self._action
@@ -178,7 +176,7 @@ class CommandSequencer:
         return (_LAND if report.status in _GROUNDED else _HOVER, at.ComWatchdog())
 
     def _take_off(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
-        if report is not None and report.status in _AIRBORNE:
+        if report is not None and report.status in AIRBORNE_STATUSES:
             self._has_taken_off |= report.status is not DroneStatus.LANDING
             return (_TAKE_OFF, _HOVER) if report.status is DroneStatus.TAKING_OFF else (_HOVER,)
         if (
@@ -198,7 +196,7 @@ class CommandSequencer:
         return self._press(now, report, wanted=wanted)
 
     def _reset(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
-        if report is not None and report.status in _AIRBORNE:
+        if report is not None and report.status in AIRBORNE_STATUSES:
             self._button.release(now)
             return self._idle(now, report)
         wanted = report is not None and report.status is DroneStatus.EMERGENCY

@@ -6,20 +6,26 @@ import { MapView } from "./map/map";
 import { Announcer } from "./panels/announcer";
 import { Battery } from "./panels/battery";
 import { Control } from "./panels/control";
+import { Checks, Readiness } from "./panels/preflight";
 import { Help } from "./panels/help";
 import { Log } from "./panels/log";
 import { Readings } from "./panels/readings";
 import { Top } from "./panels/top";
 import { VideoView } from "./panels/video";
-import { screen, swapped } from "./store";
+import { flying, screen, swapped } from "./store";
 
 /** Two screens, one to fly and one of the room; STOP is on both, in the same place. */
 export function App() {
   return (
-    <div class="app" data-swapped={swapped.value && screen.value === "fly"}>
+    <div
+      class="app"
+      data-flying={flying.value}
+      data-swapped={swapped.value && screen.value === "fly"}
+    >
       <Top />
       {screen.value === "room" ? <RoomScreen /> : <FlyScreen />}
       <StopBar />
+      <Checks />
       <Help />
       <Control />
       <Announcer />
@@ -31,6 +37,7 @@ export function App() {
 function FlyScreen() {
   return (
     <main class="deck">
+      <Readiness />
       <MapView />
       <VideoView />
       <section class="command" aria-label="Orders">

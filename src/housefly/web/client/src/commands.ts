@@ -1,7 +1,9 @@
 // Everything a person can ask of the drone: when it is possible, and why not.
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { goal, forgetGoal, planned } from "./goal";
+import { sentence } from "./format";
 import { createHold } from "./hold";
+import { explain, refusal } from "./preflight";
 import {
   contact,
   cut,
@@ -75,13 +77,19 @@ const hasPath = unless(
   () => goal.value?.note || (goal.value?.plan ? goal.value.plan.reason : "Looking for a path …"),
 );
 
+const checked = unless(
+  () => refusal.value === "",
+  () => sentence(`Not ready: ${refusal.value}`),
+);
+
 const ready = firstOf(hasLine, hasPilot, mayFly, notCut, notStopped, droneHeard);
 
 async function send(order: OrderKind, withGoal = false): Promise<void> {
   const aim = withGoal ? goal.value : null;
   const target = aim ? (aim.place ? { place: aim.place } : { goal: aim.point }) : {};
+  notice.value = "";
   const answer = await ask({ type: "order", order, ...target });
-  notice.value = answer.type === "refused" ? answer.reason : "";
+  if (answer.type === "refused") notice.value = answer.reason;
   if (aim && answer.type === "accepted") forgetGoal();
 }
 
@@ -89,13 +97,13 @@ export async function stop(): Promise<void> {
   notice.value = await sendStop();
 }
 
-export const takeOff = createHold(HOLD, firstOf(ready, onTheGround), () => void send("take_off"));
+export const takeOff = createHold(HOLD, firstOf(ready, onTheGround, checked), () => void send("take_off"));
 export const service = createHold(
   HOLD,
-  firstOf(ready, hasGoal, hasPath),
+  firstOf(ready, checked, hasGoal, hasPath),
   () => void send("service", true),
 );
-export const go = createHold(HOLD, firstOf(ready, hasGoal, hasPath), () => void send("go", true));
+export const go = createHold(HOLD, firstOf(ready, checked, hasGoal, hasPath), () => void send("go", true));
 export const resume = createHold(
   HOLD,
   firstOf(
@@ -117,16 +125,21 @@ export const landObjection = firstOf(hasLine, inTheAir);
 export const hoverObjection = firstOf(ready, inTheAir);
 export const homeObjection = firstOf(ready, inTheAir);
 
+function press(objection: Reason, order: OrderKind): void {
+  if (objection.value) explain(objection);
+  else void send(order);
+}
+
 export function land(): void {
-  if (!landObjection.value) void send("land");
+  press(landObjection, "land");
 }
 
 export function hover(): void {
-  if (!hoverObjection.value) void send("hover");
+  press(hoverObjection, "hover");
 }
 
 export function home(): void {
-  if (!homeObjection.value) void send("home");
+  press(homeObjection, "home");
 }
 
 export async function takeOver(held: boolean): Promise<void> {

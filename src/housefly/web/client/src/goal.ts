@@ -1,7 +1,8 @@
 // The goal that is being chosen: a ghost on the map with its path, until somebody holds "send".
 import { computed, signal } from "@preact/signals";
+import { sentence } from "./format";
 import { cellOf, centreOf, letterAt } from "./map/grid";
-import { room, state, type Point } from "./store";
+import { notice, room, state, type Point } from "./store";
 import { ask } from "./wire/socket";
 import type { PlaceView, PlanAnswer } from "./wire/messages";
 
@@ -59,6 +60,7 @@ export function forgetGoal(): void {
 export async function preview(): Promise<void> {
   const asked = goal.value;
   if (!asked) return;
+  notice.value = "";
   const turn = ++newest;
   const answer = await ask(
     asked.place ? { type: "plan", place: asked.place } : { type: "plan", goal: asked.point },
@@ -85,11 +87,6 @@ function settle(asked: Goal, plan: PlanAnswer): void {
     plan: null,
   };
   void preview();
-}
-
-function sentence(words: string): string {
-  const capital = words.charAt(0).toUpperCase() + words.slice(1);
-  return capital.endsWith(".") ? capital : `${capital}.`;
 }
 
 /** Move the ghost to the next free cell in a direction of the world (x, y are -1, 0 or 1). */

@@ -1,6 +1,6 @@
 // The state of everything in one line of words, with a shape that says the same without colour.
 import { computed } from "@preact/signals";
-import { contact, flying, link, path, room, state, stateAge, type Point } from "./store";
+import { contact, flying, link, path, preflight, room, state, stateAge, type Point } from "./store";
 import type { Phase, StateMessage } from "./wire/messages";
 
 export type Shape = "ready" | "moving" | "holding" | "stopped" | "warning" | "lost";
@@ -22,7 +22,7 @@ const BY_PHASE: Record<Phase, (now: StateMessage) => Headline> = {
   "idle": () =>
     flying.value
       ? { shape: "holding", text: "Hovering", detail: "waiting for an order" }
-      : { shape: "ready", text: "Ready on the pad", detail: "motors are off" },
+      : onThePad(),
   "taking off": () => ({ shape: "moving", text: "Taking off", detail: "" }),
   "flying to goal": (now) => ({
     shape: "moving",
@@ -75,6 +75,14 @@ export const headline = computed<Headline>(() => {
   }
   return BY_PHASE[now.phase](now);
 });
+
+function onThePad(): Headline {
+  const { ready, checks } = preflight.value;
+  if (ready) return { shape: "ready", text: "Ready on the pad", detail: "motors are off" };
+  if (checks.length === 0)
+    return { shape: "holding", text: "On the pad", detail: "looking whether all is well" };
+  return { shape: "warning", text: "Not ready", detail: "motors are off" };
+}
 
 /** How far and how long the current path still goes. */
 function left(): string {

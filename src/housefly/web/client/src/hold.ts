@@ -1,5 +1,6 @@
 // Hold instead of click: the action runs after a long enough hold that stays allowed throughout.
 import { effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
+import { explain } from "./preflight";
 
 export interface Hold {
   seconds: number;
@@ -22,7 +23,11 @@ export function createHold(
     held.value = false;
   };
   const begin = (): void => {
-    if (held.peek() || objection.peek()) return;
+    if (held.peek()) return;
+    if (objection.peek()) {
+      explain(objection);
+      return;
+    }
     held.value = true;
     timer = window.setTimeout(() => {
       cancel();

@@ -6,6 +6,7 @@ import type {
   EventView,
   LinkMessage,
   PathMessage,
+  PreflightView,
   RoomView,
   StateMessage,
   ViewersMessage,
@@ -18,6 +19,7 @@ export const contact = signal<Contact>("connecting");
 export const me = signal(0);
 export const state = signal<StateMessage | null>(null);
 export const room = signal<RoomView | null>(null);
+export const preflight = signal<PreflightView>({ ready: false, checks: [] });
 export const path = signal<PathMessage | null>(null);
 export const link = signal<LinkMessage | null>(null);
 export const viewers = signal<ViewersMessage>({ pilot: null, viewers: [], type: "viewers" });
@@ -35,7 +37,7 @@ export function open(name: "fly" | "room"): void {
   history.replaceState(null, "", name === "fly" ? location.pathname : `#${name}`);
 }
 
-export const panel = signal<"" | "help" | "control">("");
+export const panel = signal<"" | "help" | "control" | "checks">("");
 
 const OLD = 0.5;
 const DEAD = 2;

@@ -11,6 +11,7 @@ import {
 } from "../commands";
 import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { refusal } from "../preflight";
 import { cut } from "../store";
 import { HoldButton } from "./hold-button";
 import { HomeIcon, HoverIcon, LandIcon, ResetIcon, ResumeIcon, TakeOffIcon } from "./icons";
@@ -51,7 +52,7 @@ export function Actions() {
         <HoldButton hold={takeOff} class="action" label="Take off">
           <TakeOffIcon />
           <span>Take off</span>
-          <small>hold</small>
+          <small>{refusal.value ? "not ready" : "hold"}</small>
         </HoldButton>
       )}
       <PressButton label="Land here" objection={landObjection} action={land}>

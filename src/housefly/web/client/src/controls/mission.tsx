@@ -1,5 +1,6 @@
 import { go, hint, service } from "../commands";
 import { choosePlace, forgetGoal, goal } from "../goal";
+import { explanation } from "../preflight";
 import { notice, room } from "../store";
 import { HoldButton } from "./hold-button";
 
@@ -49,7 +50,7 @@ function Plan() {
       <p class="way">
         <Way />
       </p>
-      <p class="why">{notice.value || hint.value || goal.value?.note || clearance()}</p>
+      <p class="why">{explanation.value || notice.value || hint.value || goal.value?.note || clearance()}</p>
     </div>
   );
 }

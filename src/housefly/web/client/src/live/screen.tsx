@@ -11,6 +11,7 @@ import { listen, toggleCoverage } from "./room-client";
 import { Sensors } from "./sensors";
 import { at, nameOf, hindering, showsCoverage, situations, trouble } from "./store";
 import { ObstacleLayer, placeless, ThingsLayer } from "./things";
+import { Readiness } from "../panels/preflight";
 import { percent } from "../format";
 import { isWorry, worthSaying } from "./words";
 
@@ -20,6 +21,7 @@ export function RoomScreen() {
   const edits = editing.value;
   return (
     <main class="room-deck" data-editing={edits}>
+      <Readiness />
       {!edits && <Find />}
       <section
         class="view map live"

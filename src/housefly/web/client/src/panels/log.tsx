@@ -1,16 +1,10 @@
-import { computed } from "@preact/signals";
-import { events, link, state } from "../store";
+import { standing } from "../preflight";
+import { events } from "../store";
 import { serverNow } from "../wire/clock";
 import type { EventView, Severity } from "../wire/messages";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
 const SHOWN = 100;
-
-/** What is wrong at this moment: complaints of the drone, notes of the pilot's wires. */
-const standing = computed(() => [
-  ...(link.value?.link.notes ?? []),
-  ...(state.value?.faults ?? []),
-]);
 
 /** What happened, newest first; every line arrives, whatever the line is like. */
 export function Log() {

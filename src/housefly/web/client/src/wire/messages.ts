@@ -116,6 +116,28 @@ export interface RoomMessage {
   type: "room";
 }
 
+export interface PreflightCheck {
+  code: string;
+  title: string;
+  fault: string;
+  passed: boolean;
+  required: boolean;
+  value: string;
+  limit: string;
+  why: string;
+  mend: string;
+}
+
+export interface PreflightView {
+  ready: boolean;
+  checks: PreflightCheck[];
+}
+
+export interface PreflightMessage {
+  preflight: PreflightView;
+  type: "preflight";
+}
+
 export type DroneStatus = "unknown" | "landed" | "taking off" | "flying" | "landing" | "emergency";
 
 export type Behavior = "hover" | "altitudeControl" | "yawControl" | "pathTracking";
@@ -165,6 +187,7 @@ export interface StateMessage {
   flight_s: number | null;
   telemetry_age: number | null;
   faults: string[];
+  notes: string[];
   height: number | null;
   position: [number, number, number] | null;
   velocity: [number, number, number] | null;
@@ -284,6 +307,7 @@ export type ClientMessage =
 export type ServerMessage =
   | Welcome
   | RoomMessage
+  | PreflightMessage
   | StateMessage
   | PathMessage
   | LinkMessage

@@ -1,10 +1,12 @@
 // The connection to the server: reconnects, resolves requests, and writes messages to the store.
 import { batch } from "@preact/signals";
 import * as store from "../store";
+import { sentence } from "../format";
 import { assume, learn, localNow } from "./clock";
 import type {
   AcceptedReply,
   ClientMessage,
+  EventView,
   InviteReply,
   PlanReply,
   RefusedReply,
@@ -147,6 +149,9 @@ function receive(message: ServerMessage): void {
       case "room":
         store.room.value = message.room;
         break;
+      case "preflight":
+        store.preflight.value = message.preflight;
+        break;
       case "path":
         store.path.value = message;
         break;
@@ -154,6 +159,7 @@ function receive(message: ServerMessage): void {
         store.link.value = message;
         break;
       case "events":
+        tellRefusal(message.events);
         store.events.value = [...store.events.value, ...message.events].slice(-EVENTS_KEPT);
         break;
       case "viewers":
@@ -166,6 +172,12 @@ function receive(message: ServerMessage): void {
         answer(message);
     }
   });
+}
+
+/** Say where the person looks what the pilot refused; the log has it, too. */
+function tellRefusal(events: EventView[]): void {
+  const refused = events.filter((event) => event.code === "order_refused").at(-1);
+  if (refused && store.iFly.value) store.notice.value = sentence(refused.text);
 }
 
 function answer(message: Answer): void {

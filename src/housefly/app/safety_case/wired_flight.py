@@ -1,0 +1,168 @@
+"""Flies one service as people fly it, in real processes and in real time, with a fault in it."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from housefly import sites
+from housefly.app.lively import lively_changes
+from housefly.app.safety_case.faulty_flight import (
+    SAFETY_PLACE,
+    SAFETY_SITE,
+    needs_intruders,
+    variant_of,
+)
+from housefly.app.safety_case.oracle import STANDING
+from housefly.app.safety_case.plan import shared_out
+from housefly.app.safety_case.process_faults import PROCESS_FAULTS, wait_for_take_off
+from housefly.record.truth import TRUTH_FILE, TrueFlight, read_truth
+from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
+from housefly.twin.faults.vocabulary import Injection
+
+_TIMEOUT = 240.0
+"""A flight that is not over after this was not ended by its pilot [s]; it takes about 40."""
+_BEGINS_FROM, _BEGINS_TO = 3.0, 30.0
+"""A fault begins between these times of the simulated room [s]: from the pad to the way home."""
+_STRUCK_UNTIL = 15.0
+"""A process is struck within this time after take-off [s]."""
+_LOOK_TIME = 3.0
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class WiredKey:
+    """One flight in real processes.
+
+    Attributes:
+        row: of the fault matrix, with its variant: ``F13/2cm``.
+        seed: of the simulated noise, and of when the fault begins.
+    """
+
+    row: str
+    seed: int
+
+
+@dataclass(frozen=True, slots=True)
+class WiredResult:
+    """How one flight in real processes ended, on the truth.
+
+    Attributes:
+        key: which flight.
+        began_at: when the fault began, on the clock of the room [s].
+        violations: what must not happen and did, in words; none means safe.
+        outcome: as ``summary.json`` has it.
+    """
+
+    key: WiredKey
+    began_at: float
+    violations: tuple[str, ...]
+    outcome: str
+
+    @property
+    def unsafe(self) -> bool:
+        """Whether something happened that must not."""
+        return bool(self.violations)
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the result as plain values."""
+        return asdict(self)
+
+
+def wired_result_from_json(plain: dict[str, Any]) -> WiredResult:
+    """Return the result that ``to_json`` gave; raises KeyError or TypeError for anything else."""
+    violations = tuple(plain["violations"])
+    return WiredResult(**{**plain, "key": WiredKey(**plain["key"]), "violations": violations})
+
+
+def wired_keys(flights: int, rows: tuple[str, ...] = ()) -> list[WiredKey]:
+    """Return so many flights of each row that can be made on wires; of all rows without any."""
+    wanted = [row for row in FAULT_CATALOGUE if not rows or row.number in rows]
+    return [
+        WiredKey(name, seed)
+        for row in wanted
+        for name, seed in shared_out(_variants_wired(row), flights)
+    ]
+
+
+def _variants_wired(row: FaultRow) -> tuple[str, ...]:
+    processes = tuple(name for name in PROCESS_FAULTS if name.startswith(row.number))
+    return processes + tuple(
+        f"{row.number}/{variant.name}"
+        for variant in row.variants
+        if all(Injection.WIRES in fault.type.where for fault in variant.faults)
+    )
+
+
+def fly_wired(key: WiredKey, folder: Path) -> WiredResult:
+    """Fly one flight, keep its record in a folder, and judge it."""
+    rng = np.random.default_rng([key.seed, sum(map(ord, key.row))])
+    struck = PROCESS_FAULTS.get(key.row)
+    span = (0.0, _STRUCK_UNTIL) if struck else (_BEGINS_FROM, _BEGINS_TO)
+    from_start = struck is None and variant_of(key.row).from_start
+    begin = 0.0 if from_start else float(rng.uniform(*span))
+    folder.mkdir(parents=True, exist_ok=True)
+    site = SAFETY_SITE if struck or not needs_intruders(key.row) else _scanned_site(folder)
+    command = [
+        *(sys.executable, "-m", "housefly.cli", "fly", SAFETY_PLACE, "--site", str(site)),
+        *("--headless", "--look", str(_LOOK_TIME), "--seed", str(1 + key.seed)),
+        *("--out", str(folder), *(() if struck else ("--fault", f"{key.row}@{begin:.1f}s"))),
+    ]
+    with (folder / "printed.txt").open("wb") as printed:
+        process = subprocess.Popen(command, stdout=printed, stderr=subprocess.STDOUT)
+        if struck is not None and wait_for_take_off(folder, _TIMEOUT):
+            time.sleep(begin)
+            struck.strike(process.pid)
+        late = not _has_ended(process)
+    outcome = _outcome(folder)
+    truth = read_truth(folder / TRUTH_FILE)
+    return WiredResult(key, round(begin, 1), _violations(truth, outcome, late), outcome)
+
+
+def _has_ended(process: subprocess.Popen[bytes]) -> bool:
+    """Wait for a flight; False when it had to be told to end."""
+    try:
+        process.wait(_TIMEOUT)
+    except subprocess.TimeoutExpired:
+        process.send_signal(signal.SIGINT)
+        process.wait()
+        return False
+    return True
+
+
+def _scanned_site(folder: Path) -> Path:
+    """Write the site with the scanners of the lively demo, and return its file."""
+    own = Path(sites.__file__).with_name(f"{SAFETY_SITE}.toml").read_text("utf-8")
+    tables = [
+        "\n".join(["\n[[lasers]]", *(f"{key} = {json.dumps(laser[key])}" for key in laser)])
+        for laser in lively_changes()["lasers"]
+    ]
+    file = folder / "site.toml"
+    file.write_text(own + "\n".join(tables) + "\n", "utf-8")
+    return file
+
+
+def _outcome(folder: Path) -> str:
+    try:
+        return str(json.loads((folder / "summary.json").read_text("utf-8"))["outcome"])
+    except (OSError, ValueError, KeyError):
+        return ""
+
+
+def _violations(truth: TrueFlight | None, outcome: str, late: bool) -> tuple[str, ...]:
+    if truth is None or not outcome:
+        return ("no record of it",)
+    touched = {f"I1: touched {c.kind} {c.name}" for c in truth.contacts if c.motors_turned}
+    found = sorted(touched)
+    if late:
+        found.append(f"end: did not end within {_TIMEOUT:.0f} s")
+    if truth.airborne[-1] or truth.position[-1][2] > STANDING:
+        found.append(f"end: left at {truth.position[-1][2]:.1f} m")
+    return tuple(found)

@@ -1,0 +1,85 @@
+"""Where the console may listen: beyond loopback only with a certificate and with users."""
+
+from __future__ import annotations
+
+import ipaddress
+from dataclasses import dataclass
+
+from housefly.config.site import Site
+from housefly.config.state import users_file
+from housefly.errors import ConfigError, HouseflyError
+from housefly.web.security import LOOPBACK_NAMES
+from housefly.web.tls import ServerCertificate, load_certificate
+from housefly.web.users import UserBook
+
+_WILDCARDS = frozenset({"0.0.0.0", "::"})
+_WAY_OUT = (
+    "To let them in: `housefly cert`, then the two lines that it prints in the site file, and"
+    ' `housefly user add NAME --role fly` for everybody. Otherwise web.host = "127.0.0.1", and'
+    " from elsewhere an SSH tunnel"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Exposure:
+    """How the console may be reached.
+
+    Attributes:
+        certificate: what it is encrypted with; None for plain HTTP, on loopback.
+        names: host names that browsers may ask for.
+    """
+
+    certificate: ServerCertificate | None
+    names: frozenset[str]
+
+
+def checked_exposure(site: Site, host: str = "") -> Exposure:
+    """Return how the console of a site may be reached.
+
+    Args:
+        site: its configuration.
+        host: listen there instead of at ``web.host``.
+
+    Raises:
+        ConfigError: others could reach it without encryption or without a password.
+        MissingPartError: the certificate cannot be read without the extra ``lan``.
+    """
+    host = host or site.web.host
+    certificate = load_certificate(site.web)
+    if not is_loopback(host):
+        if certificate is None:
+            raise _refused(host, "the link would not be encrypted")
+        if not UserBook(users_file(site)).all():
+            raise _refused(host, "there is nobody who could log in")
+    names = LOOPBACK_NAMES | frozenset(certificate.names if certificate else ())
+    return Exposure(certificate, names if host in _WILDCARDS else names | {host.lower()})
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether only this machine reaches an address."""
+    try:
+        return host == "localhost" or ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def console_address(site: Site) -> str:
+    """Return the address that browsers open, without a path; for a wildcard the first name."""
+    host = _first_name(site) if site.web.host in _WILDCARDS else site.web.host
+    host = f"[{host}]" if ":" in host else host
+    return f"http{'s' if site.web.tls_certificate else ''}://{host}:{site.web.port}"
+
+
+def _first_name(site: Site) -> str:
+    try:
+        certificate = load_certificate(site.web)
+    except HouseflyError:  # whoever starts a console checks it, and says so
+        certificate = None
+    return certificate.names[0] if certificate else "127.0.0.1"
+
+
+def _refused(host: str, problem: str) -> ConfigError:
+    return ConfigError(
+        "web.host",
+        f"is {host!r}, where other machines reach the console: {problem}. {_WAY_OUT}",
+    )

@@ -1,0 +1,123 @@
+"""Who may do what: a role for every message of a browser and every path of the server.
+
+STOP and LAND are for everybody who is in: whatever else is refused, those only make the drone
+safer. What is not in a table needs the highest role.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+from typing import Any
+
+from housefly.hub.api.endpoints import API_PREFIX
+from housefly.messages import OrderKind
+from housefly.web.protocol import (
+    Hello,
+    InviteRequest,
+    LeaseRequest,
+    OrderRequest,
+    PingRequest,
+    PlanQuestion,
+    StopRequest,
+)
+
+
+class Role(Enum):
+    """What somebody may do; each role includes the ones before it."""
+
+    WATCH = "watch"
+    ASK = "ask"
+    FLY = "fly"
+    ADMIN = "admin"
+
+    def includes(self, other: Role) -> bool:
+        """Return whether this role may do what another may."""
+        return _RANKS[self] >= _RANKS[other]
+
+
+_RANKS = {role: rank for rank, role in enumerate(Role)}
+
+ROLE_OF_MESSAGE: dict[type, Role] = {
+    Hello: Role.WATCH,
+    PingRequest: Role.WATCH,
+    StopRequest: Role.WATCH,
+    PlanQuestion: Role.ASK,
+    LeaseRequest: Role.FLY,
+    InviteRequest: Role.ADMIN,
+}
+"""For a message other than an order."""
+
+ROLE_OF_ORDER: dict[OrderKind, Role] = {
+    OrderKind.STOP: Role.WATCH,
+    OrderKind.LAND: Role.WATCH,
+    OrderKind.TAKE_OFF: Role.FLY,
+    OrderKind.HOVER: Role.FLY,
+    OrderKind.GO: Role.FLY,
+    OrderKind.SERVICE: Role.FLY,
+    OrderKind.HOME: Role.FLY,
+    OrderKind.RESUME: Role.FLY,
+    OrderKind.CUT: Role.FLY,
+    OrderKind.RESET: Role.FLY,
+}
+
+OPEN_PATHS = ("/", "/login", "/logout", "/account", f"{API_PREFIX}/openapi.json")
+"""They ask for themselves who is there, or tell nothing."""
+OPEN_FOLDERS = ("/static/",)
+
+ROLE_OF_PATH: dict[str, Role] = {
+    "/socket": Role.WATCH,
+    "/stop": Role.WATCH,
+    "/video": Role.WATCH,
+    "/video.mjpeg": Role.WATCH,
+    "/coverage": Role.WATCH,
+    "/edits": Role.WATCH,
+    f"{API_PREFIX}/watch": Role.WATCH,
+    f"{API_PREFIX}/picture": Role.WATCH,
+    f"{API_PREFIX}/things": Role.WATCH,
+    f"{API_PREFIX}/events": Role.WATCH,
+    f"{API_PREFIX}/sensors": Role.WATCH,
+    f"{API_PREFIX}/near": Role.ASK,
+}
+"""For reading, and for WebSockets."""
+ROLE_OF_FOLDER: dict[str, Role] = {
+    f"{API_PREFIX}/where/": Role.ASK,
+    f"{API_PREFIX}/contents/": Role.ASK,
+    f"{API_PREFIX}/trajectory/": Role.ASK,
+}
+ROLE_OF_CHANGE: dict[str, Role] = {
+    "/stop": Role.WATCH,
+    "/edits": Role.ADMIN,
+    "/edits/undo": Role.ADMIN,
+}
+"""For every method but GET and HEAD."""
+
+
+def role_for_message(message: Any) -> Role:
+    """Return the role that a browser's message needs."""
+    if isinstance(message, OrderRequest):
+        return ROLE_OF_ORDER.get(message.order, Role.ADMIN)
+    return ROLE_OF_MESSAGE.get(type(message), Role.ADMIN)
+
+
+def role_for_path(path: str, *, changes: bool) -> Role | None:
+    """Return the role that a request needs, or None for a path that is open.
+
+    Args:
+        path: without the query.
+        changes: whether the method is another than GET and HEAD.
+    """
+    if path in OPEN_PATHS or path.startswith(OPEN_FOLDERS):
+        return None
+    if changes:
+        return ROLE_OF_CHANGE.get(path, Role.ADMIN)
+    for folder, role in ROLE_OF_FOLDER.items():
+        if path.startswith(folder):
+            return role
+    return ROLE_OF_PATH.get(path, Role.ADMIN)
+
+
+def role_objection(role: Role, needed: Role) -> str:
+    """Return why a role is not enough, in words, or ""."""
+    if role.includes(needed):
+        return ""
+    return f"your role is {role.value!r}, and this needs {needed.value!r}: ask who runs Housefly"

@@ -1,0 +1,41 @@
+"""Who has not moved for long may be landed beside, as a thing is."""
+
+from __future__ import annotations
+
+import pytest
+
+from housefly.app.loaded_site import load_site
+from housefly.messages import Obstacle, ObstacleKind
+from housefly.pilot.planning.people_map import UNMOVED_TIME, PeopleMap
+
+PLACE = (3.5, 2.5)
+
+
+@pytest.fixture(scope="module")
+def around() -> PeopleMap:
+    loaded = load_site("bsen", hub__enabled=False)
+    return PeopleMap(loaded.site, loaded.room, loaded.grid)
+
+
+def seen(around: PeopleMap, x: float, now: float, *, name: str = "somebody") -> None:
+    person = Obstacle(
+        name, (x, PLACE[1]), 0.2, seen_at=now, source="laser", kind=ObstacleKind.PERSON
+    )
+    around.update((person,), lambda: around._grid, now)
+
+
+def test_who_has_not_moved_for_long_is_landed_beside_but_not_onto(around: PeopleMap) -> None:
+    seen(around, PLACE[0] + 0.9, 0.0, name="beside")
+    assert around.landing_fault(PLACE, 0.1)
+    seen(around, PLACE[0] + 0.92, UNMOVED_TIME, name="beside")
+    assert not around.landing_fault(PLACE, UNMOVED_TIME)
+    assert around.landing_fault((PLACE[0] + 0.2, PLACE[1]), UNMOVED_TIME)
+
+
+@pytest.mark.parametrize(("name", "moved"), [("before", 0.2), ("somebody else", 0.0)])
+def test_who_moved_or_is_new_keeps_the_drone_away(
+    around: PeopleMap, name: str, moved: float
+) -> None:
+    seen(around, PLACE[0] + 0.8, 0.0, name="before")
+    seen(around, PLACE[0] + 0.8 + moved, 20.0, name=name)
+    assert around.landing_fault((PLACE[0] + 0.05, PLACE[1]), UNMOVED_TIME + 1.0)

@@ -1,0 +1,139 @@
+"""What is installed is what was tested: every package by version and hash, of every platform."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.machinery
+import importlib.util
+import json
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LOCKS = sorted((ROOT / "requirements").glob("*.txt"))
+ENTRY = re.compile(
+    r"^([\w.-]+)==(\S+)(?: ; [^\\]+)?((?: \\\n    --hash=sha256:[0-9a-f]{64})+)$", re.M
+)
+
+
+def same(name: str) -> str:
+    """Return the name of a package in the one spelling of the registry."""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def locked(lock: Path) -> dict[str, str]:
+    return {same(name): version for name, version, _ in ENTRY.findall(lock.read_text())}
+
+
+def constrained() -> dict[str, str]:
+    lines = (ROOT / "constraints.txt").read_text().split()
+    return {same(name): version for name, _, version in (line.partition("==") for line in lines)}
+
+
+def required(*extras: str) -> set[str]:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    lines = list(project["dependencies"])
+    for extra in extras:
+        lines += project["optional-dependencies"][extra]
+    return {same(re.split(r"[\[<>=]", line)[0]) for line in lines} - {"housefly"}
+
+
+def test_there_are_locks_for_flying_testing_building_and_auditing() -> None:
+    assert [lock.name for lock in LOCKS] == ["build.txt", "dev.txt", "run.txt", "tools.txt"]
+
+
+@pytest.mark.parametrize("lock", LOCKS, ids=lambda lock: lock.name)
+def test_every_line_of_a_lock_is_a_version_with_hashes(lock: Path) -> None:
+    assert ENTRY.sub("", lock.read_text()).strip() == ""
+    assert len(locked(lock)) >= 1
+
+
+def test_the_locks_hold_what_the_project_needs_at_the_versions_of_the_constraints() -> None:
+    pins, run, dev = (
+        constrained(),
+        *(locked(ROOT / "requirements" / f"{n}.txt") for n in ("run", "dev")),
+    )
+    assert required("twin", "lab", "lan") <= set(run)
+    assert required("dev", "twin", "lab", "lan", "cluster", "postgres", "mocap") <= set(dev)
+    assert run.items() <= dev.items()
+    only_elsewhere = {"colorama"}
+    """On Windows alone."""
+    assert {name: dev[name] for name in set(dev) - only_elsewhere} == {
+        name: pins.get(name) for name in set(dev) - only_elsewhere
+    }
+
+
+def set_up() -> Any:
+    path = str(ROOT / "scripts" / "set-up")
+    loader = importlib.machinery.SourceFileLoader("set_up", path)
+    spec = importlib.util.spec_from_loader("set_up", loader)
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    loader.exec_module(module)
+    return module
+
+
+def test_nothing_is_installed_by_pip_without_its_hash() -> None:
+    installs = [
+        command
+        for steps in set_up().STEPS.values()
+        for _, command in steps
+        if "pip" in command and "install" in command
+    ]
+    assert len(installs) == 4
+    for command in installs:
+        by_hash = "--require-hashes" in command
+        assert by_hash or {"--no-deps", "--no-build-isolation"} <= set(command), command
+    recipe = (ROOT / "Makefile").read_text()
+    assert all("--require-hashes" in line for line in recipe.splitlines() if "pip install" in line)
+
+
+def a_wheel(folder: Path, content: str) -> Path:
+    """Write a wheel of a package called ``sample``."""
+    wheel, info = folder / "sample-1.0-py3-none-any.whl", "sample-1.0.dist-info"
+    with zipfile.ZipFile(wheel, "w") as archive:
+        archive.writestr("sample.py", content)
+        archive.writestr(f"{info}/METADATA", "Metadata-Version: 2.1\nName: sample\nVersion: 1.0\n")
+        archive.writestr(
+            f"{info}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
+        )
+        archive.writestr(f"{info}/RECORD", "")
+    return wheel
+
+
+def test_a_package_that_somebody_changed_is_not_installed(tmp_path: Path) -> None:
+    wheel = a_wheel(tmp_path, "good = True")
+    digest = hashlib.sha256(wheel.read_bytes()).hexdigest()
+    lock = tmp_path / "lock.txt"
+    lock.write_text(f"sample==1.0 \\\n    --hash=sha256:{digest}\n")
+    own = {"-r", "requirements/build.txt"}
+    command = [sys.executable, *(one for one in set_up().LOCKED[1:] if one not in own)]
+    command += ["-r", str(lock)]
+    command += ["--no-index", "--find-links", str(tmp_path), "--target", str(tmp_path / "here")]
+    environment = {"PATH": "/usr/bin:/bin", "PIP_CONFIG_FILE": "/dev/null", "HOME": str(tmp_path)}
+
+    def installed() -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            command, capture_output=True, text=True, env=environment, check=False, timeout=100
+        )
+
+    done = installed()
+    assert done.returncode == 0, done.stderr
+    a_wheel(tmp_path, "good = False")
+    done = installed()
+    assert done.returncode != 0 and "DO NOT MATCH THE HASHES" in done.stderr
+
+
+@pytest.mark.parametrize("folder", ["src/housefly/web/client", "tests/peers"])
+def test_every_package_of_npm_has_its_hash(folder: str) -> None:
+    packages = json.loads((ROOT / folder / "package-lock.json").read_text())["packages"]
+    assert len(packages) > 1
+    for name, entry in packages.items():
+        assert name == "" or entry["integrity"].startswith("sha512-"), name

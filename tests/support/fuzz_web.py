@@ -1,0 +1,269 @@
+"""Fuzz targets: the bus, the questions to the room, and the console's HTTP and WebSocket."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Iterable
+from functools import cache
+from typing import Any, NamedTuple
+from urllib.parse import unquote
+
+from fuzz_target import DEEP, FuzzTarget, scratch, split
+
+from housefly.bus.codec import from_cdr, to_cdr
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import HUB_QUERY, TOPICS
+from housefly.config.site import Site
+from housefly.errors import LinkError, ThingError, WireError
+from housefly.hub.api.answers import ANSWER_TYPES
+from housefly.hub.api.json import (
+    answer_from_json,
+    answer_to_json,
+    question_from_json,
+    question_to_json,
+)
+from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
+from housefly.hub.api.pilot_queries_json import from_json
+from housefly.hub.api.questions import WhereQuestion
+from housefly.hub.client.http import checked_answer
+from housefly.hub.memory import RoomMemory
+from housefly.hub.query_handler import QueryHandler
+from housefly.hub.room_status import RoomStatus
+from housefly.hub.store.open import open_store
+from housefly.hub.things.thing import Thing, ThingKind
+from housefly.messages import (
+    Action,
+    Command,
+    Estimate,
+    Inputs,
+    Obstacle,
+    Order,
+    OrderKind,
+    Outputs,
+    PilotStep,
+    PlanAnswer,
+    Pose,
+    RoomNews,
+    Sighting,
+    TrackedFrame,
+    VideoFrame,
+)
+from housefly.room.edit_versions import EditVersions
+from housefly.room.model import Place, Room
+from housefly.web.edit_service import EditService
+from housefly.web.fake_pilot import FakePilot
+from housefly.web.fake_room import example_room
+from housefly.web.server import create_app
+from housefly.web.session_auth import PROOF_HEADER, SUBPROTOCOL, SessionAuth
+
+_TOKEN, _SECRET, _HOST = "a-token-for-tests-only", "a-secret-for-tests-only", "127.0.0.1:8080"
+_PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)
+_STATUSES = (200, 401, 404, 503)
+_QUESTIONS = tuple(ANSWER_TYPES)
+
+
+def _bus(data: bytes) -> None:
+    """The first byte chooses the topic."""
+    topic = TOPICS[data[0] % len(TOPICS)] if data else TOPICS[0]
+    topic.check(from_cdr(topic.type, data[1:]))
+
+
+def _bus_seeds() -> Iterable[bytes]:
+    seen = Sighting("drone", Pose((1.0, 2.0, 3.0)), 1.0, 1.1)
+    order = Order(OrderKind.GO, "entrance", (1.0, 2.0), None, 5.0, 1.0, "me")
+    here = Estimate(2.0, (1.0, 2.0, 3.0), (0.1, 0.2, 0.3), 0.5, 0.02, 0.01)
+    outputs = Outputs(Command(Action.IDLE), here)
+    examples = (
+        TrackedFrame((seen,)),
+        PilotStep(1, 2.0, Inputs((seen,), None, (order,)), outputs),
+        VideoFrame(b"\0\0\1\x65", True, 640, 360, 3, 1.0, 2.0),
+        order,
+        RoomNews("{}"),
+    )
+    kinds = [topic.type for topic in TOPICS]
+    for example in examples:
+        yield bytes([kinds.index(type(example))]) + to_cdr(example)
+
+
+def _question(data: bytes) -> None:
+    handler = _room().handler
+    question = question_from_json(data.decode(errors="replace"))
+    question_to_json(question)
+    answer_to_json(handler.answer(question))
+
+
+def _answer(data: bytes) -> None:
+    text = data[1:].decode(errors="surrogateescape")
+    kind = _QUESTIONS[data[0] % len(_QUESTIONS)] if data else _QUESTIONS[0]
+    answer_from_json(kind.__new__(kind), text)
+
+
+def _http_answer(data: bytes) -> None:
+    status = _STATUSES[data[0] % len(_STATUSES)] if data else 404
+    checked_answer(status, data[1:].decode(errors="surrogateescape"))
+
+
+def _answer_seeds() -> Iterable[bytes]:
+    yield b'\0{"error":"a","unknown":true}'
+    yield b'\2{"things": []}'
+    yield b"\1" + DEEP
+
+
+def _pilot_query(data: bytes) -> None:
+    kind: Any = _PILOT_QUERIES[data[0] % len(_PILOT_QUERIES)] if data else PlanRequest
+    from_json(kind, data[1:].decode(errors="surrogateescape"))
+
+
+class _Room(NamedTuple):
+    handler: QueryHandler
+    app: Any
+    loop: asyncio.AbstractEventLoop
+    edits: EditVersions
+
+
+@cache
+def _room() -> _Room:
+    """A console with a session, a hub and a room that can be edited."""
+    thing = Thing("cup", "the red cup", ThingKind.OBJECT, ("mug",), position=(1.0, 1.0, 1.0))
+    memory = RoomMemory((thing,), lambda: open_store(scratch() / "room.db"))
+    handler = QueryHandler(memory, RoomStatus(memory.writer.report), lambda: 1.7e9)
+    bus = LocalBus()
+    bus.answer(HUB_QUERY, lambda text: answer_to_json(handler.answer(question_from_json(text))))
+    FakePilot(bus.join(), example_room())
+    versions = EditVersions(scratch() / "saved")
+    app = create_app(
+        bus, _TOKEN, lambda: None, secret=_SECRET, edits=EditService(_small_room, Site(), versions)
+    )
+    return _Room(handler, app, asyncio.new_event_loop(), versions)
+
+
+def _small_room() -> Room:
+    places = (Place("home", (2.0, 2.0), (4.0, 1.0, 1.0)),)
+    return Room("hall", (0.0, 0.0, 5.0, 5.0), 2.6, (), places, (), (2.0, 2.0))
+
+
+def _session() -> list[tuple[bytes, bytes]]:
+    """Return what a page of a fresh session sends."""
+    auth = SessionAuth(_TOKEN, _SECRET)
+    cookie = auth.redeem(_TOKEN) or ""
+    headers = {
+        "host": _HOST, "origin": f"http://{_HOST}", "cookie": f"housefly_8080={cookie}",
+        PROOF_HEADER: auth.proof(cookie.partition(".")[0]), "sec-websocket-protocol": SUBPROTOCOL,
+    }  # fmt: skip
+    return [(key.encode(), value.encode()) for key, value in headers.items()]
+
+
+def _scope(kind: str, target: bytes, headers: list[tuple[bytes, bytes]]) -> dict[str, Any]:
+    path, query = split(target, b"?")
+    return {
+        "type": kind, "asgi": {"version": "3.0"}, "http_version": "1.1", "root_path": "",
+        "scheme": "http" if kind == "http" else "ws", "server": ("127.0.0.1", 8080),
+        "client": ("127.0.0.1", 5), "path": unquote(path.decode("latin-1")), "raw_path": path,
+        "query_string": query, "headers": headers, "subprotocols": [SUBPROTOCOL], "state": {},
+    }  # fmt: skip
+
+
+def _http(data: bytes) -> None:
+    """A request as it stands on the wire; what its head leaves out a page of ours would say."""
+    head, body = split(data, b"\n\n")
+    first, *lines = head.split(b"\n")
+    method, target = split(first, b" ")
+    told = [tuple(part.strip() for part in split(line, b":")) for line in lines if b":" in line]
+    names = {key.lower() for key, _ in told}
+    room = _room()
+    headers = [(key.lower(), value) for key, value in told]
+    headers += [pair for pair in _session() if pair[0] not in names]
+    scope = _scope("http", target, headers)
+    scope["method"] = method.decode("latin-1").upper()
+    answers: list[dict[str, Any]] = []
+
+    waiting = [{"type": "http.request", "body": body, "more_body": False}]
+
+    async def receive() -> dict[str, Any]:
+        return waiting.pop() if waiting else {"type": "http.disconnect"}
+
+    async def send(message: dict[str, Any]) -> None:
+        answers.append(message)
+
+    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 5.0))
+    assert answers[0]["status"] != 500
+    for path in room.edits.folder.glob("*") if room.edits.folder.is_dir() else ():
+        path.unlink()
+
+
+def _http_seeds() -> Iterable[bytes]:
+    for path in ("/", "/?token=a", "/static/app.js", "/coverage", "/edits", "/api/v1/things"):
+        yield f"GET {path}\nhost: {_HOST}\n\n".encode()
+    yield b"GET /api/v1/things/cup?at=1\nauthorization: Bearer a\naccept: text/html\n\n"
+    yield b"GET /api/v1/near?x=1&y=2&radius=3\n\n"
+    yield b"GET /api/v1/events?since=0&limit=5\nsec-fetch-site: same-origin\n\n"
+    yield b"POST /stop\n\n"
+    yield b"POST /edits\n\n" + DEEP
+    yield b'POST /edits\n\n{"based_on": 0, "tab": "\\ud800", "edits": {"removed": ["\\ud800"]}}'
+    edits = {"zones": [{"rectangle": [1, 1, 2, 2], "reason": "mine"}], "places": []}
+    body = {"based_on": 0, "tab": "tab-number-one", "edits": edits}
+    yield b"POST /edits\ncontent-type: application/json\n\n" + json.dumps(body).encode()
+    yield b"POST /edits/undo\n\n" + json.dumps(body).encode()
+
+
+def _websocket(data: bytes) -> None:
+    """One message a line; a tab says hello first."""
+    room = _room()
+    lines = [b'{"type":"hello","tab":"tab-number-one"}', *data.split(b"\n")[:6]]
+    waiting = [{"type": "websocket.connect"}]
+    waiting += [
+        {"type": "websocket.receive", "text": line.decode(errors="replace")} for line in lines
+    ]
+    waiting += [{"type": "websocket.disconnect", "code": 1000}]
+    answers: list[dict[str, Any]] = []
+
+    async def receive() -> dict[str, Any]:
+        return waiting.pop(0)
+
+    async def send(message: dict[str, Any]) -> None:
+        answers.append(message)
+
+    scope = _scope("websocket", b"/socket", _session())
+    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 5.0))
+    assert answers[0]["type"] == "websocket.accept"
+
+
+def _websocket_seeds() -> Iterable[bytes]:
+    yield b'{"type":"ping","sent":1.0}\n{"type":"stop","id":1}\n{"type":"invite","id":2}'
+    yield b'{"type":"lease","id":1,"action":"take"}\n{"type":"order","id":2,"order":"take_off"}'
+    yield (
+        b'{"type":"lease","id":1,"action":"take","held":true}\n'
+        b'{"type":"order","id":2,"order":"go","place":"entrance"}'
+    )
+    yield b'{"type":"plan","id":3,"goal":[1.0,2.0]}\n{"type":"lease","id":4,"action":"give","to":1}'
+
+
+def _question_seeds() -> Iterable[bytes]:
+    yield question_to_json(WhereQuestion("cup", 1.6e9)).encode()
+    yield b'{"ask":"near","radius":1.0,"thing":"cup"}'
+    yield b'{"ask":"trajectory","thing":"cup","since":0,"until":5,"every":1}'
+    yield b'{"ask":"events","since":0,"limit":5}\n'
+    yield b'{"ask":"contents","thing":"cup"}'
+    yield b'{"ask":"picture","at":5}'
+
+
+WEB: dict[str, FuzzTarget] = {
+    "bus": FuzzTarget(_bus, _bus_seeds, (WireError,), 4096),
+    "room_question": FuzzTarget(_question, _question_seeds, (WireError, ThingError), 512),
+    "room_answer": FuzzTarget(
+        _answer, _answer_seeds, (WireError, ThingError)
+    ),
+    "http_answer": FuzzTarget(
+        _http_answer, lambda: (b'\2{"error":"a"}', b"\1[]", b"\1" + DEEP), (LinkError,), 1024
+    ),
+    "pilot_query": FuzzTarget(
+        _pilot_query, lambda: (b'\0{"goal":[1,2],"place":""}',), (WireError,), 1024
+    ),
+    "http": FuzzTarget(
+        _http, _http_seeds, (), 1024, (b"host:", b"origin:", b"cookie:", b"%00", b"..", b"[::1")
+    ),
+    "websocket": FuzzTarget(
+        _websocket, _websocket_seeds, (), 1024, (b'"order"', b'"goal"', b"NaN", b"1e999")
+    ),
+}
