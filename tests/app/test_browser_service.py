@@ -109,6 +109,7 @@ def test_a_person_flies_the_whole_service_by_clicks_and_sees_pictures_change(
     page.on("request", lambda request: hosts.add(request.url.split("/")[2].split(":")[0]))
     page.goto(demo.url)
     expect(state(page, "Ready on the pad")).to_be_visible(timeout=15_000)
+    expect(page.get_by_text("people without markers are unseen")).to_be_visible()
     page.wait_for_timeout(1500)
     on_the_pad = picture(page)
     send_to_the_entrance(page)

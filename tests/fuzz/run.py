@@ -161,7 +161,8 @@ def main() -> int:
     from fuzz_targets import TARGETS
 
     if unknown := set(options.targets) - set(TARGETS):
-        parser.error(f"no such target: {', '.join(sorted(unknown))}; there are {', '.join(TARGETS)}")
+        known = ", ".join(TARGETS)
+        parser.error(f"no such target: {', '.join(sorted(unknown))}; there are {known}")
     WORK.mkdir(exist_ok=True)
     names = options.targets or list(TARGETS)
     total, broken = 0, []

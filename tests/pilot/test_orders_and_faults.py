@@ -92,7 +92,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
         """Switch everything on."""
         self.flight = type(self).fly(mode=mode, seed=seed)
         self.limits = self.flight.site.limits
-        self.ordered = self.cut = self.stopped = False
+        self.ordered = self.cut = self.was_cut = self.stopped = False
         self.odd_sighting = self.odd_report = None
         look, report = self.flight._look, self.flight.report
         self.flight._look = lambda: tuple(map(self.odd_sighting or _same, look()))
@@ -184,6 +184,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
 
     def give(self, *orders: Order) -> None:
         """Give orders in one step."""
+        self.was_cut |= any(order.kind is OrderKind.CUT for order in orders)
         self.ordered |= any(order.kind in MOVING_ORDERS for order in orders)
         self.check(self.flight.step(*orders), orders)
 
@@ -200,13 +201,15 @@ class OrdersAndFaults(RuleBasedStateMachine):
         bounds = (tilt, tilt, self.limits.vertical_speed_max, self.limits.yaw_rate_max)
         assert all(isfinite(n) and abs(n) <= b + 1e-9 for n, b in zip(numbers, bounds, strict=True))
         for order in orders:
-            self.cut = self.cut and order.kind is not OrderKind.RESET
+            # A cut that the drone does not confirm is given up after a while, and told; a landing
+            # may follow, but nothing that moves without a fresh order.
+            self.cut = self.cut and order.kind not in (OrderKind.RESET, *MOVING_ORDERS)
             self.cut = self.cut or order.kind is OrderKind.CUT
             self.stopped = self.stopped and order.kind is not OrderKind.RESUME
             self.stopped = self.stopped or order.kind is OrderKind.STOP
-        if self.cut or outputs.safety is SafetyMode.CUT:
+        if outputs.safety is SafetyMode.CUT:
             assert command.action in (Action.CUT, Action.RESET, Action.IDLE), command
-        if self.stopped or outputs.safety is SafetyMode.STOPPED:
+        if self.cut or self.stopped or outputs.safety is SafetyMode.STOPPED:
             assert command.action is not Action.TAKE_OFF
             if outputs.safety is not SafetyMode.DESCEND:
                 assert command.action is not Action.FLY
@@ -214,7 +217,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
             assert self.ordered, "took off without an order"
         if command.action is Action.CUT and self.flight.body.z > 0.3:
             told = self.flight.heard.status is DroneStatus.EMERGENCY
-            assert self.cut or told, outputs.reason
+            assert self.was_cut or told, outputs.reason
         landed = self.flight.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY)
         if landed and outputs.phase is Phase.IDLE and not orders:
             self.ordered = False

@@ -19,6 +19,7 @@ from housefly.messages import (
     Pose,
     Sighting,
 )
+from housefly.pilot.behavior.landing_monitor import LAST_HEIGHT
 from housefly.room.distance import half_diagonal
 
 Fly = Callable[..., Any]
@@ -199,9 +200,9 @@ def test_a_tracked_person_and_an_unknown_body_are_in_the_way(fly: Fly) -> None:
         assert closest > HULL + 0.25
 
 
-def homeward(fly: Fly) -> Any:
+def homeward(fly: Fly, **site: Any) -> Any:
     """A flight that comes home from nearby."""
-    flight = hovering(fly, (4.0, 1.25))
+    flight = hovering(fly, (4.0, 1.25), **site)
     flight.step(flight.order(OrderKind.HOME))
     return flight
 
@@ -226,10 +227,17 @@ def test_who_comes_while_the_drone_sinks_makes_it_rise_again(fly: Fly) -> None:
     assert walker.closest > 0.3
 
 
-def test_with_nobody_near_the_drone_lands_by_itself_at_once(fly: Fly) -> None:
+def test_the_pilot_steers_the_drone_down_before_it_lands_by_itself(fly: Fly) -> None:
     flight = homeward(fly)
     flight.until(lambda o: o.command.action is Action.LAND, 40.0)
-    assert flight.body.z > 1.0
+    assert flight.body.z < LAST_HEIGHT + 0.1
+    assert flight.home_error < 0.1
+
+
+def test_in_mode_paper_the_drone_lands_by_itself_with_nobody_near(fly: Fly) -> None:
+    flight = homeward(fly, mode="paper")
+    flight.until(lambda o: o.command.action is Action.LAND, 40.0)
+    assert flight.body.z > 0.9
 
 
 def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:

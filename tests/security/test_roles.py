@@ -209,7 +209,7 @@ async def test_who_only_watches_gets_no_control_by_being_first_or_by_being_given
     _, watcher = await console.login("wim", PASSWORD)
     _, pilot = await console.login("anna", PASSWORD)
     async with console.talk(watcher, "tab-of-wim") as wim:
-        await wim.hear("viewers", pilot=None)
+        assert (await wim.hear("viewers"))["pilot"] is None, "not even for a moment"
         async with console.talk(pilot, "tab-of-anna") as anna:
             await anna.say(type="lease", id=1, action="take")
             await wim.hear("viewers", pilot=2)

@@ -125,6 +125,7 @@ async def test_handshakes_that_nobody_finishes_keep_nobody_out_and_stop_passes(
     console: Any, monkeypatch: pytest.MonkeyPatch, until: Any
 ) -> None:
     _, cookie = await console.login("anna", PASSWORD)
+    monkeypatch.setattr(handshakes, "HANDSHAKE_TIMEOUT", 100.0)
     flood = []
     async with console.talk(cookie) as one:
         await one.hear("welcome")

@@ -106,7 +106,7 @@ class Carrier:
             own.append(OnboardPoint(time, wrapped(heading + self.psi0), height))
         self.place, self.yaw, self.now = to, yaw + turn, end
         name = self.lies.other_name or self.tracking.body
-        return CarryTrack({name: tuple(points)}, tuple(own), began)
+        return CarryTrack({name: tuple(points)}, tuple(own), end)
 
     def asked(self, step: CarryStep) -> tuple[Vec3, float]:
         """Return where a person puts it, about, and how far they turn it."""

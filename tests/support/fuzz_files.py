@@ -93,9 +93,14 @@ def _ros_map_seeds() -> Iterable[bytes]:
     yield _MAP.replace(b"0.05", HUGE) + b"\f"
     yield _MAP.replace(b"0.05", DEEP) + b"\f"
     yield _MAP.replace(b"0.05", b"2001-99-99") + b"\f"
-    yield b"a: &a [x,x,x,x,x,x,x,x,x]\n" + b"".join(
-        b"%c: &%c [%s]\n" % (98 + n, 98 + n, b",".join([b"*%c" % (97 + n)] * 9)) for n in range(8)
-    ) + b"origin: *i\nresolution: 0.05"
+    yield (
+        b"a: &a [x,x,x,x,x,x,x,x,x]\n"
+        + b"".join(
+            b"%c: &%c [%s]\n" % (98 + n, 98 + n, b",".join([b"*%c" % (97 + n)] * 9))
+            for n in range(8)
+        )
+        + b"origin: *i\nresolution: 0.05"
+    )
     yield _MAP + b"\fP2\n# x\n2 2\n255\n0 10 100 255\n"
 
 
@@ -177,9 +182,7 @@ FILES: dict[str, FuzzTarget] = {
     "site_json": FuzzTarget(
         _site_json, lambda: (Site().model_dump_json().encode(),), (ConfigError,), 4096
     ),
-    "drone_profile": FuzzTarget(
-        _profile, _profile_seeds, (ConfigError,), 512
-    ),
+    "drone_profile": FuzzTarget(_profile, _profile_seeds, (ConfigError,), 512),
     "room_toml": FuzzTarget(_room, _room_seeds, (ConfigError, RoomError)),
     "ros_map": FuzzTarget(
         _ros_map, _ros_map_seeds, (RoomError,), words=(b"&a", b"*a", b"!!", b"2001-01-01", b"IDAT")

@@ -37,7 +37,6 @@ from housefly.messages import (
     Command,
     Estimate,
     Inputs,
-    Obstacle,
     Order,
     OrderKind,
     Outputs,
@@ -186,7 +185,7 @@ def _http(data: bytes) -> None:
     async def send(message: dict[str, Any]) -> None:
         answers.append(message)
 
-    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 5.0))
+    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 60.0))
     assert answers[0]["status"] != 500
     for path in room.edits.folder.glob("*") if room.edits.folder.is_dir() else ():
         path.unlink()
@@ -196,6 +195,9 @@ def _http_seeds() -> Iterable[bytes]:
     for path in ("/", "/?token=a", "/static/app.js", "/coverage", "/edits", "/api/v1/things"):
         yield f"GET {path}\nhost: {_HOST}\n\n".encode()
     yield b"GET /api/v1/things/cup?at=1\nauthorization: Bearer a\naccept: text/html\n\n"
+    yield b"GET /?a=\xff\n\n"
+    yield b"GET /\nhost: 127.0.0.1:abc\n\n"
+    yield b"GET /\nhost: [::1]:99999\n\n"
     yield b"GET /api/v1/near?x=1&y=2&radius=3\n\n"
     yield b"GET /api/v1/events?since=0&limit=5\nsec-fetch-site: same-origin\n\n"
     yield b"POST /stop\n\n"
@@ -225,7 +227,7 @@ def _websocket(data: bytes) -> None:
         answers.append(message)
 
     scope = _scope("websocket", b"/socket", _session())
-    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 5.0))
+    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 60.0))
     assert answers[0]["type"] == "websocket.accept"
 
 
@@ -251,9 +253,7 @@ def _question_seeds() -> Iterable[bytes]:
 WEB: dict[str, FuzzTarget] = {
     "bus": FuzzTarget(_bus, _bus_seeds, (WireError,), 4096),
     "room_question": FuzzTarget(_question, _question_seeds, (WireError, ThingError), 512),
-    "room_answer": FuzzTarget(
-        _answer, _answer_seeds, (WireError, ThingError)
-    ),
+    "room_answer": FuzzTarget(_answer, _answer_seeds, (WireError, ThingError)),
     "http_answer": FuzzTarget(
         _http_answer, lambda: (b'\2{"error":"a"}', b"\1[]", b"\1" + DEEP), (LinkError,), 1024
     ),

@@ -31,6 +31,7 @@ async def test_everybody_hears_the_pre_flight_checks_and_what_changes_in_them(co
         found = await checked(pilot, lambda one: one["checks"])
         assert found["ready"] and found["checks"][0]["code"] == "charge"
         async with console.talk(cookie, "a-watchers-tab") as watcher:
+            await checked(watcher, lambda one: one["ready"])
             fails(console)
             for talk in (pilot, watcher):
                 found = await checked(talk, lambda one: not one["ready"] and one["checks"])

@@ -95,6 +95,13 @@ async def test_a_low_battery_is_told_and_refuses_the_take_off_until_it_is_mended
     await until(lambda: [one.kind for one in console.pilot.orders] == [OrderKind.TAKE_OFF])
 
 
+async def test_a_press_that_does_nothing_says_why(page: Page) -> None:
+    await page.get_by_role("button", name="Land").click(force=True)
+    await expect(page.locator(".plan .why")).to_have_text("The drone is on the ground.")
+    await page.locator("[aria-label='Resume after STOP']").click(force=True)
+    await expect(page.locator(".plan .why")).to_have_text("Only after STOP.")
+
+
 async def test_the_line_unfolds_to_all_checks_what_is_wrong_first_and_never_covers_stop(
     page: Page, console: Any
 ) -> None:

@@ -18,6 +18,7 @@ import traceback
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
@@ -88,6 +89,7 @@ class PilotShell:
         self.pilot = make_pilot(
             loaded.site, loaded.room, loaded.grid, maneuver, frames=frames_known(loaded.site)
         )
+        self._disks = disks_of(loaded.site)
         self._body = loaded.site.tracking.body
         self._people_note = "" if loaded.site.sees_people else UNSEEN_PEOPLE
         self._rate_hz = loaded.site.control.rate_hz
@@ -126,6 +128,7 @@ class PilotShell:
             asyncio.create_task(self._connect_drone()),
         ]
         tasks.append(asyncio.create_task(self._report_links()))
+        tasks.append(asyncio.create_task(self._watch_disks()))
         try:
             await self._fly()
         finally:
@@ -166,10 +169,14 @@ class PilotShell:
 
     def _step(self) -> None:
         now = self._clock.now()
+        orders: tuple[Order, ...] = tuple(self._orders)
+        refusals: tuple[Event, ...] = ()
+        if not self._airborne():
+            orders, refusals = self._disks.allowed(orders, now)
         inputs = Inputs(
             tuple(self._sightings),
             self._drone.telemetry,
-            tuple(self._orders),
+            orders,
             self._obstacles.drain(),
             late=self._gap.lateness(now),
         )
@@ -177,6 +184,7 @@ class PilotShell:
         self._orders.clear()
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command)
+        outputs = replace(outputs, events=outputs.events + refusals) if refusals else outputs
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1
         self._tell(step)
@@ -240,10 +248,16 @@ class PilotShell:
             self._bus.publish(LINK_TOPIC, self._link_status())
             self._look_at_preflight()
 
+    async def _watch_disks(self) -> None:
+        """Look on a thread: a disk may take its time to answer."""
+        while True:
+            await asyncio.to_thread(self._disks.look)
+            await asyncio.sleep(DISK_LOOK_PERIOD)
+
     def _look_at_preflight(self) -> None:
         """Bring the pre-flight list up to date; a failure there stops no other report."""
         try:
-            self._queries.update_preflight(self.pilot.preflight())
+            self._queries.update_preflight((*self.pilot.preflight(), self._disks.check()))
         except Exception:
             traceback.print_exc()
             self._queries.update_preflight(())

@@ -117,12 +117,13 @@ def frames_known(site: Site) -> FramesKnown:
 
 
 def _text(words: str) -> str:
-    """Return words as a TOML string."""
-    return json.dumps(words, ensure_ascii=True)
+    """Return words as a TOML string; names of bodies may hold anything."""
+    sane = words.encode("utf-8", "replace").decode()
+    return json.dumps(sane, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _list(words: tuple[str, ...]) -> str:
-    return json.dumps(list(words), ensure_ascii=True)
+    return f"[{', '.join(map(_text, words))}]"
 
 
 def _texts(found: Any) -> tuple[str, ...]:

@@ -12,7 +12,8 @@ from housefly.config.section import Section
 class WebConfig(Section):
     """Where the console listens.
 
-    Beyond loopback it needs a certificate (``housefly cert``) and users (``housefly user add``).
+    Beyond loopback it needs a certificate (``housefly cert``) and users
+    (``housefly user add NAME --role fly``).
     """
 
     host: str = Field(
@@ -39,8 +40,8 @@ class WebConfig(Section):
     users: str = Field(
         default="",
         description=(
-            "file of those who may log in, kept by `housefly user`; empty: `users.json` beside the"
-            " room's memory"
+            "file of those who may log in, kept by `housefly user add NAME --role fly`; empty:"
+            " `users.json` beside the room's memory"
         ),
     )
 

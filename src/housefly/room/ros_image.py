@@ -20,6 +20,9 @@ _MAX_SIDE = 4096
 """Longest side of an image that is read [px]."""
 _NUMBER_MAX = 1e9
 """Largest number that a key may have; what is larger, or not finite, is none."""
+_TEXT_MAX = 64 * 1024
+"""Longest yaml that is read [characters]; a real one has about 150."""
+_DEPTH_MAX = 8
 _MODES = ("trinary",)
 
 
@@ -41,13 +44,25 @@ class RosMap:
 
 
 class _PlainLoader(yaml.SafeLoader):
-    """Reads what maps are made of; with aliases a few lines would stand for gigabytes."""
+    """Reads what maps are made of.
+
+    With aliases a few lines would stand for gigabytes, and deep nesting takes the parser minutes.
+    """
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._depth = 0
 
     def compose_node(self, parent: Any, index: Any) -> Any:
-        """Compose a node that is no alias."""
+        """Compose a node that is no alias and not nested deeply."""
         if self.check_event(yaml.AliasEvent):
             raise yaml.YAMLError("aliases (*name) are not read")
-        return super().compose_node(parent, index)
+        if self._depth > _DEPTH_MAX:
+            raise yaml.YAMLError(f"it is nested deeper than {_DEPTH_MAX} levels")
+        self._depth += 1
+        node = super().compose_node(parent, index)
+        self._depth -= 1
+        return node
 
 
 def read_ros_map(yaml_path: Path) -> RosMap:
@@ -61,8 +76,8 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     origin = tree.get("origin")
     if not (isinstance(origin, list) and len(origin) == 3 and all(_is_number(v) for v in origin)):
         raise RoomError(
-            f"{yaml_path}: origin is {_shown(origin)}; allowed: a list x, y, yaw of three numbers [m, m,"
-            " rad]"
+            f"{yaml_path}: origin is {_shown(origin)}; allowed: a list x, y, yaw of three numbers"
+            " [m, m, rad]"
         )
     if abs(origin[2]) > 1e-6:
         raise RoomError(
@@ -72,8 +87,8 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     mode = tree.get("mode", "trinary")
     if mode not in _MODES:
         raise RoomError(
-            f"{yaml_path}: mode is {_shown(mode)}; allowed: {', '.join(_MODES)} (save the map again in"
-            " that mode)"
+            f"{yaml_path}: mode is {_shown(mode)}; allowed: {', '.join(_MODES)} (save the map again"
+            " in that mode)"
         )
     occupied_from = _number(tree, "occupied_thresh", 0.0, 1.0, "", yaml_path)
     free_to = _number(tree, "free_thresh", 0.0, 1.0, "", yaml_path)
@@ -84,8 +99,8 @@ def read_ros_map(yaml_path: Path) -> RosMap:
     image = tree.get("image")
     if not isinstance(image, str) or not image:
         raise RoomError(
-            f"{yaml_path}: image is {_shown(image)}; allowed: the name of a pgm or png file beside the"
-            " yaml"
+            f"{yaml_path}: image is {_shown(image)}; allowed: the name of a pgm or png file beside"
+            " the yaml"
         )
     grey, known = _picture(yaml_path.parent / image)
     darkness = grey if tree.get("negate", 0) in (1, True) else 1.0 - grey
@@ -104,7 +119,12 @@ def _turned(rows: Mask) -> Mask:
 
 def _tree(path: Path) -> dict[str, Any]:
     try:
-        tree = yaml.load(read_text_file(path), _PlainLoader)
+        text = read_text_file(path)
+        if len(text) > _TEXT_MAX:
+            raise RoomError(
+                f"{path} has {len(text)} characters; a map's yaml has at most {_TEXT_MAX}"
+            )
+        tree = yaml.load(text, _PlainLoader)
     except (OSError, UnicodeDecodeError) as error:
         raise RoomError(f"{path} cannot be read: {error}; give the map's yaml file") from error
     except (yaml.YAMLError, ValueError, RecursionError) as error:
@@ -117,7 +137,9 @@ def _tree(path: Path) -> dict[str, Any]:
 
 
 def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _NUMBER_MAX
+    return (
+        isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _NUMBER_MAX
+    )
 
 
 def _shown(value: Any) -> str:

@@ -35,6 +35,8 @@ class HostGuard:
         """Pass a request on, or reject it."""
         if scope["type"] == "lifespan":
             await self._app(scope, receive, send)
+        elif not _is_readable(scope):
+            await self._reject(scope, receive, send)
         elif _is_asked_by_another_site(scope):
             await self._refuse(scope, receive, send)
         elif _host_name(Headers(scope=scope).get("host", "")) not in self._hosts:
@@ -62,6 +64,14 @@ def _is_asked_by_another_site(scope: Scope) -> bool:
         and headers.get("sec-fetch-site", "none") in ("cross-site", "same-site")
         and headers.get("sec-fetch-mode") != "navigate"
     )
+
+
+def _is_readable(scope: Scope) -> bool:
+    """Return whether an address can be made of the request: ASCII, with a port that is a number."""
+    host = Headers(scope=scope).get("host", "")
+    _, _, port = host.rpartition("]")[2].partition(":")
+    in_range = not port or (port.isascii() and port.isdigit() and len(port) <= 5)
+    return scope["query_string"].isascii() and in_range and int(port or 0) < 65536
 
 
 def _host_name(host: str) -> str:

@@ -135,6 +135,8 @@ class SessionAuth:
         user = self._users.find(user_name) if self._users else None
         if user is None or user.fingerprint != fingerprint:
             return None
+        if self._clock.now() - int(begun) > LONGEST_LOGIN:
+            return None
         return Session(name, grant, user.role, user.name)
 
     def _sign(self, text: str) -> str:

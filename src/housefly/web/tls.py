@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import ssl
+import stat
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -73,6 +74,8 @@ def _refuse_open_key(key: Path) -> None:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise ConfigError("web.tls_key", f"{shortened(str(key))}: {reason}; {_REMEDY}") from error
+    if not stat.S_ISREG(found.st_mode):
+        raise ConfigError("web.tls_key", f"{shortened(str(key))} is no ordinary file; {_REMEDY}")
     if found.st_mode & _OPEN_TO_OTHERS or found.st_uid not in (os.geteuid(), 0):
         raise ConfigError(
             "web.tls_key",

@@ -164,8 +164,8 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
     "too_high": (at(2.31), at(2.3), 0.0),
     "take_off_drift": (
-        now(status=DroneStatus.TAKING_OFF, position=(5.26, 2.0, 0.5)),
-        now(status=DroneStatus.TAKING_OFF, position=(5.24, 2.0, 0.5)),
+        now(status=DroneStatus.TAKING_OFF, position=(5.21, 2.0, 0.5), velocity=(0.4, 0.0, 0.0)),
+        now(status=DroneStatus.TAKING_OFF, position=(5.19, 2.0, 0.5), velocity=(0.4, 0.0, 0.0)),
         0.0,
     ),
     "too_low": (at(0.29), at(0.31), 0.0),

@@ -10,7 +10,7 @@ from housefly.twin.ardrone.body import STANDING_HEIGHT
 from housefly.twin.hands import CarryOrder
 from housefly.twin.hands_link import send_carry
 
-_CARRY_TIME = 2.0
+_CARRY_TIME = 1.5
 _WAIT = 1.7
 """After a step the drone lies still for as long as a sample and a delay need [s]."""
 

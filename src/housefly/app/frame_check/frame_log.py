@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from math import isfinite
+from math import inf, isfinite
 
 from housefly.lab.frames.samples import CarryTrack, OnboardPoint, TrackedPoint
 from housefly.messages import Sighting, Telemetry
@@ -15,14 +15,20 @@ _BODIES_MAX = 40
 
 
 class FrameLog:
-    """Keeps what was seen since a step began, for a minute and a half at most."""
+    """Keeps what was said for a minute and a half.
+
+    Attributes:
+        heard_at: when the last frame arrived [s].
+    """
 
     def __init__(self) -> None:
         self._bodies: dict[str, deque[TrackedPoint]] = {}
         self._onboard: deque[OnboardPoint] = deque()
+        self.heard_at = -inf
 
-    def see(self, sightings: tuple[Sighting, ...]) -> None:
-        """Take in one frame of the tracking system."""
+    def see(self, sightings: tuple[Sighting, ...], now: float) -> None:
+        """Take in one frame of the tracking system, which arrives now [s]."""
+        self.heard_at = now
         for seen in sightings:
             if seen.body not in self._bodies and len(self._bodies) >= _BODIES_MAX:
                 continue
@@ -54,10 +60,11 @@ class FrameLog:
         """The drone's last report, None before the first."""
         return self._onboard[-1] if self._onboard else None
 
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The bodies that were seen."""
-        return tuple(sorted(self._bodies))
+    def names(self, since: float) -> tuple[str, ...]:
+        """Return the bodies that were seen since a time [s]."""
+        return tuple(
+            sorted(name for name, points in self._bodies.items() if points[-1].at >= since)
+        )
 
     def track(self, began: float) -> CarryTrack:
         """Return what was said since a time [s]."""
@@ -67,5 +74,5 @@ class FrameLog:
                 for name, points in self._bodies.items()
             },
             tuple(point for point in self._onboard if point.at >= began),
-            began,
+            self.heard_at,
         )

@@ -19,7 +19,7 @@ def live_words(guide: CarryGuide, log: FrameLog, now: float) -> str:
 def _tracked(guide: CarryGuide, log: FrameLog, now: float) -> str:
     body, point = guide.tracking.body, log.newest(guide.tracking.body)
     if point is None or now - point.at > SEEN_AGE_MAX:
-        others = [repr(name) for name in log.names if name != body]
+        others = [repr(name) for name in log.names(now - SEEN_AGE_MAX) if name != body]
         return f"tracking: {body!r} not seen (seen: {', '.join(others) or 'nothing'})"
     x, y, z = point.position
     last = guide.samples[-1] if guide.samples else None

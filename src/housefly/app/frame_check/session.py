@@ -16,11 +16,14 @@ from housefly.errors import LinkError
 from housefly.lab.frames.findings import FrameVerdict
 from housefly.lab.frames.guide import CarryGuide
 from housefly.lab.frames.plan import STEPS, CarryStep
+from housefly.lab.frames.samples import SEEN_AGE_MAX
 from housefly.tracking.contracts import Tracker
 
-_START_TIMEOUT = 20.0
+_START_TIMEOUT = 30.0
 """Longest wait for tracking, and for the drone after it [s]."""
-_DRONE_TIMEOUT = 12.0
+_DRONE_TIMEOUT = 20.0
+_QUIET_MAX = 3.0
+"""Before a sample tracking may be silent for so long: a busy computer stalls [s]."""
 _POLL_PERIOD = 0.01
 _SHOW_PERIOD = 0.2
 
@@ -57,7 +60,9 @@ class FrameCheckSession:
             LinkError: tracking does not answer, or the person left.
         """
         work = [
-            asyncio.create_task(self._tracker.run(self._log.see)),
+            asyncio.create_task(
+                self._tracker.run(lambda seen: self._log.see(seen, self._clock.now()))
+            ),
             asyncio.create_task(self._connect()),
             asyncio.create_task(self._listen()),
         ]
@@ -84,6 +89,7 @@ class FrameCheckSession:
             if self._hands is not None and not is_done:
                 await self._hands.do(step)
                 is_done = True
+            await self._within(_QUIET_MAX, self._is_heard)
             now = self._clock.now()
             person.tell(f"   {live_words(guide, self._log, now)}")
             answer = guide.offer(self._log.track(began), now)
@@ -103,6 +109,9 @@ class FrameCheckSession:
                 f"The drone itself does not answer ({self._drone.problem or 'no report'}). Without"
                 " its own heading the turn is believed as asked, and a delay is not found."
             )
+
+    def _is_heard(self) -> bool:
+        return self._clock.now() - self._log.heard_at < SEEN_AGE_MAX / 2
 
     async def _within(self, seconds: float, holds: Callable[[], bool]) -> bool:
         end = self._clock.now() + seconds

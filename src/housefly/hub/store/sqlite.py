@@ -1,9 +1,8 @@
 """SQLite: one file beside the site, written by one process and read by many.
 
-The file is in write-ahead mode with ``synchronous = NORMAL``. A committed transaction is with the
-operating system, so ``kill -9`` of the writer loses only what was not committed. The disk is
-flushed (fsync) at every checkpoint, about every 1000 pages, so a power cut may lose the seconds
-since the last one. Neither damages the file.
+The file is in write-ahead mode with ``synchronous = FULL``: every commit waits until the log is on
+the disk (fsync), so ``kill -9`` of the writer and a power cut alike lose only what was not
+committed. Neither damages the file.
 """
 
 from __future__ import annotations
@@ -106,7 +105,7 @@ class SqliteDatabase:
                 cached_statements=64,
             )
             self._connection.execute("PRAGMA journal_mode = WAL")
-            self._connection.execute("PRAGMA synchronous = NORMAL")
+            self._connection.execute("PRAGMA synchronous = FULL")
             self._connection.execute("SELECT count(*) FROM sqlite_schema")
 
     def _roll_back(self) -> None:

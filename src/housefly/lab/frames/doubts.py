@@ -170,9 +170,8 @@ def _leg_doubts(plan: CarryPlan, last: FrameSample, sample: FrameSample) -> list
 
 
 def _way_words(plan: CarryPlan, step: CarryStep, seen: Vec3) -> str:
-    side = "left" if plan.left > 0 else "right"
-    asked = {CarryStep.AHEAD: "ahead" if plan.forward > 0 else "back", CarryStep.SIDE: side}[step]
-    return f"Asked was to its {asked}; on the map tracking sees it go {direction_words(plan, seen)}"
+    asked = direction_words(plan, plan.displacement(step)).partition(" (")[0]
+    return f"Asked was {asked}; on the map tracking sees it go {direction_words(plan, seen)}"
 
 
 def _unasked_turn(last: FrameSample, sample: FrameSample) -> list[Doubt]:

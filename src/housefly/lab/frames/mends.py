@@ -47,8 +47,8 @@ def mended_keys(
     if home is not None:
         c, s = cos(turn), sin(turn)
         x, y = pad[0] - tracking.x, pad[1] - tracking.y
-        keys["x"] = round(home[0] - (c * x + s * y), 3)
-        keys["y"] = round(home[1] - (c * y - s * x), 3)
+        keys["x"] = round(home[0] - (c * x + s * y), 3) + 0.0
+        keys["y"] = round(home[1] - (c * y - s * x), 3) + 0.0
     if rise != 0.0:
         keys["z"] = round(tracking.z - rise, 3)
     if nose != 0.0:

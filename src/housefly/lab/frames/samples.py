@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from math import atan2, cos, dist, sin
+from math import atan2, cos, dist, inf, sin
 from statistics import median
 from typing import TypeVar
 
@@ -48,12 +48,12 @@ class CarryTrack:
     Attributes:
         bodies: poses by the name of the body, oldest first.
         onboard: reports of the drone, oldest first; empty where it does not answer.
-        began: when the step began [s].
+        heard_at: when the last frame of the tracking system arrived, whatever it showed [s].
     """
 
     bodies: dict[str, tuple[TrackedPoint, ...]] = field(default_factory=dict)
     onboard: tuple[OnboardPoint, ...] = ()
-    began: float = 0.0
+    heard_at: float = inf
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,6 +117,11 @@ def take_sample(
         now: same clock as the capture times [s].
     """
     bare = unseen_sample(step, body, track, now)
+    if now - track.heard_at > SEEN_AGE_MAX:
+        return NoSample(
+            f"Tracking is silent for {now - track.heard_at:.1f} s: it has stopped, or the network"
+            " or this computer is too slow. Press Enter again when it is back."
+        )
     seen = _newest(track.bodies.get(body, ()), now)
     if len(seen) < _FEWEST_POSES or now - seen[-1].at > SEEN_AGE_MAX:
         return NoSample(_unseen_words(body, track, now, bare.others), unseen=True)

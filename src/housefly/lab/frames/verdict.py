@@ -38,7 +38,9 @@ SCALE_RANGE = (0.8, 1.25)
 EVEN_RANGE = (0.7, 1.43)
 """Ratio of the two seen ways that a tape and a person come to."""
 LAG_ALLOWED = 0.1
-"""Longest delay that is right [s]."""
+"""Longest delay of tracking that is right [s]."""
+EARLY_ALLOWED = 0.25
+"""Reports of a drone come later than this only over a bad link [s]."""
 BACK_MAX = 0.3
 """The way back ends so near to its beginning [m]."""
 UPRIGHT_MAX = radians(40.0)
@@ -296,7 +298,7 @@ def _angle_and_place_findings(
 def _lag_findings(
     lag: float | None, tracking: TrackingConfig, mended: dict[str, float | str]
 ) -> list[FrameFinding]:
-    if lag is None or abs(lag) <= LAG_ALLOWED:
+    if lag is None or -EARLY_ALLOWED <= lag <= LAG_ALLOWED:
         return []
     if lag > 0.0:
         words = (

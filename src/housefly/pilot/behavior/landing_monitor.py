@@ -1,14 +1,14 @@
 """Watches the column below the drone before it lands: free to the floor, or it waits or moves on.
 
-    arrived ──column free, no sensor, nobody in GUIDED_DISTANCE───► the drone's own landing
-       │ └────column free──► sinks by the pilot ──low, still free──► the drone's own landing
+    arrived ──column free──► sinks by the pilot ──low, still free──► the drone's own landing
        └──column blocked──► waits in the air; after a while tries another place within 2 m
 
 Whoever has not moved for long counts as a thing here, beside which the drone may land: else a chair
 that is taken for a person keeps it in the air.
 
-The drone's own landing cannot be called back. Where people may come, the pilot therefore sinks to
-``LAST_HEIGHT`` itself, and rises again when somebody comes. What the safety gate lands is landed.
+The drone's own landing cannot be called back, and drifts with a draught. The pilot therefore sinks
+to ``LAST_HEIGHT`` itself, above its spot, and rises again when somebody comes. What the safety gate
+lands is landed, and in mode paper the drone lands by itself where nobody is near.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
 from housefly.pilot.behavior.navigator import Navigator
 
 GUIDED_DISTANCE = 4.0
-"""With somebody nearer than this the pilot sinks itself [m]: the drone's own landing takes 3 s."""
+"""In mode paper the pilot sinks itself with somebody nearer than this [m]: the drone's own landing
+takes 3 s.
+"""
 LAST_HEIGHT = 0.45
 """From here the drone lands by itself [m]."""
 SINK_LEAD = 0.33
@@ -43,11 +45,17 @@ _CHOSEN = frozenset({Signal.ARRIVED_HOME, Signal.BLOCKED, Signal.OVERDUE})
 
 
 class LandingMonitor:
-    """Lets the landings of one commander happen, or holds them back."""
+    """Lets the landings of one commander happen, or holds them back.
 
-    def __init__(self, commander: Commander, navigator: Navigator) -> None:
+    Args:
+        commander: whose landings.
+        navigator: who knows people and things.
+        paper: whether the drone lands by itself where nobody comes, as in the paper.
+    """
+
+    def __init__(self, commander: Commander, navigator: Navigator, paper: bool) -> None:
         self._commander, self._people = commander, navigator.people
-        self._sees_people = navigator.sees_people
+        self._guided = navigator.sees_people or not paper
         self._gap_since = inf
         self._asked_at = -inf
         self._fault = self._told = ""
@@ -110,8 +118,8 @@ class LandingMonitor:
         return fault
 
     def _is_guided(self, vehicle: VehicleStatus) -> bool:
-        """Return whether the pilot sinks itself: where somebody may come who would be seen."""
-        if vehicle.place is None or vehicle.estimate is None or self._sees_people:
+        """Return whether the pilot sinks itself."""
+        if vehicle.place is None or vehicle.estimate is None or self._guided:
             return vehicle.place is not None and vehicle.estimate is not None
         near = self._people.separation(vehicle.place, (0.0, 0.0), vehicle.now, 0.0)
         return near.now < GUIDED_DISTANCE

@@ -29,7 +29,7 @@ class MissionManager:
         self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
-        self._landings = LandingMonitor(self._commander, navigator)
+        self._landings = LandingMonitor(self._commander, navigator, paper)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
         )

@@ -17,8 +17,8 @@ CEILING_SLACK = 0.5
 """The drone may rise this far above ``limits.height_max`` before it is landed [m]."""
 CEILING_CLEARANCE = 0.3
 """No higher than this below the ceiling of the room [m]."""
-TAKE_OFF_DRIFT = 0.25
-"""Farther aside than this a drone that takes off is blown away, or pushed [m]."""
+TAKE_OFF_DRIFT, DRIFT_AHEAD = 0.4, 0.5
+"""Farther aside than this [m], in so long [s], a drone that takes off is blown away, or pushed."""
 HEIGHT_OFF, HEIGHT_FAR = 0.25, 0.4
 """Off the wanted height by this: warn, land [m]."""
 CLIMB_TIME = 6.0
@@ -108,10 +108,13 @@ def _height_words(c: RuleContext) -> str:
     return f"{abs(off):.2f} m {side} its height of {c.now.flight_height:.2f} m"
 
 
-def _off_start(context: RuleContext) -> float:
-    """Return how far the drone is from where it took off [m]; 0 where either is unknown."""
-    start, position = context.seen.start, context.now.position
-    return hypot(position[0] - start[0], position[1] - start[1]) if start and position else 0.0
+def _drift(c: RuleContext) -> float:
+    """Return how far from where it took off the drone soon is [m]; 0 where that is unknown."""
+    start, position, velocity = c.seen.start, c.now.position, c.now.velocity
+    if start is None or position is None or velocity is None:
+        return 0.0
+    ahead = (p + DRIFT_AHEAD * v for p, v in zip(position[:2], velocity[:2], strict=True))
+    return dist(tuple(ahead), start[:2])
 
 
 MOTION_RULES: tuple[SafetyRule, ...] = (
@@ -140,9 +143,9 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="blown aside while it takes off",
-        broken=lambda c: c.now.status is DroneStatus.TAKING_OFF and _off_start(c) > TAKE_OFF_DRIFT,
+        broken=lambda c: c.now.status is DroneStatus.TAKING_OFF and _drift(c) > TAKE_OFF_DRIFT,
         words=lambda c: (
-            f"{_off_start(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m): landing"
+            f"drifts {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m): landing"
         ),
         clears=Clearing.GROUND,
     ),

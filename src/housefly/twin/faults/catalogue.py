@@ -306,7 +306,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.PAYLOAD, _K.WRONG, size=0.02, name="20g"),
             _one(_C.PAYLOAD, _K.WRONG, size=0.05, name="50g"),
             _one(_C.FAN, _K.WRONG, size=2.0, name="fan"),
-            _one(_C.WIND, _K.WRONG, size=2.0, name="wind"),
+            _one(_C.WIND, _K.WRONG, size=1.0, name="wind"),
             _one(_C.WIND, _K.WRONG, "gust", 1.0, name="gusts"),
         ), True,
     ),

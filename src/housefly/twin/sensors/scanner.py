@@ -6,10 +6,14 @@ at one moment; a real mirror takes three quarters of a turn.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from housefly.config.laser import LaserConfig
 from housefly.config.twin import TwinConfig
+from housefly.numeric import FloatArray
+from housefly.twin.movable import AWAY_POSE
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
 from housefly.wires.scip.parameters import MODELS, NO_ECHO
@@ -45,25 +49,35 @@ class Scanner:
         self._rays = np.stack([np.cos(angles), np.sin(angles), np.zeros(beams)], axis=1).ravel()
         self._geoms = np.zeros(beams, np.int32)
         self._reached = np.zeros(beams)
+        self._still = self._cast(_data_without_movables(physics), with_still=True)
 
     def scan(self) -> tuple[int, ...]:
         """Return one noisy distance per beam [mm]; the model's own code where nothing is hit."""
         parameters, beams = self._parameters, self._parameters.beams
-        model, data = self._physics.model, self._physics.data
-        far = parameters.longest / 1000.0
-        mujoco.mj_multiRay(
-            model, data, self._origin, self._rays, VISIBLE_GROUPS, 1, -1,
-            self._geoms, self._reached, None, beams, far,
-        )  # fmt: skip
-        measured = 1000.0 * (self._reached + self._noise * self._random.standard_normal(beams))
+        # The building hides four fifths of the work: its distances never change.
+        reached = np.minimum(self._still, self._cast(self._physics.data, with_still=False))
+        measured = 1000.0 * (reached + self._noise * self._random.standard_normal(beams))
         lost = self._random.random(beams) < self._dropout
-        nothing = (
-            lost
-            | (self._reached < 0.0)
-            | (measured < parameters.shortest)
-            | (measured > parameters.longest)
-        )
+        nothing = lost | (measured < parameters.shortest) | (measured > parameters.longest)
         return tuple(np.where(nothing, self._no_echo, np.rint(measured)).astype(int).tolist())
+
+    def _cast(self, data: Any, *, with_still: bool) -> FloatArray:
+        """Return the distance that each beam reaches [m], infinite where nothing is hit."""
+        beams = self._parameters.beams
+        mujoco.mj_multiRay(
+            self._physics.model, data, self._origin, self._rays, VISIBLE_GROUPS, int(with_still),
+            -1, self._geoms, self._reached, None, beams, self._parameters.longest / 1000.0,
+        )  # fmt: skip
+        return np.where(self._reached < 0.0, np.inf, self._reached)
+
+
+def _data_without_movables(physics: Physics) -> Any:
+    """Return the state of a room in which all that can move is far away."""
+    data = mujoco.MjData(physics.model)
+    data.mocap_pos[:] = AWAY_POSE.position
+    data.qpos[:3] = AWAY_POSE.position
+    mujoco.mj_kinematics(physics.model, data)
+    return data
 
 
 VISIBLE_GROUPS = np.array([1, 0, 1, 1, 0, 0], np.uint8)

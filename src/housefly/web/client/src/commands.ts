@@ -97,13 +97,21 @@ export async function stop(): Promise<void> {
   notice.value = await sendStop();
 }
 
-export const takeOff = createHold(HOLD, firstOf(ready, onTheGround, checked), () => void send("take_off"));
+export const takeOff = createHold(
+  HOLD,
+  firstOf(ready, onTheGround, checked),
+  () => void send("take_off"),
+);
 export const service = createHold(
   HOLD,
   firstOf(ready, checked, hasGoal, hasPath),
   () => void send("service", true),
 );
-export const go = createHold(HOLD, firstOf(ready, checked, hasGoal, hasPath), () => void send("go", true));
+export const go = createHold(
+  HOLD,
+  firstOf(ready, checked, hasGoal, hasPath),
+  () => void send("go", true),
+);
 export const resume = createHold(
   HOLD,
   firstOf(

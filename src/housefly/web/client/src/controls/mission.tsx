@@ -50,7 +50,9 @@ function Plan() {
       <p class="way">
         <Way />
       </p>
-      <p class="why">{explanation.value || notice.value || hint.value || goal.value?.note || clearance()}</p>
+      <p class="why">
+        {explanation.value || notice.value || hint.value || goal.value?.note || clearance()}
+      </p>
     </div>
   );
 }
