@@ -5,16 +5,18 @@ BIN := $(VENV)/bin
 TOOLS := $(VENV)/tools
 PEERS := tests/peers
 CLIENT := src/housefly/web/client
+FUZZ_SECONDS ?= 30
 CODE := src tests benchmarks examples scripts
 PYTEST := $(BIN)/python -m pytest -q -n 2 --dist worksteal --durations=10 --durations-min=1
 
-.PHONY: help setup setup-dev demo test interop safety test-fast check format bench client lock audit clean
+.PHONY: help setup setup-dev demo test interop safety fuzz test-fast check format bench client lock audit clean
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
 	@echo "make test       set everything up and run every test"
 	@echo "make interop    long flights over real wires, by every tracking rate and system"
 	@echo "make safety     fly every fault in every phase, with and without guards; writes docs/safety-case.html"
+	@echo "make fuzz       fuzz every parser, FUZZ_SECONDS (30) each; keeps what it finds"
 	@echo "make test-fast  only the tests that need no wire and no browser"
 	@echo "make check      format, lint, types, import contracts"
 	@echo "make bench      measure, and write docs/results.md"
@@ -47,6 +49,10 @@ safety: setup-dev
 	-$(BIN)/housefly safety --out safety-case
 	cp safety-case/safety-case.html docs/safety-case.html
 	$(PYTEST) -m safety
+
+fuzz: setup-dev
+	@$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r requirements/fuzz.txt
+	$(BIN)/python tests/fuzz/run.py --seconds $(FUZZ_SECONDS)
 
 test-fast: setup-dev
 	$(PYTEST) -m 'not wire and not browser and not slow and not safety'

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from room_here import RoomHere
 
-from housefly.app.disk_space import FREE_ENOUGH, FREE_SHARE_MIN, DiskSpace, disks_of
+from housefly.app.disk_space import FREE_ENOUGH_GB, FREE_SHARE_MIN, DiskSpace, disks_of
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.trackers import tracker_of
@@ -44,7 +44,7 @@ def test_what_would_take_off_is_refused_exactly_where_the_list_says_so(
     disks = looked(Usage(total, int(share * total)))
     orders = tuple(Order(kind) for kind in OrderKind)
     passed, events = disks.allowed(orders, 5.0)
-    is_short = int(share * total) < min(FREE_SHARE_MIN * total, FREE_ENOUGH) or total == 0
+    is_short = int(share * total) < min(FREE_SHARE_MIN * total, FREE_ENOUGH_GB * 1e9) or total == 0
     assert disks.check().passed is not is_short
     assert {order.kind for order in orders if order not in passed} == set(is_short * RISING)
     assert all(event.code == "order_refused" and "free at /" in event.text for event in events)

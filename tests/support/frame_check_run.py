@@ -57,7 +57,7 @@ class FrameCheckRun:
                 if do is not None:
                     await do(int(found[1]))
                 self.press_enter()
-            elif "Enter again" in line:
+            elif "Enter when done" in line:
                 self.press_enter()
         return await self.process.wait()
 

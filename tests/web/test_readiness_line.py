@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
-from playwright.async_api import Browser, Page, expect
+from playwright.async_api import Browser, FloatRect, Page, expect
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages import (
@@ -66,10 +66,10 @@ def line(page: Page) -> Any:
     return page.locator(".readiness")
 
 
-async def box(page: Page, selector: str) -> dict[str, float]:
+async def box(page: Page, selector: str) -> FloatRect:
     found = await page.locator(selector).bounding_box()
     assert found is not None, f"{selector} is not on the page"
-    return dict(found)
+    return found
 
 
 async def hold_take_off(page: Page) -> None:
@@ -157,9 +157,9 @@ async def test_notes_of_the_drone_are_shown_on_the_ground_and_in_flight(
 async def test_a_take_off_moves_none_of_the_orders_under_the_finger(
     page: Page, console: Any
 ) -> None:
-    for size in ({"width": 390, "height": 844}, {"width": 1280, "height": 800}):
+    for width, height in ((390, 844), (1280, 800)):
         console.pilot.status = DroneStatus.LANDED
-        await page.set_viewport_size(size)
+        await page.set_viewport_size({"width": width, "height": height})
         await expect(line(page)).to_contain_text("Ready")
         before = [await box(page, one) for one in (".mission", ".actions", ".stop")]
         assert before[1]["y"] + before[1]["height"] < before[2]["y"], "all orders are on the screen"

@@ -20,8 +20,8 @@ from housefly.messages.preflight import PreflightCheck
 
 FREE_SHARE_MIN = 0.07
 """With a smaller share of a disk free nothing takes off."""
-FREE_ENOUGH = 10 * 10**9
-"""So much room is enough on a disk of any size [bytes]; a flight takes some 10 MB a minute."""
+FREE_ENOUGH_GB = 10
+"""So much room is enough on a disk of any size [1e9 bytes]; a flight takes some 10 MB a minute."""
 DISK_LOOK_PERIOD = 2.0
 """How often to look [s]."""
 _RISING = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
@@ -55,7 +55,7 @@ class DiskSpace:
             with suppress(OSError):
                 found = self._usage(_existing(folder))
                 shares[folder] = share = found.free / max(found.total, 1)
-                if share < FREE_SHARE_MIN and found.free < FREE_ENOUGH:
+                if share < FREE_SHARE_MIN and found.free < FREE_ENOUGH_GB * 1e9:
                     short[folder] = share
         self._fullest = _words(shares) if shares else "unknown"
         self.shortage = _words(short) if short else ""
@@ -69,7 +69,7 @@ class DiskSpace:
             passed=not self.shortage,
             required=True,
             value=self.shortage or self._fullest,
-            limit=f"at least {FREE_SHARE_MIN:.0%} free, or {FREE_ENOUGH / 1e9:.0f} GB",
+            limit=f"at least {FREE_SHARE_MIN:.0%} free, or {FREE_ENOUGH_GB} GB",
             why="what happens in the flight could not be kept",
             mend=_MEND,
         )

@@ -23,6 +23,8 @@ _NUMBER_MAX = 1e9
 _TEXT_MAX = 64 * 1024
 """Longest yaml that is read [characters]; a real one has about 150."""
 _DEPTH_MAX = 8
+_BRACKETS_MAX = 40
+"""With a thousand of them nested the yaml library needs minutes."""
 _MODES = ("trinary",)
 
 
@@ -120,9 +122,10 @@ def _turned(rows: Mask) -> Mask:
 def _tree(path: Path) -> dict[str, Any]:
     try:
         text = read_text_file(path)
-        if len(text) > _TEXT_MAX:
+        if len(text) > _TEXT_MAX or text.count("[") + text.count("{") > _BRACKETS_MAX:
             raise RoomError(
-                f"{path} has {len(text)} characters; a map's yaml has at most {_TEXT_MAX}"
+                f"{path} is no map's yaml: allowed are {_TEXT_MAX} characters, and"
+                f" {_BRACKETS_MAX} brackets"
             )
         tree = yaml.load(text, _PlainLoader)
     except (OSError, UnicodeDecodeError) as error:

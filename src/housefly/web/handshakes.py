@@ -31,7 +31,7 @@ class HandshakeListener(socket.socket):
         loop = asyncio.get_running_loop()
         self._shaking[connection] = loop.time()
         self._forget_closed()
-        while False:
+        while len(self._shaking) > MAX_HANDSHAKES:
             self._cut(next(iter(self._shaking)))
         if self._sweeping is None:
             self._sweeping = loop.call_later(_SWEEP_PERIOD, self._sweep, loop)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import Callable
+from functools import partial
 
 from housefly.app.frame_check.carrying_hands import CarryingHands
 from housefly.app.frame_check.frame_log import FrameLog
@@ -16,14 +17,13 @@ from housefly.errors import LinkError
 from housefly.lab.frames.findings import FrameVerdict
 from housefly.lab.frames.guide import CarryGuide
 from housefly.lab.frames.plan import STEPS, CarryStep
-from housefly.lab.frames.samples import SEEN_AGE_MAX
 from housefly.tracking.contracts import Tracker
 
 _START_TIMEOUT = 30.0
 """Longest wait for tracking, and for the drone after it [s]."""
 _DRONE_TIMEOUT = 20.0
-_QUIET_MAX = 3.0
-"""Before a sample tracking may be silent for so long: a busy computer stalls [s]."""
+_SETTLING_MAX = 3.0
+"""A hand needs so long to be still, and a busy computer to go on [s]."""
 _POLL_PERIOD = 0.01
 _SHOW_PERIOD = 0.2
 
@@ -89,7 +89,7 @@ class FrameCheckSession:
             if self._hands is not None and not is_done:
                 await self._hands.do(step)
                 is_done = True
-            await self._within(_QUIET_MAX, self._is_heard)
+            await self._within(_SETTLING_MAX, partial(self._is_still, began))
             now = self._clock.now()
             person.tell(f"   {live_words(guide, self._log, now)}")
             answer = guide.offer(self._log.track(began), now)
@@ -97,6 +97,7 @@ class FrameCheckSession:
                 person.tell(f"   {words}")
             if guide.step is not step:
                 return
+            person.tell(f"   -> still step {number}: Enter when done")
             began = now if answer.begins_anew else began
 
     async def _wait_for_wires(self) -> None:
@@ -110,8 +111,8 @@ class FrameCheckSession:
                 " its own heading the turn is believed as asked, and a delay is not found."
             )
 
-    def _is_heard(self) -> bool:
-        return self._clock.now() - self._log.heard_at < SEEN_AGE_MAX / 2
+    def _is_still(self, began: float) -> bool:
+        return self._guide.is_still(self._log.track(began), self._clock.now())
 
     async def _within(self, seconds: float, holds: Callable[[], bool]) -> bool:
         end = self._clock.now() + seconds

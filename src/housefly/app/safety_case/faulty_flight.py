@@ -28,8 +28,8 @@ _RATES_HZ = (100.0, 30.0, 10.0)
 _DELAY_MAX = 1.5
 """A fault begins up to this long after its phase was reached [s]."""
 PATIENCE = 90.0
-"""A flight has to end this long after its fault began [s]: a service of 35 s, and a wait of 20 s for
-a blocked way on each of its legs.
+"""A flight has to end this long after its fault began [s]: a service of 35 s, and a wait of 20 s
+for a blocked way on each of its legs.
 """
 _REACH_TIMEOUT = 60.0
 """A phase that is not reached within this is left out: the fault begins where the drone is [s]."""

@@ -96,6 +96,12 @@ class CarryGuide:
             return Answer(False, ("Now tracking sees it: begin anew from the pad.",))
         return self._judged(found, track)
 
+    def is_still(self, track: CarryTrack, now: float) -> bool:
+        """Return whether a sample could be taken now [s]: the drone is seen, and rests."""
+        assert self.step is not None
+        found = take_sample(self.step, self.tracking.body, track, now)
+        return not isinstance(found, NoSample)
+
     def verdict(self) -> FrameVerdict:
         """Return what the samples come to; call it after the last step."""
         return frame_verdict(self.plan, self.tracking, self.samples, self.lag)

@@ -346,14 +346,16 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "F29", "the disk is full or read-only, the database locked",
         "the flight goes on; no new take-off", _PROCESS,
         covered_by="tests/app/test_hub_faults.py"
-        "::test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes (the take-off"
-        " is not covered)",
+        "::test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes"
+        " tests/app/test_disk_space.py"
+        "::test_with_a_full_disk_nothing_takes_off_and_a_flight_goes_on",
     ),
     FaultRow(
         "F30", "power is lost while it writes",
         "the store opens and lost at most 1 s", _PROCESS,
         covered_by="tests/app/test_hub_faults.py::"
-        "test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_completes",
+        "test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_completes"
+        " tests/hub/store/test_power_cut.py",
     ),
     FaultRow(
         "F31", "the wall clock is set", "nothing happens but a line in the log", _USER,
@@ -414,7 +416,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F39", "malformed packets on a wire",
         "nothing escapes the parser; counted; strangers are dropped", _USER,
-        covered_by="tests/wires (properties of every parser); no long fuzzing",
+        covered_by="tests/wires (properties of every parser) and tests/fuzz/test_corpus.py",
     ),
     FaultRow(
         "F40", "a publisher floods the bus", "the loop stays on time; the publisher is named",
@@ -423,7 +425,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F41", "a bad configuration", "refused with the key and its range", _USER,
-        covered_by="tests/config",
+        covered_by="tests/config and tests/pilot/test_configurations.py",
     ),
     FaultRow(
         "F42", "the map is mirrored, turned or shifted",
@@ -441,7 +443,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "F43", "orders at the worst moment, and many of them",
         "defined for every state and event", _USER,
         covered_by="tests/pilot/test_orders.py"
-        "::test_every_order_in_every_phase_leaves_the_pilot_sane",
+        "::test_every_order_in_every_phase_leaves_the_pilot_sane"
+        " tests/pilot/test_orders_and_faults.py",
     ),
     FaultRow(
         "F44", "somebody or something is on the pad",
