@@ -27,7 +27,7 @@ from housefly.lab.frames.plan import QUARTER_TURN, CarryPlan, CarryStep
 from housefly.lab.frames.samples import FrameSample, middle_angle
 from housefly.numeric import wrapped
 
-ANGLE_MAX = radians(190.0)
+ANGLE_MAX = radians(15.0)
 """A frame or body turned by more than this is wrong [rad]; people lay and carry to about 8 deg."""
 ORIGIN_MAX = 0.3
 """A pad that is seen farther than this from the pad of the map is wrong [m]."""
