@@ -233,6 +233,8 @@ class OrdersAndFaults(RuleBasedStateMachine):
         if not hasattr(self, "flight"):
             return
         self.mend()
+        # Until its next report a drone that was silent counts as standing where it stood.
+        self.wait(0.2)
         self.give(self.flight.order(OrderKind.LAND))
         self.give(self.flight.order(OrderKind.LAND))
         for _ in range(60):
