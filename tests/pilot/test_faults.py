@@ -125,6 +125,19 @@ def test_a_drone_that_falls_silent_is_landed(fly: Fly) -> None:
     landed(flight)
 
 
+def test_an_order_to_land_is_kept_while_a_silent_drone_last_said_that_it_stands(fly: Fly) -> None:
+    flight = fly()
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.TAKE_OFF))
+    flight.talks = False
+    flight.run(5.0)
+    assert flight.body.z > 0.5
+    flight.step(flight.order(OrderKind.LAND))
+    flight.run(1.0)
+    flight.talks = True
+    landed(flight)
+
+
 def test_an_empty_battery_lands_the_drone_where_it_is(fly: Fly) -> None:
     flight = cruising(fly())
     flight.battery = 0.14

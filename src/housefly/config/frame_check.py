@@ -17,7 +17,7 @@ from housefly.config.text import read_text_file
 from housefly.config.toml import parse_toml
 from housefly.config.tracking import TrackingConfig
 from housefly.errors import ConfigError
-from housefly.messages.preflight import FrameCheckState, FramesKnown
+from housefly.messages.preflight import FRAMES_NOT_NEEDED, FrameCheckState, FramesKnown
 
 _DATABASE = "room.db"
 _WORDS_MAX = 200
@@ -102,7 +102,7 @@ def read_frame_check(site: Site) -> FrameCheckRecord | None:
 def frames_known(site: Site) -> FramesKnown:
     """Return what is known of the frames of a site, for the pre-flight checks."""
     if site.twin.enabled:
-        return FramesKnown(FrameCheckState.NOT_NEEDED)
+        return FRAMES_NOT_NEEDED
     try:
         record = read_frame_check(site)
     except ConfigError as error:

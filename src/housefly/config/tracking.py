@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from math import pi
 from typing import Literal
 
 from pydantic import Field
@@ -51,9 +50,9 @@ class TrackingConfig(Section):
     x: float = quantity(0.0, -1000.0, 1000.0, "m", "where its origin is on the map")
     y: float = quantity(0.0, -1000.0, 1000.0, "m", "likewise")
     z: float = quantity(0.0, -100.0, 100.0, "m", "height of its origin above the floor")
-    yaw: float = quantity(0.0, -pi, pi, "rad", "heading of its x axis on the map")
+    yaw: float = quantity(0.0, -3.1416, 3.1416, "rad", "heading of its x axis on the map")
     body_yaw: float = quantity(
-        0.0, -pi, pi, "rad", "heading of the drone's nose in its body as defined, 0 along its x"
+        0.0, -3.1416, 3.1416, "rad", "heading of the drone's nose in its body as defined"
     )
 
     @property

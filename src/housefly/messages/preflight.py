@@ -59,3 +59,7 @@ class FramesKnown:
     def said(self) -> str:
         """What is known, in words."""
         return f"{self.state.value}, {self.words}" if self.words else self.state.value
+
+
+FRAMES_NOT_NEEDED = FramesKnown()
+"""Simulated rooms, and whoever has no frames to check."""

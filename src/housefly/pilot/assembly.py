@@ -6,7 +6,7 @@ from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
 from housefly.messages.flight import Inputs, Order, OrderKind
 from housefly.messages.obstacles import Obstacle
-from housefly.messages.preflight import FramesKnown
+from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown
 from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.behavior.mission_manager import MissionManager
 from housefly.pilot.contracts import Maneuver, PilotSettings
@@ -28,7 +28,7 @@ def make_pilot(
     maneuver: Maneuver | None = None,
     *,
     guarded: bool = True,
-    frames: FramesKnown = FramesKnown(),
+    frames: FramesKnown = FRAMES_NOT_NEEDED,
 ) -> Pilot:
     """Return a pilot that knows a room by its map.
 

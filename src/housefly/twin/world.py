@@ -320,7 +320,6 @@ class SimulatedWorld:
         if self._frames.is_due(self._ticks * CONTROL_PERIOD):
             self._frames.expose(self._ticks * CONTROL_PERIOD, self._marked.seen(self._body))
 
-
     def _follow_hands(self, carry: Carry, now: float) -> None:
         """Move the drone with the hands that carry it; laid down, or started, it is let go."""
         position, yaw, velocity, turn_rate = carry.at(now)

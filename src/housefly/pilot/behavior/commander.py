@@ -9,7 +9,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
 from housefly.messages.order_fault import shown_name
-from housefly.messages.preflight import FramesKnown, PreflightCheck
+from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
@@ -41,7 +41,7 @@ class Commander:
     """Owns the mission state and the tracking task."""
 
     def __init__(
-        self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FramesKnown()
+        self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FRAMES_NOT_NEEDED
     ) -> None:
         self._limits = limits
         self._frames = frames

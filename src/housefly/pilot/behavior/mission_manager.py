@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Order
-from housefly.messages.preflight import FramesKnown, PreflightCheck
+from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
@@ -24,7 +24,7 @@ class MissionManager:
         navigator: Navigator,
         tolerance: float,
         paper: bool,
-        frames: FramesKnown = FramesKnown(),
+        frames: FramesKnown = FRAMES_NOT_NEEDED,
     ) -> None:
         self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)

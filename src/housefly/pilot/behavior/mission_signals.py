@@ -106,7 +106,7 @@ def signals(
         facing: whether the heading is the wanted one.
     """
     now, phase = vehicle.now, state.phase
-    found = [STATUS_SIGNALS[vehicle.status]] if vehicle.status in STATUS_SIGNALS else []
+    found = _told(vehicle, limits)
     if vehicle.landing_forced:
         found.append(Signal.FORCED_DOWN)
     if vehicle.return_wanted:
@@ -123,6 +123,14 @@ def signals(
     if is_bound and now - state.since > allowed_time(state, task, limits):
         found.append(Signal.OVERDUE)
     return found
+
+
+def _told(vehicle: VehicleStatus, limits: LimitsConfig) -> list[Signal]:
+    """Return what the drone says; a silent one that last stood may have taken off since."""
+    is_old = vehicle.telemetry_age > limits.telemetry_age
+    if vehicle.status not in STATUS_SIGNALS or (is_old and vehicle.status is DroneStatus.LANDED):
+        return []
+    return [STATUS_SIGNALS[vehicle.status]]
 
 
 def allowed_time(state: MissionState, task: TrackingTask, limits: LimitsConfig) -> float:

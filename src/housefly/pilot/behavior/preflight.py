@@ -11,7 +11,12 @@ from math import degrees, isfinite, radians
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
-from housefly.messages.preflight import FrameCheckState, FramesKnown, PreflightCheck
+from housefly.messages.preflight import (
+    FRAMES_NOT_NEEDED,
+    FrameCheckState,
+    FramesKnown,
+    PreflightCheck,
+)
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, TAKE_OFF_RESERVE
@@ -42,7 +47,7 @@ class PreflightInputs:
     stopped: bool = False
     take_off_fault: str = ""
     sees_people: bool = True
-    frames: FramesKnown = FramesKnown()
+    frames: FramesKnown = FRAMES_NOT_NEEDED
 
     @property
     def tilt(self) -> float:
