@@ -24,6 +24,8 @@ main { max-width: 1280px; }
 .safe { color: var(--good); } .unsafe { color: var(--fault); } .none { color: var(--muted); }
 td.number { text-align: right; white-space: nowrap; }
 td p { font-size: 12.5px; margin: 0; }
+td:nth-child(n+3):nth-child(-n+7) { white-space: nowrap; }
+td[colspan] { white-space: normal !important; }
 .strip { display: block; width: 180px; height: 34px; }
 """
 _NONE = "-"
@@ -125,7 +127,8 @@ def _control(row: FaultRow, control: Sequence[TrialResult]) -> str:
     if not control:
         return '<span class="none">not harmful by itself</span>' if not row.harmful else "-"
     harmed = sum(result.unsafe for result in control)
-    kind, mark = ("none", "harm") if harmed else ("unsafe", "no harm")
+    expected = bool(harmed) or not row.harmful
+    kind, mark = "none" if expected else "unsafe", "harm" if harmed else "no harm"
     return f'<span class="mark {kind}">{mark} {harmed}/{len(control)}</span>'
 
 

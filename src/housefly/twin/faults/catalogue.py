@@ -130,7 +130,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     FaultRow(
         "F02", "no tracking for 1 s",
         "hovers at once, told; goes on by itself when the place fits", _TWIN,
-        (FaultVariant("1s", (_mocap("", _K.OFF, lasting=1.0),)),), True,
+        (FaultVariant("1s", (_mocap("", _K.OFF, lasting=1.0),)),),
     ),
     FaultRow(
         "F03", "no tracking for 5 s, or for good",
@@ -254,7 +254,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.TELEMETRY, _K.DELAYED, size=1.0, lasting=2.0, name="down_1s"),
             _one(_C.COMMANDS, _K.DELAYED, size=0.5, lasting=2.0, name="up_0.5s"),
             _one(_C.COMMANDS, _K.DELAYED, size=2.0, lasting=2.0, name="up_2s"),
-        ), True,
+        ),
     ),
     FaultRow(
         "F17", "the link to the drone is lost for good",
@@ -279,12 +279,12 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         (
             _one(_C.BATTERY, _K.WRONG, size=0.08, name="8percent"),
             _one(_C.BATTERY, _K.WRONG, size=0.18, name="18percent"),
-        ), True,
+        ),
     ),
     FaultRow(
         "F21", "the battery's gauge stands still or shows no number",
         "flies by time; the next take-off is refused", _TWIN,
-        (_one(_C.BATTERY, _K.STUCK), _one(_C.BATTERY, _K.GARBAGE)), True,
+        (_one(_C.BATTERY, _K.STUCK), _one(_C.BATTERY, _K.GARBAGE)),
     ),
     FaultRow(
         "F22", "a weak motor, a damaged propeller, a sagging battery",
