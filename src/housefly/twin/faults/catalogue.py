@@ -329,8 +329,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "F26", "the browser of the pilot goes away in flight",
         "the errand is finished, then it hovers and lands", _USER,
         covered_by="tests/web/test_console.py"
-        "::test_control_is_lost_three_seconds_after_its_holder_left (the lease; the landing is"
-        " not covered)",
+        "::test_control_is_lost_three_seconds_after_its_holder_left"
+        " tests/pilot/test_faults.py::test_a_drone_without_orders_comes_home_and_lands",
     ),
     FaultRow(
         "F27", "two people command at once",
@@ -359,7 +359,9 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F31", "the wall clock is set", "nothing happens but a line in the log", _USER,
-        covered_by=NOT_COVERED,
+        covered_by="tests/hub/test_wall_clock.py"
+        "::test_a_clock_set_back_does_not_freeze_where_things_are"
+        " (the memory; pilot, driver and tokens use monotonic time only)",
     ),
     FaultRow(
         "F32", "the machine stalls for 0.3 to 1 s",
