@@ -73,6 +73,7 @@ class LockstepRoom:
         world: what flies.
         site: limits, and the faults of its ``[[faults]]``.
         faults: those instead, when somebody else uses them too.
+        guarded: False takes the driver's watchdog away; for negative controls only.
 
     Attributes:
         faults: what fails, and when.
@@ -81,7 +82,14 @@ class LockstepRoom:
         ConfigError: a fault that cannot be made in lock step.
     """
 
-    def __init__(self, world: TwinWorld, site: Site, faults: FaultInjector | None = None) -> None:
+    def __init__(
+        self,
+        world: TwinWorld,
+        site: Site,
+        faults: FaultInjector | None = None,
+        *,
+        guarded: bool = True,
+    ) -> None:
         limits = site.limits
         self._world = world
         self.faults = FaultInjector(site) if faults is None else faults
@@ -91,7 +99,7 @@ class LockstepRoom:
             )
         )
         maxima = Maxima(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
-        self._sequencer = CommandSequencer(maxima, world.now)
+        self._sequencer = CommandSequencer(maxima, world.now, watched=guarded)
         self._sent_at = world.now
         self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)

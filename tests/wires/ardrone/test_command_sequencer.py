@@ -239,6 +239,13 @@ def test_whatever_moves_or_holds_it_ends_in_a_landing(action: Action, status: Dr
     assert LAND in fly_in_silence(2.01, action, status)
 
 
+def test_the_control_without_its_watchdog_repeats_the_last_command_for_ever() -> None:
+    unwatched = CommandSequencer(MAXIMA, 0.0, watched=False)
+    unwatched.update(Command(Action.FLY, Setpoint(theta=0.1)), 0.0)
+    late = 10.0 * LAND_AFTER
+    assert unwatched.next_commands(late, report(DroneStatus.FLYING, late)) == (STICKS,)
+
+
 def test_a_pilot_that_comes_back_after_the_watchdog_landed_does_not_fly_on() -> None:
     returning = commanded(Action.FLY, Setpoint(theta=0.1))
     assert LAND in returning.next_commands(2.1, report(DroneStatus.FLYING, 2.1))

@@ -49,7 +49,7 @@ class Simulation:
             site, loaded.room, scene, (*movables, *faults.movables), faults.people
         )
         self.pilot = make_pilot(site, loaded.room, loaded.grid, guarded=guarded)
-        self._room = LockstepRoom(self.world, site, faults)
+        self._room = LockstepRoom(self.world, site, faults, guarded=guarded)
         self._perception = LockstepPerception(loaded, self.world, faults)
         self._period = 1.0 / site.control.rate_hz
         self._estimate: Estimate | None = None

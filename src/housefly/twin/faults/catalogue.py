@@ -321,7 +321,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         "F25", "the driver is killed",
         "the drone's own watchdog brakes and lands it; a fresh driver offers landing only",
         LOCKSTEP | _PROCESS,
-        (FaultVariant("gone", (Fault(_C.COMMANDS, _K.OFF), Fault(_C.TELEMETRY, _K.OFF))),), True,
+        (FaultVariant("gone", (Fault(_C.COMMANDS, _K.OFF), Fault(_C.TELEMETRY, _K.OFF))),),
         covered_by="tests/twin/test_world.py"
         "::test_a_drone_without_its_client_flies_on_for_two_seconds_then_brakes_and_lands",
     ),
@@ -370,7 +370,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.PILOT, _K.OFF, lasting=0.3, name="0.3s"),
             _one(_C.PILOT, _K.OFF, lasting=1.0, name="1s"),
             _one(_C.PILOT, _K.INTERMITTENT, size=0.8, name="starved"),
-        ), True,
+        ),
     ),
     FaultRow(
         "F33", "a chair is put on the way",

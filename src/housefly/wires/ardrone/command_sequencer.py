@@ -56,13 +56,19 @@ class Permit(Enum):
 class CommandSequencer:
     """Turns the command in force into AT commands, with a watchdog over the pilot.
 
+    Args:
+        maxima: as below.
+        now: of the first command [s].
+        watched: False repeats the last command for ever; for negative controls only.
+
     Attributes:
         maxima: what a full stick means to the drone now.
         permit: what the pilot may do.
     """
 
-    def __init__(self, maxima: Maxima, now: float) -> None:
+    def __init__(self, maxima: Maxima, now: float, *, watched: bool = True) -> None:
         self.maxima = maxima
+        self._watched = watched
         self.permit = Permit.ALL
         self._action = Action.IDLE
         self._setpoint = Setpoint()
@@ -129,7 +135,7 @@ class CommandSequencer:
         return self._table[action](now, report)
 
     def _is_silent(self, now: float) -> bool:
-        return self._is_gone or now - self._commanded_at > HOVER_AFTER
+        return self._watched and (self._is_gone or now - self._commanded_at > HOVER_AFTER)
 
     def _action_in_force(self, now: float, report: Telemetry | None) -> Action:
         """Return the pilot's action, or what the watchdog puts in its place."""
@@ -138,7 +144,8 @@ class CommandSequencer:
             self._must_land &= airborne
             return self._action
         action = self._permitted(now)
-        is_over = now - self._commanded_at > LAND_AFTER or self.permit is Permit.LAND
+        is_late = self._watched and now - self._commanded_at > LAND_AFTER
+        is_over = is_late or self.permit is Permit.LAND
         is_refused = self._refused_at is not None and now - self._refused_at > LAND_AFTER
         self._must_land = airborne and (self._must_land or is_over or is_refused)
         if self._must_land:
