@@ -33,6 +33,7 @@ async def test_the_first_viewer_has_control_and_sees_room_state_and_link(console
 async def test_an_order_of_the_pilot_reaches_the_bus_and_the_log(console: Any) -> None:
     async with console.talk(await console.session(), name="Anna") as one:
         await one.hear("room")
+        await one.hear("state")  # an order needs a pilot that is heard
         await one.say(type="order", id=7, order="service", place="entrance")
         await one.hear("accepted", id=7)
         order = console.pilot.orders[-1]
@@ -109,6 +110,7 @@ async def test_taking_over_in_flight_needs_the_hold(console: Any) -> None:
         console.talk(cookie, "tab-of-ben", "Ben") as ben,
     ):
         await anna.hear("room")
+        await anna.hear("state")
         await anna.say(type="order", id=1, order="take_off")
         await ben.hear("state", status="flying")
         await ben.say(type="lease", id=1, action="take")

@@ -45,6 +45,26 @@ def test_holding_is_added_up_in_the_air_only_and_forgotten_after_ten_seconds() -
     assert seen.held_for == 0.0
 
 
+@pytest.mark.parametrize(
+    ("disturbed", "change"),
+    [({}, 0.7), ({"pose_age": 0.3}, 0.0), ({"late": 0.2}, 0.0)],
+    ids=["seen", "after old poses", "after a late step"],
+)
+def test_a_velocity_that_is_put_right_after_blindness_is_no_blow(
+    disturbed: dict[str, float], change: float
+) -> None:
+    observer = FlightObserver(LimitsConfig())
+    for n in range(200):
+        velocity = (0.5, 0.0, 0.0) if n < 115 else (-0.2, 0.0, 0.0)
+        inputs = replace(FINE, now=TICK * n, velocity=velocity, phase=Phase.OUTBOUND)
+        if 100 <= n < 110:
+            inputs = replace(inputs, **disturbed)
+        seen = observer.observe(inputs, held=False, landing=False)
+        if n == 120:
+            assert seen.velocity_change == pytest.approx(change)
+    assert seen.velocity_change == 0.0
+
+
 def test_the_time_at_a_height_starts_anew_with_another_height_and_another_flight() -> None:
     observer, times = FlightObserver(LimitsConfig()), []
     for n in range(30):

@@ -17,6 +17,8 @@ TILT_TIME = 0.2
 """Time constant with which what we ask for is smoothed, about that of the drone's answer [s]."""
 VELOCITY_SPAN = 0.2
 """Velocities are compared over this span [s]."""
+SETTLING_TIME = 0.5
+"""After old poses or late steps the estimated velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
 """How far back holding is added up [s]."""
 LATE_SPAN = 1.0
@@ -73,6 +75,7 @@ class FlightObserver:
         self._start: Vec2 | None = None
         self._asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
+        self._steady = Stopwatch()
         self._held: Window[float] = Window(HOLD_SPAN)
         self._late: Window[float] = Window(LATE_SPAN)
 
@@ -135,7 +138,11 @@ class FlightObserver:
         return hypot(self._asked[0] - heard.theta, self._asked[1] - heard.phi)
 
     def _velocity_change(self, inputs: GateInputs) -> float:
-        if inputs.velocity is None or not inputs.cruising:
+        """Return how much the velocity changed; what blindness made of it is no change."""
+        is_late = inputs.late > LATE_STEP
+        is_seen = inputs.pose_age <= self._limits.pose_age_level and not is_late
+        is_steady = self._steady.update(is_seen, inputs.now) >= SETTLING_TIME
+        if inputs.velocity is None or not inputs.cruising or not is_steady:
             self._velocities.clear()
             return 0.0
         vx, vy, _ = inputs.velocity
