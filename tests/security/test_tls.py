@@ -231,8 +231,9 @@ async def test_another_machine_reaches_it_by_the_name_in_the_certificate(
     UserBook(tmp_path / "users.json").put("anna", Role.FLY, PASSWORD)
     script = (
         "ip link set lo up; ip link add cable type veth peer name plug;"
-        " unshare -n sleep 60 & far=$!;"
-        " until ip link set plug netns $far; do sleep 0.1; done 2>/dev/null;"
+        " unshare -n sleep 60 & far=$!; here=$(readlink /proc/self/ns/net);"
+        " until [ $(readlink /proc/$far/ns/net) != $here ]; do sleep 0.1; done;"
+        " ip link set plug netns $far;"
         " ip addr add 10.77.0.1/24 dev cable; ip link set cable up;"
         " nsenter -t $far -n ip addr add 10.77.0.2/24 dev plug;"
         " nsenter -t $far -n ip link set plug up;"

@@ -284,9 +284,8 @@ async def test_a_slow_client_loses_pictures_up_to_a_key_and_delays_nobody(server
     numbers += await drain(slow, late)
 
     assert received == list(range(received[0], 920)), "the quick client misses nothing"
-    assert [after for before, after in pairwise(numbers) if after != before + 1] == [900], (
-        "after the gap comes a key picture"
-    )
+    gaps = [after for before, after in pairwise(numbers) if after != before + 1]
+    assert gaps and all(after % 15 == 0 for after in gaps), "after a gap comes a key picture"
     slow.close()
     writer.close()
 
