@@ -91,6 +91,9 @@ def test_what_leaves_the_gate_is_always_finite_within_limits_and_never_bolder(
         assert max(abs(out.theta), abs(out.phi)) <= LIMITS.tilt_max
         assert abs(out.vz) <= LIMITS.vertical_speed_max and abs(out.yaw_rate) <= LIMITS.yaw_rate_max
         asked = command.setpoint
+        if verdict.mode is SafetyMode.DESCEND and verdict.command.action is Action.FLY:
+            assert out == Setpoint(vz=-DESCENT_RATE)
+            continue
         if verdict.command.action is Action.FLY:
             assert hypot(out.theta, out.phi) <= hypot(asked.theta, asked.phi) + 1e-12
             assert command.action is Action.FLY
