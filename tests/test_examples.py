@@ -13,6 +13,12 @@ FOLDER = Path(__file__).resolve().parents[1] / "examples"
 SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
 
+@pytest.fixture(autouse=True)
+def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep the examples away from the memory of a room that runs meanwhile."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+
+
 def run(name: str, *arguments: str, timeout: float = 100.0) -> str:
     done = subprocess.run(
         [sys.executable, str(FOLDER / name), *arguments],

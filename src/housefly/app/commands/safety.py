@@ -28,7 +28,7 @@ Ctrl-C and the
 same command go on. The result is one page, safety-case.html."""
 _EPILOG = """\
 examples:
-  housefly safety                              all of it (about an hour and a half on two cores)
+  housefly safety                              all of it (two to three hours on two cores)
   housefly safety --quick                      a few flights of each row
   housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --rows F13 F05 --seeds 40    two rows only

@@ -96,7 +96,7 @@ def _row(row: FaultRow, results: Sequence[TrialResult], wired: Sequence[WiredRes
         covered = _text(row.covered_by)
         return (
             f'<tr id="{row.number}"><td>{row.number}</td><td>{title}</td>'
-            f'<td colspan="7" class="none">in real processes only; {covered}</td>'
+            f'<td colspan="7" class="none">in real processes only<p>{covered}</p></td>'
             f"<td>{real}</td></tr>"
         )
     if not own:

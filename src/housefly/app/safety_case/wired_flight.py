@@ -161,8 +161,8 @@ def _violations(truth: TrueFlight | None, outcome: str, late: bool) -> tuple[str
         return ("no record of it",)
     touched = {f"I1: touched {c.kind} {c.name}" for c in truth.contacts if c.motors_turned}
     found = sorted(touched)
-    if late:
-        found.append(f"end: did not end within {_TIMEOUT:.0f} s")
     if truth.airborne[-1] or truth.position[-1][2] > STANDING:
-        found.append(f"end: left at {truth.position[-1][2]:.1f} m")
+        # A drone that stands and is silent for good never says so: its flight may end late.
+        when = f"after {_TIMEOUT:.0f} s" if late else "when the flight ended"
+        found.append(f"end: at {truth.position[-1][2]:.1f} m {when}")
     return tuple(found)
