@@ -7,6 +7,7 @@ from housefly.geometry import (
     euler_from_quaternion,
     normalized,
     quaternion_from_euler,
+    quaternion_product,
     rotate,
     stopping_distance,
     wrap_angle,
@@ -61,3 +62,12 @@ def test_yaw_is_read_back_from_any_scaled_quaternion(psi: float) -> None:
 def test_the_stopping_distance_matches_the_figures_of_the_design() -> None:
     assert isclose(stopping_distance(0.5, 2.09, 0.2), 0.16, abs_tol=0.005)
     assert isclose(stopping_distance(1.0, 2.09, 0.2), 0.44, abs_tol=0.005)
+
+
+@given(angles, halves, angles, vectors)
+def test_a_product_turns_by_the_second_first(
+    psi: float, theta: float, phi: float, v: tuple[float, float, float]
+) -> None:
+    a, b = quaternion_from_euler(phi, 0.0, psi), quaternion_from_euler(0.0, theta, phi)
+    once, twice = rotate(quaternion_product(a, b), v), rotate(a, rotate(b, v))
+    assert all(isclose(x, y, abs_tol=1e-9) for x, y in zip(once, twice, strict=True))

@@ -58,6 +58,18 @@ def normalized(q: Quaternion) -> Quaternion:
     return w / norm, x / norm, y / norm, z / norm
 
 
+def quaternion_product(a: Quaternion, b: Quaternion) -> Quaternion:
+    """Return the rotation that turns by b first and then by a."""
+    aw, ax, ay, az = a
+    bw, bx, by, bz = b
+    return (
+        aw * bw - ax * bx - ay * by - az * bz,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+    )
+
+
 def rotate(q: Quaternion, v: Vec3) -> Vec3:
     """Return the body vector v expressed in the world."""
     w, x, y, z = q

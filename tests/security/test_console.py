@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from held_lines import is_open
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
@@ -35,15 +36,6 @@ def idle_connection(console: Any, said: bytes = b"") -> socket.socket:
     if said:
         line.send(said)
     return line
-
-
-def is_open(line: socket.socket) -> bool:
-    try:
-        return line.recv(1) != b""
-    except BlockingIOError:
-        return True
-    except OSError:
-        return False
 
 
 async def a_second_browser(console: Any, first: str) -> str:

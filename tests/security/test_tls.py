@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from held_lines import is_open
 from playwright.async_api import Browser, expect
 from websockets.asyncio.client import connect
 from websockets.exceptions import InvalidStatus
@@ -110,15 +111,6 @@ async def test_nothing_is_answered_without_encryption(console: Any) -> None:
         answer = await asyncio.wait_for(reader.read(), 5.0)
     assert b"HTTP" not in answer
     writer.close()
-
-
-def is_open(line: socket.socket) -> bool:
-    try:
-        return line.recv(1) != b""
-    except BlockingIOError:
-        return True
-    except OSError:
-        return False
 
 
 async def test_handshakes_that_nobody_finishes_keep_nobody_out_and_stop_passes(

@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import cos, sin
 
 from housefly.config.tracking import TrackingConfig
-from housefly.geometry import Quaternion, quaternion_from_euler
+from housefly.geometry import Quaternion, quaternion_from_euler, quaternion_product
 from housefly.messages import Pose, Sighting
 from housefly.tracking.contracts import SightingSink, Tracker
 
@@ -26,9 +26,9 @@ class MapFrame:
         pose = sighting.pose
         (x, y, z), (dx, dy, dz) = pose.position, self._origin
         c, s = self._cos, self._sin
-        orientation = _product(self._turn, pose.orientation)
+        orientation = quaternion_product(self._turn, pose.orientation)
         if sighting.body == self._body:
-            orientation = _product(orientation, self._nose)
+            orientation = quaternion_product(orientation, self._nose)
         position = (c * x - s * y + dx, s * x + c * y + dy, z + dz)
         return replace(sighting, pose=Pose(position, _with_positive_w(orientation)))
 
@@ -60,14 +60,3 @@ class MapFrameTracker:
 def _with_positive_w(turn: Quaternion) -> Quaternion:
     w, x, y, z = turn
     return turn if w >= 0.0 else (-w, -x, -y, -z)
-
-
-def _product(a: Quaternion, b: Quaternion) -> Quaternion:
-    aw, ax, ay, az = a
-    bw, bx, by, bz = b
-    return (
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    )

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from math import cos, floor, nan, sin
 
-from housefly.geometry import Quaternion, Vec2, quaternion_from_euler
+from housefly.geometry import Quaternion, Vec2, quaternion_from_euler, quaternion_product
 from housefly.messages import Pose
 from housefly.twin.faults.fault import Fault
 from housefly.twin.faults.vocabulary import FaultKind
@@ -53,7 +53,7 @@ def _no_rotation(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
 
 
 def _body_turned(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
-    return replace(pose, orientation=_product(pose.orientation, _about_up(fault.size)))
+    return replace(pose, orientation=quaternion_product(pose.orientation, _about_up(fault.size)))
 
 
 def _y_mirrored(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
@@ -70,22 +70,11 @@ def _room_turned(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
     c, s = cos(fault.size), sin(fault.size)
     x, y = pose.position[0] - pad[0], pose.position[1] - pad[1]
     place = (pad[0] + c * x - s * y, pad[1] + s * x + c * y, pose.position[2])
-    return Pose(place, _product(_about_up(fault.size), pose.orientation))
+    return Pose(place, quaternion_product(_about_up(fault.size), pose.orientation))
 
 
 def _about_up(angle: float) -> Quaternion:
     return quaternion_from_euler(0.0, 0.0, angle)
-
-
-def _product(a: Quaternion, b: Quaternion) -> Quaternion:
-    aw, ax, ay, az = a
-    bw, bx, by, bz = b
-    return (
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    )
 
 
 _WRONG, _GARBAGE = FaultKind.WRONG, FaultKind.GARBAGE
