@@ -8,7 +8,6 @@ from housefly.pilot.control.steering import ControlOutput
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateVerdict, released
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated
-from housefly.pilot.safety.rules import MODE_SEVERITY
 
 
 class GateBench:
@@ -32,9 +31,9 @@ class GateBench:
         """Return what leaves the compiled half, and what becomes of the command."""
         assessment, s = self._gate.assess(inputs), command.setpoint
         numbers = gated(
-            ControlOutput(s.theta, s.phi, s.vz, s.yaw_rate, 0.0),
+            ControlOutput(s.theta, s.phi, s.vz, s.yaw_rate, 0.0, 0.0, 0.0),
             command.action is Action.FLY,
-            MODE_SEVERITY[assessment.mode],
+            assessment.severity,
             assessment.airborne,
             self._limits,
         )

@@ -35,6 +35,7 @@ from housefly.numeric import wrapped
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.steered_landing import sink_height
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
@@ -42,7 +43,6 @@ from housefly.pilot.estimation.estimator import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
-from housefly.pilot.safety.rules import MODE_SEVERITY
 from housefly.pilot.step import (
     INITIAL_STEP,
     NO_OVERRIDE,
@@ -97,13 +97,20 @@ class Pilot:
         self._vehicle: VehicleStatus | None = None
         self._way_home = WayHome(room_map.route, settings.home, self._params.speed)
         self._flown: Setpoint | None = None
+        self._demand: Vec2 | None = None
         self._maneuvering = self._was_free = False
         self._height = settings.flight_height
+        self._landing_spot: Vec2 | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
         """How well tracking agrees with the drone's own report, as of the last step."""
         return self._estimator.monitor.consistency(self._now) if self._estimator else NOTHING_KNOWN
+
+    @property
+    def demanded_acceleration(self) -> Vec2 | None:
+        """What the control law demanded in the last step, before any limit [m/s^2], or None."""
+        return self._demand
 
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
@@ -237,19 +244,23 @@ class Pilot:
             guidance,
             self._profile,
             override,
-            MODE_SEVERITY[assessment.mode],
+            assessment.severity,
             assessment.airborne and not state.resetting,
             now,
             dt,
         )
         self._target = output.target if guidance.active else None
-        verdict = released(self._action(output), output.command, assessment)
+        self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
+        verdict = released(self._action(output, guidance), output.command, assessment)
         self._flown = verdict.command.setpoint if verdict.command.action is Action.FLY else None
         self._maneuvering, self._height = override.active, guidance.height
         return verdict
 
     def _guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
         """Return what to track; a new path begins at its start."""
+        landing = self._steered_landing(estimate, assessment)
+        if landing is not None:
+            return landing
         task, mission = self._missions.task, self._missions.state
         active = estimate is not None and mission.phase in CRUISE_PHASES
         x, y = estimate.position[:2] if estimate else (0.0, 0.0)
@@ -274,6 +285,25 @@ class Pilot:
             ),
         )
 
+    def _steered_landing(
+        self, estimate: Estimate | None, assessment: GateAssessment
+    ) -> Guidance | None:
+        """Return where to sink for a landing that the gate wants and the pilot may steer."""
+        if estimate is None or self._params.is_paper or not assessment.steered:
+            self._landing_spot = None
+            return None
+        x, y = self._landing_spot = self._landing_spot or estimate.position[:2]
+        return Guidance(
+            active=True,
+            following=False,
+            x=x,
+            y=y,
+            yaw=estimate.yaw,
+            arrival_yaw=nan,
+            height=sink_height(estimate.position[2]),
+            speed_factor=1.0,
+        )
+
     def _override(self, now: float, estimate: Estimate | None) -> Override:
         """Return the setpoint of the maneuver, while the drone holds a place."""
         mission = self._missions.state
@@ -286,12 +316,12 @@ class Pilot:
             return NO_OVERRIDE
         return Override(True, setpoint.theta, setpoint.phi, setpoint.vz, setpoint.yaw_rate)
 
-    def _action(self, output: StepOutput) -> Action:
+    def _action(self, output: StepOutput, guidance: Guidance) -> Action:
         """Return what the pilot wants; in the paper's hover it leaves the drone to itself."""
         mission = self._missions.state
         if mission.cutting or mission.resetting:
             return Action.CUT if mission.cutting else Action.RESET
-        if mission.phase not in CRUISE_PHASES:
+        if not guidance.active and mission.phase not in CRUISE_PHASES:
             return PHASE_ACTIONS[mission.phase]
         return Action.FLY if self._target is not None and output.flying else Action.HOVER
 

@@ -39,6 +39,7 @@ from housefly.pilot.behavior.yaw_reference import (
 )
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
+    AT_REST,
     ControlOutput,
     ControlReference,
     Gains,
@@ -193,10 +194,12 @@ def step_commanded(
         asked, flying = _asked(state, estimator, history, params, here, guidance, target, now)
     else:
         state, target = _rested(state, guidance, now), _held(guidance)
-        asked, flying = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0), False
+        asked, flying = AT_REST, False
     if override.active:
         tilt = sqrt(override.theta * override.theta + override.phi * override.phi)
-        asked = ControlOutput(override.theta, override.phi, override.vz, override.yaw_rate, tilt)
+        theta, phi = override.theta, override.phi
+        ax, ay = acceleration(theta, phi, here.yaw)
+        asked = ControlOutput(theta, phi, override.vz, override.yaw_rate, tilt, ax, ay)
         flying = True
     command = gated(asked, flying, mode, airborne, params.limits)
     ux, uy = acceleration(command.theta, command.phi, here.yaw)

@@ -50,7 +50,8 @@ def twin(aim: ControlReference, where: ControlState, g: Gains) -> ControlOutput:
     turn = np.angle(np.exp(1j * (aim.yaw - where.yaw)))
     climb = np.clip(g.height * (aim.height - where.height), -g.climb_max, g.climb_max)
     spin = float(np.clip(g.yaw * turn, -g.turn_max, g.turn_max))
-    return ControlOutput(float(angles[0]), float(angles[1]), float(climb), spin, wish)
+    tilt = float(angles[0]), float(angles[1])
+    return ControlOutput(*tilt, float(climb), spin, wish, float(a[0]), float(a[1]))
 
 
 @given(aims, wheres, st.floats(0.5, 1.5))
@@ -75,9 +76,9 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
         GAINS,
     )
     still = paper_control_output(AcceptorState.HOVER, aim, where, GAINS)
-    assert still == ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+    assert still == ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     climb = paper_control_output(AcceptorState.ALTITUDE_CONTROL, aim, where, GAINS)
-    assert tuple(climb) == pytest.approx((0.0, 0.0, whole.vz, 0.0, 0.0), abs=1e-12)
+    assert tuple(climb) == pytest.approx((0.0, 0.0, whole.vz, 0.0, 0.0, 0.0, 0.0), abs=1e-12)
     turn = paper_control_output(AcceptorState.YAW_CONTROL, aim, where, GAINS)
     assert turn[:3] == (0.0, 0.0, 0.0)
     assert abs(turn.yaw_rate) == pytest.approx(abs(whole.yaw_rate), abs=1e-9)
@@ -91,6 +92,7 @@ def test_mode_paper_commands_the_axis_of_its_state_alone(
         (np.clip(theta, -0.21, 0.21), np.clip(phi, -0.21, 0.21)), abs=1e-12
     )
     assert path[2:4] == (0.0, 0.0) and path.wish == pytest.approx(max(abs(theta), abs(phi)))
+    assert (path.ax, path.ay) == pytest.approx(tuple(a))
 
 
 def test_without_the_wrap_the_heading_error_at_the_cut_is_a_full_turn() -> None:
@@ -105,7 +107,7 @@ def test_without_the_wrap_the_heading_error_at_the_cut_is_a_full_turn() -> None:
 
 def test_a_drone_that_is_where_it_should_be_is_told_nothing() -> None:
     s = control_output(AT_REST, HERE, GAINS)
-    assert tuple(s) == pytest.approx((0.0, 0.0, 0.0, 0.0, 0.0))
+    assert tuple(s) == pytest.approx((0.0,) * 7)
 
 
 def test_a_drone_that_moves_with_its_reference_is_only_told_to_overcome_drag() -> None:
@@ -114,6 +116,18 @@ def test_a_drone_that_moves_with_its_reference_is_only_told_to_overcome_drag() -
     where = ControlState((1.0 + 0.5 * delay, 2.0), (0.5, 0.0), (0.0, 0.0), 1.1, 0.0)
     leaned = SITE.drone.drag * 0.5 / GRAVITY
     assert control_output(aim, where, GAINS).theta == pytest.approx(leaned, abs=1e-3)
+
+
+@pytest.mark.parametrize("mode", ["default", "paper"])
+def test_the_demanded_acceleration_is_known_beyond_what_the_tilt_limit_leaves(mode: str) -> None:
+    aim = ControlReference((6.0, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
+    asked = (
+        paper_control_output(AcceptorState.PATH_TRACKING, aim, HERE, GAINS)
+        if mode == "paper"
+        else control_output(aim, HERE, GAINS)
+    )
+    assert asked.theta == pytest.approx(GAINS.tilt_max)
+    assert (asked.ax, asked.ay) == pytest.approx((5.0 * GAINS.beta, 0.0))
 
 
 def test_a_disturbance_is_leaned_against() -> None:

@@ -15,13 +15,16 @@ from housefly.messages import (
     Action,
     Command,
     DroneStatus,
+    Phase,
+    Reference,
     SafetyMode,
     Setpoint,
     Severity,
     Telemetry,
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.pilot.safety.fallbacks import possible_mode
+from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.fallbacks import STEERED_MAX, possible_mode
 from housefly.pilot.safety.gate import (
     AIRBORNE_ACTIONS,
     GROUND_ACTIONS,
@@ -131,7 +134,8 @@ def test_numbers_leave_the_gate_exactly_when_the_command_is_to_fly(
     for each in series:
         numbers, verdict = gate.judged(Command(Action.FLY, setpoint), each)
         assert numbers.flown == (verdict.command.action is Action.FLY)
-        assert numbers.mode == MODE_SEVERITY[verdict.mode]
+        is_steered = verdict.mode is SafetyMode.LAND and numbers.flown
+        assert is_steered or numbers.mode == MODE_SEVERITY[verdict.mode]
 
 
 @given(inputs)
@@ -198,6 +202,68 @@ def test_a_forced_landing_is_kept_until_the_drone_stands() -> None:
     assert gate.landing
     gate.judge(Command(Action.LAND), replace(FINE, status=DroneStatus.LANDED))
     assert not gate.landing
+
+
+HIGH = replace(FINE, phase=Phase.HOLDING, flight_height=1.1, position=(5.0, 2.0, 1.6))
+"""Half a metre above its height: a landing that the pilot may steer."""
+
+
+def blown_up(until: float = 20.0) -> tuple[GateBench, GateInputs]:
+    """Return a gate that lands a drone for its height, and the inputs of its last step."""
+    gate, inputs = GateBench(LIMITS, FENCE), replace(HIGH, now=0.0)
+    while inputs.now < until:
+        verdict = gate.judge(FLY, inputs)
+        if verdict.mode is SafetyMode.LAND:
+            return gate, inputs
+        inputs = replace(inputs, now=inputs.now + 0.05)
+    raise AssertionError("never landed")
+
+
+def test_a_landing_for_a_wrong_height_is_steered_until_the_drone_is_low_and_then_its_own() -> None:
+    gate, inputs = blown_up()
+    inputs = replace(inputs, phase=Phase.LANDING, now=inputs.now + 0.05)
+    assert gate.judge(FLY, inputs).command == FLY
+    low = replace(inputs, position=(5.0, 2.0, 0.49), now=inputs.now + 3.0)
+    assert gate.judge(FLY, low).command.action is Action.LAND
+    assert gate.judge(FLY, replace(inputs, now=low.now + 0.05)).command.action is Action.LAND
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"pose_age": 0.3},
+        {"position": None},
+        {"late": 0.2},
+        {"status": DroneStatus.LANDING},
+        {"consistency": TrackingConsistency(refused_for=0.1)},
+        {"telemetry_age": 3.0},
+        {"reference": Reference((5.5, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0)},
+    ],
+)
+def test_a_landing_is_steered_no_more_once_the_place_is_in_doubt(change: dict[str, object]) -> None:
+    gate, inputs = blown_up()
+    worse = replace(inputs, phase=Phase.LANDING, now=inputs.now + 0.05, **change)  # type: ignore[arg-type]
+    assert gate.judge(FLY, worse).command.action is Action.LAND
+    better = replace(inputs, phase=Phase.LANDING, now=inputs.now + 0.1)
+    assert gate.judge(FLY, better).command.action is Action.LAND
+
+
+def test_a_steered_landing_that_does_not_come_down_becomes_the_drones_own() -> None:
+    gate, inputs = blown_up()
+    inputs = replace(inputs, phase=Phase.LANDING)
+    actions = [
+        gate.judge(FLY, replace(inputs, now=inputs.now + 0.05 * n)).command.action
+        for n in range(1, 200)
+    ]
+    assert actions[0] is Action.FLY and actions[-1] is Action.LAND
+    assert actions.count(Action.FLY) * 0.05 <= STEERED_MAX
+
+
+def test_a_steered_landing_without_a_number_is_the_drones_own() -> None:
+    gate, inputs = blown_up()
+    bad = Command(Action.FLY, Setpoint(theta=nan))
+    verdict = gate.judge(bad, replace(inputs, now=inputs.now + 0.05, phase=Phase.LANDING))
+    assert (verdict.mode, verdict.command) == (SafetyMode.LAND, Command(Action.LAND))
 
 
 def test_a_level_episode_ends_by_itself() -> None:

@@ -53,7 +53,7 @@ def test_our_setpoints_fly_the_drone_unless_it_is_held_stopped_or_brought_down()
 
 def test_a_descent_is_no_faster_than_the_drone_may_sink() -> None:
     slow = COMMAND_LIMITS._replace(vertical_speed_max=0.1)
-    level = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+    level = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     assert gated(level, False, int(SafetyCode.DESCEND), True, slow).vz == -0.1
     assert not gated(level, False, int(SafetyCode.DESCEND), False, slow).flown
 

@@ -101,6 +101,19 @@ def lying(speed: float = 0.0, z: float = 0.06) -> Change:
     return now(position=(5.0, 2.0, z), phase=Phase.LANDING, telemetry=still)
 
 
+def taking_off(aside: float, z: float) -> Change:
+    """It takes off and is so far aside, drifting at 0.1 m/s, so high by tracking and by itself."""
+    report = replace(REPORT, status=DroneStatus.TAKING_OFF, height=z - 0.05)
+    return now(
+        status=DroneStatus.TAKING_OFF,
+        phase=Phase.TAKING_OFF,
+        position=(5.0 + aside, 2.0, z),
+        velocity=(0.1, 0.0, 0.2),
+        reference=None,
+        telemetry=report,
+    )
+
+
 CONFIGURED_LATE = told(configured=False)
 DAWDLING = now(flown=Setpoint(theta=0.12))
 
@@ -163,11 +176,9 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "tracking_height_off": (seen(height_error=0.31), seen(height_error=0.29), 0.0),
     "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
     "too_high": (at(2.31), at(2.3), 0.0),
-    "take_off_drift": (
-        now(status=DroneStatus.TAKING_OFF, position=(5.21, 2.0, 0.5), velocity=(0.4, 0.0, 0.0)),
-        now(status=DroneStatus.TAKING_OFF, position=(5.19, 2.0, 0.5), velocity=(0.4, 0.0, 0.0)),
-        0.0,
-    ),
+    "take_off_drift": (taking_off(0.09, 0.15), taking_off(0.07, 0.15), 0.0),
+    "take_off_aborted": (taking_off(0.12, 0.1), taking_off(0.12, 0.18), 0.0),
+    "blown_about": (now(velocity=(0.2, 0.0, 0.0)), now(velocity=(0.0, -0.14, 0.0)), 3.4),
     "too_low": (at(0.29), at(0.31), 0.0),
     "height_error": (at(1.51), at(1.49), 0.0),
     "height_not_reached": (at(0.84), at(0.86), 0.0),

@@ -22,15 +22,12 @@ from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.steered_landing import LAST_HEIGHT, sink_height
 
 GUIDED_DISTANCE = 4.0
 """In mode paper the pilot sinks itself with somebody nearer than this [m]: the drone's own landing
 takes 3 s.
 """
-LAST_HEIGHT = 0.45
-"""From here the drone lands by itself [m]."""
-SINK_LEAD = 0.33
-"""The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
 GAP_TIME = 0.3
 """Something stands below when the heights disagree for this long [s]."""
 ON_GOAL = 0.3
@@ -140,7 +137,7 @@ class LandingMonitor:
             goal = commander.state.mission.goal
             is_there = goal is not None and distance(goal, (x, y)) < ON_GOAL
             commander.hold_at(goal if goal is not None and is_there else (x, y), vehicle)
-        commander.descend_to(max(LAST_HEIGHT, z - SINK_LEAD))
+        commander.descend_to(sink_height(z))
         self._sinking = commander.task
         return True
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Order, OrderKind
@@ -132,10 +133,20 @@ ORDER_CHECKS: tuple[OrderCheck, ...] = (
     ),
     (
         lambda _, c, limits: c.response in MOVING_RESPONSES and c.pose_age > limits.pose_age_level,
-        lambda _, __: "tracking does not see the drone",
+        lambda c, limits: _unseen(c.pose_age, limits.pose_age_level),
     ),
 )
 """Rules in order of what to say first: (is it forbidden, why)."""
+
+
+def _unseen(pose_age: float, limit: float) -> str:
+    """Return why nothing moves: the drone was never seen, or how old the newest pose is [s]."""
+    if not isfinite(pose_age):
+        return "tracking does not see the drone"
+    return (
+        f"tracking shows the drone as it was {pose_age:.2f} s ago (limits.pose_age_level:"
+        f" {limit:g} s); housefly gains says which limit slow tracking needs"
+    )
 
 
 def refusal(order: Order, context: OrderContext, limits: LimitsConfig) -> Refused | None:

@@ -182,7 +182,8 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         lambda i: _age(i.vehicle.pose_age),
         lambda i: f"at most {i.limits.pose_age_level:g} s ago",
         "it flies by where tracking sees it",
-        "look at the tracking system: is it running, does it stream the body under this name?",
+        "look at the tracking system: is it running, does it stream the body under this name? if it"
+        " is only slow, housefly gains says which limits.pose_age_level it needs",
     ),
     PreflightRule(
         "tracked_height",

@@ -65,7 +65,10 @@ def paper_tilt(ax: float, ay: float, facing: float, gain: float) -> tuple[float,
 
 @compiled
 def saturated_jointly(theta: float, phi: float, bound: float) -> tuple[float, float]:
-    """Return the pair scaled to a length of at most ``bound`` [rad]: its direction is kept."""
+    """Return the pair scaled to a length of at most ``bound`` [rad].
+
+    The push keeps its direction to 0.8 deg up to 4 m/s^2: angles are scaled, not accelerations.
+    """
     length = sqrt(theta * theta + phi * phi)
     if length <= bound:
         return theta, phi

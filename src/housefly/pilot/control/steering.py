@@ -69,6 +69,7 @@ class ControlOutput(NamedTuple):
         theta, phi: pitch and roll [rad].
         vz, yaw_rate: [m/s, rad/s].
         wish: how far the law would have tilted without its limit [rad].
+        ax, ay: acceleration that the law demands in the plane, before any limit [m/s^2].
     """
 
     theta: float
@@ -76,6 +77,12 @@ class ControlOutput(NamedTuple):
     vz: float
     yaw_rate: float
     wish: float
+    ax: float
+    ay: float
+
+
+AT_REST = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""Nothing is asked."""
 
 
 @compiled
@@ -89,7 +96,8 @@ def control_output(aim: ControlReference, where: ControlState, gains: Gains) -> 
     theta, phi = tilt(ax, ay, where.yaw, gains.gain)
     wish = sqrt(theta * theta + phi * phi)
     theta, phi = saturated_jointly(theta, phi, gains.tilt_max)
-    return ControlOutput(theta, phi, _climb(aim, where, gains), _turn(aim, where, gains), wish)
+    climb, turn = _climb(aim, where, gains), _turn(aim, where, gains)
+    return ControlOutput(theta, phi, climb, turn, wish, ax, ay)
 
 
 @compiled
@@ -98,11 +106,11 @@ def paper_control_output(
 ) -> ControlOutput:
     """Return what mode paper asks in a state of the acceptor: its own axis only."""
     if state == AcceptorState.ALTITUDE_CONTROL:
-        return ControlOutput(0.0, 0.0, _climb(aim, where, gains), 0.0, 0.0)
+        return ControlOutput(0.0, 0.0, _climb(aim, where, gains), 0.0, 0.0, 0.0, 0.0)
     if state == AcceptorState.YAW_CONTROL:
-        return ControlOutput(0.0, 0.0, 0.0, _turn(aim, where, gains), 0.0)
+        return ControlOutput(0.0, 0.0, 0.0, _turn(aim, where, gains), 0.0, 0.0, 0.0)
     if state != AcceptorState.PATH_TRACKING:
-        return ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0)
+        return AT_REST
     ax = demand(
         aim.position[0] - where.position[0], -where.velocity[0], 0.0, gains.alpha, gains.beta
     )
@@ -113,7 +121,7 @@ def paper_control_output(
     theta, phi = paper_tilt(ax, ay, facing, gains.gain)
     wish = max(abs(theta), abs(phi))
     theta, phi = clipped_per_axis(theta, phi, gains.tilt_max)
-    return ControlOutput(theta, phi, 0.0, 0.0, wish)
+    return ControlOutput(theta, phi, 0.0, 0.0, wish, ax, ay)
 
 
 @compiled

@@ -310,7 +310,10 @@ def estimator_commanded(
     uy: float,
     flown: bool,
 ) -> EstimatorState:
-    """Return the state under a world acceleration [m/s^2], or the drone's own hover."""
+    """Return the state under a commanded world acceleration [m/s^2], or the drone's own hover.
+
+    The drone reaches c / lambda of it; both filters expect that.
+    """
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
         command_recorded(state.delay_filter, history, ux, uy, flown)
         return state
@@ -318,7 +321,9 @@ def estimator_commanded(
         gate=state.gate,
         height_yaw=state.height_yaw,
         delay_filter=state.delay_filter,
-        paper_filter=paper_filter_commanded(state.paper_filter, ux, uy, flown),
+        paper_filter=paper_filter_commanded(
+            state.paper_filter, params.model.gain * ux, params.model.gain * uy, flown
+        ),
         sample=state.sample,
     )
 

@@ -175,6 +175,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         ),
         after=BATTERY_DEBOUNCE,
         clears=Clearing.GROUND,
+        steered=True,
     ),
     SafetyRule(
         code="loop_stalled",

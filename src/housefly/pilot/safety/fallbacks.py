@@ -7,10 +7,13 @@ drone is on the floor or must be.
 
 from __future__ import annotations
 
+from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.drone_faults import DEAF_SONAR
+from housefly.pilot.behavior.steered_landing import LAST_HEIGHT
 from housefly.pilot.safety.drone_rules import lies_on_floor
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
+from housefly.pilot.safety.observer import control_error
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.tracking_rules import seems_low
 
@@ -18,12 +21,31 @@ DESCENT_MARGIN = 3.0
 """A descent takes no longer than from the ceiling at ``DESCENT_RATE``, and so much more [s]."""
 
 
-def knows_way_home(c: RuleContext) -> bool:
-    """Return whether the drone can be flown home: a way, and a place to believe."""
+STEERED_MAX = 8.0
+"""A landing that the pilot steers has to be near the floor after this [s]."""
+STEERED_ERROR_MAX = 0.4
+"""Farther from its spot than this the pilot does not steer what it believes to steer [m]."""
+
+
+def knows_place(c: RuleContext) -> bool:
+    """Return whether there is a fresh place to believe."""
     known = c.now.consistency
     is_believed = known.refused_for == 0.0 and not (seems_low(c) or known.mirrored)
-    is_fresh = not too_old(c.now.pose_age, c.limits.pose_age_level)
-    return c.now.has_way_home and is_fresh and is_believed
+    return is_believed and not too_old(c.now.pose_age, c.limits.pose_age_level)
+
+
+def knows_way_home(c: RuleContext) -> bool:
+    """Return whether the drone can be flown home: a way, and a place to believe."""
+    return c.now.has_way_home and knows_place(c)
+
+
+def can_steer_landing(c: RuleContext) -> bool:
+    """Return whether the pilot can still steer a landing; the last bit is the drone's own."""
+    is_flying = c.now.status is DroneStatus.FLYING and c.now.position is not None
+    is_high = c.now.position is not None and c.now.position[2] > LAST_HEIGHT + 0.05
+    is_in_time = c.seen.landing_for < STEERED_MAX and not c.seen.late_steps
+    is_near = control_error(c.now) < STEERED_ERROR_MAX
+    return is_flying and is_high and is_in_time and is_near and knows_place(c)
 
 
 def knows_height(c: RuleContext) -> bool:

@@ -7,14 +7,14 @@ it stands; then nothing moves without a fresh order.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 from housefly.config.limits import LimitsConfig
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus
 from housefly.messages.steering import Action, Command, SafetyMode, Setpoint
-from housefly.pilot.safety.fallbacks import possible_mode
+from housefly.pilot.safety.fallbacks import can_steer_landing, possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.observer import FlightObserver
@@ -25,6 +25,7 @@ A, M = Action, SafetyMode
 
 _FLOWN = {A.RESET: A.HOVER}
 _HELD = {A.FLY: A.HOVER, A.TAKE_OFF: A.HOVER, A.RESET: A.HOVER}
+_LANDINGS = (M.LAND, M.DESCEND)
 _LANDED = dict.fromkeys((A.FLY, A.HOVER, A.TAKE_OFF, A.IDLE, A.RESET), A.LAND)
 
 AIRBORNE_ACTIONS: dict[SafetyMode, dict[Action, Action]] = {
@@ -67,11 +68,13 @@ class BrokenRule:
         code: of the rule.
         mode: what is done about it, knowledge permitting.
         words: for people.
+        steered: the pilot steers the landing.
     """
 
     code: str
     mode: SafetyMode
     words: str
+    steered: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +98,16 @@ class GateAssessment:
     def airborne(self) -> bool:
         """Whether the propellers carry the drone, by its last word."""
         return self.status in AIRBORNE_STATUSES
+
+    @property
+    def steered(self) -> bool:
+        """Whether the pilot steers the landing that is under way."""
+        return self.mode is SafetyMode.LAND and any(rule.steered for rule in self.broken[:1])
+
+    @property
+    def severity(self) -> int:
+        """What the compiled gate is told: a landing that is steered is flown."""
+        return MODE_SEVERITY[SafetyMode.RETURN if self.steered else self.mode]
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,16 +175,31 @@ class Gate:
         broken = self._broken(context)
         if inputs.status in (DroneStatus.LANDED, DroneStatus.EMERGENCY):
             self._landing = None
-        elif broken and broken[0].mode in (SafetyMode.LAND, SafetyMode.DESCEND):
-            self._landing = broken[0]
-        elif self._landing is not None:
-            broken = self._with_landing(broken, self._landing, context)
+        else:
+            broken = self._land(broken, context)
         worst = broken[0] if broken else None
         self._returning = worst is not None and worst.mode is SafetyMode.RETURN
         self._held = any(rule.mode is SafetyMode.HOLD for rule in broken)
         if worst is None:
             return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
         return GateAssessment(worst.mode, worst.code, worst.words, inputs.status, broken)
+
+    def _land(self, broken: tuple[BrokenRule, ...], c: RuleContext) -> tuple[BrokenRule, ...]:
+        """Begin a landing, or keep one; once the pilot cannot steer it, the drone lands itself."""
+        due = [rule for rule in broken if rule.mode in _LANDINGS]
+        before = self._landing
+        landing = due[0] if broken and broken[0] in due else before
+        if landing is None:
+            return broken
+        is_steered = all(rule.steered for rule in (landing, *due, *filter(None, (before,))))
+        landing = replace(landing, steered=is_steered and can_steer_landing(c))
+        self._landing = landing
+        if landing.code not in (rule.code for rule in due):
+            landing = replace(landing, mode=possible_mode(SafetyMode.LAND, c))
+        others = (rule for rule in broken if rule.code != landing.code)
+        return tuple(
+            sorted((landing, *others), key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True)
+        )
 
     def _context(self, inputs: GateInputs) -> RuleContext:
         seen = self._observer.observe(inputs, self._held, self.landing)
@@ -181,22 +209,13 @@ class Gate:
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
         counted = [counts(context) for counts in COUNTED.values()]
         found = [
-            BrokenRule(rule.code, possible_mode(rule.mode, context), rule.words(context))
+            BrokenRule(
+                rule.code, possible_mode(rule.mode, context), rule.words(context), rule.steered
+            )
             for rule, kind in self._rules
             if self._is_broken(rule, counted[kind], context)
         ]
         return tuple(sorted(found, key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True))
-
-    def _with_landing(
-        self, broken: tuple[BrokenRule, ...], landing: BrokenRule, context: RuleContext
-    ) -> tuple[BrokenRule, ...]:
-        """Return what is broken with a landing that is under way, whatever began it."""
-        mode = possible_mode(SafetyMode.LAND, context)
-        kept = BrokenRule(landing.code, mode, landing.words)
-        others = (rule for rule in broken if rule.code != landing.code)
-        return tuple(
-            sorted((*others, kept), key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True)
-        )
 
     def _is_broken(self, rule: SafetyRule, counts: bool, context: RuleContext) -> bool:
         now = context.now.now
@@ -218,15 +237,22 @@ def released(action: Action, gated: GatedCommand, assessment: GateAssessment) ->
         assessment: what the rules found in this step.
     """
     mode, code, reason = assessment.mode, assessment.code, assessment.reason
-    if gated.mode != MODE_SEVERITY[mode]:
+    is_finite = gated.mode == assessment.severity
+    if assessment.steered and action is Action.FLY and is_finite and gated.flown:
+        return GateVerdict(_flown(gated), mode, code, reason, assessment.broken)
+    if not (is_finite or assessment.steered):
         mode, code = SafetyMode.HOLD, "not_finite"
         reason = "the command was not a number: the drone holds itself"
     allowed = _allowed(action, mode, assessment)
     broken = assessment.broken
     if allowed is not Action.FLY:
         return GateVerdict(Command(allowed), mode, code, reason, broken)
+    return GateVerdict(_flown(gated), mode, code, reason, broken)
+
+
+def _flown(gated: GatedCommand) -> Command:
     setpoint = Setpoint(gated.theta, gated.phi, gated.vz, gated.yaw_rate)
-    return GateVerdict(Command(allowed, setpoint), mode, code, reason, broken)
+    return Command(Action.FLY, setpoint)
 
 
 def _allowed(action: Action, mode: SafetyMode, assessment: GateAssessment) -> Action:

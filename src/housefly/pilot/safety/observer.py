@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import exp, hypot, inf, isfinite, nan
+from math import dist, exp, hypot, inf, isfinite, nan, sqrt
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
@@ -21,12 +21,28 @@ SETTLING_TIME = 0.5
 """After old poses or late steps the estimated velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
 """How far back holding is added up [s]."""
+VELOCITY_ERROR_SPAN = 4.0
+"""Time constant of the mean square of the velocity error [s]."""
 LATE_SPAN = 1.0
 """How far back late steps are counted [s]."""
 LATE_STEP = 0.05
 """A step later than this is a late one [s]."""
 STEP_MAX = 0.1
 """A step counts for no more than this [s]."""
+
+
+def control_error(now: GateInputs) -> float:
+    """Return how far the drone is from where it should be, in the plane [m]; 0 where unknown."""
+    if now.reference is None or now.position is None:
+        return 0.0
+    return dist(now.position[:2], now.reference.position[:2])
+
+
+def velocity_error(now: GateInputs) -> float:
+    """Return how much the velocity differs from the wanted one [m/s]; 0 where unknown."""
+    if now.reference is None or now.velocity is None or now.flown is None:
+        return 0.0
+    return dist(now.velocity[:2], now.reference.velocity[:2])
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +57,7 @@ class FlightObservations:
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
         velocity_change: within ``VELOCITY_SPAN``, in the plane [m/s].
+        velocity_error: rms off the wanted velocity, over ``VELOCITY_ERROR_SPAN`` [m/s].
         held_for: how long it was held in the last ``HOLD_SPAN`` [s].
         late_steps: how many steps of the last ``LATE_SPAN`` were late.
         landing_for: how long a landing has been wanted [s].
@@ -53,6 +70,7 @@ class FlightObservations:
     tilt_asked: float = nan
     tilt_error: float = nan
     velocity_change: float = 0.0
+    velocity_error: float = 0.0
     held_for: float = 0.0
     late_steps: int = 0
     landing_for: float = 0.0
@@ -75,6 +93,7 @@ class FlightObserver:
         self._start: Vec2 | None = None
         self._asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
+        self._error_squared = 0.0
         self._steady = Stopwatch()
         self._held: Window[float] = Window(HOLD_SPAN)
         self._late: Window[float] = Window(LATE_SPAN)
@@ -100,6 +119,7 @@ class FlightObserver:
             tilt_asked=hypot(*self._asked) if self._asked else nan,
             tilt_error=self._tilt_error(inputs),
             velocity_change=self._velocity_change(inputs),
+            velocity_error=self._velocity_error(inputs, dt),
             held_for=self._held_for(now, dt if held and inputs.airborne else 0.0),
             late_steps=self._late_steps(inputs),
             landing_for=self._landing.update(wants_down, now),
@@ -149,6 +169,16 @@ class FlightObserver:
         self._velocities.add(inputs.now, (vx, vy))
         before_x, before_y = self._velocities.values(inputs.now)[0]
         return hypot(vx - before_x, vy - before_y)
+
+    def _velocity_error(self, inputs: GateInputs, dt: float) -> float:
+        """Return the rms velocity error of this flight; it rests while the drone flies itself."""
+        error = velocity_error(inputs)
+        if not inputs.airborne:
+            self._error_squared = 0.0
+        elif inputs.cruising and inputs.flown is not None and isfinite(error):
+            share = 1.0 - exp(-dt / VELOCITY_ERROR_SPAN)
+            self._error_squared += share * (error * error - self._error_squared)
+        return sqrt(self._error_squared)
 
     def _held_for(self, now: float, dt: float) -> float:
         if dt:

@@ -65,6 +65,7 @@ class SafetyRule:
         after: it counts once it was wrong for this long [s].
         lasts: it goes on counting for this long [s].
         clears: what ends it; that of its mode where none is given.
+        steered: the pilot may steer the landing, because what is wrong is not what it knows.
     """
 
     code: str
@@ -76,6 +77,7 @@ class SafetyRule:
     after: float = 0.0
     lasts: float = 0.0
     clears: Clearing = Clearing.ITSELF
+    steered: bool = False
 
 
 COUNTED: dict[Counting, Callable[[RuleContext], bool]] = {
