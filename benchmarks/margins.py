@@ -1,4 +1,6 @@
-"""Margins that the gain advisor predicts, beside the edge that the batch engine finds by flying."""
+"""Margins that the gain advisor promises, beside the edges that flights find: of the batch engine,
+and of the simulated room (MuJoCo) in lock step.
+"""
 
 from __future__ import annotations
 
@@ -9,19 +11,28 @@ from math import sqrt
 import numpy as np
 
 from _run import table
+from housefly.app.loaded_site import LoadedSite, load_site
+from housefly.app.public.gains import choose_gains, judge_gains
+from housefly.app.stability_flight import hover_swing, nearest_periods, with_more_delay
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
-from housefly.lab.tuning.advice import GainQuestion, advise
+from housefly.lab.tuning.advice import Advice, GainQuestion, advise
 from housefly.lab.tuning.loop import Loop
 from housefly.lab.tuning.margins import delay_margin, gain_margin
+from housefly.lab.tuning.question import question_of
+from housefly.lab.tuning.site_lines import site_lines
 from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 
 STEP = 0.02
 TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))
 LAGS = (5.0, 7.0, 10.0)
 DRONES = 6
+ROOM_TRACKING = (
+    (100.0, 0.02), (100.0, 0.1), (50.0, 0.02), (50.0, 0.05), (10.0, 0.02), (10.0, 0.1), (5.0, 0.1),
+)  # fmt: skip
 
 
 def settles(loop: Loop, **truth: float) -> bool:
@@ -46,6 +57,64 @@ def edge(loop: Loop, column: str, inside: float, outside: float) -> float:
             (middle, outside) if settles(loop, **{column: middle}) else (inside, middle)
         )
     return 0.5 * (inside + outside)
+
+
+def advised(rate: float, latency: float) -> tuple[LoadedSite, Advice]:
+    """Return the simulated room with the gains and limits advised for a tracking system."""
+    tracking = {"twin__mocap_rate_hz": rate, "twin__mocap_latency": latency}
+    loaded = load_site("bsen", **tracking)
+    advice = choose_gains(loaded)
+    assert advice is not None
+    lines = site_lines(advice, question_of(loaded.site), loaded.site, {})
+    keys = {f"{table}__{key}": value for table, row in lines.items() for key, value in row.items()}
+    return load_site("bsen", **(tracking | keys)), advice
+
+
+def flown_delay_edge(loaded: LoadedSite, promised: float) -> float:
+    """Return the middle between the longest further delay that a hover holds and the next one [s].
+
+    The firmware runs every 5 ms, so delays are multiples of that.
+    """
+    extra, _ = nearest_periods(promised)
+    holds = hover_swing(with_more_delay(loaded, extra)).dies_away
+    step = CONTROL_PERIOD if holds else -CONTROL_PERIOD
+    while hover_swing(with_more_delay(loaded, extra + step)).dies_away is holds:
+        extra += step
+    return extra + 0.5 * step
+
+
+def print_flown_in_the_room() -> None:
+    rows, worst = [], 0.0
+    for rate, latency in ROOM_TRACKING:
+        loaded, advice = advised(rate, latency)
+        shipped = load_site(
+            "bsen",
+            twin__mocap_rate_hz=rate,
+            twin__mocap_latency=latency,
+            limits__pose_age_level=loaded.site.limits.pose_age_level,
+        )
+        for name, site, judgement in (
+            ("advised", loaded, advice.judgement),
+            ("shipped", shipped, judge_gains(shipped)),
+        ):
+            promised = judgement.margins.delay
+            flown = flown_delay_edge(site, promised)
+            worst = max(worst, abs(promised / flown - 1.0))
+            pair = f"{judgement.loop.alpha:.3g} / {judgement.loop.beta:.3g}"
+            rows.append(
+                (
+                    f"{rate:.0f} Hz, {1000 * latency:.0f} ms", name, pair,
+                    f"{1000 * promised:.0f}", f"{1000 * flown:.0f}", f"{promised / flown:.3f}",
+                )
+            )  # fmt: skip
+    print("\n### Delay margins: promised, and flown in the simulated room\n")
+    headings = ("tracking", "gains", "alpha / beta", "promised [ms]", "flown [ms]", "ratio")
+    print(table(headings, rows))
+    print(
+        "\nHovers in mode default, pushed once; flown is the further delay between the longest at"
+        " which the true swing dies away and the next one, 5 ms longer. Largest difference"
+        f" {100 * worst:.1f} % (limit: 5 %)."
+    )
 
 
 def main() -> None:
@@ -85,6 +154,7 @@ def main() -> None:
         " found by bisection over flights of the nonlinear batch engine. Largest difference"
         f" {100 * worst:.1f} % (limit: 5 %)."
     )
+    print_flown_in_the_room()
     start = time.process_time()
     advice = advise(
         GainQuestion(replace(Loop(1.0, 0.25, 7.0, 0.06), tracking_hz=30.0, latency=0.05))

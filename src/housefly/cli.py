@@ -10,6 +10,7 @@ import sys
 from contextlib import suppress
 
 from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_COMMAND, WHERE_COMMAND
+from housefly.app.commands.ask_state import IS_COMMAND, NIGHTS_COMMAND, WHO_COMMAND
 from housefly.app.commands.campaign import CAMPAIGN_COMMAND
 from housefly.app.commands.cert import CERT_COMMAND
 from housefly.app.commands.doctor import DOCTOR_COMMAND
@@ -17,6 +18,7 @@ from housefly.app.commands.fly import FLY_COMMAND
 from housefly.app.commands.gains import GAINS_COMMAND
 from housefly.app.commands.identify import IDENTIFY_COMMAND
 from housefly.app.commands.memory import MEMORY_COMMANDS
+from housefly.app.commands.new import NEW_COMMAND
 from housefly.app.commands.plan import PLAN_COMMAND
 from housefly.app.commands.preflight import PREFLIGHT_COMMAND
 from housefly.app.commands.replay import REPLAY_COMMAND
@@ -30,6 +32,7 @@ from housefly.errors import ConfigError, HouseflyError
 
 _COMMANDS = (
     DEMO_COMMAND,
+    NEW_COMMAND,
     RUN_COMMAND,
     FLY_COMMAND,
     PREFLIGHT_COMMAND,
@@ -39,6 +42,9 @@ _COMMANDS = (
     IDENTIFY_COMMAND,
     GAINS_COMMAND,
     WHERE_COMMAND,
+    IS_COMMAND,
+    WHO_COMMAND,
+    NIGHTS_COMMAND,
     HISTORY_COMMAND,
     WATCH_COMMAND,
     SENSORS_COMMAND,
@@ -53,6 +59,7 @@ _COMMANDS = (
 
 EPILOG = """examples:
   housefly demo                            fly the simulated room, with a console in the browser
+  housefly new mylab                       describe a room of your own; writes its site file
   housefly fly entrance --headless         fly the whole service over real wires, \
 record it, write a report
   housefly fly sofa --headless --lockstep  the same on a stepped clock, as fast as the machine can

@@ -1,9 +1,51 @@
-"""The changes that make the demo lively are those of a site that can be loaded."""
+"""What makes the demo lively is added to a site; what the site has of its own stays."""
 
 from __future__ import annotations
 
-from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import load_site
+from argparse import Namespace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from housefly.app.commands.shared import load
+from housefly.app.lively import lively_changes, lively_site
+from housefly.app.loaded_site import load_site, read_site
+from housefly.errors import ConfigError
+from housefly.hub.things_of_room import catalogue_of
+
+_OWN = """
+name = "Own"
+[hub]
+things = "my_things.toml"
+[mqtt]
+broker = "127.0.0.9"
+[[mqtt.tags]]
+tag = "E200-0001"
+thing = "my-mug"
+[[lasers]]
+name = "mine"
+x = 5.0
+y = 1.0
+z = 0.85
+"""
+_THINGS = """
+[[thing]]
+id = "keys"
+name = "my keys"
+position = [1.0, 4.0, 0.9]
+[[thing]]
+id = "cup"
+name = "grandma's cup"
+"""
+
+
+@pytest.fixture
+def own(tmp_path: Path) -> Path:
+    """A site with things, a tag, a broker and a scanner of its own."""
+    (tmp_path / "own.toml").write_text(_OWN)
+    (tmp_path / "my_things.toml").write_text(_THINGS)
+    return tmp_path / "own.toml"
 
 
 def test_every_scanner_hangs_in_the_room_above_beds_and_chairs_and_below_the_drone() -> None:
@@ -16,7 +58,44 @@ def test_every_scanner_hangs_in_the_room_above_beds_and_chairs_and_below_the_dro
 
 
 def test_somebody_lives_there_and_the_broker_is_its_own() -> None:
-    site = load_site("bsen", **lively_changes()).site
+    site, words = lively_site(read_site("bsen"))
     assert site.twin.scene == "bsen"
     assert site.mqtt.start and site.mqtt.broker == "127.0.0.1"
     assert load_site("bsen").site.twin.scene != "bsen"
+    assert "added the people and things of the scene bsen" in words and "own" not in words
+
+
+def test_a_site_keeps_its_own_and_is_told_what_was_added(own: Path, capsys: Any) -> None:
+    loaded = load(Namespace(site=str(own), mode=None, lively=True))
+    told = " ".join(capsys.readouterr().out.split())
+    things = {one.id: one.name for one in catalogue_of(loaded.site, loaded.room, own.parent)}
+    assert things["keys"] == "my keys" and things["cup"] == "grandma's cup"
+    assert things["person-1"] == "the resident"
+    assert [laser.name for laser in loaded.site.lasers] == ["mine"]
+    assert (loaded.site.mqtt.broker, loaded.site.mqtt.start) == ("127.0.0.9", False)
+    tags = {row.tag: row.thing for row in loaded.site.mqtt.tags}
+    assert tags["E200-0001"] == "my-mug" and tags["E200-0002"] == "tea-bottle"
+    assert "added the people and things of the scene bsen" in told
+    for kept in ("the broker 127.0.0.9", "the scanners mine", "my_things.toml"):
+        assert kept in told
+
+
+def test_a_scene_of_its_own_stays(own: Path) -> None:
+    (own.parent / "scene.toml").write_text('name = "Nobody"\n')
+    own.write_text('[twin]\nscene = "scene.toml"\n')
+    site, words = lively_site(read_site(str(own)))
+    assert site.twin.scene.endswith("scene.toml") and "scene.toml" in words
+
+
+def test_another_room_is_refused_with_what_to_do(own: Path) -> None:
+    room = own.parent / "cellar"
+    room.mkdir()
+    own.write_text('[room]\nmodel = "cellar"\n')
+    with pytest.raises(ConfigError, match=r"--lively.*'bsen'.*'cellar'.*\[twin\] scene"):
+        lively_site(read_site(str(own)))
+
+
+def test_a_site_with_real_hardware_is_refused(own: Path) -> None:
+    own.write_text("[twin]\nenabled = false\n[drone]\naddress = '192.168.1.1'\n")
+    with pytest.raises(ConfigError, match=r"--lively.*enabled = false"):
+        lively_site(read_site(str(own)))

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from PIL import Image
 
 from housefly.config.site import changed, site_from_file
@@ -13,8 +16,10 @@ from housefly.errors import RoomError
 from housefly.room.bsen import bsen
 from housefly.room.draw import draw_room, text_map
 from housefly.room.grid import build_grid
+from housefly.room.model import Place
 
 SITE = site_from_file(Path(__file__).parents[2] / "src" / "housefly" / "sites" / "bsen.toml")
+GRID = build_grid(bsen(), SITE)
 
 
 @pytest.mark.parametrize("mode", ["default", "paper"])
@@ -53,3 +58,34 @@ def test_the_text_map_fits_a_terminal_and_names_every_place(mode: str) -> None:
     assert "E" in text
     assert "H" in text
     assert "v" in text
+
+
+@pytest.mark.parametrize(
+    ("mode", "scale"), [("default", "0.2 m across, 0.4"), ("paper", "0.5 m across, 0.5")]
+)
+def test_the_text_map_says_how_large_a_character_is(mode: str, scale: str) -> None:
+    grid = build_grid(bsen(), changed(SITE, mode=mode))
+    text = text_map(bsen(), grid)
+    assert f"one character: {scale} m up" in text
+    rows = text.split("\n\n")[0].splitlines()
+    across = float(scale.split()[0])
+    width = grid.resolution * grid.shape[0]
+    assert max(map(len, rows)) * across == pytest.approx(width, abs=3 * across)
+
+
+@given(
+    st.lists(
+        st.sampled_from(["home", "table", "tv", "tea", "vent", "1", "e t", "хата", "h"]),
+        unique=True,
+    )
+)
+def test_no_two_places_share_a_sign_and_home_is_h(names: list[str]) -> None:
+    places = tuple(
+        Place(name, (10.5 + 0.3 * i, 1.2), (0.0, 0.0, 0.0)) for i, name in enumerate(names)
+    )
+    legend = text_map(replace(bsen(), places=places), GRID).splitlines()[-1] if names else ""
+    entries = (entry.split(" ", 1) for entry in legend.split("  ") if entry)
+    signs = {name: sign for sign, name in entries}
+    assert sorted(signs) == sorted(names)
+    assert len(set(signs.values())) == len(names)
+    assert signs.get("home", "H") == "H"

@@ -72,7 +72,7 @@ async def test_a_state_that_the_broker_kept_is_told_as_such_and_is_no_sign_of_li
             assert dict(seen.facts)["retained"] is True
             health = heard.health("entrance-door")
             assert not health.connected
-            assert health.problem == "not heard yet; a door sends its state at least every 60 s"
+            assert health.problem == "not heard yet; it sends its state at least every 60 s"
 
 
 async def test_a_broker_that_is_killed_and_comes_back_is_found_again(broker, listen, until):
@@ -207,9 +207,7 @@ async def test_a_device_that_freezes_grows_old_and_its_health_says_so(broker, li
         await until(lambda: not heard.health("floor-1").connected)
         health = heard.health("floor-1")
         assert health.age > 2.0
-        assert health.problem.startswith(
-            "silent for 2 s; a floor sends its state at least every 1 s"
-        )
+        assert health.problem.startswith("silent for 2 s; it sends its state at least every 1 s")
 
 
 async def test_a_device_that_vanishes_leaves_its_last_will_and_is_back_when_it_speaks(

@@ -53,8 +53,11 @@ async def test_a_whole_afternoon_is_heard_as_it_happens(broker, listen, until):
         assert kinds.count("bell pressed") == 1
         taken = next(told for told in heard.events if told.kind == "object taken")
         assert (taken.thing, taken.source) == ("cup", "cabinet")
+        watts = [dict(row.facts)["power"] for row in heard.observations if row.thing == "stove"]
+        assert min(watts) < 20.0 and max(watts) == pytest.approx(1420.0, abs=30.0)
         assert {row.kind for row in heard.sensors.health()} == {
             "mqtt", "floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion",
+            "power", "contact",
         }  # fmt: skip
         assert all("malformed" not in dict(row.counts) for row in heard.sensors.health())
 
@@ -88,7 +91,7 @@ async def test_the_devices_find_a_broker_that_comes_back_and_leave_their_wills(
         await playing.stop()
         await until(lambda: heard.health("floor-1").problem)
         assert (
-            "floor" in heard.health("floor-1").problem
+            "sends its state" in heard.health("floor-1").problem
             or "offline" in heard.health("floor-1").problem
         )
 

@@ -115,6 +115,21 @@ def test_our_client_asks_everything(room: Room, client: RoomClient) -> None:
     assert client.memory() == "all is kept"
 
 
+def test_states_people_and_nights_are_answered_over_http_too(
+    room: Room, client: RoomClient
+) -> None:
+    now = time.time()
+    room.memory.add(Observation("stove", "stove", now - 3.0, now, facts=(("power", 1420.0),)))
+    answer = client.state("stove", "on")
+    assert (answer.answer, answer.sources) == ("yes", ("stove",))
+    assert answer.words.startswith("Yes: the stove draws 1 420 W, ")
+    assert client.state("stove", "off").answer == "no"
+    with pytest.raises(WireError, match=r"state is 'boiling'; allowed here: on, "):
+        client.state("stove", "boiling")
+    assert client.people() == ()
+    assert client.nights(now - 86400.0) == ()
+
+
 def test_refusals_are_the_errors_that_they_are(room: Room, client: RoomClient) -> None:
     with pytest.raises(ThingError, match="cup"):
         client.where("cupp")
@@ -172,7 +187,7 @@ def test_a_bad_parameter_is_named(room: Room, query: str) -> None:
 def test_a_strangers_fuzzer_finds_nothing_that_the_document_does_not_say(room: Room) -> None:
     schema = schemathesis.openapi.from_url(f"{room.address}/api/v1/openapi.json")
     operations = [result.ok() for result in schema.get_all_operations()]
-    assert len(operations) == 8
+    assert len(operations) == 11
     for operation in operations:
         fuzz(operation, room.address)
 

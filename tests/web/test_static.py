@@ -11,15 +11,22 @@ import pytest
 
 from housefly.web.page_routes import STATIC_FOLDER
 
+CONSOLE = ("index.html", "app.js", "app.css", "favicon.svg")
 LIMIT = 118_000
 """100 kB, 12 kB for editing, 1 kB for furniture that moves, 5 kB for the pre-flight checks."""
+NEW_PAGE = ("new.html", "new.js", "new.css")
+NEW_PAGE_LIMIT = 84_000
+"""The page of `housefly new`: 25 kB of it are what the console has too."""
 
 
-def test_the_whole_console_is_smaller_than_118_kilobytes() -> None:
-    assert (
-        sum(file.stat().st_size for file in STATIC_FOLDER.iterdir() if file.name != "LICENSES.txt")
-        < LIMIT
-    )
+@pytest.mark.parametrize(("files", "limit"), [(CONSOLE, LIMIT), (NEW_PAGE, NEW_PAGE_LIMIT)])
+def test_no_page_is_larger_than_allowed(files: tuple[str, ...], limit: int) -> None:
+    assert sum((STATIC_FOLDER / name).stat().st_size for name in files) < limit
+
+
+def test_nothing_is_shipped_that_no_page_loads() -> None:
+    found = {file.name for file in STATIC_FOLDER.iterdir()}
+    assert found == {*CONSOLE, *NEW_PAGE, "LICENSES.txt"}
 
 
 def test_nothing_in_it_points_to_another_host() -> None:
@@ -30,8 +37,9 @@ def test_nothing_in_it_points_to_another_host() -> None:
         assert found <= {"http://www.w3.org"}, file.name
 
 
-def test_the_page_holds_no_script_and_no_style_of_its_own() -> None:
-    page = (STATIC_FOLDER / "index.html").read_text(encoding="utf-8")
+@pytest.mark.parametrize("name", ["index.html", "new.html"])
+def test_the_page_holds_no_script_and_no_style_of_its_own(name: str) -> None:
+    page = (STATIC_FOLDER / name).read_text(encoding="utf-8")
     assert "style=" not in page and "<style" not in page
     assert re.findall(r"<script[^>]*>(.*?)</script>", page, re.DOTALL) == [""]
 

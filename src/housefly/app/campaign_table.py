@@ -8,7 +8,7 @@ from housefly.app.terminal import console, new_table
 from housefly.lab.campaigns.spec import CampaignSpec
 from housefly.lab.campaigns.summary import SHARES, GridPoint, estimate_text, value_text
 from housefly.lab.experiments.cases import BY_NAME
-from housefly.lab.experiments.outcomes import MEASURES
+from housefly.lab.experiments.outcomes import SUMMARY_MEASURES
 
 _MAX_ROWS = 40
 """Rows that are printed; the others are in the file."""
@@ -18,7 +18,7 @@ _FILE_WIDTH = 140
 
 def print_summary(spec: CampaignSpec, cells: tuple[GridPoint, ...]) -> None:
     """Print the summary of a campaign, one row for each point of its grid."""
-    units = {measure.name: measure.unit for measure in MEASURES} | {
+    units = {measure.name: measure.unit for measure in SUMMARY_MEASURES} | {
         name: BY_NAME[name].unit for name in spec.grid
     }
     table = new_table(())

@@ -10,8 +10,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from housefly.app.browser_video import video_of_the_browser
+from housefly.app.loaded_site import open_site
 from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
+from housefly.errors import HouseflyError
+from housefly.room.edits import reached_from
+from housefly.room.grid import OccupancyGrid
+from housefly.room.model import Place
+from housefly.room.reach import Mask
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
 
@@ -30,7 +36,7 @@ class MachineCheck:
 def check_machine(site: Site) -> tuple[MachineCheck, ...]:
     """Check this machine for a site."""
     checks: tuple[Callable[[Site], MachineCheck], ...] = (
-        _python, _physics, _renderer, _encoder, _browser, _cores, _hardware, _priority,
+        _python, _physics, _renderer, _encoder, _browser, _cores, check_room, _hardware, _priority,
     )  # fmt: skip
     return (*(check(site) for check in checks), *_ports(site))
 
@@ -128,6 +134,31 @@ def _found_at(need: PortNeed) -> str:
     if need.taken:
         return f"taken at {need.address}: {', '.join(need.taken)}"
     return f"free at {need.address}"
+
+
+def check_room(site: Site) -> MachineCheck:
+    """Check that the drone can start in the room of a site and fly to each of its places."""
+    remedy = "move or leave out those places: housefly room show draws the room"
+    try:
+        loaded = open_site(site)
+    except HouseflyError as error:
+        return MachineCheck("room", False, str(error), "mend that file, or: housefly new")
+    reached = reached_from(loaded.grid, loaded.room.home)
+    places = loaded.room.places
+    lost = [place.name for place in places if not _is_marked(loaded.grid, reached, place)]
+    if "home" in lost:
+        found = "the drone cannot start: the pad is too close to something"
+        return MachineCheck("room", False, found, "move the pad: housefly room show draws the room")
+    x_min, y_min, x_max, y_max = loaded.room.bounds
+    found = f"{x_max - x_min:.1f} m x {y_max - y_min:.1f} m, {len(places)} places"
+    if lost:
+        return MachineCheck("room", False, f"{found}; no way leads to {', '.join(lost)}", remedy)
+    return MachineCheck("room", True, f"{found}, a way leads to each")
+
+
+def _is_marked(grid: OccupancyGrid, reached: Mask, place: Place) -> bool:
+    cell = grid.cell_of(place.viewpoint)
+    return grid.contains(cell) and bool(reached[cell])
 
 
 def _hardware(site: Site) -> MachineCheck:

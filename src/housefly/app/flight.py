@@ -26,7 +26,7 @@ _SUMMARY_FIGURES = (
     ("tracked_rms_error_m", "... by tracking", "m", 3),
     ("max_error_m", "largest true error", "m", 3),
     ("arrival_error_m", "true arrival error", "m", 3),
-    ("min_clearance_m", "smallest clearance", "m", 2),
+    ("min_clearance_m", "clearance of the hull", "m", 2),
     ("min_clearance_people_m", "... from people", "m", 2),
     ("landed_error_m", "landed off the pad by", "m", 3),
 )

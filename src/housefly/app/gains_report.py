@@ -6,33 +6,46 @@ from math import degrees
 
 from housefly.app.terminal import console, new_table
 from housefly.lab.tuning.advice import Advice, GainQuestion, Judgement, stiffness_bound
+from housefly.lab.tuning.loop import Loop
 from housefly.lab.tuning.rate_loop import RateLoop
+from housefly.lab.tuning.site_lines import SiteLines, as_toml
+
+_SAME_DELAY = 0.0005
+"""Delays that differ by less are the same [s]."""
 
 
 def print_question(question: GainQuestion, gain: float) -> None:
     """Print drone and tracking system; ``gain`` is the static gain c / lambda."""
     loop = question.loop
     console.print(
-        f"drone: lambda {loop.lag:.3g} 1/s, c/lambda {gain:.3g}, delay {1000 * loop.delay:.0f} ms,"
-        f" drag {loop.drag:.2g} 1/s\ntracking: {loop.tracking_hz:g} Hz, {1000 * loop.latency:.0f}"
-        f" ms late, noise {1000 * question.noise:.2g} mm; filter of mode"
+        f"drone: lambda {loop.lag:.3g} 1/s, c/lambda {gain:.3g}, delay {1000 * loop.delay:.0f} ms"
+        f"{_belief(loop)}, drag {loop.drag:.2g} 1/s\ntracking: {loop.tracking_hz:g} Hz,"
+        f" {1000 * loop.latency:.0f} ms late, noise {1000 * question.noise:.2g} mm; filter of mode"
         f" {'paper' if loop.paper else 'default'}, loop at {loop.rate_hz:g} Hz"
     )
 
 
-def print_advice(advice: Advice, question: GainQuestion) -> None:
-    """Print the chosen gains, their margins, and their lines for a site file."""
+def _belief(loop: Loop) -> str:
+    """Return what the pilot believes of the delay, if that differs."""
+    if loop.paper or loop.model_delay is None or abs(loop.model_delay - loop.delay) < _SAME_DELAY:
+        return ""
+    return f" in all, of which the pilot knows {1000 * loop.model_delay:.0f} ms"
+
+
+def print_advice(advice: Advice, question: GainQuestion, lines: SiteLines) -> None:
+    """Print the chosen gains, their margins, and all that a site file must say for them."""
     print_judgement(advice.judgement, question)
     for name, law in (("K1 (yaw)", advice.yaw), ("K2 (height)", advice.height)):
         console.print(f"{name:<12} {law.gain:.2f} 1/s: {_words(law)}")
-    loop = advice.judgement.loop
     console.print("\nfor the site file:\n")
-    console.print(
-        f"[control]\nalpha = {loop.alpha:.3g}\nbeta = {loop.beta:.4g}\nyaw_gain ="
-        f" {advice.yaw.gain:.3g}\nheight_gain = {advice.height.gain:.3g}\nacceleration_noise ="
-        f" {loop.acceleration_noise:.3g}\nposition_noise = {loop.position_noise:.3g}\n",
-        markup=False,
-    )
+    console.print(f"{as_toml(lines)}\n", markup=False, soft_wrap=True)
+    level = lines.get("limits", {}).get("pose_age_level")
+    if level is not None:
+        console.print(
+            f"tracking this slow needs a longer patience: when it loses the drone, that flies on by"
+            f" its model for {level:g} s, not for less\n",
+            soft_wrap=True,
+        )
 
 
 def _words(law: RateLoop) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
 
-from housefly.app.terminal import ProgressDisplay
+from housefly.app.terminal import ProgressDisplay, console
+
+_LINES = 4
+"""Lines that an output without a terminal gets in place of the bar."""
 
 
 class IdentificationProgress(ProgressDisplay):
-    """Shows how many of the blocks are flown."""
+    """Shows how many of the blocks are flown: a bar on a terminal, elsewhere a line a quarter."""
 
     def __init__(self, blocks: int) -> None:
         super().__init__(
@@ -19,6 +22,7 @@ class IdentificationProgress(ProgressDisplay):
             TimeElapsedColumn(),
         )
         self._task = self._progress.add_task("starting", total=blocks)
+        self._blocks, self._told = blocks, 0
         self._shown: tuple[int, str] | None = None
 
     def show(self, done: int, phase: str) -> None:
@@ -26,3 +30,10 @@ class IdentificationProgress(ProgressDisplay):
         if self._shown != (done, phase):
             self._shown = (done, phase)
             self._progress.update(self._task, completed=done, description=phase)
+            self._tell(done)
+
+    def _tell(self, done: int) -> None:
+        quarter = done * _LINES // self._blocks
+        if quarter > self._told and not console.is_terminal:
+            self._told = quarter
+            console.print(f"{done} of {self._blocks} blocks flown")

@@ -8,6 +8,7 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.app.terminal import console, new_table
 from housefly.config.profile import CONSTANTS
 from housefly.lab.identification.result import Identified
+from housefly.wires.ardrone.command_delay import sending_delay
 
 
 def print_constants(found: Identified, loaded: LoadedSite) -> None:
@@ -23,8 +24,8 @@ def print_constants(found: Identified, loaded: LoadedSite) -> None:
     assert found.tilt is not None
     console.print(
         f"left over: {1000 * found.tilt.angle_noise:.1f} mrad in angle,"
-        f" {1000 * found.tilt.place_noise:.1f} mm in position; the delay holds half of the drone's"
-        " 30 ms command period on average"
+        f" {1000 * found.tilt.place_noise:.1f} mm in position; in the delay, "
+        f"{1000 * sending_delay(loaded.site.control.rate_hz):.0f} ms are waiting for a datagram"
     )
 
 

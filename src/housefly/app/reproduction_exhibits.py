@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
-from housefly.app.reproduction_flights import RecordedService, StepFlight, WireService
+from housefly.app.reproduction_flights import GOAL, RecordedService, demanded_accelerations
 from housefly.app.reproduction_moments import MOMENTS, video_pictures
-from housefly.lab.identification.plots import step_response
+from housefly.app.reproduction_run import Measured
+from housefly.app.reproduction_wires import WireService
 from housefly.lab.reproduction import (
     fig07_grid,
     fig10_acceptor,
@@ -17,51 +17,46 @@ from housefly.lab.reproduction import (
     fig17_service,
     table_plots,
 )
-from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Exhibit
-from housefly.lab.reproduction.fig11_angles import ALPHA, THETA_MAX
 from housefly.lab.reproduction.fig17_service import Moment, drawn_console
 from housefly.messages import Phase
 
+_STAND_IN = (
+    "This is not the flight over real wires: on this machine none was completed. The flight on the"
+    " stepped clock stands in for it."
+)
 
-def draw_exhibits(
-    out: Path,
-    evidence: Evidence,
-    paper: RecordedService,
-    default: RecordedService,
-    steps: StepFlight,
-    wired: WireService | None,
-) -> tuple[Exhibit, ...]:
+
+def draw_exhibits(out: Path, measured: Measured) -> tuple[Exhibit, ...]:
     """Draw all figures into a folder; a service over real wires is shown where there is one."""
+    paper, default, wired = measured.paper, measured.default, measured.wired
     room = paper.loaded.room
     outbound = default.flight.during(Phase.OUTBOUND)
     start = float(default.flight.at[outbound][0])
+    demanded = demanded_accelerations(default.loaded, default.flight.steps)
     moments, photographed = _wire_moments(wired) if wired else (_lockstep_moments(default), False)
     service = wired.service if wired else default
     return (
         fig07_grid.draw_fig07(out, paper.loaded.grid, room.home),
         fig10_acceptor.draw_fig10(out),
-        fig11_angles.draw_fig11(
-            out, steps.onboard, _tracked(steps), steps.fit, steps.identified.constants
-        ),
-        *fig12_loops.draw_fig12_and_13(out, default.flight, start),
+        fig11_angles.draw_fig11(out, measured.steps),
+        *fig12_loops.draw_fig12_and_13(out, default.flight, demanded, start),
         *fig15_paths.draw_fig15_and_16(
             out,
             (paper.loaded.grid, paper.flight),
             (default.loaded.grid, default.flight),
-            room.place("entrance").viewpoint,
+            room.place(GOAL).viewpoint,
         ),
         fig17_service.draw_fig17(
-            out, moments, service.summary.outcome, photographed, over_wires=wired is not None
+            out,
+            moments,
+            service.summary.outcome,
+            photographed,
+            over_wires=wired is not None,
+            notice=_STAND_IN if measured.wire_troubles and wired is None else "",
         ),
-        *table_plots.draw_table_plots(evidence, out),
+        *table_plots.draw_table_plots(measured.evidence, out),
     )
-
-
-def _tracked(steps: StepFlight) -> tuple[Any, Any]:
-    """Return times and angles of all steps by tracking, each turned to the same sign."""
-    found = step_response(steps.identified)
-    return found.at, found.share * ALPHA * THETA_MAX
 
 
 def _wire_moments(flown: WireService) -> tuple[tuple[Moment, ...], bool]:

@@ -17,7 +17,7 @@ MOMENTS: tuple[tuple[str, Phase, float], ...] = (
     ("on the way", Phase.OUTBOUND, 8.0),
     ("at the entrance, looking at the visitor", Phase.LOOKING, 2.0),
     ("on the way back", Phase.RETURNING, 6.0),
-    ("landing", Phase.LANDING, 2.0),
+    ("landing", Phase.LANDING, 1.0),
 )
 """What the strip shows: words, phase, and how long the phase has lasted [s]."""
 

@@ -60,7 +60,9 @@ def clock_time(at: float, now: float) -> str:
 def _plain(value: str | float | bool) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
-    return f"{value:.3g}" if isinstance(value, float) else str(value)
+    if isinstance(value, float):
+        return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.3g}"
+    return str(value)
 
 
 def _ago(age: float | None) -> str:

@@ -3,19 +3,11 @@
 from __future__ import annotations
 
 from housefly.app.loaded_site import LoadedSite
-from housefly.hub.api.pilot_queries import GridView, OutlineView, PlaceView, RoomView
-from housefly.room.grid import Cell, OccupancyGrid
+from housefly.hub.api.grid_view import grid_view
+from housefly.hub.api.pilot_queries import OutlineView, PlaceView, RoomView
 from housefly.room.model import Solid
 from housefly.room.outline import outline
 from housefly.room.tracked import untracked, untracked_grid
-
-_CELL_LETTERS = {
-    Cell.FREE: ".",
-    Cell.OCCUPIED: "#",
-    Cell.VIRTUAL: "v",
-    Cell.INFLATED: "i",
-    Cell.OUTSIDE: "x",
-}
 
 
 def room_view(loaded: LoadedSite) -> RoomView:
@@ -27,7 +19,7 @@ def room_view(loaded: LoadedSite) -> RoomView:
         site=site.name,
         mode=site.mode,
         bounds=room.bounds,
-        grid=_grid_view(untracked_grid(room, site, loaded.grid)),
+        grid=grid_view(untracked_grid(room, site, loaded.grid)),
         outlines=tuple(_outline(solid, solid.name not in standing) for solid in room.solids),
         places=tuple(
             PlaceView(p.name, p.title or p.name.capitalize(), p.viewpoint, p.look_at)
@@ -45,14 +37,6 @@ def room_view(loaded: LoadedSite) -> RoomView:
             "telemetry_age": limits.telemetry_age,
         },
     )
-
-
-def _grid_view(grid: OccupancyGrid) -> GridView:
-    """Return the occupancy grid as rows of letters, lowest y first."""
-    width, height = grid.cells.shape
-    letters = [_CELL_LETTERS[Cell(value)] for value in range(len(_CELL_LETTERS))]
-    rows = tuple("".join(letters[value] for value in grid.cells[:, row]) for row in range(height))
-    return GridView(grid.origin, grid.resolution, width, height, rows)
 
 
 def _outline(solid: Solid, tracked: bool) -> OutlineView:

@@ -26,7 +26,12 @@ class ControlConfig(Section):
     )
     rate_hz: float = quantity(100.0, 20.0, 200.0, "Hz", "pilot loop frequency")
     acceleration_noise: float = quantity(
-        0.4, 0.01, 20.0, "m/s^2", "Kalman filter: one-sigma unmodelled acceleration"
+        0.4,
+        0.01,
+        20.0,
+        "m/s^2",
+        "Kalman filter: one-sigma unmodelled acceleration; mode paper takes the number as a"
+        " spectral density [m/s^1.5]",
     )
     position_noise: float = quantity(
         0.003, 0.0001, 1.0, "m", "Kalman filter: one-sigma tracking noise"

@@ -8,6 +8,7 @@ from typing import Self
 
 from pydantic import Field, field_validator, model_validator
 
+from housefly.config.measured_devices import MeasuredDeviceConfig
 from housefly.config.section import Section, quantity
 
 _ID = r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$"
@@ -82,6 +83,14 @@ class MqttConfig(Section):
     devices: tuple[DeviceConfig, ...] = Field(
         default=(), description="id, position [m] and yaw [rad] of devices with a frame"
     )
+    sensors: tuple[MeasuredDeviceConfig, ...] = Field(
+        default=(),
+        max_length=256,
+        description=(
+            "devices that measure one value, on topics of any maker: id, kind, thing, state_topic,"
+            " field, unit, min, max, above, below ...; docs/devices.md"
+        ),
+    )
     tags: tuple[TagConfig, ...] = Field(
         default=(), description="tag and thing; a tag that is not here is the thing's own id"
     )
@@ -93,6 +102,13 @@ class MqttConfig(Section):
             if not _ALLOWED.fullmatch(entry):
                 raise ValueError(f"holds {entry!r}; allowed: kind/id, such as door/entrance")
         return allow
+
+    @model_validator(mode="after")
+    def _names_each_sensor_once(self) -> Self:
+        ids = [sensor.id for sensor in self.sensors]
+        if twice := sorted({name for name in ids if ids.count(name) > 1}):
+            raise ValueError(f"sensors: two of them have the id {twice[0]!r}; give each its own")
+        return self
 
     @model_validator(mode="after")
     def _keeps_its_own_broker_to_itself(self) -> Self:

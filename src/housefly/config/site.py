@@ -23,7 +23,7 @@ from housefly.config.laser import LaserConfig, check_lasers
 from housefly.config.limits import LimitsConfig
 from housefly.config.map import MapConfig, RoomConfig
 from housefly.config.people import PeopleConfig
-from housefly.config.profile import load_profile
+from housefly.config.profile import CONSTANTS, load_profile
 from housefly.config.section import Section
 from housefly.config.text import refuse_odd_values
 from housefly.config.toml import read_toml
@@ -125,14 +125,17 @@ def site_from_file(path: Path) -> Site:
     """Read and check a site file (TOML; JSON when it ends in ``.json``).
 
     Constants of the drone that the site does not give come from the drone's profile, if it has one.
+    A site as it was flown gives all of them, and can be read where the profile is not.
 
     Raises:
         ConfigError: naming the key, the value and the allowed range.
     """
     tree = read_toml(path, "site file")
-    profile = tree.get("drone", {}).get("profile") if isinstance(tree.get("drone"), dict) else None
-    if isinstance(profile, str) and profile:
-        tree["drone"] = load_profile(path.parent / profile) | tree["drone"]
+    drone = tree.get("drone")
+    if isinstance(drone, dict) and not CONSTANTS.keys() <= drone.keys():
+        profile = drone.get("profile")
+        if isinstance(profile, str) and profile:
+            tree["drone"] = load_profile(path.parent / profile) | drone
     return site_from_tree(tree, str(path))
 
 

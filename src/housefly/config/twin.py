@@ -9,6 +9,13 @@ from pydantic import Field, model_validator
 from housefly.config.section import Section, is_multicast_group, port_number, quantity
 from housefly.config.tracking import MocapWire
 
+COMMAND_DELAY = 0.06
+"""Of a simulated drone without a profile, from a datagram to obeying it [s]."""
+INNER_LOOP_DELAY = 0.005
+"""What the simulated drone adds to it [s]: half of its control period, for which a datagram waits
+on average, and its rate loop.
+"""
+
 
 class TwinConfig(Section):
     """The simulated drone and the simulated tracking system."""
@@ -40,8 +47,17 @@ class TwinConfig(Section):
     natnet_group: str = Field(
         default="", description='multicast group of the twin, as 239.255.42.99; "" serves unicast'
     )
-    command_delay: float = quantity(
-        0.06, 0.0, 0.5, "s", "from command to first reaction of the drone"
+    command_delay: float | None = Field(
+        default=None,
+        ge=0.0,
+        le=0.5,
+        allow_inf_nan=False,
+        description=(
+            "from a datagram to the simulated drone's obeying it; left out: with drone.profile what"
+            " makes the whole delay the profile's (sending adds 10 ms at 100 Hz, the inner loops"
+            f" 5 ms), else {COMMAND_DELAY}"
+        ),
+        json_schema_extra={"unit": "s"},
     )
     battery: float = quantity(1.0, 0.0, 1.0, "1", "charge at the start")
     visitor_present: bool = Field(default=True, description="whether someone stands at the door")

@@ -21,8 +21,9 @@ from housefly.hub.query_handler import QueryHandler
 from housefly.hub.room_status import RoomStatus
 from housefly.hub.sensor_status import SensorStatus
 from housefly.hub.situation_service import SituationService
+from housefly.hub.situations.device_traits import device_traits_of
 from housefly.hub.store.open import open_site_store
-from housefly.hub.things_of_room import catalogue_of, furniture_id
+from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.hub.wall_clock import WallClock
 from housefly.messages import PilotStep, RoomEvent
 from housefly.pilot.planning.furniture import TrackedFurniture
@@ -47,10 +48,13 @@ class Hub:
         self.memory = RoomMemory(
             catalogue_of(site, room, folder),
             lambda: open_site_store(site),
+            surfaces_of(room),
         )
         self.clock = WallClock(newest=self.memory.newest())
         self.status = RoomStatus(self.memory.writer.report)
-        self._queries = QueryHandler(self.memory, self.status, self.clock.now)
+        self._queries = QueryHandler(
+            self.memory, self.status, self.clock.now, device_traits_of(site)
+        )
         self._obstacles = ObstacleStatus(self.status, RealClock())
         self._furniture = TrackedFurniture(site, room)
         self._situations = SituationService(site, room, self.memory, self.status)

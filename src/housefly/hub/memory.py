@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from math import isfinite
 
 from housefly.errors import StoreError, ThingError
+from housefly.hub.recall import recall
 from housefly.hub.store.store import Store
 from housefly.hub.store.writer import StoreWriter
+from housefly.hub.things.beliefs import Beliefs
+from housefly.hub.things.surfaces import Surface
 from housefly.hub.things.thing import Thing
 from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Observation, RoomEvent
@@ -24,10 +28,17 @@ class RoomMemory:
 
     Attributes:
         world: the world model; use it under ``lock``.
-        lock: guards the world model.
+        beliefs: how sure its answers are; likewise.
+        surfaces: where carried things may be left.
+        lock: guards both.
     """
 
-    def __init__(self, things: Iterable[Thing], open_store: Callable[[], Store]) -> None:
+    def __init__(
+        self,
+        things: Iterable[Thing],
+        open_store: Callable[[], Store],
+        surfaces: Sequence[Surface] = (),
+    ) -> None:
         """Open the store and load what it knew; raises StoreError if it cannot be opened at all."""
         self.lock = threading.Lock()
         self.writer = StoreWriter(open_store)
@@ -40,8 +51,12 @@ class RoomMemory:
         own = {thing.id: thing for thing in things}
         self.world = WorldModel((known | own).values())
         self.writer.write_all(thing for thing in own.values() if known.get(thing.id) != thing)
+        self.surfaces = tuple(surfaces)
+        self.beliefs = Beliefs(self.surfaces)
         for sample in self._store.latest():
             self._observe(sample)
+        if isfinite(newest := self.newest()):
+            recall(self.beliefs, self.world, self._store, newest)
 
     def newest(self) -> float:
         """Return the Unix time of the newest observation [s]; minus infinity without one."""
@@ -65,6 +80,9 @@ class RoomMemory:
             with self.lock:
                 if not self._observe(item):
                     return
+        else:
+            with self.lock:
+                self.beliefs.note(item)
         self.writer.write(item)
         for listener in self._listeners:
             listener(item)
@@ -98,4 +116,5 @@ class RoomMemory:
         except ThingError as error:
             self.refused.append(str(error))
             return False
+        self.beliefs.observe(self.world, sample)
         return True

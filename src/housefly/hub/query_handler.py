@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from math import sqrt
 from typing import Any
 
 from housefly.errors import ThingError
 from housefly.geometry import yaw_of
 from housefly.hub.api.answers import (
+    AlternativePlace,
     Answer,
     EventAnswer,
     EventsAnswer,
@@ -27,14 +28,21 @@ from housefly.hub.api.questions import (
     ContentsQuestion,
     EventsQuestion,
     NearQuestion,
+    NightsQuestion,
+    PeopleQuestion,
     PictureQuestion,
     Question,
     SensorsQuestion,
+    StateQuestion,
     TrajectoryQuestion,
     WhereQuestion,
 )
 from housefly.hub.memory import RoomMemory
+from housefly.hub.recall import recall
 from housefly.hub.room_status import RoomStatus
+from housefly.hub.situations.device_traits import DeviceTraits
+from housefly.hub.state_handler import StateHandler
+from housefly.hub.things.beliefs import Beliefs
 from housefly.hub.things.fused_pose import FusedPose
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.hub.things.words import where_words
@@ -52,10 +60,20 @@ class QueryHandler:
         memory: the world model and the store.
         status: sensors, situations and obstacles now.
         clock: Unix time [s].
+        devices: what is known of measuring devices, by id.
     """
 
-    def __init__(self, memory: RoomMemory, status: RoomStatus, clock: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        memory: RoomMemory,
+        status: RoomStatus,
+        clock: Callable[[], float],
+        devices: Mapping[str, DeviceTraits] | None = None,
+    ) -> None:
         self._memory, self._status, self._clock = memory, status, clock
+        states = StateHandler(
+            memory, status, clock, devices or {}, self._world_at, self._beliefs_at
+        )
         self._by: dict[type[Question], Callable[[Any], Answer]] = {
             WhereQuestion: self._where,
             CatalogueQuestion: self._catalogue,
@@ -65,6 +83,9 @@ class QueryHandler:
             EventsQuestion: self._events,
             SensorsQuestion: lambda _: self._status.sensors(),
             PictureQuestion: self._picture,
+            StateQuestion: states.state,
+            PeopleQuestion: states.people,
+            NightsQuestion: states.nights,
         }
 
     def answer(self, question: Question) -> Answer:
@@ -73,9 +94,12 @@ class QueryHandler:
 
     def _where(self, question: WhereQuestion) -> WhereAnswer:
         if question.at is not None:
-            return _where_answer(self._world_at(question.at), question.thing, question.at)
+            world = self._world_at(question.at)
+            beliefs = self._beliefs_at(world, question.at)
+            return _where_answer(world, beliefs, question.thing, question.at)
         with self._memory.lock:
-            return _where_answer(self._memory.world, question.thing, self._clock())
+            memory = self._memory
+            return _where_answer(memory.world, memory.beliefs, question.thing, self._clock())
 
     def _catalogue(self, question: CatalogueQuestion) -> ThingsAnswer:
         kind = _kind(question.kind)
@@ -159,6 +183,15 @@ class QueryHandler:
         _observe_all(world, seen)
         return world
 
+    def _beliefs_at(self, world: WorldModel, at: float) -> Beliefs:
+        beliefs = Beliefs(self._memory.surfaces)
+        for thing in world.things:
+            for sample in world.latest_observations(thing.id):
+                beliefs.observe(world, sample)
+        with self._memory.store() as store:
+            recall(beliefs, world, store, at)
+        return beliefs
+
 
 def _observe_all(world: WorldModel, samples: Iterable[Observation]) -> None:
     """Add observations to a world model of the past; contradictions are left out."""
@@ -169,15 +202,16 @@ def _observe_all(world: WorldModel, samples: Iterable[Observation]) -> None:
             continue
 
 
-def _where_answer(world: WorldModel, words: str, now: float) -> WhereAnswer:
+def _where_answer(world: WorldModel, beliefs: Beliefs, words: str, now: float) -> WhereAnswer:
     """Return where a thing is; raises ThingError if there is no such thing."""
     thing = world.thing(words)
     found = world.where(thing.id)
+    belief = beliefs.of(world, thing.id, now)
     return WhereAnswer(
         thing.id,
         thing.name,
         thing.kind.value,
-        where_words(world, thing.id, now),
+        where_words(world, thing.id, now, belief),
         found.position,
         _yaw(found),
         _std(found),
@@ -187,6 +221,11 @@ def _where_answer(world: WorldModel, words: str, now: float) -> WhereAnswer:
         found.age(now),
         found.sources,
         tuple(_source_answer(sample, now) for sample in world.latest_observations(thing.id)),
+        belief.confidence,
+        tuple(
+            AlternativePlace(one.words, one.thing, one.position, one.confidence)
+            for one in belief.alternatives
+        ),
     )
 
 

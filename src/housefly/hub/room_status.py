@@ -22,6 +22,11 @@ class RoomStatus:
         self._situations: dict[str, tuple[SituationAnswer, ...]] = {}
         self._obstacles: dict[str, tuple[ObstacleAnswer, ...]] = {}
 
+    @property
+    def is_live(self) -> bool:
+        """Whether anything listens to the room, or only its memory answers."""
+        return bool(self._healths)
+
     def add_health_source(self, health: _HealthSource) -> None:
         """Add a source of health; it is called on the asker's thread."""
         self._healths = (*self._healths, health)

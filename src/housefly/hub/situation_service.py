@@ -10,7 +10,9 @@ from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.memory import RoomMemory
 from housefly.hub.room_status import RoomStatus
 from housefly.hub.situations import Layout, Situations
+from housefly.hub.situations.device_traits import device_traits_of
 from housefly.hub.situations.furniture import beds_of, entrance_of, seats_of
+from housefly.hub.situations_at import lasting_facts
 from housefly.hub.things.thing import Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
 from housefly.room.model import Room
@@ -44,7 +46,14 @@ class SituationService:
                     Observation(event.thing, event.source, at, now, inside=event.cause)
                 )
         holds = (
-            SituationAnswer(s.kind, s.thing, s.since, s.confidence, "; ".join(s.evidence))
+            SituationAnswer(
+                s.kind,
+                s.thing,
+                s.since,
+                s.confidence,
+                "; ".join(s.evidence),
+                lasting_facts(s.facts),
+            )
             for s in self._situations.active()
         )
         self._status.set_situations(holds, "detectors")
@@ -68,4 +77,5 @@ def _layout_of(site: Site, room: Room, furniture: Iterable[Thing]) -> Layout:
         ),
         containers={thing.id: thing.position for thing in furniture if thing.position is not None},
         people=frozenset({site.tracking.visitor}),
+        devices=device_traits_of(site),
     )

@@ -1,4 +1,4 @@
-"""Things that site and room model define: furniture, places, tracking cameras, the drone."""
+"""Things that site and room model define: furniture and its tops, places, cameras, the drone."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from dataclasses import replace
 from math import atan2
 from pathlib import Path
 
+from housefly import sites
 from housefly.config.furniture import FurnitureConfig
 from housefly.config.site import Site
 from housefly.geometry import Vec3, quaternion_from_euler
 from housefly.hub.things.catalogue import load_catalogue
+from housefly.hub.things.surfaces import Surface
 from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
-from housefly.room.model import Room, Solid
+from housefly.room.model import Room, Shape, Solid
 
 _BUILDING_WORDS = (
     "wall",
@@ -27,6 +29,14 @@ _BUILDING_WORDS = (
     "door",
 )
 """Words in the names of solids that belong to the building."""
+_SHELF_WORDS = ("shelf", "rack")
+"""What has one of them in its name only hangs on the building."""
+_SEAT_WORDS = frozenset({"seat", "mattress"})
+"""Words in the names of solids that make their thing a seat."""
+_LOWEST_TOP, _HIGHEST_TOP = 0.3, 1.5
+"""Whoever walks past leaves nothing lower or higher than this [m]."""
+_NARROWEST_TOP = 0.18
+"""A narrower top is a leg, a handle, an edge [m]."""
 
 
 def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
@@ -43,6 +53,9 @@ def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
             name for name in (piece.name, piece.body) if name not in (known.name, known.id)
         )
         found[known.id] = replace(known, aliases=tuple(dict.fromkeys((*known.aliases, *names))))
+    for row in site.mqtt.sensors:
+        name = row.thing or row.id
+        found.setdefault(name, Thing(name, f"the {name.replace('-', ' ')}"))
     body = site.tracking.body
     found.setdefault(body, Thing(body, "the drone", ThingKind.ROBOT, ("drone",), (*room.home, 0.0)))
     if room.visitor is not None:
@@ -54,9 +67,42 @@ def things_of(site: Site, room: Room) -> tuple[Thing, ...]:
 
 
 def catalogue_of(site: Site, room: Room, folder: Path) -> tuple[Thing, ...]:
-    """Return the things of room and catalogue; raises ConfigError for a bad catalogue."""
+    """Return the things of room, shipped scene and catalogue; of one id the catalogue's counts.
+
+    Raises ConfigError for a bad catalogue.
+    """
     own = load_catalogue(folder / site.hub.things) if site.hub.things else ()
-    return (*things_of(site, room), *own)
+    known = {thing.id for thing in own}
+    played = things_of_scene(site.twin.scene) if site.twin.enabled else ()
+    return (*things_of(site, room), *(one for one in played if one.id not in known), *own)
+
+
+def things_of_scene(scene: str) -> tuple[Thing, ...]:
+    """Return the things that a shipped scene brings; none for a file, which has no names."""
+    shipped = Path(sites.__file__).parent / f"{scene}_things.toml"
+    return load_catalogue(shipped) if scene and shipped.is_file() else ()
+
+
+def surfaces_of(room: Room) -> tuple[Surface, ...]:
+    """Return the tops of furniture on which a thing can be left, where the room has them."""
+    seats = {solid.thing for solid in room.solids if _SEAT_WORDS & set(solid.name.split())}
+    return tuple(
+        Surface(
+            _id(solid.thing),
+            solid.thing,
+            solid.position[:2],
+            (solid.size[0] / 2, solid.size[1] / 2),
+            _top(solid),
+            solid.yaw,
+            solid.shape is Shape.CYLINDER,
+            solid.thing in seats,
+        )
+        for solid in room.solids
+        if solid.collides
+        and not _is_building(solid.thing)
+        and min(solid.size[:2]) >= _NARROWEST_TOP
+        and _LOWEST_TOP <= _top(solid) <= _HIGHEST_TOP
+    )
 
 
 def furniture_id(piece: FurnitureConfig) -> str:
@@ -70,11 +116,20 @@ def _furniture(room: Room) -> Iterator[Thing]:
         parts.setdefault(solid.thing, []).append(solid)
     for name, solids in parts.items():
         slug = _id(name)
-        is_building = any(word in name for word in _BUILDING_WORDS)
         middle = _middle(solids)
         yaw = solids[0].yaw
-        kind = ThingKind.STRUCTURE if is_building else ThingKind.FURNITURE
+        kind = ThingKind.STRUCTURE if _is_building(name) else ThingKind.FURNITURE
         yield Thing(slug, name, kind, (), middle, quaternion_from_euler(0.0, 0.0, yaw))
+
+
+def _is_building(name: str) -> bool:
+    return any(word in name for word in _BUILDING_WORDS) and not any(
+        word in name for word in _SHELF_WORDS
+    )
+
+
+def _top(solid: Solid) -> float:
+    return solid.position[2] + solid.size[2] / 2
 
 
 def _places(room: Room, height: float) -> Iterator[Thing]:

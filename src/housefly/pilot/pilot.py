@@ -32,10 +32,10 @@ from housefly.messages.steering import (
     Setpoint,
 )
 from housefly.numeric import wrapped
+from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
-from housefly.pilot.behavior.steered_landing import sink_height
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency

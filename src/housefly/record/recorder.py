@@ -99,15 +99,19 @@ class FlightRecorder:
         """Record the health of the wires."""
         self._put(lambda: self._write_link(status))
 
-    def finish(self, outcome: str) -> Summary:
+    def finish(self, outcome: str, steps: Iterable[PilotStep] | None = None) -> Summary:
         """Close the recording, write summary and report, and return the summary.
 
         A second call returns the same summary.
+
+        Args:
+            outcome: "completed", or why not.
+            steps: all that were recorded, where the caller has kept them; else the file is read.
         """
         if self._summary is None:
             self._queue.put(None)
             self._thread.join()
-            self._summary = self._conclude(outcome)
+            self._summary = self._conclude(outcome, self._readable() if steps is None else steps)
         return self._summary
 
     def _put(self, work: Callable[[], None]) -> None:
@@ -170,8 +174,8 @@ class FlightRecorder:
             self._problems.append(problem)
             _log.error("recording: %s", problem)
 
-    def _conclude(self, outcome: str) -> Summary:
-        flight = collect(self._readable(), self._site.tracking.body)
+    def _conclude(self, outcome: str, steps: Iterable[PilotStep]) -> Summary:
+        flight = collect(steps, self._site.tracking.body)
         summary = summarize_flight(
             flight,
             outcome,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import atan2, cos, degrees, hypot, sin
 from pathlib import Path
+from string import ascii_uppercase, digits
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,7 @@ _UNLABELLED = frozenset(
 )
 _INCHES_PER_METRE = 0.92
 _TEXT_COLUMNS = 110
+_SPARE_MARKS = ascii_uppercase + digits
 _LABEL_SPACING = 0.42
 """Labels closer than this to that of a larger thing are left out [m]."""
 
@@ -88,25 +90,23 @@ def draw_room(
 def text_map(room: Room, grid: OccupancyGrid) -> str:
     """Return the map as text, north (+y) up, with a legend below.
 
-    H is home, capital initials are places. Fine grids are thinned to about a hundred columns; a
-    character shows the worst cell it stands for, blocked before free.
+    H is home, each other place has a capital letter of its own. Fine grids are thinned to about a
+    hundred columns; a character shows the worst cell it stands for, blocked before free.
     """
     nx, ny = grid.shape
     step = max(1, -(-nx // _TEXT_COLUMNS))
+    rise = 2 * step if step > 1 else 1
     rank = np.array([0, 4, 3, 2, 1])
     cells = np.array(grid.cells)
     canvas = [
-        [
-            _worst(cells[i : i + step, j : j + 2 * step if step > 1 else j + 1], rank)
-            for i in range(0, nx, step)
-        ]
-        for j in range(0, ny, 2 * step if step > 1 else 1)
+        [_worst(cells[i : i + step, j : j + rise], rank) for i in range(0, nx, step)]
+        for j in range(0, ny, rise)
     ]
-    marks = {place.name: place.name[0].upper() for place in room.places}
+    marks = _marks([place.name for place in room.places])
     for place in reversed(room.places):
         i, j = grid.cell_of(room.home if place.name == "home" else place.viewpoint)
         if grid.contains((i, j)):
-            canvas[j // (2 * step if step > 1 else 1)][i // step] = marks[place.name]
+            canvas[j // rise][i // step] = marks[place.name]
     rows = ["".join(row).rstrip() for row in reversed(canvas)]
     while rows and not rows[0]:
         rows.pop(0)
@@ -118,7 +118,22 @@ def text_map(room: Room, grid: OccupancyGrid) -> str:
         if kind is not Cell.OUTSIDE
     )
     names = "  ".join(f"{mark} {name}" for name, mark in marks.items())
-    return "\n".join([*rows, "", f"{legend}  (cells of {grid.resolution:g} m)", names])
+    edge = grid.resolution
+    scale = f"one character: {step * edge:g} m across, {rise * edge:g} m up"
+    cells_of = f" ({step} x {rise} cells of {edge:g} m)" if step > 1 else ""
+    return "\n".join([*rows, "", legend, scale + cells_of, names])
+
+
+def _marks(names: Sequence[str]) -> dict[str, str]:
+    """Return a sign for each place: H for home, else the first letter of its name still free."""
+    marks = {name: "H" for name in names if name == "home"}
+    for name in names:
+        if name in marks:
+            continue
+        free = [sign for sign in f"{name.upper()}{_SPARE_MARKS}" if sign in _SPARE_MARKS]
+        taken = {"H", *marks.values()}
+        marks[name] = next((sign for sign in free if sign not in taken), "?")
+    return marks
 
 
 def _worst(block: Any, rank: Any) -> str:

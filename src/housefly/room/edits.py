@@ -102,7 +102,7 @@ def edited(room: Room, site: Site, edits: Edits) -> tuple[Room, Site]:
     changed = with_places(room, site)
     _check_names(room, changed, edits)
     bare = build_grid(room, site.model_copy(update={"edits": Edits()}))
-    reached = _reached(bare, room.home)
+    reached = reached_from(bare, room.home)
     for number, edit in enumerate(edits.places):
         _check_place(edit, f"places.{number}", room, site, bare, reached)
     for number, zone in enumerate(edits.zones):
@@ -166,24 +166,29 @@ def _check_place(
         )
     if _at(reached, bare, edit.viewpoint):
         return
-    match bare.kind(bare.cell_of(edit.viewpoint)):
-        case Cell.FREE:
-            why = "no way leads there from home"
-        case Cell.VIRTUAL:
-            why = "the site file keeps it free by order"
-        case Cell.OUTSIDE:
-            why = "it is behind a wall or inside something"
-        case _:
-            near = bare.clearance_at(edit.viewpoint)
-            why = (
-                f"the nearest obstacle is {near:.2f} m away and the drone keeps"
-                f" {inflation(site):.2f} m"
-            )
+    why = blocked_words(bare, edit.viewpoint, site)
     raise EditsError(
         f"{shown}: the drone cannot hover at ({x:.2f}, {y:.2f}) m:"
         f" {why}{_instead(bare, reached, edit.viewpoint)}",
         item,
     )
+
+
+def blocked_words(grid: OccupancyGrid, point: Vec2, site: Site) -> str:
+    """Return in words why the drone cannot be at a point [m] that is not reached from home."""
+    match grid.kind(grid.cell_of(point)):
+        case Cell.FREE:
+            return "no way leads there from home"
+        case Cell.VIRTUAL:
+            return "the site file keeps it free by order"
+        case Cell.OUTSIDE:
+            return "it is behind a wall or inside something"
+        case _:
+            near = grid.clearance_at(point)
+            return (
+                f"the nearest obstacle is {near:.2f} m away and the drone keeps"
+                f" {inflation(site):.2f} m"
+            )
 
 
 def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> None:
@@ -211,7 +216,7 @@ def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -
     """Refuse zones that cut off reachable places; the error names the first such zone."""
     counted = [place for place in changed.places if _at(reached, bare, place.viewpoint)]
     for number, grid in _grids(changed, site, counted):
-        left = _reached(grid, changed.home)
+        left = reached_from(grid, changed.home)
         lost = [place for place in counted if not _at(left, grid, place.viewpoint)]
         if lost:
             zone = site.edits.zones[number]
@@ -239,11 +244,12 @@ def _grids(room: Room, site: Site, places: list[Place]) -> Iterator[tuple[int, O
 
 
 def _all_reached(grid: OccupancyGrid, room: Room, places: list[Place]) -> bool:
-    reached = _reached(grid, room.home)
+    reached = reached_from(grid, room.home)
     return all(_at(reached, grid, place.viewpoint) for place in places)
 
 
-def _reached(grid: OccupancyGrid, home: Vec2) -> Mask:
+def reached_from(grid: OccupancyGrid, home: Vec2) -> Mask:
+    """Return the free cells that a way leads to from home [m]; none when home is not free."""
     free = grid.cells == Cell.FREE
     cell = grid.cell_of(home)
     return (

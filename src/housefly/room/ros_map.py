@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from housefly.errors import RoomError
+from housefly.geometry import Vec2
 from housefly.room.files import save_room, toml_string
 from housefly.room.grid import build_grid
 from housefly.room.home_pad import home_pad
@@ -49,7 +50,7 @@ def import_ros_map(
     Raises:
         RoomError: the map cannot be read, or the drone fits nowhere in it.
     """
-    ros_map = _cropped(read_ros_map(yaml_path), yaml_path)
+    ros_map, _ = cropped(read_ros_map(yaml_path), yaml_path)
     title = name or yaml_path.resolve().parent.name.replace("_", " ") or "map"
     shell = Room(
         title[:60], _bounds(ros_map), wall_height, _walls(ros_map, wall_height), (), (), (0.0, 0.0)
@@ -67,8 +68,8 @@ def import_ros_map(
     return room
 
 
-def _cropped(ros_map: RosMap, source: Path) -> RosMap:
-    """Return the part with free pixels and a border of two, moved so that it begins at (0, 0)."""
+def cropped(ros_map: RosMap, source: Path) -> tuple[RosMap, Vec2]:
+    """Return the part with free pixels and a border, moved to (0, 0), and where that was [m]."""
     columns, rows = (
         np.flatnonzero(ros_map.free.any(axis=1)),
         np.flatnonzero(ros_map.free.any(axis=0)),
@@ -83,7 +84,9 @@ def _cropped(ros_map: RosMap, source: Path) -> RosMap:
         raise RoomError(
             f"{source}: the map covers more than {_MAX_AREA:.0f} m^2; cut out the part to fly in"
         )
-    return RosMap((0.0, 0.0), ros_map.resolution, occupied, free)
+    edge, (x, y) = ros_map.resolution, ros_map.origin
+    corner = x + (part[0].start - 1) * edge, y + (part[1].start - 1) * edge
+    return RosMap((0.0, 0.0), edge, occupied, free), corner
 
 
 def _bounds(ros_map: RosMap) -> tuple[float, float, float, float]:

@@ -39,7 +39,7 @@ class ClearanceProfile:
     remark: str
 
 
-_PROFILES = (
+PROFILES = (
     ClearanceProfile(0.10, 0.05, 0.10, 0.50, "the usual distance from walls"),
     ClearanceProfile(
         0.05,
@@ -66,14 +66,14 @@ def site_for(manner: ClearanceProfile) -> Site:
 
 def profile_and_home(shell: Room, ros_map: RosMap, source: Path) -> tuple[ClearanceProfile, Vec2]:
     """Return the most careful profile that can fly most of the map, and the roomiest home."""
-    choices = [(manner, *_flyable(shell, site_for(manner), ros_map)) for manner in _PROFILES]
+    choices = [(manner, *_flyable(shell, site_for(manner), ros_map)) for manner in PROFILES]
     for manner, home, share in choices:
         if home and share >= _CONNECTED_SHARE:
             return manner, home
     for manner, home, _ in choices:
         if home:
             return manner, home
-    needed = inflation(site_for(_PROFILES[-1]))
+    needed = inflation(site_for(PROFILES[-1]))
     raise RoomError(
         f"{source}: the drone fits nowhere: it keeps {needed:.2f} m from walls; check resolution in"
         " the yaml file"
@@ -88,7 +88,7 @@ def _flyable(shell: Room, site: Site, ros_map: RosMap) -> tuple[Vec2 | None, flo
     flyable = (grid.clearance >= inflation(site)) & _sampled(
         ros_map.free, xs, ys, ros_map.resolution
     )
-    area = _largest_area(flyable)
+    area = largest_area(flyable)
     if area is None:
         return None, 0.0
     i, j = np.unravel_index(int(np.where(area, grid.clearance, -1.0).argmax()), grid.shape)
@@ -102,7 +102,7 @@ def _sampled(mask: Mask, xs: list[float], ys: list[float], edge: float) -> Mask:
     return sampled
 
 
-def _largest_area(open_cells: Mask) -> Mask | None:
+def largest_area(open_cells: Mask) -> Mask | None:
     """Return the largest 4-connected part of a mask, or None when the mask is empty."""
     rest, best = open_cells.copy(), None
     while rest.any() and (best is None or rest.sum() > best.sum()):

@@ -126,10 +126,7 @@ class DeviceMonitor:
             return ""
         age = self._rate.age(now)
         since = f"silent for {age:.0f} s" if age < float("inf") else "not heard yet"
-        return (
-            f"{since}; a {self._kind.name} sends its state at least every"
-            f" {self._kind.heartbeat:g} s"
-        )
+        return f"{since}; it sends its state at least every {self._kind.heartbeat:g} s"
 
     def _is_silent(self, now: float) -> bool:
         return self._rate.age(now) > 2 * self._kind.heartbeat

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable
+from functools import partial
 from math import inf
 
 import aiomqtt
@@ -17,6 +18,7 @@ from housefly.errors import ConfigError, LinkError, WireError
 from housefly.messages import Observation, RoomEvent
 from housefly.sensors.contracts import SensorHealth, SensorSink
 from housefly.sensors.device_monitor import DeviceMonitor
+from housefly.sensors.measured_topics import MeasuredTopics
 from housefly.sensors.message_rate import MessageRate
 from housefly.wires.devices import (
     MAX_DEVICE_PAYLOAD,
@@ -25,6 +27,7 @@ from housefly.wires.devices import (
     Delivered,
     DeviceAddress,
     Placement,
+    Reading,
     decode_reading,
     device_kind,
     listener_topic,
@@ -62,7 +65,14 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             row.id: Placement(row.position, row.yaw, self._things) for row in config.devices
         }
         self._allowed = frozenset(config.allow)
-        self._monitors: dict[str, tuple[DeviceAddress, DeviceMonitor]] = {}
+        self._measured = MeasuredTopics(config)
+        self._monitors = {
+            known.address.id: (
+                known.address,
+                DeviceMonitor(known.address, known.kind, config.rate_max_hz),
+            )
+            for known in self._measured
+        }
         self._rate = MessageRate()
         self._complaint = (-inf, "")
         self._connected = False
@@ -111,6 +121,8 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         will = aiomqtt.Will(presence, b"offline", qos=1, retain=True)
         async with mqtt_client(self._config, will, MAX_DEVICE_PAYLOAD + _ENVELOPE) as link:
             await link.subscribe(site_subscription(self._config.site), qos=1)
+            for topic in self._measured.topics:
+                await link.subscribe(topic, qos=1)
             await link.publish(presence, b"online", qos=1, retain=True)
             self._connected, self._problem = True, ""
             self._data_arrived(self._clock.now())
@@ -123,6 +135,9 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         """Handle one message; an error does not affect the next one."""
         now = self._clock.now()
         self._rate.add(now)
+        if self._measured.on(message.topic.value):
+            self._take_measured(message, now, sink)
+            return
         try:
             address, channel = parse_topic(message.topic.value)
             monitor = self._monitor(address)
@@ -147,16 +162,36 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             return
         if not message.payload:
             return  # how one clears what the broker keeps: it says nothing about the device
+        placement = self._placements.get(message.address.id, Placement(things=self._things))
+        decode = partial(decode_reading, message, placement, self._bounds, monitor.kind)
+        self._record(decode, monitor, now, sink, message.retained)
+
+    def _take_measured(self, message: aiomqtt.Message, now: float, sink: SensorSink) -> None:
+        """Handle a message on a topic that the site file names, for each device that it is of."""
+        payload = message.payload if isinstance(message.payload, bytes) else b""
+        for device, channel in self._measured.on(message.topic.value):
+            _, monitor = self._monitors[device.address.id]
+            if payload and monitor.admit(now):
+                delivered = Delivered(
+                    device.address, channel, payload, self._wall(), message.retain
+                )
+                self._record(partial(device.decode, delivered), monitor, now, sink, message.retain)
+
+    def _record(
+        self,
+        decode: Callable[[], Reading],
+        monitor: DeviceMonitor,
+        now: float,
+        sink: SensorSink,
+        retained: bool,
+    ) -> None:
+        """Decode a message of one device, count it, and hand on what it says."""
         try:
-            reading = decode_reading(
-                message,
-                self._placements.get(message.address.id, Placement(things=self._things)),
-                self._bounds,
-            )
+            reading = decode()
         except WireError as error:
             monitor.record_malformed(str(error), now)
             return
-        monitor.record(reading, now, message.retained)
+        monitor.record(reading, now, retained)
         told: tuple[Observation | RoomEvent, ...] = (*reading.observations, *reading.events)
         for value in told:
             if monitor.admit_thing(value.thing, now):
@@ -164,8 +199,9 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
 
     def _monitor(self, address: DeviceAddress) -> DeviceMonitor:
         """Return the monitor of a device; raises WireError for one that is ignored."""
-        if self._allowed and f"{address.kind}/{address.id}" not in self._allowed:
-            raise WireError(f"{address.kind}/{address.id} is not in mqtt.allow; it is ignored")
+        name = f"{address.kind}/{address.id}"
+        if not self._measured.knows(address) and self._allowed and name not in self._allowed:
+            raise WireError(f"{name} is not in mqtt.allow; it is ignored")
         if address.id not in self._monitors:
             if len(self._monitors) >= _MAX_DEVICES:
                 raise WireError(

@@ -50,6 +50,7 @@ from housefly.twin.physics import Physics
 from housefly.twin.sensors.depth_camera import DepthCamera
 from housefly.twin.sensors.scanner import Scanner
 from housefly.twin.sonar_beam import SonarBeam
+from housefly.wires.ardrone.command_delay import simulated_command_delay
 from housefly.wires.ardrone.conversions import Stick
 
 _WEIGHT = DRONE_MASS * GRAVITY
@@ -79,7 +80,7 @@ class SimulatedWorld:
             np.random.default_rng(seed) for seed in np.random.SeedSequence(site.twin.seed).spawn(2)
         )
         self._room = room
-        self._delay = site.twin.command_delay
+        self._delay = simulated_command_delay(site)
         movables = (*movables, *movable_furniture(site, room))
         self._physics = Physics(
             site,

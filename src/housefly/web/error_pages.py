@@ -92,6 +92,18 @@ def no_session() -> HTMLResponse:
     )
 
 
+def no_draft_session() -> HTMLResponse:
+    """Return the page for a browser that may not draw the new room."""
+    return _page(
+        "This address was already used",
+        "The address that `housefly new` printed opens the page in one browser. Go on there, or end"
+        " the command with Ctrl+C and start it again: it prints a fresh address, and the draft is"
+        " as you left it.",
+        status=403,
+        link=("/", "I have the page open in this browser"),
+    )
+
+
 def login_page(problem: str = "", wait: float = 0.0) -> HTMLResponse:
     """Return the page that asks who is there.
 

@@ -11,11 +11,14 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 from housefly.hub.api import answers as room_answers
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditsView
+from housefly.web.new_site.draft_answers import HeardView, WrittenView
+from housefly.web.new_site.draft_view import DraftView
 from housefly.web.protocol import ClientMessage, ServerMessage
 
 _WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
 _ROOM_MESSAGES_FILE = _WIRE_FOLDER / "room-messages.ts"
+_DRAFT_MESSAGES_FILE = _WIRE_FOLDER / "draft-messages.ts"
 _HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
 _LINE_LENGTH = 100
 _PLAIN: dict[Any, str] = {
@@ -29,7 +32,11 @@ _PLAIN: dict[Any, str] = {
 
 def generated_files() -> dict[Path, str]:
     """Return the text of every generated file."""
-    return {_MESSAGES_FILE: _socket_types(), _ROOM_MESSAGES_FILE: _room_types()}
+    return {
+        _MESSAGES_FILE: _socket_types(),
+        _ROOM_MESSAGES_FILE: _room_types(),
+        _DRAFT_MESSAGES_FILE: _draft_types(),
+    }
 
 
 def _socket_types() -> str:
@@ -47,8 +54,15 @@ def _room_types() -> str:
     return _text("housefly/hub/api/answers.py", unions)
 
 
-def _text(source: str, unions: dict[str, Any]) -> str:
-    writer = _Writer()
+def _draft_types() -> str:
+    """Return the TypeScript text of the answers to the page of ``housefly new``."""
+    unions = {"DraftAnswer": DraftView | HeardView | WrittenView}
+    return _text("housefly/web/new_site", unions, whole=True)
+
+
+def _text(source: str, unions: dict[str, Any], *, whole: bool = False) -> str:
+    """Return the declarations; ``whole`` says that browsers always send every key."""
+    writer = _Writer(whole=whole)
     lines = [_type_alias(name, writer.name(union)) for name, union in unions.items()]
     return "\n".join([_HEADER.format(source=source), *writer.declarations.values(), *lines])
 
@@ -65,8 +79,9 @@ def _type_alias(name: str, union: str) -> str:
 class _Writer:
     """Collects one declaration a type, in the order in which they are needed."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, whole: bool) -> None:
         self.declarations: dict[str, str] = {}
+        self._whole = whole
 
     def name(self, kind: Any) -> str:
         if kind in _PLAIN:
@@ -104,7 +119,7 @@ class _Writer:
 
     def _interface(self, kind: Any) -> str:
         hints = get_type_hints(kind, include_extras=True)
-        from_browser = hasattr(kind, "__pydantic_config__")
+        from_browser = hasattr(kind, "__pydantic_config__") and not self._whole
         lines = []
         for item in dataclasses.fields(kind):
             optional = "?" if from_browser and item.default is not dataclasses.MISSING else ""

@@ -2,11 +2,94 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
+from housefly.app.loaded_site import LoadedSite, load_site
+from housefly.app.lockstep import fly_lockstep
+from housefly.app.public.gains import judge_gains
 from housefly.cli import main
+from housefly.messages import Order, OrderKind
+
+
+def lines_for(rate: str, latency: str, capsys: pytest.CaptureFixture[str]) -> str:
+    """Return what the command prints for a site file."""
+    assert main(["gains", "--rate", rate, "--latency", latency]) == 0
+    _, _, after = capsys.readouterr().out.partition("for the site file:\n")
+    return "".join(
+        f"{line}\n" for line in after.splitlines() if line.startswith("[") or " = " in line
+    )
+
+
+def site_with(lines: str, folder: Path) -> LoadedSite:
+    file = folder / "advised.toml"
+    file.write_text(lines)
+    return load_site(str(file))
+
+
+def test_the_advice_for_five_frames_a_second_flies_with_the_lines_it_comes_with(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = lines_for("5", "0.1", capsys)
+    assert "pose_age_level = 0.55" in lines
+    advised = site_with(lines, tmp_path)
+    assert advised.site.twin.mocap_rate_hz == 5.0
+    order = Order(OrderKind.SERVICE, "table", look_s=0.0)
+    contacts = list[object]()
+    outcome = fly_lockstep(
+        advised, order, lambda step: None, on_world=lambda world: contacts.extend(world.contact_log)
+    )
+    assert outcome == "completed" and not contacts
+
+
+def test_without_the_advised_limits_the_refusal_names_the_age_of_the_pose(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = lines_for("5", "0.1", capsys).replace("pose_age_level = 0.55\n", "")
+    order = Order(OrderKind.SERVICE, "table", look_s=0.0)
+    outcome = fly_lockstep(site_with(lines, tmp_path), order, lambda step: None)
+    assert re.search(r"refused: tracking shows the drone as it was 0\.\d+ s ago", outcome)
+    assert "limits.pose_age_level: 0.25 s" in outcome and "does not see" not in outcome
+
+
+def test_tracking_that_is_fast_enough_needs_no_other_limits(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    lines = lines_for("50", "0.02", capsys)
+    assert "[limits]" not in lines and "mocap_rate_hz = 50" in lines
+
+
+@pytest.mark.parametrize("rate", ["5", "10", "30"])
+def test_what_it_writes_is_what_it_judged(
+    rate: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    loaded = site_with(lines_for(rate, "0.1", capsys), tmp_path)
+    judged = judge_gains(loaded)
+    assert judged.objections == ()
+    assert loaded.site.limits.pose_age_level > 0.1 + 2.0 / float(rate)
+
+
+def test_a_drone_described_by_hand_is_described_in_the_lines(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    hand = ["--c", "4.5", "--lambda", "5", "--delay", "0.1", "--drag", "0.3", "--tilt-max", "0.15"]
+    assert main(["gains", *hand]) == 0
+    output = capsys.readouterr().out
+    for line in (
+        "attitude_lag = 5", "attitude_gain = 0.9", "command_delay = 0.1", "drag = 0.3",
+        "tilt_max = 0.15",
+    ):  # fmt: skip
+        assert f"\n{line}\n" in output
+
+
+def test_it_says_what_the_pilot_does_not_know_of_the_delay(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["gains", "--alpha", "3.6", "--beta", "3.24"]) == 0
+    output = " ".join(capsys.readouterr().out.split())
+    assert "delay 75 ms in all, of which the pilot knows 60 ms" in output
 
 
 def test_it_recommends_and_draws(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,8 +10,15 @@ import pytest
 from PIL import Image
 
 from housefly.app.console_camera import ConsoleCamera
+from housefly.app.loaded_site import open_site, read_site
+from housefly.app.reproduction_flights import demanded_accelerations, read_service
 from housefly.cli import main
+from housefly.lab.reproduction.fig12_loops import feedback_signals, forward_signals
+from housefly.messages import Action, Phase
+from housefly.pilot.control.laws import saturated_jointly, tilt
+from housefly.record.truth import read_truth
 
+pytestmark = pytest.mark.timeout(400)
 FIGURES = (
     "fig07",
     "fig10",
@@ -48,14 +55,66 @@ def test_the_page_shows_figures_claims_and_tables(made: Path) -> None:
         assert f"<h2>Fig. {number}: " in text
     assert text.count('class="claim"') > 40
     assert text.count("<h2>Table ") == 10
-    assert "Only where frames are held and differentiated" in text
+    assert "10 to 100 frames per second cause unstable behaviors in some cases" in text
     assert "housefly reproduce --seed 1 --quick --no-wires" in text
 
 
 @pytest.mark.slow
-def test_the_flights_behind_it_are_kept(made: Path) -> None:
+def test_without_wires_no_picture_is_said_to_be_received(made: Path) -> None:
+    text = (made / "reproduction.html").read_text()
+    assert "On a stepped clock there is neither page nor camera" in text
+    assert "as received" not in text and "no picture received" not in text
+    strip = np.asarray(Image.open(made / "fig17.png").convert("L"), dtype=float)
+    assert strip[:, strip.shape[1] // 2 :].std() > 20
+
+
+@pytest.mark.slow
+def test_the_flights_behind_it_are_kept_and_a_second_run_flies_none(
+    made: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    flights = [made / "flights" / mode / "flight.mcap" for mode in ("paper", "default")]
+    blocks = sorted((made / "batch").glob("*.npy"))
+    assert all(path.stat().st_size > 100_000 for path in flights) and blocks
+    stamps = [path.stat().st_mtime_ns for path in (*flights, *blocks)]
+    (made / "reproduction.html").unlink()
+    assert main(["reproduce", "--quick", "--no-wires", "--out", str(made)]) == 0
+    said = capsys.readouterr().out
+    assert said.splitlines()[0].startswith("reproducing the paper into ")
     for mode in ("paper", "default"):
-        assert (made / "flights" / mode / "flight.mcap").stat().st_size > 100_000
+        assert f"service in mode {mode}: kept from an earlier run" in said
+    assert [path.stat().st_mtime_ns for path in (*flights, *blocks)] == stamps
+    assert (made / "reproduction.html").exists()
+
+
+@pytest.mark.slow
+def test_the_demanded_acceleration_is_the_controllers_and_the_position_is_true(
+    made: Path,
+) -> None:
+    loaded = open_site(read_site("bsen", twin__seed=1))
+    service = read_service(loaded, made / "flights" / "default")
+    flight = service.flight
+    demanded = demanded_accelerations(loaded, flight.steps)
+    for step, wanted in zip(flight.steps, demanded, strict=True):
+        sent = step.outputs.command
+        if sent.action is not Action.FLY or np.isnan(wanted).any():
+            continue
+        assert step.outputs.estimate is not None
+        yaw, gain = step.outputs.estimate.yaw, loaded.site.drone.attitude_gain
+        theta, phi = tilt(float(wanted[0]), float(wanted[1]), yaw, gain)
+        asked = saturated_jointly(theta, phi, loaded.site.limits.tilt_max)
+        assert (sent.setpoint.theta, sent.setpoint.phi) == pytest.approx(asked, abs=1e-9)
+    start = float(flight.at[flight.during(Phase.OUTBOUND)][0])
+    *_, last = forward_signals(flight, demanded, start)
+    assert last.name == "true x [m]"
+    truth = read_truth(made / "flights" / "default" / "truth.jsonl")
+    assert truth is not None
+    at = truth.time - flight.steps[0].now
+    shown = np.interp(last.curves[0].at + start, at, truth.position[:, 0])
+    assert last.curves[0].values == pytest.approx(shown, abs=1e-6)
+    seen, estimated = feedback_signals(flight, start)
+    noise = seen.curves[0].values
+    assert 0.5 < noise.std() < 2.0, "tracking differs from the truth by its noise [mm]"
+    assert "true" in seen.name and "filter" in estimated.name
 
 
 def test_a_bad_seed_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -67,7 +126,6 @@ def test_a_bad_seed_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 @pytest.mark.browser
 @pytest.mark.slow
 @pytest.mark.interop
-@pytest.mark.timeout(300)
 def test_one_service_is_flown_over_real_wires_and_photographed(tmp_path: Path) -> None:
     assert shutil.which("chromium")
     assert main(["reproduce", "--quick", "--out", str(tmp_path)]) == 0

@@ -78,3 +78,9 @@ def test_what_others_say_of_a_door_and_invalid_words_do_not_count() -> None:
     other = Observation("door", "camera", 0.0, 0.0, facts=(("open", True),))
     broken = Observation("door", "door", 0.0, 0.0, valid=False, facts=(("open", True),))
     assert watch(other, broken, until=100)[1] == []
+
+
+def test_a_window_with_a_contact_may_stand_open_all_day() -> None:
+    contact = (("open", True), ("kind", "contact"))
+    rows = (Observation("window", "window", at, at, facts=contact) for at in range(0, 300, 30))
+    assert watch(*rows, until=300)[1] == []

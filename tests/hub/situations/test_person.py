@@ -107,6 +107,11 @@ def test_every_rule_is_of_use() -> None:
         (PersonFeatures(0.0, False, 1.2, None, BED, True), SITTING),
         (PersonFeatures(0.0, False, None, None, BED, None), LYING),
         (PersonFeatures(0.0, False, None, None, BED, False), STANDING),
+        (PersonFeatures(0.0, False, 0.2, None, BED, False), LYING),
+        (PersonFeatures(0.0, False, 0.6, SOFA, None, None), LYING),
+        (PersonFeatures(0.0, False, None, None, None, None, 1.5), LYING),
+        (PersonFeatures(0.0, False, None, SOFA, None, None, 1.5), SITTING),
+        (PersonFeatures(0.0, False, None, None, None, None, 0.8), STANDING),
     ],
 )
 def test_looks_are_judged_in_order_of_how_sure_they_are(looks: PersonFeatures, kind: str) -> None:

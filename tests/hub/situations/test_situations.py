@@ -13,10 +13,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.hub.nights import night_of, stays_of
 from housefly.hub.situations import Layout, Situations
 from housefly.hub.situations.hysteresis import ENDED_SUFFIX
 from housefly.hub.situations.reorder_buffer import REORDER_DELAY
 from housefly.hub.situations.situation import SOURCE_PREFIX
+from housefly.hub.state_handler import in_order
 from housefly.messages import Observation, RoomEvent
 from housefly.twin.people import Act, Posture, Scene, load_scene, scene_from_tree
 
@@ -373,3 +375,41 @@ def test_a_clock_that_runs_backwards_or_leaps_a_week_does_no_harm(layout: Layout
     assert begun.kind == "someone at the entrance"
     (ended,) = situations.update((), UNIX + 7 * 86_400.0)
     assert ended.kind == "someone at the entrance ended" and situations.active() == ()
+
+
+def test_what_is_on_and_open_is_told_from_when_it_is_so(afternoon: Watcher) -> None:
+    begun, ended = afternoon.named("appliance on"), afternoon.named("appliance on ended")
+    assert {told.thing for told in begun} == {"stove"}
+    assert times(begun) == pytest.approx(acts(Act.ON), abs=0.3)
+    assert times(ended) == pytest.approx(acts(Act.OFF), abs=0.3)
+    assert afternoon.named("contact open") == [] and afternoon.named("person fallen") == []
+
+
+def test_who_got_up_once_at_night_was_up_once(play: Play, watching: Callable[[], Watcher]) -> None:
+    lie = {"do": "lie", "at": [10.35, 2.70], "height": 0.5, "seconds": 40.0}
+    tree = {
+        "name": "a short night",
+        "devices": [
+            {"kind": "floor", "id": "floor-1", "noise": 0.02},
+            {"kind": "bed", "id": "bed", "area": [9.3, 2.2, 11.4, 3.2], "noise": 0.2},
+        ],
+        "people": [
+            {
+                "name": "person-1",
+                "start": [9.9, 3.75],
+                "steps": [
+                    {"do": "wait", "seconds": 5.0}, lie, {"do": "wait", "seconds": 50.0}, lie,
+                    {"do": "wait", "seconds": 20.0},
+                ],
+            }
+        ],
+    }  # fmt: skip
+    watcher = watching()
+    watcher.hear(play(scene_from_tree(tree), 155.0), 155.0)
+    for thing in ("bed", "person-1"):
+        stays = stays_of(thing, in_order(watcher.told), UNIX + 155.0)
+        night = night_of(thing, (UNIX, UNIX + 155.0), stays, UNIX + 155.0)
+        (up,) = night.times_up
+        assert (up.left - UNIX, (up.back or 0.0) - UNIX) == pytest.approx((45.0, 95.0), abs=1.0)
+        assert night.rose == pytest.approx(UNIX + 135.0, abs=1.0)
+        assert night.in_bed == pytest.approx(80.0, abs=3.0)

@@ -52,6 +52,8 @@ def test_the_heading_error_without_the_wrap_spins_and_hardly_ever_arrives() -> N
     wrapped = drones["wrap_yaw"] > 0.5
     assert np.isfinite(measured["arrival_time"][wrapped]).all()
     assert np.isnan(measured["arrival_time"][~wrapped]).mean() > 0.8
+    # docs/paper.md quotes arrivals, so the table of this file shows them.
+    assert load_spec(FOLDER / "wrap_yaw.toml").plot[:2] == ("arrived", "arrival_time")
 
 
 def test_the_papers_filter_is_worse_than_one_that_knows_the_delay_and_no_filter_is_worst() -> None:

@@ -61,6 +61,7 @@ def test_each_point_is_told_in_the_order_of_the_grid_whatever_order_flew(
         assert cell.estimates["stable"] == share(np.arange(30) % 3 != 0)
         assert cell.estimates["rms_error"] == pytest.approx(mean(rate + mode + stable))
         assert cell.estimates["arrival_time"] == pytest.approx(NOTHING, nan_ok=True)
+        assert cell.estimates["arrived"] == share(np.zeros(30, dtype=bool))
 
 
 def test_results_of_both_modes_stand_in_one_file_mode_by_mode(flown: tuple[Plan, Path]) -> None:
@@ -79,7 +80,7 @@ def test_the_file_of_the_summary_has_words_and_bounds(
         rows = list(csv.DictReader(file))
     assert [row["mode"] for row in rows] == ["paper", "default", "paper", "default"]
     assert float(rows[0]["stable_low"]) < float(rows[0]["stable"]) < float(rows[0]["stable_high"])
-    assert rows[0]["arrival_time"] == "nan"
+    assert (rows[0]["arrival_time"], rows[0]["arrived"]) == ("nan", "0")
     with pytest.raises(RecordingError, match="cannot be written"):
         write_summary(tmp_path / "none" / "summary.csv", plan.spec, ())
 

@@ -128,3 +128,24 @@ def test_a_drone_that_is_not_seen_holds_itself_then_lands_and_the_flight_ends() 
     assert trace["safety"][20] == SafetyCode.NOMINAL
     assert trace["safety"][100] == SafetyCode.HOLD and trace["safety"][-1] == SafetyCode.LAND
     assert trace["t"][-1] == pytest.approx(2.01, abs=0.011)
+
+
+@pytest.mark.parametrize("eps3", [0.001, 0.4])
+def test_a_step_that_shoots_past_its_goal_is_measured_whether_or_not_it_passes_near(
+    eps3: float,
+) -> None:
+    """A fast drone may lie within eps3 of its goal at no look at all and still overshoot."""
+    mission = FlightPlan(Task.STEP, ((0.0, 0.0), (3.0, 0.0)), 14.0)
+    drone = cases(
+        changed(Site(), mode="paper"),
+        1,
+        alpha=2.0,
+        beta=3.24,
+        epsilon_height=2.0,
+        epsilon_yaw=3.2,
+        epsilon_position=eps3,
+    )
+    flown = fly_traced(drone, mission)
+    past = float(flown["x"][flown["t"] >= mission.settle].max()) - 3.0
+    assert past > 0.1
+    assert fly_many(drone, mission)[0]["overshoot"] == pytest.approx(past, abs=0.002)

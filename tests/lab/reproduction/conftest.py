@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from housefly.config.site import Site, site_from_file
-from housefly.lab.reproduction.angular_step import AngularStep
+from housefly.lab.reproduction.angular_step import simulated_step
 from housefly.lab.reproduction.evidence import Evidence, gather
 
 SEEDS = 6
@@ -23,10 +23,7 @@ def site() -> Site:
 
 @pytest.fixture(scope="session")
 def evidence(site: Site) -> Evidence:
-    """Return the evidence of a small run, with a step in pitch as the twin answers it."""
+    """Return the evidence of a small run, with the step in pitch of a drone that answers late."""
     from dataclasses import replace
 
-    step = AngularStep(
-        lag=7.0, gain=1.0, delay=0.07, misfit=0.01, lag_without_delay=3.0, misfit_without_delay=0.06
-    )
-    return replace(gather(site, SEEDS), pitch=step)
+    return replace(gather(site, SEEDS), pitch=simulated_step(site.drone.attitude_lag, 0.07))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -11,7 +12,7 @@ import pytest
 from PIL import Image
 
 from housefly.config.site import Site, changed
-from housefly.lab.reproduction import fig07_grid, fig10_acceptor, page
+from housefly.lab.reproduction import fig07_grid, fig10_acceptor, fig17_service, page
 from housefly.lab.reproduction.exhibit import ClaimFinding, Exhibit, Table, Verdict
 from housefly.lab.reproduction.fig10_acceptor import transitions
 from housefly.messages import Behavior
@@ -109,3 +110,31 @@ def test_the_page_holds_everything_and_needs_nobody(tmp_path: Path) -> None:
     ):
         assert words in text
     assert isinstance(exhibit, Exhibit)
+    assert 'class="notice"' not in text
+
+
+def test_what_was_not_flown_as_wanted_is_told_first_and_beside_its_figure(tmp_path: Path) -> None:
+    exhibit = replace(fig10_acceptor.draw_fig10(tmp_path), notice="a stand-in <flight>")
+    made = page.RunNotes((("made by", "a test"),), ("no flight over wires & why",))
+    text = page.write_page(tmp_path, (exhibit,), (), (), made).read_text()
+    first, second = (m.start() for m in re.finditer('class="notice"', text))
+    assert first < text.index("no flight over wires &amp; why") < text.index('id="fig10"') < second
+    assert "a stand-in &lt;flight&gt;" in text[second:]
+
+
+@pytest.mark.parametrize("over_wires", [True, False])
+def test_only_a_flight_over_wires_has_a_column_of_camera_pictures(
+    tmp_path: Path, over_wires: bool
+) -> None:
+    grey = np.full((90, 160, 3), 128, np.uint8)
+    moments = tuple(
+        fig17_service.Moment(title, 5.0 * n, grey, grey if over_wires else None)
+        for n, title in enumerate(("taking off", "on the way", "landing"))
+    )
+    exhibit = fig17_service.draw_fig17(
+        tmp_path, moments, "completed", False, over_wires=over_wires, notice="why"
+    )
+    assert ("as received" in exhibit.caption) is over_wires and exhibit.notice == "why"
+    written = (tmp_path / "fig17.svg").read_text()
+    assert written.count("<image") == (6 if over_wires else 3)
+    assert "no picture received" not in written

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
 from housefly.lab.experiments.intervals import mean, share
 from housefly.lab.reproduction.evidence import Evidence
+from housefly.lab.reproduction.stability_plot import draw_stability
 from housefly.lab.reproduction.streams import LATENCIES, LOOP_FREQUENCIES, LOSSES, RATES
 from housefly.lab.reproduction.table_plots import draw_table_plots
 from housefly.lab.reproduction.tables import tables
@@ -59,3 +63,28 @@ def test_both_pictures_are_written(evidence: Evidence, tmp_path: Path) -> None:
     for exhibit in draw_table_plots(evidence, tmp_path):
         assert (tmp_path / f"{exhibit.stem}.png").stat().st_size > 20_000
         assert re.search(r"<svg", (tmp_path / f"{exhibit.stem}.svg").read_text())
+
+
+def test_a_drone_that_always_rings_is_counted_in_its_cell_and_lowers_the_mean(
+    evidence: Evidence,
+) -> None:
+    values = evidence.edges.values.copy()
+    values[0, 0, 0, 0] = np.nan
+    ringing = replace(evidence, edges=replace(evidence.edges, values=values))
+    before, after = (tables(seen)[-1].rows[0][2] for seen in (evidence, ringing))
+    assert after.endswith("\u21931") and "\u2193" not in before
+    assert float(after.split()[0]) < float(before.split()[0])
+    figure = Figure()
+    draw_stability(figure, ringing)
+    written = [text.get_text() for text in figure.findobj(Text)]
+    assert "\u21931" in written
+    assert any(" 1 lie below" in text for text in written)
+
+
+def test_flights_that_never_arrived_are_counted_beside_the_mean_time(evidence: Evidence) -> None:
+    outcomes = evidence.streams.outcomes.copy()
+    first = np.flatnonzero((evidence.streams.cases["mode"] == 0) & (outcomes["stable"] == 1.0))
+    outcomes["arrival_time"][first] = np.where(np.arange(first.size) % 6 == 0, np.nan, 17.0)
+    some = replace(evidence, streams=replace(evidence.streams, outcomes=outcomes))
+    table = next(table for table in tables(some) if "for good" in table.title)
+    assert any(re.search(r"\[[0-5]/6\]$", cell) for row in table.rows for cell in row)

@@ -241,6 +241,23 @@ def test_what_is_broken_is_told_half_a_second_after_its_time_and_never_sooner(co
     assert found[0] >= RULES[code].after - 1e-6
 
 
+@pytest.mark.parametrize(
+    "unknown", [{"position": None}, {"velocity": None}, {"pose_age": 0.3}, {"telemetry": None}]
+)
+def test_a_take_off_is_not_cut_short_for_a_drift_that_nobody_saw(
+    unknown: dict[str, object],
+) -> None:
+    def blown(inputs: GateInputs, t: float) -> GateInputs:
+        return replace(taking_off(0.4, 0.1)(inputs, t), **unknown)  # type: ignore[arg-type]
+
+    assert times("take_off_aborted", blown, 0.5) == []
+
+
+def test_a_height_that_was_carried_on_through_blindness_is_not_told_as_seen() -> None:
+    assert times("too_high", at(2.6, pose_age=0.3), 1.0) == []
+    assert times("too_high", at(float("nan"), pose_age=0.3), 1.0)
+
+
 @pytest.mark.parametrize("code", sorted(RULES))
 def test_what_is_just_within_its_bounds_is_not_told(code: str) -> None:
     _, fine, observable = BROKEN[code]

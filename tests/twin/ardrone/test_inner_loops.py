@@ -8,10 +8,12 @@ from math import exp
 
 import pytest
 
+from housefly.config.twin import COMMAND_DELAY, INNER_LOOP_DELAY
 from housefly.geometry import Vec2, distance, euler_from_quaternion, rotate
 from housefly.room.model import Room
 from housefly.twin.ardrone.inner_loops import Wrench
 from housefly.twin.ardrone.motors import motor_duties
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.contracts import FlightState, OnboardLimits, TwinWorld
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone.conversions import Stick
@@ -20,6 +22,8 @@ MakeWorld = Callable[..., SimulatedWorld]
 
 
 TILT = OnboardLimits().tilt
+_HAND_STEP = 0.01
+"""How often the hand lets the angle be looked at [s]."""
 
 
 def tilt_of(world: TwinWorld) -> Vec2:
@@ -158,3 +162,23 @@ def test_motors_of_the_lower_side_turn_faster(make_world: MakeWorld, hand: type)
     front_left, front_right, rear_right, rear_left = motor_duties(Wrench(4.0, 0.0, 0.05, 0.0))
     assert rear_left > front_left
     assert rear_right > front_right
+
+
+@pytest.mark.parametrize("lag", [5.0, 10.0])
+def test_the_inner_loops_add_their_declared_delay_to_the_first_order_lag(
+    make_world: MakeWorld, hand: type, lag: float
+) -> None:
+    world = make_world(drone__attitude_lag=lag)
+    hand(world).hover(1.5)
+    world.set_stick(Stick(hover=False))
+    hand(world).wait(1.0)
+    angles = [tilt_of(world)[1]]
+    world.set_stick(Stick(forward=0.4, hover=False))
+    hand(world).wait(2.5, lambda: angles.append(tilt_of(world)[1]))
+    steady = sum(angles[-100:]) / 100
+    # The area above a step response is the sum of its delays and lags.
+    missing = [1.0 - (angle - angles[0]) / (steady - angles[0]) for angle in angles]
+    area = _HAND_STEP * (sum(missing) - 0.5 * missing[0])
+    waited = 0.5 * CONTROL_PERIOD  # of a datagram on average; this stick comes in time
+    added = area - COMMAND_DELAY - 1.0 / lag
+    assert added == pytest.approx(INNER_LOOP_DELAY - waited, abs=0.002)

@@ -71,7 +71,7 @@ def test_the_shipped_scene_takes_about_two_minutes_and_ends_as_it_began() -> Non
     assert 100.0 < BSEN.length < 140.0
     begin, end = BSEN.at(0.0), BSEN.at(BSEN.length - 0.01)
     assert begin.things == end.things
-    assert end.open == frozenset()
+    assert end.open == frozenset() and end.on == frozenset()
     for first, last in zip(begin.people, end.people, strict=True):
         if first.present and first.posture is not Posture.LYING:
             assert last.present

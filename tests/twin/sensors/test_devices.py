@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from housefly.messages import Observation, RoomEvent
-from housefly.twin.people import Posture, load_scene, scene_from_tree
+from housefly.twin.people import Act, Posture, load_scene, scene_from_tree
 from housefly.twin.sensors.devices import DeviceMessage, SimulatedDevices
 from housefly.wires.devices import Channel, Delivered, Placement, Reading, decode_reading
 
@@ -151,3 +151,91 @@ def test_a_floor_sensor_that_is_turned_reports_in_its_own_frame() -> None:
     ).observations[1]
     assert row.position is not None
     assert hypot(row.position[0] - 3.0, row.position[1] - 4.0) < 1e-3
+
+
+def test_a_stove_draws_its_power_from_when_somebody_switches_it_on_until_off() -> None:
+    readings = [
+        (now, float(str(facts(seen)["power"])))
+        for now, reading in told("power")
+        for seen in reading.observations
+    ]
+    (on,), (off,) = (
+        [event.at for event in BSEN.between(-1.0, BSEN.length) if event.act is act]
+        for act in (Act.ON, Act.OFF)
+    )
+    for now, power in readings:
+        if on < now < off:
+            assert power == pytest.approx(1420.0, abs=25.0)
+        elif now < on or now > off + 0.1:
+            assert abs(power) < 25.0
+    assert any(on < now < on + 0.1 for now, _ in readings)  # a change is told at once
+
+
+def test_each_measuring_device_says_what_it_measures_when_on_and_off() -> None:
+    kinds = ("switch", "power", "temperature", "contact", "level")
+    scene = scene_from_tree(
+        {
+            "name": "switches",
+            "devices": [
+                *({"kind": kind, "id": kind} for kind in kinds),
+                {"kind": "level", "id": "tank", "value_on": 99.0, "value_off": 1.0},
+            ],
+            "people": [
+                {
+                    "name": "ann",
+                    "start": [0.0, 0.0],
+                    "steps": [
+                        {"do": "wait", "seconds": 1.0},
+                        *({"do": "on", "what": what} for what in (*kinds[:3], "level", "tank")),
+                        {"do": "open", "what": "contact"},
+                    ],
+                }
+            ],
+        }
+    )
+    devices = SimulatedDevices(scene, "bsen")
+    first, last = (
+        {
+            seen.thing: dict(seen.facts)
+            for message in devices.messages(now)
+            for seen in decode_reading(
+                Delivered(message.address, message.channel, message.payload, UNIX)
+            ).observations
+        }
+        for now in (0.0, 10.0)
+    )
+    assert first == {
+        "switch": {"on": False},
+        "power": {"power": 0.4},
+        "temperature": {"temperature_c": 21.0},
+        "contact": {"open": False, "kind": "contact"},
+        "level": {"level_percent": 20.0},
+        "tank": {"level_percent": 1.0},
+    }
+    assert last == {
+        "switch": {"on": True},
+        "power": {"power": 1400.0},
+        "temperature": {"temperature_c": 180.0},
+        "contact": {"open": True, "kind": "contact"},
+        "level": {"level_percent": 80.0},
+        "tank": {"level_percent": 99.0},
+    }
+
+
+def test_the_floor_feels_who_lies_on_it_over_their_length_and_nobody_in_bed() -> None:
+    def floor(height: float) -> list[dict[str, object]]:
+        steps = [{"do": "lie", "at": [1.0, 1.0], "height": height, "seconds": 5.0}]
+        scene = scene_from_tree(
+            {
+                "name": "lying",
+                "devices": [{"kind": "floor", "id": "floor-1"}],
+                "people": [{"name": "ann", "start": [0.0, 0.0], "height": 1.7, "steps": steps}],
+            }
+        )
+        (message,) = SimulatedDevices(scene, "bsen").messages(1.0)
+        reading = decode_reading(Delivered(message.address, message.channel, message.payload, UNIX))
+        return [dict(seen.facts) for seen in reading.observations[1:]]
+
+    assert floor(0.5) == []
+    (felt,) = floor(0.0)
+    assert felt["extent"] == pytest.approx(1.6, abs=0.1)

@@ -28,7 +28,7 @@ from housefly.wires.devices.fields import FlagField, IdField, NumberField, RowsF
 NOW = 1_800_000_000.0
 GOOD: dict[str, dict[str, object]] = {
     "floor": {
-        "people": [{"id": "person-1", "x": 3.0, "y": 4.0, "sigma": 0.1, "weight": 61.5}],
+        "people": [{"id": "person-1", "x": 3, "y": 4, "sigma": 0.1, "weight": 61.5, "extent": 0.3}],
         "objects": [{"x": 1, "y": 2}],
     },
     "cabinet": {
@@ -40,6 +40,11 @@ GOOD: dict[str, dict[str, object]] = {
     "door": {"open": True},
     "doorbell": {},
     "motion": {"motion": True},
+    "switch": {"state": "ON"},
+    "power": {"power": 1420.0},
+    "temperature": {"temperature": 21.5},
+    "contact": {"contact": True},
+    "level": {"level": 35.0},
 }
 kinds = st.sampled_from(sorted(KINDS))
 json_values = st.recursive(
@@ -204,7 +209,7 @@ def test_people_on_the_floor_have_a_covariance_and_the_nameless_a_number() -> No
             0.0,
             0.010000000000000002,
         ),
-        facts=(("kind", "person"), ("weight", 61.5)),
+        facts=(("kind", "person"), ("weight", 61.5), ("extent", 0.3)),
     )
     assert thing.thing == "floor-1-object-1"
 

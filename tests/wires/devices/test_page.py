@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
 
+from housefly.config.measured_devices import UNITS, MeasuredDeviceConfig
+from housefly.config.site import site_from_tree
 from housefly.wires.devices import KINDS, Delivered, decode_reading, parse_topic
 from housefly.wires.devices.fields import RowsField
 
@@ -36,3 +39,15 @@ def test_every_kind_has_an_example_and_a_row_with_all_its_keys_and_its_heartbeat
             for key in field.spec
         }
         assert all(f"`{key}`" in PAGE for key in inner)
+
+
+def test_every_key_of_a_measuring_device_and_every_unit_is_on_the_page() -> None:
+    assert all(f"`{key}`" in PAGE for key in MeasuredDeviceConfig.model_fields)
+    assert all(f"`{unit}`" in PAGE for units in UNITS.values() for unit in units)
+
+
+def test_the_site_file_on_the_page_is_a_site_file() -> None:
+    blocks = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+    (sensors,) = (block for block in blocks if "[[mqtt.sensors]]" in block)
+    site = site_from_tree(tomllib.loads(sensors))
+    assert {row.kind for row in site.mqtt.sensors} >= {"power", "switch", "temperature"}

@@ -4,46 +4,26 @@ from __future__ import annotations
 
 import time
 from argparse import ArgumentParser, Namespace
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING
 
+from housefly.app.commands.asked_room import add_asked_site, asked_room
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.room_words import clock_time, event_line, moved_line, said_line, sensor_row
 from housefly.app.terminal import console, new_table
-from housefly.errors import LinkError
 
 if TYPE_CHECKING:
     from housefly.hub.api.answers import News
-    from housefly.hub.api.questions import Question
-
-
-class _Answering(Protocol):
-    """A running room or its memory."""
-
-    def ask(self, question: Question) -> Any:
-        """Return the answer."""
-        ...
-
-
-def _add_site(parser: ArgumentParser) -> None:
-    parser.add_argument(
-        "--site",
-        default="bsen",
-        metavar="SITE",
-        help="asked when no room is running (default: bsen)",
-    )
 
 
 def _add_where_arguments(parser: ArgumentParser) -> None:
-    _add_site(parser)
+    add_asked_site(parser)
     parser.add_argument("thing", help="id, name or alias; the beginning is enough")
     parser.add_argument("--at", metavar="TIME", help=f"where it was then: {TIME_FORMS}")
 
 
 def _add_history_arguments(parser: ArgumentParser) -> None:
-    _add_site(parser)
+    add_asked_site(parser)
     parser.add_argument(
         "thing", nargs="?", default="", help="id, name or alias (default: everything)"
     )
@@ -61,7 +41,7 @@ def _add_history_arguments(parser: ArgumentParser) -> None:
 
 
 def _add_watch_arguments(parser: ArgumentParser) -> None:
-    _add_site(parser)
+    add_asked_site(parser)
     parser.add_argument(
         "--moves", action="store_true", help="also where things are, whenever that changes"
     )
@@ -73,7 +53,7 @@ def _where(options: Namespace) -> int:
     from housefly.hub.api.questions import WhereQuestion
 
     at = parse_time(options.at, time.time(), "--at") if options.at else None
-    with _room(options.site) as room:
+    with asked_room(options.site) as room:
         answer = room.ask(checked_question(WhereQuestion(options.thing, at)))
     console.print(answer.words, soft_wrap=True)
     for said in answer.said:
@@ -89,7 +69,7 @@ def _history(options: Namespace) -> int:
     now = time.time()
     since = parse_time(options.since, now, "--since")
     until = parse_time(options.until, now, "--until") if options.until else None
-    with _room(options.site) as room:
+    with asked_room(options.site) as room:
         if options.way:
             track = TrajectoryQuestion(options.thing, since, until, every=1.0)
             rows = room.ask(checked_question(track)).rows[-options.limit :]
@@ -132,7 +112,7 @@ def _sensors(options: Namespace) -> int:
     """List the sensors; 0 only when all of them do well."""
     from housefly.hub.api.questions import SensorsQuestion
 
-    with _room(options.site) as room:
+    with asked_room(options.site) as room:
         answer = room.ask(SensorsQuestion())
     headings = ("", "sensor", "kind", "rate", "last heard", "what is wrong")
     table = new_table(headings, overflow="fold")
@@ -144,26 +124,6 @@ def _sensors(options: Namespace) -> int:
         console.print("no sensor is running")
     console.print(f"memory: {answer.memory}")
     return 0 if answer.sensors and all(sensor.connected for sensor in answer.sensors) else 1
-
-
-@contextmanager
-def _room(site: str) -> Iterator[_Answering]:
-    """Yield the room that runs, or its memory when none does."""
-    from housefly.hub.client.discovery import find
-    from housefly.hub.client.room_client import RoomClient
-
-    try:
-        place = find()
-    except LinkError:
-        from housefly.app.loaded_site import read_site, site_file
-        from housefly.hub.offline import OfflineRoom
-
-        console.print("no room is running: this is what its memory holds", style="dim")
-        with OfflineRoom(read_site(site), site_file(site).parent) as memory:
-            yield memory
-    else:
-        with RoomClient(place.address, place.key, socket=place.socket) as client:
-            yield client
 
 
 WHERE_COMMAND = Subcommand(
@@ -194,6 +154,6 @@ SENSORS_COMMAND = Subcommand(
     name="sensors",
     help="how every sensor does",
     description="List sensors with rate, age and what is wrong.",
-    add_arguments=_add_site,
+    add_arguments=add_asked_site,
     run=_sensors,
 )

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
+    from housefly.config.site import Site
     from housefly.lab.tuning.advice import GainQuestion, Judgement
 
 _DESCRIPTION = """\
@@ -40,7 +42,9 @@ class _GainOption(NamedTuple):
 _GAIN_OPTIONS: tuple[_GainOption, ...] = (
     _GainOption("--c", "1/s", 0.05, 100.0, "c of paper eq. (22); the static gain is c / lambda"),
     _GainOption("--lambda", "1/s", 0.5, 50.0, "lambda of paper eq. (22)"),
-    _GainOption("--delay", "s", 0.0, 0.5, "from command to first reaction"),
+    _GainOption(
+        "--delay", "s", 0.0, 0.5, "from command to first reaction, sending and inner loops included"
+    ),
     _GainOption("--drag", "1/s", 0.0, 5.0, "linear drag over mass"),
     _GainOption("--rate", "Hz", 5.0, 400.0, "tracking frames per second"),
     _GainOption("--latency", "s", 0.0, 0.5, "from exposure to arrival of a frame"),
@@ -84,31 +88,42 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Advise, or judge the pair that is given."""
-    from housefly.app.gains_report import print_advice, print_judgement, print_question
-    from housefly.lab.tuning.advice import advise, judge, routh_objection
-
-    question, gain = _question(options)
     alpha, beta = options.alpha, options.beta
     if (alpha is None) != (beta is None):
         raise ConfigError("--alpha", "and --beta are judged together: give both or none")
+    console.print("loading drone, tracking and the model of the loop")
+    from housefly.app.gains_report import print_judgement, print_question
+    from housefly.lab.tuning.advice import judge, routh_objection
+
+    site, question, gain = _question(options)
     print_question(question, gain)
     if alpha is None:
-        advice = advise(question)
-        if advice is None:
-            console.print(
-                "[bold]no pair keeps every promise[/bold]: track faster, or with less latency; or"
-                " make the step smaller"
-            )
-            return 1
-        print_advice(advice, question)
-        return _finish(advice.judgement, question, options.out)
+        return _advise(options, site, question)
     refusal = routh_objection(alpha, beta, question.loop.lag)
     if refusal:
         console.print(f"[bold]refused[/bold]: {refusal}")
         return 1
-    judgement = judge(question, alpha, beta)
+    with console.status("the margins of this pair"):
+        judgement = judge(question, alpha, beta)
     print_judgement(judgement, question)
     return _finish(judgement, question, options.out)
+
+
+def _advise(options: Namespace, site: Site, question: GainQuestion) -> int:
+    from housefly.app.gains_report import print_advice
+    from housefly.lab.tuning.advice import advise
+    from housefly.lab.tuning.site_lines import site_lines
+
+    with console.status("the fastest pair that keeps its margins") as status:
+        advice = advise(question, status.update)
+    if advice is None:
+        console.print(
+            "[bold]no pair keeps every promise[/bold]: track faster, or with less latency; or"
+            " make the step smaller"
+        )
+        return 1
+    print_advice(advice, question, site_lines(advice, question, site, _drone_lines(options)))
+    return _finish(advice.judgement, question, options.out)
 
 
 def _finish(judgement: Judgement, question: GainQuestion, out: str | None) -> int:
@@ -125,47 +140,64 @@ def _finish(judgement: Judgement, question: GainQuestion, out: str | None) -> in
     return 1 if judgement.objections else 0
 
 
-def _question(options: Namespace) -> tuple[GainQuestion, float]:
-    """Return what is asked and the static gain c / lambda."""
+def _question(options: Namespace) -> tuple[Site, GainQuestion, float]:
+    """Return the site that was named, what is asked, and the static gain c / lambda."""
     from housefly.app.loaded_site import read_site
     from housefly.config.profile import load_profile
-    from housefly.lab.tuning.advice import GainQuestion
-    from housefly.lab.tuning.loop import Loop
+    from housefly.config.site import changed
+    from housefly.lab.tuning.question import DEFAULT_STEP, question_of
 
-    constants = load_profile(Path(options.profile)) if options.profile else {}
-    site = read_site(options.site, **{f"drone__{key}": value for key, value in constants.items()})
-    given = {
+    given = _given(options)
+    site = read_site(options.site, **({"mode": options.mode} if options.mode else {}))
+    constants: dict[str, Any] = {}
+    if options.profile:
+        constants = {**load_profile(Path(options.profile)), "profile": options.profile}
+    measured = changed(site, **{f"drone__{key}": value for key, value in constants.items()})
+    question = question_of(measured, given.get("--step", DEFAULT_STEP))
+    own = question.loop
+    delay = given.get("--delay")
+    loop = replace(
+        own,
+        lag=given.get("--lambda", own.lag),
+        delay=own.delay if delay is None else delay,
+        model_delay=own.model_delay if delay is None else delay,
+        drag=given.get("--drag", own.drag),
+        tracking_hz=given.get("--rate", own.tracking_hz),
+        latency=given.get("--latency", own.latency) + given.get("--jitter", 0.0),
+    )
+    asked = replace(
+        question,
+        loop=loop,
+        noise=given.get("--noise", question.noise),
+        tilt_max=given.get("--tilt-max", question.tilt_max),
+    )
+    return site, asked, given.get("--c", measured.drone.attitude_gain * loop.lag) / loop.lag
+
+
+def _given(options: Namespace) -> dict[str, float]:
+    """Return the numbers of the command line that were given, by flag."""
+    values = {
         option.flag: _checked(option, getattr(options, option.flag[2:].replace("-", "_")))
         for option in _GAIN_OPTIONS
     }
+    return {flag: value for flag, value in values.items() if value is not None}
 
-    def chosen(flag: str, otherwise: float) -> float:
-        value = given[flag]
-        return otherwise if value is None else value
 
-    lag = chosen("--lambda", site.drone.attitude_lag)
-    loop = Loop(
-        alpha=site.control.alpha,
-        beta=site.control.beta,
-        lag=lag,
-        delay=chosen("--delay", site.drone.command_delay),
-        drag=chosen("--drag", site.drone.drag),
-        tracking_hz=chosen("--rate", site.twin.mocap_rate_hz),
-        latency=chosen("--latency", site.twin.mocap_latency) + chosen("--jitter", 0.0),
-        rate_hz=site.control.rate_hz,
-        paper=(options.mode or site.mode) == "paper",
-        acceleration_noise=site.control.acceleration_noise,
-        position_noise=site.control.position_noise,
-    )
-    question = GainQuestion(
-        loop,
-        noise=chosen("--noise", site.twin.mocap_noise),
-        step=chosen("--step", 0.5),
-        tilt_max=chosen("--tilt-max", site.limits.tilt_max),
-        climb_lag=site.drone.climb_lag,
-        yaw_lag=site.drone.yaw_lag,
-    )
-    return question, chosen("--c", site.drone.attitude_gain * lag) / lag
+def _drone_lines(options: Namespace) -> dict[str, float | str]:
+    """Return what a site's ``[drone]`` must say of the drone that was described."""
+    given, lines = _given(options), dict[str, float | str]()
+    if options.profile:
+        lines["profile"] = options.profile
+    for flag, key in (
+        ("--lambda", "attitude_lag"),
+        ("--delay", "command_delay"),
+        ("--drag", "drag"),
+    ):
+        if flag in given:
+            lines[key] = given[flag]
+    if "--c" in given and "--lambda" in given:
+        lines["attitude_gain"] = given["--c"] / given["--lambda"]
+    return lines
 
 
 def _checked(option: _GainOption, value: float | None) -> float | None:

@@ -71,6 +71,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Fly and fit, or fit only; 0 when a profile was written."""
+    console.print("loading the site, its map and the pilot")
     from housefly.app.identification_blocks import read_blocks
     from housefly.app.loaded_site import open_site, read_site, with_newest_edits
     from housefly.record.replay import read_steps
@@ -164,7 +165,8 @@ def _fly(
                 logs.mkdir(exist_ok=True)
                 outcome = fly_identification_over_wires(loaded, flight, logs, on_step)
     finally:
-        recorder.finish(outcome)
+        with console.status("writing the recording's summary and report"):
+            recorder.finish(outcome, steps)
         write_blocks(out, tuple(flight.maneuver.flown))
     return steps, tuple(flight.maneuver.flown), outcome
 
@@ -180,11 +182,12 @@ def _conclude(
 
     site = loaded.site
     limits = Limits(site.limits.tilt_max, site.limits.vertical_speed_max, site.limits.yaw_rate_max)
-    with console.status("fitting"):
+    with console.status(f"fitting {len(flown)} blocks"):
         found = fit_constants(samples_of(steps, flown, site.tracking.body), limits)
     if found.constants:
         print_constants(found, loaded)
-        png, _ = draw_fit(found, out / "fit")
+        with console.status("drawing the fit"):
+            png, _ = draw_fit(found, out / "fit")
         console.print(f"drawn: {png}", soft_wrap=True)
     if found.problems:
         console.print("[bold]no profile[/bold]: the data cannot tell")

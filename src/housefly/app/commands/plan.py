@@ -28,6 +28,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.pilot.assembly import make_pilot
+    from housefly.room.distance import half_diagonal
     from housefly.room.draw import draw_room, text_map
 
     loaded = load(options)
@@ -42,8 +43,14 @@ def _run(options: Namespace) -> int:
         if answer.suggestion:
             console.print("nearest free point: {:.2f},{:.2f}".format(*answer.suggestion))
     else:
-        size = f"{len(path.waypoints)} waypoints, clearance {path.clearance:.2f} m"
+        hull = half_diagonal(loaded.site.drone.hull_length, loaded.site.drone.hull_width)
+        size = f"{len(path.waypoints)} waypoints"
         console.print(f"{path.length:.2f} m, about {answer.duration:.0f} s, {size}")
+        console.print(
+            f"clearance of the hull at least {max(0.0, path.clearance - hull):.2f} m: the path"
+            f" keeps {path.clearance:.2f} m from the obstacles of the map",
+            soft_wrap=True,
+        )
         console.print(" ".join(f"{x:.2f},{y:.2f}" for x, y in path.waypoints))
     if options.png:
         route = path.waypoints if path else None

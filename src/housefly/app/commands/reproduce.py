@@ -6,21 +6,21 @@ import os
 import platform
 import time
 from argparse import ArgumentParser, Namespace
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console, new_progress
-from housefly.errors import ConfigError
+from housefly.errors import ConfigError, LinkError
 
 if TYPE_CHECKING:
-    from rich.progress import Progress
+    from rich.progress import TaskID
 
-    from housefly.app.reproduction_flights import RecordedService, StepFlight, WireService
+    from housefly.app.reproduction_run import Measured
+    from housefly.app.reproduction_store import ReproductionStore
     from housefly.config.site import Site
-    from housefly.lab.reproduction.evidence import Evidence
+    from housefly.lab.reproduction.exhibit import ClaimFinding
+    from housefly.lab.reproduction.page import RunNotes
 
 _DESCRIPTION = """\
 Make every figure of the paper again (7, 10-13, 15-17), the tables that it lacks, and a verdict \
@@ -28,8 +28,9 @@ on each of its
 claims with the number behind it. One service is flown over real wires, some on a stepped clock, \
 and thousands by the batch
 engine. The result is one page, reproduction.html, with the figures as PNG and SVG beside it. \
-Takes a few minutes; Ctrl-C
-lands the drone."""
+Takes a few minutes. What was
+flown is kept as it comes: after Ctrl-C, which lands the drone, or a crash, the same command goes \
+on."""
 _SEEDS, _QUICK_SEEDS = 100, 6
 _REPEATS, _QUICK_REPEATS = 6, 4
 
@@ -58,89 +59,93 @@ def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--no-wires", action="store_true", help="fly nothing over real wires; Fig. 17 is then drawn"
     )
+    parser.add_argument(
+        "--fresh", action="store_true", help="throw away what an earlier run has flown in DIR"
+    )
 
 
 def _run(options: Namespace) -> int:
     """Reproduce; 0 when every figure was made."""
-    from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
-
-    from housefly.app.compiling import CompiledPart, compile_once
-    from housefly.app.loaded_site import read_site
-    from housefly.app.ports import refuse_taken_ports
-    from housefly.app.reproduction_exhibits import draw_exhibits
-    from housefly.lab.reproduction.claims import findings
-    from housefly.lab.reproduction.page import write_page
-    from housefly.lab.reproduction.tables import tables
-
     if not 0 <= options.seed < 2**31:
         raise ConfigError("--seed", f"is {options.seed}; allowed: a number from 0 to {2**31 - 1}")
+    out = Path(options.out)
+    console.print(f"reproducing the paper into {out} ...", soft_wrap=True)
+    began = time.monotonic()
+    from housefly.app.loaded_site import open_site, read_site
+    from housefly.app.ports import refuse_taken_ports
+    from housefly.app.reproduction_store import ReproductionStore
+
     site = read_site(options.site, twin__seed=options.seed)
     if not options.no_wires:
         refuse_taken_ports(site, web=False)
-    out = Path(options.out)
-    out.mkdir(parents=True, exist_ok=True)
-    began = time.monotonic()
-    for part in CompiledPart:
-        compile_once(part, console.print)
-    columns = (TextColumn("{task.description:<42}"), BarColumn(24), TimeElapsedColumn())
-    with new_progress(*columns) as progress, ThreadPoolExecutor(1) as pool:
-        wires = (
-            None
-            if options.no_wires
-            else pool.submit(_wires, site, out / "flights" / "wires", progress)
-        )
-        evidence, paper, default, steps = _measure(site, options.quick, out, progress)
-        wired = wires.result() if wires else None
-        drawing = progress.add_task("figures and page", total=1)
-        exhibits = draw_exhibits(out, evidence, paper, default, steps, wired)
-        found = findings(evidence)
-        made = _run_notes(options, time.monotonic() - began, evidence)
-        page = write_page(out, exhibits, tables(evidence), found, made)
-        progress.update(drawing, completed=1)
+    inputs = f"{site.model_dump_json()} {open_site(site).room}"
+    store = ReproductionStore(out, inputs, fresh=options.fresh)
+    try:
+        measured = _measured(options, site, store)
+    except KeyboardInterrupt:
+        words = f"stopped; what was flown is kept in {out}: run the same again to go on"
+        console.print(words, soft_wrap=True)
+        return 130
+    except LinkError as error:
+        kept = f"what was flown is kept in {out}: run the same again to go on"
+        raise LinkError(f"{error}; {kept}") from error
+    found, page = _written(options, out, measured, time.monotonic() - began)
     _print_verdicts(found, page, time.monotonic() - began)
     return 0
 
 
-def _measure(
-    site: Site, quick: bool, out: Path, progress: Progress
-) -> tuple[Evidence, RecordedService, RecordedService, StepFlight]:
-    from housefly.app.reproduction_flights import fly_recorded_service, fly_steps
-    from housefly.lab.reproduction.evidence import gather
+def _measured(options: Namespace, site: Site, store: ReproductionStore) -> Measured:
+    from rich.progress import BarColumn, TextColumn, TimeElapsedColumn
 
-    flying = progress.add_task("services and steps on a stepped clock", total=3)
-    paper = fly_recorded_service(site, "paper", out / "flights" / "paper")
-    progress.advance(flying)
-    default = fly_recorded_service(site, "default", out / "flights" / "default")
-    progress.advance(flying)
-    steps = fly_steps(site, _QUICK_REPEATS if quick else _REPEATS)
-    progress.advance(flying)
-    batch = progress.add_task("thousands of simulated drones", total=1.0)
-    seeds = _QUICK_SEEDS if quick else _SEEDS
-    evidence = gather(site, seeds, lambda share: progress.update(batch, completed=share))
-    return (
-        replace(evidence, services=(paper.summary, default.summary), pitch=steps.fit),
-        paper,
-        default,
-        steps,
+    from housefly.app.compiling import CompiledPart, compile_once
+    from housefly.app.reproduction_run import Effort, Show, measure
+
+    for part in CompiledPart:
+        compile_once(part, console.print)
+    effort = Effort(
+        seeds=_QUICK_SEEDS if options.quick else _SEEDS,
+        repeats=_QUICK_REPEATS if options.quick else _REPEATS,
+        wires=not options.no_wires,
     )
+    columns = (TextColumn("{task.description:<42}"), BarColumn(24), TimeElapsedColumn())
+    with new_progress(*columns) as progress:
+        tasks: dict[str, TaskID] = {}
+
+        def share(part: str, done: float | None) -> None:
+            if part not in tasks:
+                tasks[part] = progress.add_task(part, total=None if done is None else 1.0)
+            if done is not None:
+                progress.update(tasks[part], total=1.0, completed=done)
+
+        def say(words: str) -> None:
+            progress.console.print(f"{time.strftime('%H:%M:%S')} {words}", soft_wrap=True)
+
+        return measure(site, store, effort, Show(say, share))
 
 
-def _wires(site: Site, folder: Path, progress: Progress) -> WireService:
-    from housefly.app.reproduction_flights import fly_recorded_over_wires
+def _written(
+    options: Namespace, out: Path, measured: Measured, seconds: float
+) -> tuple[tuple[ClaimFinding, ...], Path]:
+    from housefly.app.reproduction_exhibits import draw_exhibits
+    from housefly.lab.reproduction.claims import findings
+    from housefly.lab.reproduction.counter_worlds import judged_elsewhere
+    from housefly.lab.reproduction.page import write_page
+    from housefly.lab.reproduction.tables import tables
 
-    task = progress.add_task("one service over real wires (about 70 s)", total=None)
-    found = fly_recorded_over_wires(
-        site, folder, lambda words: progress.update(task, description=f"over real wires: {words}")
-    )
-    progress.update(task, description="one service over real wires", total=1, completed=1)
-    return found
+    console.print("flying a world against each verdict ...")
+    found = judged_elsewhere(findings(measured.evidence), measured.evidence)
+    console.print("drawing figures and page ...")
+    exhibits = draw_exhibits(out, measured)
+    made = _run_notes(options, seconds, measured)
+    return found, write_page(out, exhibits, tables(measured.evidence), found, made)
 
 
-def _run_notes(options: Namespace, seconds: float, evidence: Evidence) -> Any:
+def _run_notes(options: Namespace, seconds: float, measured: Measured) -> RunNotes:
     from importlib import metadata
 
     from housefly.lab.reproduction.page import RunNotes
 
+    evidence = measured.evidence
     flown = (
         evidence.streams.outcomes.size
         + evidence.edges.values.size
@@ -149,20 +154,39 @@ def _run_notes(options: Namespace, seconds: float, evidence: Evidence) -> Any:
     quick = " --quick" if options.quick else ""
     wires = " --no-wires" if options.no_wires else ""
     return RunNotes(
-        (
+        notices=_notices(measured),
+        lines=(
             ("made by", f"housefly reproduce --seed {options.seed}{quick}{wires}"),
             ("on", time.strftime("%Y-%m-%d %H:%M")),
             ("simulated flights", f"{flown:,}".replace(",", " ")),
-            ("time", f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores"),
+            ("time of this run", f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores"),
             (
                 "versions",
                 f"Housefly {metadata.version('housefly')}, Python {platform.python_version()}",
             ),
-        )
+        ),
     )
 
 
-def _print_verdicts(found: tuple[Any, ...], page: Path, seconds: float) -> None:
+def _notices(measured: Measured) -> tuple[str, ...]:
+    """Return what a reader must know before the figures: flights that were not completed."""
+    if not measured.wire_troubles:
+        return ()
+    reasons = "; ".join(measured.wire_troubles)
+    if measured.wired is not None:
+        return (
+            "The flight of Fig. 17 over real wires was flown again, alone. The first was not"
+            f" completed on this machine: {reasons}.",
+        )
+    return (
+        f"No flight over real wires was completed on this machine, in"
+        f" {len(measured.wire_troubles)} attempts: {reasons}. Fig. 17 shows the flight on the"
+        " stepped clock in its place. On a machine with less to do, run the same command again:"
+        " it flies only what is missing.",
+    )
+
+
+def _print_verdicts(found: tuple[ClaimFinding, ...], page: Path, seconds: float) -> None:
     from housefly.lab.reproduction.exhibit import Verdict
 
     counts = ", ".join(

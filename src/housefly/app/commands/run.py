@@ -30,7 +30,10 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--lively",
         action="store_true",
-        help="somebody lives there: people and things move, devices speak over MQTT (mosquitto)",
+        help=(
+            "somebody lives there, beside what the site has of its own: people and things move,"
+            " devices speak over MQTT (mosquitto)"
+        ),
     )
 
 

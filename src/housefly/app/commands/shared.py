@@ -5,7 +5,7 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
-from housefly.app.lively import lively_changes
+from housefly.app.lively import lively_site
 from housefly.app.terminal import console
 
 if TYPE_CHECKING:
@@ -74,9 +74,10 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         "twin__seed": getattr(options, "seed", None),
         "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
     }
-    if getattr(options, "lively", False):
-        changes |= lively_changes()
     site = read_site(options.site, **given(changes))
+    if getattr(options, "lively", False):
+        site, words = lively_site(site)
+        console.print(f"lively:   {words}", markup=False, soft_wrap=True)
     if faults := _parsed_faults(getattr(options, "fault", [])):
         site = changed(site, faults=[*site.model_dump()["faults"], *faults])
     if with_edits:

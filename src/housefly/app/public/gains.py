@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from housefly.app.loaded_site import LoadedSite
-from housefly.lab.tuning.advice import Advice, GainQuestion, Judgement, advise, judge
-from housefly.lab.tuning.loop import Loop
+from housefly.lab.tuning.advice import Advice, Judgement, advise, judge
+from housefly.lab.tuning.question import DEFAULT_STEP, question_of
 
 
-def choose_gains(loaded: LoadedSite, *, step: float = 0.5) -> Advice | None:
+def choose_gains(loaded: LoadedSite, *, step: float = DEFAULT_STEP) -> Advice | None:
     """Return the fastest gains and filter that keep their margins; None if no pair does.
 
     Drone, tracking rate, latency, noise and mode are those of the site: load it with
@@ -18,7 +18,7 @@ def choose_gains(loaded: LoadedSite, *, step: float = 0.5) -> Advice | None:
         loaded: the site.
         step: largest jump of the reference [m].
     """
-    return advise(_question(loaded, step))
+    return advise(question_of(loaded.site, step))
 
 
 def judge_gains(
@@ -26,7 +26,7 @@ def judge_gains(
     alpha: float | None = None,
     beta: float | None = None,
     *,
-    step: float = 0.5,
+    step: float = DEFAULT_STEP,
 ) -> Judgement:
     """Return the margins of a pair of gains, and what speaks against it.
 
@@ -38,33 +38,7 @@ def judge_gains(
     """
     control = loaded.site.control
     return judge(
-        _question(loaded, step),
+        question_of(loaded.site, step),
         control.alpha if alpha is None else alpha,
         control.beta if beta is None else beta,
-    )
-
-
-def _question(loaded: LoadedSite, step: float) -> GainQuestion:
-    site = loaded.site
-    drone, control, tracking = site.drone, site.control, site.twin
-    loop = Loop(
-        alpha=control.alpha,
-        beta=control.beta,
-        lag=drone.attitude_lag,
-        delay=drone.command_delay,
-        drag=drone.drag,
-        tracking_hz=tracking.mocap_rate_hz,
-        latency=tracking.mocap_latency,
-        rate_hz=control.rate_hz,
-        paper=site.mode == "paper",
-        acceleration_noise=control.acceleration_noise,
-        position_noise=control.position_noise,
-    )
-    return GainQuestion(
-        loop,
-        climb_lag=drone.climb_lag,
-        yaw_lag=drone.yaw_lag,
-        noise=tracking.mocap_noise,
-        step=step,
-        tilt_max=site.limits.tilt_max,
     )

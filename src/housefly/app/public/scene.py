@@ -7,7 +7,6 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from housefly import sites
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.public.temporary_folder import TemporaryFolder
 from housefly.hub.api.answers import Answer
@@ -18,9 +17,8 @@ from housefly.hub.query_handler import QueryHandler
 from housefly.hub.room_status import RoomStatus
 from housefly.hub.situation_service import SituationService
 from housefly.hub.store.open import open_store
-from housefly.hub.things.catalogue import load_catalogue
 from housefly.hub.things.thing import Thing
-from housefly.hub.things_of_room import catalogue_of
+from housefly.hub.things_of_room import catalogue_of, surfaces_of, things_of_scene
 from housefly.twin.people import Scene, load_scene
 from housefly.twin.sensors.devices import SimulatedDevices
 from housefly.wires.devices import Delivered, Placement, decode_reading
@@ -43,7 +41,11 @@ class PlayedScene(RoomQueries):
         self.end = time.time()
         self.begin = self.end - scene.length
         self._folder = TemporaryFolder()
-        self._memory = RoomMemory(things, lambda: open_store(self._folder.path / "room.db"))
+        self._memory = RoomMemory(
+            things,
+            lambda: open_store(self._folder.path / "room.db"),
+            surfaces_of(loaded.room),
+        )
         status = RoomStatus(self._memory.writer.report)
         self._queries = QueryHandler(self._memory, status, lambda: self.end)
         self._play(scene, loaded, SituationService(loaded.site, loaded.room, self._memory, status))
@@ -97,7 +99,6 @@ def play_scene(loaded: LoadedSite, scene: str = "bsen") -> PlayedScene:
     Raises:
         ConfigError: scene or catalogue cannot be read.
     """
-    shipped = Path(sites.__file__).with_name(f"{scene}_things.toml")
     known = catalogue_of(loaded.site, loaded.room, Path())
-    named = load_catalogue(shipped) if not loaded.site.hub.things and shipped.is_file() else ()
-    return PlayedScene(loaded, load_scene(scene), (*known, *named))
+    named = {thing.id: thing for thing in (*things_of_scene(scene), *known)}
+    return PlayedScene(loaded, load_scene(scene), tuple(named.values()))

@@ -13,12 +13,16 @@ from housefly.hub.api.questions import (
     ContentsQuestion,
     EventsQuestion,
     NearQuestion,
+    NightsQuestion,
+    PeopleQuestion,
     PictureQuestion,
     Question,
     SensorsQuestion,
+    StateQuestion,
     TrajectoryQuestion,
     WhereQuestion,
 )
+from housefly.hub.api.state_answers import NightsAnswer, PeopleAnswer, StateAnswer
 
 _Scalar = str | float | bool
 
@@ -33,6 +37,18 @@ class SourceAnswer:
     inside: str
     valid: bool
     facts: dict[str, _Scalar] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class AlternativePlace:
+    """Where else a thing may be: in words ("left on the sofa table"), on or in which thing (its id,
+    or ""), where [m], confidence 0 to 1.
+    """
+
+    words: str
+    thing: str
+    position: Vec3 | None
+    confidence: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +67,8 @@ class WhereAnswer:
         age: time since [s]; None likewise.
         sources: whose word this is.
         said: what each source last said.
+        confidence: that the first answer holds, 0 to 1.
+        alternatives: where else it may be, the likeliest first; empty when nothing speaks for it.
     """
 
     thing: str
@@ -66,6 +84,8 @@ class WhereAnswer:
     age: float | None
     sources: tuple[str, ...]
     said: tuple[SourceAnswer, ...]
+    confidence: float = 1.0
+    alternatives: tuple[AlternativePlace, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,13 +193,16 @@ class SensorsAnswer:
 
 @dataclass(frozen=True, slots=True)
 class SituationAnswer:
-    """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words."""
+    """An active situation: since when [Unix time, s], confidence 0 to 1, evidence in words, and
+    the facts that last as long as it does.
+    """
 
     kind: str
     thing: str
     since: float
     confidence: float
     evidence: str
+    facts: dict[str, _Scalar] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,6 +258,9 @@ Answer = (
     | EventsAnswer
     | SensorsAnswer
     | PictureAnswer
+    | StateAnswer
+    | PeopleAnswer
+    | NightsAnswer
 )
 ANSWER_TYPES: dict[type[Question], type[Answer]] = {
     WhereQuestion: WhereAnswer,
@@ -245,5 +271,8 @@ ANSWER_TYPES: dict[type[Question], type[Answer]] = {
     EventsQuestion: EventsAnswer,
     SensorsQuestion: SensorsAnswer,
     PictureQuestion: PictureAnswer,
+    StateQuestion: StateAnswer,
+    PeopleQuestion: PeopleAnswer,
+    NightsQuestion: NightsAnswer,
 }
 """What each question is answered with."""

@@ -9,9 +9,12 @@ from housefly.hub.api.questions import (
     ContentsQuestion,
     EventsQuestion,
     NearQuestion,
+    NightsQuestion,
+    PeopleQuestion,
     PictureQuestion,
     Question,
     SensorsQuestion,
+    StateQuestion,
     TrajectoryQuestion,
     WhereQuestion,
 )
@@ -43,4 +46,7 @@ ENDPOINTS = (
     Endpoint("/events", EventsQuestion, "What happened"),
     Endpoint("/sensors", SensorsQuestion, "How every sensor does"),
     Endpoint("/picture", PictureQuestion, "Everything that has a place, now or at a time"),
+    Endpoint("/is/{thing}", StateQuestion, "Whether it is on, open, up ...: yes, no or unknown"),
+    Endpoint("/people", PeopleQuestion, "Who is there, in which posture, doing what"),
+    Endpoint("/nights", NightsQuestion, "How often somebody was up at night"),
 )

@@ -18,6 +18,8 @@ _Time = Annotated[float, Field(ge=0.0, le=4102444800.0, allow_inf_nan=False)]
 _Metres = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)]
 _Radius = Annotated[float, Field(gt=0.0, le=1000.0, allow_inf_nan=False)]
 _Seconds = Annotated[float, Field(ge=0.0, le=86400.0, allow_inf_nan=False)]
+_Hour = Annotated[float, Field(ge=0.0, le=24.0, allow_inf_nan=False)]
+"""Of the local day [h]."""
 _Limit = Annotated[int, Field(ge=1, le=10000)]
 
 
@@ -100,6 +102,40 @@ class PictureQuestion:
     ask: Literal["picture"] = "picture"
 
 
+@dataclass(frozen=True, slots=True)
+class StateQuestion:
+    """Whether a thing, device or person is in a state: "on", "open", "up"; answered yes or no."""
+
+    thing: _Name
+    state: _Name
+    at: _Time | None = None
+    ask: Literal["is"] = "is"
+
+
+@dataclass(frozen=True, slots=True)
+class PeopleQuestion:
+    """Who is there, in which posture, doing what; "" is everybody."""
+
+    person: _Word = ""
+    at: _Time | None = None
+    ask: Literal["people"] = "people"
+
+
+@dataclass(frozen=True, slots=True)
+class NightsQuestion:
+    """How often somebody was up at night, between two times; "" is every bed.
+
+    A night is from one local hour to the other [h].
+    """
+
+    since: _Time
+    thing: _Word = ""
+    until: _Time | None = None
+    from_hour: _Hour = 22.0
+    to_hour: _Hour = 6.0
+    ask: Literal["nights"] = "nights"
+
+
 Question = (
     WhereQuestion
     | CatalogueQuestion
@@ -109,4 +145,7 @@ Question = (
     | EventsQuestion
     | SensorsQuestion
     | PictureQuestion
+    | StateQuestion
+    | PeopleQuestion
+    | NightsQuestion
 )

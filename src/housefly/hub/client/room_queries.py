@@ -27,11 +27,21 @@ from housefly.hub.api.questions import (
     ContentsQuestion,
     EventsQuestion,
     NearQuestion,
+    NightsQuestion,
+    PeopleQuestion,
     PictureQuestion,
     Question,
     SensorsQuestion,
+    StateQuestion,
     TrajectoryQuestion,
     WhereQuestion,
+)
+from housefly.hub.api.state_answers import (
+    NightAnswer,
+    NightsAnswer,
+    PeopleAnswer,
+    PersonAnswer,
+    StateAnswer,
 )
 
 
@@ -101,3 +111,28 @@ class RoomQueries(ABC):
         """Return everything that has a place, now or at a time [Unix time, s]."""
         answer: PictureAnswer = self.ask(PictureQuestion(at))
         return answer
+
+    def state(self, thing: str, state: str, at: float | None = None) -> StateAnswer:
+        """Return whether a thing or a person is "on", "open", "in bed" ...: yes, no or unknown."""
+        answer: StateAnswer = self.ask(StateQuestion(thing, state, at))
+        return answer
+
+    def people(self, person: str = "", at: float | None = None) -> tuple[PersonAnswer, ...]:
+        """Return who is there and how, one person or all, now or at a time [Unix time, s]."""
+        answer: PeopleAnswer = self.ask(PeopleQuestion(person, at))
+        return answer.people
+
+    def nights(
+        self,
+        since: float,
+        thing: str = "",
+        until: float | None = None,
+        from_hour: float = 22.0,
+        to_hour: float = 6.0,
+    ) -> tuple[NightAnswer, ...]:
+        """Return how often somebody was up in each night that begins between two times [s].
+
+        ``thing`` is a person or a bed, "" for every bed; hours are of the local day.
+        """
+        answer: NightsAnswer = self.ask(NightsQuestion(since, thing, until, from_hour, to_hour))
+        return answer.nights

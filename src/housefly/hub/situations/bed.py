@@ -16,7 +16,7 @@ from housefly.hub.situations.situation import (
 )
 from housefly.messages import Observation, RoomEvent
 
-_OCCUPIED = "bed occupied"
+BED_OCCUPIED = "bed occupied"
 _SOURCE = SOURCE_PREFIX + "beds"
 LOAD_ON = 20.0
 """A load above this is a person [kg]."""
@@ -26,7 +26,7 @@ BED_HEARTBEAT = 30.0
 """Longest time between two messages of a bed [s]."""
 _LOAD_CONFIDENCE = 0.95
 """Confidence in load cells that report."""
-_DWELL = {_OCCUPIED: 1.5, "": 3.0}
+_DWELL = {BED_OCCUPIED: 1.5, "": 3.0}
 """How long a bed must be loaded or free [s]: ignores thrown bags and people who turn over."""
 
 
@@ -70,7 +70,7 @@ class Beds:
         """Return whether a bed is loaded at a time [s], without hysteresis; None if unknown."""
         known = self._beds.get(bed)
         found = known.assess(now) if known else None
-        return found.kind == _OCCUPIED if found else None
+        return found.kind == BED_OCCUPIED if found else None
 
     def situation(self, bed: str) -> Situation | None:
         """Return the situation that a bed is occupied, None if it is not."""
@@ -102,7 +102,7 @@ class _Bed:
             return None
         words = f"{self._bed}: load {self._load:.1f} kg"
         return Assessment(
-            _OCCUPIED if self._loaded else "",
+            BED_OCCUPIED if self._loaded else "",
             confidence,
             self._since,
             (words,),

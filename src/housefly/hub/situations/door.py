@@ -12,6 +12,7 @@ from housefly.hub.situations.situation import (
     Assessment,
     DetectorInput,
     Situation,
+    fact,
     flag,
 )
 from housefly.messages import Observation, RoomEvent
@@ -66,6 +67,7 @@ class Doors:
         is_open = _DOOR_EVENTS.get(item.kind) if isinstance(item, RoomEvent) else flag(item, "open")
         if (
             is_open is None
+            or fact(item, "kind") == "contact"  # a window may stand open all day
             or item.thing != item.source
             or (isinstance(item, Observation) and not item.valid)
         ):

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from math import cos, hypot, sin
 
 from housefly.geometry import Vec2, Vec3
+from housefly.hub.situations.device_traits import DeviceTraits
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +48,7 @@ class Layout:
         containers: positions of cabinets and refrigerators, by id [m].
         open_limits: how long a door may stand open, by id [s]; default ``door.OPEN_TOO_LONG``.
         people: ids of people, for sources that do not say what a thing is.
+        devices: what is known of measuring devices, by id.
     """
 
     seats: tuple[Area, ...] = ()
@@ -57,3 +59,4 @@ class Layout:
     containers: Mapping[str, Vec3] = field(default_factory=dict)
     open_limits: Mapping[str, float] = field(default_factory=dict)
     people: frozenset[str] = frozenset()
+    devices: Mapping[str, DeviceTraits] = field(default_factory=dict)

@@ -14,15 +14,16 @@ from housefly.hub.situations.posture import (
     STANDING,
     WALKING,
     PersonFeatures,
-    bed_at,
+    features_of,
     rule_for,
-    seat_at,
 )
 from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, DetectorInput, Situation
 from housefly.hub.situations.sleeping import assess_sleeper
 from housefly.messages import Facts, RoomEvent
 
-_PRESENT = "person present"
+PRESENT = "person present"
+ON_FLOOR = "floor"
+"""What carries somebody who lies on the floor."""
 _SOURCE = SOURCE_PREFIX + "people"
 _PRESENT_AFTER = 0.5
 """How long somebody must be seen to be present [s]: ignores single reflections."""
@@ -85,14 +86,14 @@ class People:
                 )
             confidence = _SEEN_CONFIDENCE * self._tracks.confidence(track, now)
             return Assessment(
-                _PRESENT,
+                PRESENT,
                 confidence,
                 track.since,
                 (f"{track.source}: seen",),
                 _place_facts(track, None),
             )
         if posture is not None:
-            return replace(posture, kind=_PRESENT)
+            return replace(posture, kind=PRESENT)
         latest = self._tracks.latest(person)
         if latest is None or not self._tracks.out_of_sight(latest):
             return None
@@ -107,31 +108,15 @@ class People:
         speed = track.speed()
         if speed is None:
             return _as_before(track, hysteresis, now)
-        looks = self._looks(track, speed, hysteresis, now)
+        walked = hysteresis.kind == WALKING
+        looks = features_of(track, speed, walked, self._layout, self._beds, now)
         rule = rule_for(looks)
-        on = looks.bed or looks.seat
         facts = _place_facts(track, speed)
-        facts = (
-            (*facts, ("on", on.name)) if on is not None and rule.kind in (SITTING, LYING) else facts
-        )
+        if rule.kind in (SITTING, LYING):
+            facts = (*facts, ("on", _carrier(looks)))
         words = (f"{track.source}: {rule.words}",)
         return Assessment(
             rule.kind, rule.confidence * self._tracks.confidence(track, now), None, words, facts
-        )
-
-    def _looks(
-        self, track: PersonTrack, speed: float, hysteresis: Hysteresis, now: float
-    ) -> PersonFeatures:
-        place, bed = track.last.position, bed_at(self._layout, track.last.position)
-        loaded = self._beds.occupied(bed, now) if bed else None
-        area = self._layout.beds.get(bed)
-        return PersonFeatures(
-            speed,
-            hysteresis.kind == WALKING,
-            track.last.head,
-            seat_at(self._layout, place),
-            area,
-            loaded,
         )
 
 
@@ -146,9 +131,15 @@ def _as_before(track: PersonTrack, hysteresis: Hysteresis, now: float) -> Assess
     )
 
 
+def _carrier(looks: PersonFeatures) -> str:
+    """Return what carries somebody who sits or lies."""
+    area = None if looks.lies_on_floor else looks.bed or looks.seat
+    return ON_FLOOR if area is None else area.name
+
+
 def _new(person: str) -> _PersonState:
     return _PersonState(
-        Hysteresis(person, _SOURCE, {_PRESENT: 0.0, "": 0.0}), Hysteresis(person, _SOURCE, _DWELL)
+        Hysteresis(person, _SOURCE, {PRESENT: 0.0, "": 0.0}), Hysteresis(person, _SOURCE, _DWELL)
     )
 
 

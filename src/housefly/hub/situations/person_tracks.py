@@ -39,12 +39,14 @@ class _TrackPoint:
         position: world [m].
         sigma: one-sigma error [m].
         head: height of the head above the floor [m], None when unknown.
+        extent: over what length they touch the floor [m], None when unknown.
     """
 
     at: float
     position: Vec3
     sigma: float
     head: float | None
+    extent: float | None = None
 
 
 class PersonTrack:
@@ -118,7 +120,9 @@ class PersonTracks:
             del self._tracks[min(self._tracks, key=lambda old: self._tracks[old].last.at)]
         variance = item.covariance[0] if item.covariance else _DEFAULT_SIGMA**2
         sigma = variance**0.5 if isfinite(variance) and variance > 0.0 else _DEFAULT_SIGMA
-        seen = _TrackPoint(item.captured_at, item.position, sigma, number(item, "head"))
+        seen = _TrackPoint(
+            item.captured_at, item.position, sigma, number(item, "head"), number(item, "extent")
+        )
         self._tracks.setdefault(key, PersonTrack(*key)).add(seen)
 
     def is_person(self, item: DetectorInput) -> bool:

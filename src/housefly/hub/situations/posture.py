@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.layout import Area, Layout
+from housefly.hub.situations.person_tracks import PersonTrack
 
 WALKING, STANDING, SITTING, LYING = (
     "person walking",
@@ -26,6 +28,10 @@ _PILLOW_HEAD = 0.95
 """Somebody with a higher head sits on the bed instead of lying there [m]."""
 _SEATED_HEAD = 1.45
 """Somebody with a higher head stands in front of the seat instead of sitting on it [m]."""
+_CUSHION_HEAD = 0.8
+"""Somebody with a lower head, on a seat, lies on it [m]."""
+STRETCHED_EXTENT = 1.1
+"""Somebody who touches the floor over at least this length lies on it [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +45,7 @@ class PersonFeatures:
         seat: the seat that they are on, None for none.
         bed: the bed that they are on, None for none.
         loaded: whether the bed is loaded; None if unknown, or without a bed.
+        extent: over what length they touch the floor [m], None if unknown.
     """
 
     speed: float
@@ -47,6 +54,14 @@ class PersonFeatures:
     seat: Area | None
     bed: Area | None
     loaded: bool | None
+    extent: float | None = None
+
+    @property
+    def lies_on_floor(self) -> bool:
+        """Whether they lie on the floor: neither bed nor seat carries them."""
+        if self.seat is not None or (self.bed is not None and self.loaded is not False):
+            return False
+        return is_down(self.head, self.extent)
 
     @property
     def moves(self) -> bool:
@@ -66,9 +81,13 @@ class _Rule:
 
 RULES: tuple[_Rule, ...] = (
     _Rule(
-        LYING, 0.8, lambda p: p.bed is None and _below(p.head, _FALLEN_HEAD), "head near the floor"
+        LYING,
+        0.8,
+        lambda p: p.lies_on_floor and _below(p.head, _FALLEN_HEAD),
+        "head near the floor",
     ),
     _Rule(WALKING, 0.9, lambda p: p.moves, "moves over the floor"),
+    _Rule(LYING, 0.75, lambda p: p.lies_on_floor, "stretched over the floor"),
     _Rule(
         SITTING,
         0.85,
@@ -88,6 +107,12 @@ RULES: tuple[_Rule, ...] = (
         lambda p: p.seat is not None and _above(p.head, _SEATED_HEAD),
         "head high before seat",
     ),
+    _Rule(
+        LYING,
+        0.75,
+        lambda p: p.seat is not None and _below(p.head, _CUSHION_HEAD),
+        "on seat, head as low as it",
+    ),
     _Rule(SITTING, 0.9, lambda p: p.seat is not None and p.head is not None, "on seat, head low"),
     _Rule(SITTING, 0.8, lambda p: p.seat is not None, "on seat"),
     _Rule(STANDING, 0.9, lambda p: True, "stays where they are"),
@@ -98,6 +123,27 @@ RULES: tuple[_Rule, ...] = (
 def rule_for(looks: PersonFeatures) -> _Rule:
     """Return the first rule that fits."""
     return next(rule for rule in RULES if rule.fits(looks))
+
+
+def is_down(head: float | None, extent: float | None) -> bool:
+    """Return whether head height [m] or extent on the floor [m] are of somebody who lies."""
+    return _below(head, _FALLEN_HEAD) or _above(extent, STRETCHED_EXTENT)
+
+
+def features_of(
+    track: PersonTrack, speed: float, walked: bool, layout: Layout, beds: Beds, now: float
+) -> PersonFeatures:
+    """Return the features of a person at a time [s] by one source's track."""
+    place, bed = track.last.position, bed_at(layout, track.last.position)
+    return PersonFeatures(
+        speed,
+        walked,
+        track.last.head,
+        seat_at(layout, place),
+        layout.beds.get(bed),
+        beds.occupied(bed, now) if bed else None,
+        track.last.extent,
+    )
 
 
 def seat_at(layout: Layout, point: tuple[float, ...]) -> Area | None:
@@ -117,5 +163,5 @@ def _below(head: float | None, limit: float) -> bool:
     return head is not None and head < limit
 
 
-def _above(head: float | None, limit: float) -> bool:
-    return head is not None and head >= limit
+def _above(length: float | None, limit: float) -> bool:
+    return length is not None and length >= limit

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from math import floor
 
+from housefly.hub.situations.appliance import Appliances
 from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.door import Doors
 from housefly.hub.situations.entrance import Entrance
+from housefly.hub.situations.fall import Falls
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.objects import Objects
 from housefly.hub.situations.person import People
@@ -37,7 +39,9 @@ class Situations:
         self._tracks, beds = PersonTracks(layout.people), Beds(layout.beds)
         entrance, objects = Entrance(self._tracks, layout), Objects(self._tracks, layout)
         self._detectors: tuple[Detector, ...] = (
-            beds, Doors(layout.open_limits), People(self._tracks, beds, layout), entrance, objects,
+            beds, Doors(layout.open_limits), Appliances(layout.devices),
+            People(self._tracks, beds, layout), Falls(self._tracks, beds, layout),
+            entrance, objects,
         )  # fmt: skip
         self._steps: int | None = None
 

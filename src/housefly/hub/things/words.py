@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from housefly.geometry import Vec3
+from housefly.hub.things.beliefs import CARRIERS
 from housefly.hub.things.fused_pose import FusedPose
-from housefly.hub.things.thing import ThingKind
+from housefly.hub.things.hypothesis import SURE, Belief, Hypothesis
 from housefly.hub.things.world_model import WorldModel
 
 _JUST_NOW = 2.0
 """Ages below this are "now" [s]."""
 _UNITS = ((86_400.0, "day"), (3600.0, "h"), (60.0, "min"), (1.0, "s"))
 _PLURAL = ("day",)
-_CARRIERS = (ThingKind.PERSON, ThingKind.ROBOT)
-"""What they carry is with them, not in them."""
 _MIN_COUNT = 2.0
 """Smallest count in which a unit is used: 90 s, then 2 min."""
 
@@ -40,17 +40,33 @@ def seen_words(found: FusedPose, now: float) -> str:
 
 def _within(world: WorldModel, container: str) -> str:
     holder = world.thing(container)
-    return f"{'with' if holder.kind in _CARRIERS else 'in'} {holder.name}"
+    return f"{'with' if holder.kind in CARRIERS else 'in'} {holder.name}"
 
 
-def where_words(world: WorldModel, thing: str, now: float) -> str:
-    """Answer "where is it" in words.
+def where_words(world: WorldModel, thing: str, now: float, belief: Belief = SURE) -> str:
+    """Answer "where is it" in words, with what else may be.
 
     For example "cup: in the cabinet, at (9.30, 5.60, 0.82) m, last seen 3 min ago by floor".
     """
     found = world.where(thing)
     parts = [_within(world, container) for container in world.chain(thing)]
     if found.position is not None:
-        parts.append("at ({:.2f}, {:.2f}, {:.2f}) m".format(*found.position))
+        parts.append(_place_words(found.position))
+    if belief.alternatives and parts:
+        parts[-1] += f" ({_percent(belief.confidence)})"
+    parts += [_alternative_words(one) for one in belief.alternatives]
     parts.append(seen_words(found, now))
     return f"{world.thing(thing).name}: {', '.join(parts)}"
+
+
+def _alternative_words(one: Hypothesis) -> str:
+    place = "" if one.position is None else f" {_place_words(one.position)}"
+    return f"or {one.words}{place} ({_percent(one.confidence)})"
+
+
+def _place_words(position: Vec3) -> str:
+    return "at ({:.2f}, {:.2f}, {:.2f}) m".format(*position)
+
+
+def _percent(confidence: float) -> str:
+    return f"{max(1, round(100 * confidence))} %"

@@ -52,13 +52,16 @@ class WorldModel:
     def observe(self, sample: Observation) -> None:
         """Add what a source reports; a sample older than the source's last one changes nothing.
 
-        An unknown thing or container becomes an object named by its id.
+        An unknown thing or container becomes an object named by its id, or a person when the source
+        says so.
 
         Raises:
             ThingError: the thing would be inside itself; the sample is not kept.
         """
         for unknown in {sample.thing, sample.inside} - self._things.keys() - {""}:
-            self.add_thing(Thing(unknown, unknown))
+            says = dict(sample.facts).get("kind") if unknown == sample.thing else None
+            kind = ThingKind.PERSON if says == ThingKind.PERSON else ThingKind.OBJECT
+            self.add_thing(Thing(unknown, unknown, kind))
         inside = self._own(sample.thing).inside
         before = self._valid.get(sample.thing, {}).get(sample.source)
         if sample.valid and _is_newer(sample, before):

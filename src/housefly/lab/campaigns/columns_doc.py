@@ -9,7 +9,7 @@ from math import inf
 
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import PARAMETERS, Parameter
-from housefly.lab.experiments.outcomes import MEASURES
+from housefly.lab.experiments.outcomes import SUMMARY_MEASURES
 
 
 def columns_table() -> str:
@@ -26,7 +26,9 @@ def columns_table() -> str:
 
 def measures_table() -> str:
     """Return every measure with unit and meaning, as Markdown."""
-    rows = [f"| `{measure.name}` | {measure.unit} | {measure.meaning} |" for measure in MEASURES]
+    rows = [
+        f"| `{measure.name}` | {measure.unit} | {measure.meaning} |" for measure in SUMMARY_MEASURES
+    ]
     return "\n".join(["| measure | unit | meaning |", "|---|---|---|", *rows])
 
 

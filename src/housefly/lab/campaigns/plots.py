@@ -19,7 +19,7 @@ from housefly.errors import RecordingError
 from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
 from housefly.lab.campaigns.summary import SHARES, GridPoint, value_text
 from housefly.lab.experiments.cases import BY_NAME
-from housefly.lab.experiments.outcomes import MEASURES
+from housefly.lab.experiments.outcomes import SUMMARY_MEASURES
 from housefly.record.plot_style import (
     AMBER,
     BLUE,
@@ -43,7 +43,7 @@ _MARKER_SHIFT = 0.1
 """Horizontal shift between markers that share a word on the x axis."""
 _EMPTY_SHADE = "0.85"
 """Shade of a grid point without data."""
-_MEASURES = {measure.name: measure for measure in MEASURES}
+_MEASURES = {measure.name: measure for measure in SUMMARY_MEASURES}
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from housefly.config.validation import Location, dotted, validated
 from housefly.errors import ConfigError
 from housefly.lab.campaigns.draws import ColumnValue, Draw
 from housefly.lab.experiments.cases import BY_NAME, PARAMETERS, WHOLE, checked
-from housefly.lab.experiments.outcomes import MEASURES
+from housefly.lab.experiments.outcomes import SUMMARY_MEASURES
 
 _MAX_DRONES = 50_000_000
 """More drones than this are refused: their results would fill the disk."""
@@ -159,7 +159,7 @@ def _check_names(spec: CampaignSpec) -> None:
             "draw.mode",
             "the way is planned for each mode beforehand: put mode into [grid] or [fixed]",
         )
-    measures = [measure.name for measure in MEASURES]
+    measures = [measure.name for measure in SUMMARY_MEASURES]
     for name in spec.plot:
         if name not in measures:
             raise ConfigError("plot", f"{name!r} is no measure; there are: {', '.join(measures)}")

@@ -14,14 +14,14 @@ from numpy.typing import NDArray
 from housefly.errors import MissingPartError, RecordingError
 from housefly.lab.campaigns.spec import COLUMN_WORDS, CampaignSpec
 from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
-from housefly.lab.experiments.outcomes import MEASURES
+from housefly.lab.experiments.outcomes import ARRIVED, MEASURES, SUMMARY_MEASURES
 
 try:
     import pyarrow.parquet as pq
 except ImportError as error:
     raise MissingPartError("pyarrow (results as Parquet)", "pip install 'housefly[lab]'") from error
 
-SHARES = ("stable",)
+SHARES = ("stable", ARRIVED.name)
 """Measures that are 0 or 1."""
 
 
@@ -44,7 +44,8 @@ def summarize_campaign(spec: CampaignSpec, results: Path) -> tuple[GridPoint, ..
     """Return the grid points of a campaign's ``results.parquet`` in grid order.
 
     One column is in memory at a time. Errors of a flight that diverged mean nothing, so means are
-    taken over the stable flights; ``stable`` is their share.
+    taken over the stable flights; ``stable`` is their share. A flight that never arrives has no
+    arrival time: ``arrived`` is the share of all flights that have one.
     """
     cells = _column(results, "cell")
     order = np.argsort(cells, kind="stable")
@@ -58,6 +59,9 @@ def summarize_campaign(spec: CampaignSpec, results: Path) -> tuple[GridPoint, ..
             estimates[cell][measure.name] = (
                 share(own) if measure.name in SHARES else mean(numbers[first:last][own])
             )
+    arrived = np.isfinite(_column(results, "arrival_time")[order])
+    for own_estimates, (first, last) in zip(estimates, pairwise(bounds), strict=True):
+        own_estimates[ARRIVED.name] = share(arrived[first:last])
     points = product(*spec.grid.values())
     return tuple(
         GridPoint(tuple(float(value) for value in point), int(last - first), found)
@@ -96,7 +100,7 @@ def write_summary(path: Path, spec: CampaignSpec, cells: tuple[GridPoint, ...]) 
 
     Raises RecordingError when that fails.
     """
-    names = [measure.name for measure in MEASURES]
+    names = [measure.name for measure in SUMMARY_MEASURES]
     try:
         with path.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)

@@ -17,6 +17,7 @@ from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
 from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.wires.ardrone.command_delay import simulated_command_delay
 
 DEFAULT, PAPER = 0, 1
 """Values of the column ``mode``."""
@@ -75,7 +76,7 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("wrap_yaw", "1", 0.0, 1.0, lambda s: 1.0,
        "1 wraps yaw errors; 0 is the paper's literal reading"),
     _P("acceleration_noise", "m/s^2", 0.001, 50.0, lambda s: s.control.acceleration_noise,
-       "Kalman Q, one sigma"),
+       "Kalman Q, one sigma; mode paper's filter takes it as a density [m/s^1.5]"),
     _P("position_noise", "m", 1e-05, 1.0, lambda s: s.control.position_noise,
        "Kalman R, one sigma"),
     _P("model_lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag,
@@ -97,7 +98,7 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("lag", "1/s", 0.5, 50.0, lambda s: s.drone.attitude_lag, "lambda of the drone"),
     _P("gain", "1", 0.05, 20.0, lambda s: s.drone.attitude_gain, "c / lambda of the drone"),
     _P("drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "linear drag over mass of the drone"),
-    _P("delay", "s", 0.0, 0.5, lambda s: s.twin.command_delay,
+    _P("delay", "s", 0.0, 0.5, simulated_command_delay,
        "from command to first reaction of the drone"),
     _P("climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag,
        "pole of the drone's climb rate"),

@@ -17,6 +17,8 @@ except ImportError as error:
 
 CONFIDENCE_LEVEL = 0.95
 """Confidence of every interval."""
+_RESAMPLES = 2000
+"""Samples drawn anew for a bootstrap."""
 
 
 class IntervalEstimate(NamedTuple):
@@ -46,6 +48,24 @@ def mean(samples: ArrayLike) -> IntervalEstimate:
         return IntervalEstimate(middle, nan, nan)
     reach = _student(numbers.size - 1) * float(numbers.std(ddof=1)) / float(np.sqrt(numbers.size))
     return IntervalEstimate(middle, middle - reach, middle + reach)
+
+
+def bootstrap_mean(samples: ArrayLike) -> IntervalEstimate:
+    """Return the mean of all samples with its percentile bootstrap interval, the same every time.
+
+    Unlike ``mean`` it leaves no sample out and supposes no distribution.
+
+    Args:
+        samples: finite numbers, shape (n,).
+    """
+    numbers = np.asarray(samples, dtype=float)
+    if not numbers.size:
+        return NOTHING
+    random = np.random.Generator(np.random.PCG64(0))
+    drawn = numbers[random.integers(numbers.size, size=(_RESAMPLES, numbers.size))].mean(axis=1)
+    tail = 50.0 * (1.0 - CONFIDENCE_LEVEL)
+    low, high = np.percentile(drawn, (tail, 100.0 - tail))
+    return IntervalEstimate(float(numbers.mean()), float(low), float(high))
 
 
 def share(hits: ArrayLike) -> IntervalEstimate:

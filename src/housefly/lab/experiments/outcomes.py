@@ -62,6 +62,9 @@ MEASURES: tuple[Measure, ...] = (
         " below 0.1 m",
     ),
 )
+ARRIVED = Measure("arrived", "1", "share of all flights that have an arrival time")
+"""What a summary counts beside the means, which leave out a flight without an arrival time."""
+SUMMARY_MEASURES = (*MEASURES, ARRIVED)
 OUTCOME = np.dtype([(measure.name, np.float64) for measure in MEASURES])
 """One drone's results."""
 

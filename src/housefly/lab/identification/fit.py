@@ -17,7 +17,7 @@ from housefly.numeric import FloatArray
 
 try:
     from scipy.optimize import least_squares
-    from scipy.stats import t as student
+    from scipy.special import stdtrit
 except ImportError as error:
     raise MissingPartError("scipy (identification)", "pip install 'housefly[lab]'") from error
 
@@ -126,5 +126,5 @@ def _half_widths(rows: list[FloatArray], rests: list[FloatArray], seed: int) -> 
         "sij,sb,bj->si", np.linalg.pinv(whole, hermitian=True), weights, slope, optimize=True
     )
     spread = shifts.std(axis=0)
-    quantile = float(student.ppf(0.5 + 0.5 * _CONFIDENCE, free))
+    quantile = float(stdtrit(free, 0.5 + 0.5 * _CONFIDENCE))
     return np.asarray(spread * quantile * sqrt(count / free))

@@ -16,6 +16,13 @@ _STEPS = (1e-4, 1e-4, 1e-4)
 """Relative steps of the numeric derivatives, larger than the kink of a delay between samples."""
 _BOUNDS = ([0.05, 0.2, 0.0], [5.0, 100.0, 0.5])
 
+_ASKED = 0.4 * 0.21
+"""The paper's step in pitch [rad]."""
+_DURATION, _SAMPLING = 1.0, 0.005
+"""Of a simulated step, as the drone reports it [s]."""
+_NOISE = 0.001
+"""One sigma of a simulated angle [rad]."""
+
 
 @dataclass(frozen=True, slots=True)
 class AngularStep:
@@ -42,6 +49,13 @@ def response(time: FloatArray, asked: float, gain: float, lag: float, delay: flo
     """Return the angle [rad] at times [s] after the command ``asked`` [rad]: delayed eq. (22)."""
     late = np.maximum(time - delay, 0.0)
     return np.asarray(asked * gain * (1.0 - np.exp(-lag * late)))
+
+
+def simulated_step(lag: float, delay: float) -> AngularStep:
+    """Return the fit to a noisy step of a drone with this lambda [1/s] and pure delay [s]."""
+    time = np.arange(0.0, _DURATION, _SAMPLING)
+    noise = np.random.Generator(np.random.PCG64(0)).normal(0.0, _NOISE, time.size)
+    return fit_step(time, response(time, _ASKED, 1.0, lag, delay) + noise, _ASKED)
 
 
 def fit_step(time: FloatArray, angle: FloatArray, asked: float) -> AngularStep:

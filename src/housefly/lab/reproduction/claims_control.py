@@ -5,16 +5,15 @@ from __future__ import annotations
 from housefly.lab.experiments.intervals import IntervalEstimate, mean, share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
+from housefly.lab.reproduction.opposing_judges import judge_lag_knowledge, judge_saturation
 from housefly.lab.reproduction.ruling import (
     Claim,
     Ruling,
-    centimetres,
     percent,
     percents,
     untestable,
 )
-from housefly.lab.reproduction.streams import LATENCIES, RATES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.lab.reproduction.tracking_judges import judge_estimation, judge_kalman
 
 _CLOSE = 0.01
 """A response within this distance of the promised one counts as equal [m]."""
@@ -74,21 +73,6 @@ def _chosen_gains(evidence: Evidence) -> Ruling:
     )
 
 
-def _saturation(evidence: Evidence) -> Ruling:
-    """Rule on "saturation eliminates unexpected overshoots"."""
-    limited, free = (
-        mean(evidence.trials[key]["overshoot"])
-        for key in ("long step, saturated", "long step, free")
-    )
-    text = (
-        f"A step of 3 m overshoots by {centimetres(limited)} with the tilt saturated at 0.21 rad,"
-        f" by {centimetres(free)} at 0.5."
-    )
-    if limited.high < free.low:
-        return Ruling(Verdict.HOLDS, text)
-    return Ruling(Verdict.FAILS, "It bounds the tilt, not the overshoot. " + text)
-
-
 def _first_order(evidence: Evidence) -> Ruling:
     """Rule on "the shape of the curve validates a first-order system" (Fig. 11)."""
     step = evidence.pitch
@@ -139,53 +123,6 @@ def _independent_loops(evidence: Evidence) -> Ruling:
     return Ruling(Verdict.FAILS, text)
 
 
-def _lag_matters(evidence: Evidence) -> Ruling:
-    """Rule on "(c, lambda) are of particular value for the state estimation"."""
-    known, unknown = (
-        mean(evidence.trials[key]["estimate_rms"]) for key in ("lag known", "lag unknown")
-    )
-    text = (
-        f"The estimate is off by {1000 * known.value:.1f} mm (root mean square) when the filter"
-        f" knows lambda, by {1000 * unknown.value:.1f} mm when it takes the angles for reached at"
-        " once."
-    )
-    return Ruling(
-        Verdict.HOLDS if unknown.value > _FELT_FACTOR * known.value else Verdict.FAILS, text
-    )
-
-
-def _filter_needed(evidence: Evidence) -> Ruling:
-    """Rule on "state estimation is required" by finite differences at 5 mm of noise."""
-    raw, filtered = (evidence.trials[key] for key in ("unfiltered", "filtered"))
-    shaken, calm = mean(raw["saturated"]), mean(filtered["saturated"])
-    wide, narrow = mean(raw["rms_error"]), mean(filtered["rms_error"])
-    text = (
-        f"With 5 mm of noise the wanted tilt is beyond its limit {100 * shaken.value:.1f} % of the"
-        f" time when frames are differentiated, {100 * calm.value:.1f} % with the filter; the path"
-        f" is kept to {centimetres(wide)} and {centimetres(narrow)}."
-    )
-    if shaken.value > _FELT_FACTOR * max(calm.value, _NEVER):
-        return Ruling(Verdict.HOLDS, text)
-    return Ruling(Verdict.FAILS, text)
-
-
-def _kalman_good(evidence: Evidence) -> Ruling:
-    """Rule on "a Kalman filter is a good estimator", against one that models lag and delays."""
-    rate, late = RATES[-1], LATENCIES[-1]
-    theirs, ours = (
-        mean(evidence.edges.of(estimator, rate, late))
-        for estimator in (EstimatorKind.ON_ARRIVAL, EstimatorKind.DELAY_COMPENSATED)
-    )
-    text = (
-        f"With frames {1000 * late:.0f} ms old the loop is stable up to {theirs.value:.1f} ±"
-        f" {theirs.half:.1f} rad/s with the paper's filter, up to {ours.value:.1f} ±"
-        f" {ours.half:.1f} with one that knows lag and delays."
-    )
-    if ours.low <= theirs.high:
-        return Ruling(Verdict.HOLDS, text)
-    return Ruling(Verdict.CONDITION, "As long as its frames are fresh. " + text)
-
-
 def _stable(evidence: Evidence, key: str) -> IntervalEstimate:
     return share(evidence.trials[key]["stable"] == 1.0)
 
@@ -207,7 +144,12 @@ CONTROL_CLAIMS: tuple[Claim, ...] = (
     Claim(
         "choice of gains", "V-C", "acceptable gains keep the commands within [-1, 1]", _chosen_gains
     ),
-    Claim("saturation", "V-C", "saturation functions eliminate unexpected overshoots", _saturation),
+    Claim(
+        "saturation",
+        "V-C",
+        "saturation functions eliminate unexpected overshoots",
+        judge_saturation,
+    ),
     Claim(
         "first order",
         "V-C",
@@ -243,21 +185,21 @@ CONTROL_CLAIMS: tuple[Claim, ...] = (
         "use of (c, lambda)",
         "V-C",
         "(c, lambda) are of particular value for state estimation",
-        _lag_matters,
+        judge_lag_knowledge,
         ("13",),
     ),
     Claim(
         "estimation is required",
         "V-D",
         "noisy positions without speeds ask for state estimation",
-        _filter_needed,
+        judge_estimation,
         ("13",),
     ),
     Claim(
         "Kalman filter",
         "V-D",
         "a Kalman filter is a good estimator for this case",
-        _kalman_good,
+        judge_kalman,
         ("13",),
     ),
 )

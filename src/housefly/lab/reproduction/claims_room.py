@@ -4,106 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from housefly.lab.experiments.intervals import mean, share
+from housefly.lab.experiments.intervals import share
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
 from housefly.lab.reproduction.ruling import Claim, Ruling, percent, percents, untestable
-from housefly.lab.reproduction.streams import LATENCIES, RATES, TYPICAL_LATENCY, TYPICAL_LOSS
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.lab.reproduction.tracking_judges import judge_immediate, judge_low_rate
 
-_SLOW, _FAST = RATES[0], RATES[-1]
-_PROMPT, _LATE = LATENCIES[0], LATENCIES[-1]
-_UNHARMED_SHARE = 0.8
-"""An estimator that keeps this share of its edge is not limited by what was changed.
-
-It is half of what separates the paper's range of rates, and far outside the intervals of the edges.
-"""
 _LONGER_FACTOR = 1.02
 """A path this much longer than another is longer, not rounded."""
 _SAFE_SHARE = 0.95
 """A distance is safe when this share of flights keeps it."""
 _IMMEDIATE_FACTOR = 1.5
 """A command controls the speed when speed lags at most this many times as much as the angle."""
-
-
-def _edge(evidence: Evidence, estimator: int, rate: float, latency: float) -> float:
-    return mean(evidence.edges.of(estimator, rate, latency)).value
-
-
-def _low_rate(evidence: Evidence) -> Ruling:
-    """Rule on "the low frame rate causes unstable behaviors" by edges at 100 and 10 Hz."""
-    kept = {
-        name: _edge(evidence, estimator, _SLOW, _PROMPT)
-        / _edge(evidence, estimator, _FAST, _PROMPT)
-        for estimator, name in _BY_WORDS.items()
-    }
-    late = {
-        name: (
-            _edge(evidence, estimator, _SLOW, TYPICAL_LATENCY)
-            / _edge(evidence, estimator, _FAST, TYPICAL_LATENCY)
-        )
-        for estimator, name in _BY_WORDS.items()
-    }
-    plain, kalman = (
-        late[_BY_WORDS[EstimatorKind.FINITE_DIFFERENCE]],
-        late[_BY_WORDS[EstimatorKind.ON_ARRIVAL]],
-    )
-    delay = _edge(evidence, EstimatorKind.ON_ARRIVAL, _FAST, _LATE) / _edge(
-        evidence, EstimatorKind.ON_ARRIVAL, _FAST, _PROMPT
-    )
-    stable = share(
-        evidence.streams.where(
-            mode="paper",
-            mocap_rate_hz=_SLOW,
-            mocap_latency=TYPICAL_LATENCY,
-            mocap_dropout=TYPICAL_LOSS,
-        )["stable"]
-        == 1.0
-    )
-    text = (
-        f"From {_FAST:.0f} to {_SLOW:.0f} frames/s the largest stable natural frequency keeps "
-        + ", ".join(
-            f"{percent(late[name])} ({percent(kept[name])} without latency) with {name}"
-            for name in late
-        )
-        + f". {1000 * _LATE:.0f} ms of latency leave the paper's filter {percent(delay)} at"
-        f" {_FAST:.0f} frames/s. With our gains {percents(stable)} of the paper's flights stay"
-        f" stable at {_SLOW:.0f} frames/s."
-    )
-    if kalman < _UNHARMED_SHARE:
-        return Ruling(Verdict.HOLDS, text)
-    if plain < _UNHARMED_SHARE:
-        return Ruling(
-            Verdict.CONDITION,
-            "Only where frames are held and differentiated, or fed again and again. " + text,
-        )
-    return Ruling(Verdict.FAILS, text)
-
-
-_BY_WORDS = {
-    EstimatorKind.FINITE_DIFFERENCE: "the held sample differentiated",
-    EstimatorKind.HELD_SAMPLE: "a Kalman filter fed the held sample at every tick",
-    EstimatorKind.ON_ARRIVAL: "a Kalman filter fed each frame once",
-    EstimatorKind.DELAY_COMPENSATED: "the delay-compensated filter",
-}
-
-
-def _immediate(evidence: Evidence) -> Ruling:
-    """Rule on "the database answers immediately" by what late answers cost the paper's filter."""
-    prompt, middle, late = (
-        _edge(evidence, EstimatorKind.ON_ARRIVAL, _FAST, latency) for latency in LATENCIES
-    )
-    text = (
-        f"The largest stable natural frequency of the paper's filter is {prompt:.1f}, {middle:.1f}"
-        f" and {late:.1f} rad/s when its frames are"
-        f" {', '.join(f'{1000 * latency:.0f}' for latency in LATENCIES)} ms old."
-    )
-    if late >= _UNHARMED_SHARE * prompt:
-        return Ruling(Verdict.HOLDS, text)
-    return Ruling(
-        Verdict.CONDITION,
-        "Immediately must mean well below 50 ms for whoever flies by the answer. " + text,
-    )
 
 
 def _speeds(evidence: Evidence) -> Ruling:
@@ -214,7 +126,7 @@ ROOM_CLAIMS: tuple[Claim, ...] = (
         "immediate answer",
         "II-A",
         "the database sends a robot what it asks for immediately",
-        _immediate,
+        judge_immediate,
         ("4",),
     ),
     Claim(
@@ -235,7 +147,7 @@ ROOM_CLAIMS: tuple[Claim, ...] = (
         "low frame rate",
         "II-A",
         "10 to 100 frames per second cause unstable behaviors in some cases",
-        _low_rate,
+        judge_low_rate,
         ("13",),
     ),
     Claim(

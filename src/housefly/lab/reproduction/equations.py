@@ -10,7 +10,7 @@ from math import cos, exp, pi, tan
 import numpy as np
 
 from housefly.config.site import Site
-from housefly.geometry import GRAVITY, quaternion_from_euler, rotate
+from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, rotate
 from housefly.lab.reproduction.routes import PAPER_CELL
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Condition, printed_conditions
 from housefly.pilot.control.laws import acceleration, clipped_per_axis, demand, paper_tilt
@@ -25,14 +25,14 @@ _RISEN = 1.0 - exp(-1.0)
 _DURATION = 6.0
 """Duration of a simulated response [s]: seven of the slowest time constants."""
 _TILTS = tuple(float(angle) for angle in np.linspace(-0.21, 0.21, 7))
-_PAPER_HEADINGS = (0.0, pi)
-_HEADINGS = tuple(float(psi) for psi in np.linspace(-pi, pi, 24, endpoint=False))
-_LITERAL_WEIGHT = (0.0, 0.0, -GRAVITY)
+PAPER_HEADINGS = (0.0, pi)
+HEADINGS = tuple(float(psi) for psi in np.linspace(-pi, pi, 24, endpoint=False))
+LITERAL_WEIGHT = (0.0, 0.0, -GRAVITY)
 """f_g of eq. (4) as printed."""
-_WEIGHT = (0.0, 0.0, _MASS * GRAVITY)
+WEIGHT = (0.0, 0.0, _MASS * GRAVITY)
 """f_g as it must be for (5)-(7)."""
 
-_Conditions = Callable[[float, float, float], int]
+Conditions = Callable[[float, float, float], int]
 """Condition bits for errors of height [m], yaw [rad] and place [m]."""
 
 
@@ -80,29 +80,45 @@ class Equations:
     speed_rise: float
 
 
-def evaluate_equations(site: Site) -> Equations:
-    """Return the numbers for a site's drone and gains."""
+def _printed(height: float, yaw: float, place: float) -> int:
+    return int(printed_conditions(height, yaw, place, *PAPER_TOLERANCES[:3]))
+
+
+def evaluate_equations(
+    site: Site,
+    weight: Vec3 = LITERAL_WEIGHT,
+    headings: Sequence[float] = HEADINGS,
+    conditions: Conditions = _printed,
+) -> Equations:
+    """Return the numbers for a site's drone and gains.
+
+    Args:
+        site: whose drone and gains.
+        weight: f_g of eq. (4) that stands for the printed one.
+        headings: at which (8)-(9) are compared with the dynamics [rad].
+        conditions: those that stand for the printed ones.
+    """
     drone = Constants(site.drone.attitude_lag, site.drone.attitude_gain, site.drone.drag)
     angle, speed = _rises(drone)
     return Equations(
-        newton_printed=_newton(_LITERAL_WEIGHT),
-        newton_mended=_newton(_WEIGHT),
-        planar_at_two=_planar(_PAPER_HEADINGS),
-        planar_elsewhere=_planar(_HEADINGS),
-        overlap=_overlap(_printed),
+        newton_printed=_newton(weight),
+        newton_mended=_newton(WEIGHT),
+        planar_at_two=_planar(PAPER_HEADINGS),
+        planar_elsewhere=_planar(headings),
+        overlap=_overlap(conditions),
         step_deviation=_step_deviation(drone, site.control.alpha, site.control.beta),
         angle_rise=angle,
         speed_rise=speed,
     )
 
 
-def _newton(weight: tuple[float, float, float]) -> float:
+def _newton(weight: Vec3) -> float:
     """Return the largest difference [m/s^2] between (5)-(7) and (4) with this f_g.
 
     The thrust holds the height.
     """
     worst = 0.0
-    for theta, phi, psi in product(_TILTS, _TILTS, _HEADINGS):
+    for theta, phi, psi in product(_TILTS, _TILTS, HEADINGS):
         thrust = _MASS * GRAVITY / (cos(theta) * cos(phi))
         lift = rotate(quaternion_from_euler(phi, theta, psi), (0.0, 0.0, thrust))
         by_4 = [(force - down) / _MASS for force, down in zip(lift, weight, strict=True)]
@@ -128,7 +144,7 @@ def _planar(headings: Sequence[float]) -> float:
     return worst
 
 
-def _overlap(conditions: _Conditions) -> Overlap:
+def _overlap(conditions: Conditions) -> Overlap:
     """Return how these conditions overlap, for errors up to three times each epsilon.
 
     Errors equal to an epsilon are among them.
@@ -146,10 +162,6 @@ def _overlap(conditions: _Conditions) -> Overlap:
         several=sum(count > 1 for count in counts),
         none=counts.count(0),
     )
-
-
-def _printed(height: float, yaw: float, place: float) -> int:
-    return int(printed_conditions(height, yaw, place, *PAPER_TOLERANCES[:3]))
 
 
 def _step_deviation(drone: Constants, alpha: float, beta: float) -> float:

@@ -7,11 +7,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from housefly.config.site import Site
+from housefly.lab.experiments.engine import fly_many
 from housefly.lab.experiments.outcomes import Outcomes
-from housefly.lab.reproduction import edges, streams, trials
+from housefly.lab.reproduction import edges, known_lag, streams, trials
 from housefly.lab.reproduction.angular_step import AngularStep
 from housefly.lab.reproduction.edges import Edges, find_edges
 from housefly.lab.reproduction.equations import Equations, evaluate_equations
+from housefly.lab.reproduction.kept_flights import FlyBatch
+from housefly.lab.reproduction.known_lag import KnownLag, fly_known_lag
 from housefly.lab.reproduction.maps import MapFacts, survey
 from housefly.lab.reproduction.streams import Streams, fly_streams
 from housefly.lab.reproduction.trials import fly_trials
@@ -34,6 +37,7 @@ class Evidence:
         equations: about equations and conditions.
         streams: the service on every stream.
         edges: largest stable frequencies.
+        known_lag: the same with lambda known to the filter and unknown.
         trials: small experiments, by key.
         services: whole services flown on the twin, from take-off to landing.
         pitch: a step in pitch on the twin; None when none was flown.
@@ -44,6 +48,7 @@ class Evidence:
     equations: Equations
     streams: Streams
     edges: Edges
+    known_lag: KnownLag
     trials: Mapping[str, Outcomes]
     services: tuple[Summary, ...] = ()
     pitch: AngularStep | None = None
@@ -54,6 +59,7 @@ def gather(
     seeds: int,
     on_progress: _Progress = lambda share: None,
     changes: Mapping[str, Mapping[str, Any]] | None = None,
+    fly: FlyBatch = fly_many,
 ) -> Evidence:
     """Survey the map and fly everything that needs no twin.
 
@@ -62,10 +68,14 @@ def gather(
         seeds: drones for each cell of a table.
         on_progress: called with the share of flights that have ended.
         changes: columns replaced in single trials, by key.
+        fly: flies a batch.
     """
     edge_seeds = min(seeds, _EDGE_SEEDS)
     total = (
-        streams.stream_flights(seeds) + edges.edge_flights(edge_seeds) + trials.trial_flights(seeds)
+        streams.stream_flights(seeds)
+        + edges.edge_flights(edge_seeds)
+        + known_lag.known_lag_flights(edge_seeds)
+        + trials.trial_flights(seeds)
     )
     ended = 0
 
@@ -78,7 +88,8 @@ def gather(
         site=site,
         maps=survey(site),
         equations=evaluate_equations(site),
-        streams=fly_streams(site, seeds, landed),
-        edges=find_edges(site, edge_seeds, landed),
-        trials=fly_trials(site, seeds, landed, changes),
+        streams=fly_streams(site, seeds, landed, fly=fly),
+        edges=find_edges(site, edge_seeds, landed, fly=fly),
+        known_lag=fly_known_lag(site, edge_seeds, landed, fly=fly),
+        trials=fly_trials(site, seeds, landed, changes, fly=fly),
     )

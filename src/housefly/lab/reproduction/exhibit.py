@@ -16,6 +16,8 @@ class Exhibit:
         stem: name of its files, without ``.png`` and ``.svg``.
         paper: what the paper shows there, in our words.
         caption: what is seen here, with the numbers.
+        notice: what differs from what was planned, as a sentence; "" when nothing does.
+        wide: whether it needs the whole width of a page.
     """
 
     number: str
@@ -23,6 +25,8 @@ class Exhibit:
     stem: str
     paper: str
     caption: str
+    notice: str = ""
+    wide: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +56,29 @@ class Verdict(Enum):
 
 
 @dataclass(frozen=True, slots=True)
+class OpposingCases:
+    """The strongest case for a claim and the strongest against it, with the numbers of this run."""
+
+    speaks_for: str
+    speaks_against: str
+
+
+@dataclass(frozen=True, slots=True)
+class CounterFinding:
+    """The finding on a claim in a world in which one thing is another.
+
+    Attributes:
+        changed: what is another there.
+        verdict: there.
+        evidence: with the numbers behind it.
+    """
+
+    changed: str
+    verdict: Verdict
+    evidence: str
+
+
+@dataclass(frozen=True, slots=True)
 class ClaimFinding:
     """A claim of the paper and what the measurements say.
 
@@ -62,6 +89,8 @@ class ClaimFinding:
         verdict: ours.
         evidence: one or two sentences with the numbers behind it.
         figures: numbers of the figures that it belongs to.
+        cases: for and against, where they oppose each other.
+        elsewhere: the finding in a world that changes the verdict; None: none was flown.
     """
 
     key: str
@@ -70,3 +99,5 @@ class ClaimFinding:
     verdict: Verdict
     evidence: str
     figures: tuple[str, ...] = ()
+    cases: OpposingCases | None = None
+    elsewhere: CounterFinding | None = None

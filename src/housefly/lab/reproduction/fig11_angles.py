@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,26 +19,34 @@ ALPHA, THETA_MAX = 0.4, 0.21
 """Commanded share of the largest angle, and that angle [rad]: the paper's."""
 
 
-def draw_fig11(
-    folder: Path,
-    onboard: tuple[FloatArray, FloatArray],
-    tracked: tuple[FloatArray, FloatArray],
-    step: AngularStep,
-    constants: dict[str, Interval],
-) -> Exhibit:
-    """Draw one step as the drone reports it, all steps as tracking saw them, and the fits.
+@dataclass(frozen=True, slots=True, eq=False)
+class StepFlight:
+    """Steps in pitch and roll of one flight.
 
-    Args:
-        folder: where to write.
-        onboard: times since the command [s] and pitch [rad] of one step, by the drone's own
-            sensors.
+    Attributes:
+        onboard: time since the command [s] and pitch [rad] of the first step, by onboard sensors.
         tracked: times [s] and angles [rad] of all steps, each over its sign, by tracking.
-        step: fit of the first.
-        constants: what ``housefly identify`` made of the same flight.
+        fit: of the first step.
+        constants: from all steps, as ``housefly identify`` finds them.
     """
-    write_figure(folder, "fig11", (8.6, 4.0), lambda figure: _paint(figure, onboard, tracked, step))
+
+    onboard: tuple[FloatArray, FloatArray]
+    tracked: tuple[FloatArray, FloatArray]
+    fit: AngularStep
+    constants: dict[str, Interval]
+
+
+def draw_fig11(folder: Path, steps: StepFlight) -> Exhibit:
+    """Draw one step as the drone reports it, all steps as tracking saw them, and the fits."""
+    step = steps.fit
+    write_figure(
+        folder,
+        "fig11",
+        (8.6, 4.0),
+        lambda figure: _paint(figure, steps.onboard, steps.tracked, step),
+    )
     lag, gain, delay = (
-        constants[key] for key in ("attitude_lag", "attitude_gain", "command_delay")
+        steps.constants[key] for key in ("attitude_lag", "attitude_gain", "command_delay")
     )
     return Exhibit(
         "11",

@@ -2,55 +2,41 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from pathlib import Path
-from typing import Any, NamedTuple
 
 import numpy as np
-from matplotlib.figure import Figure
-from matplotlib.patches import FancyArrowPatch, FancyBboxPatch
+from numpy.typing import NDArray
 
+from housefly.lab.reproduction.block_diagram import WINDOW, Curve, Panel, draw_diagram
 from housefly.lab.reproduction.drawing import write_figure
 from housefly.lab.reproduction.exhibit import Exhibit
 from housefly.lab.reproduction.flight import FlightTracks
 from housefly.numeric import FloatArray
-from housefly.pilot.control.laws import acceleration
 from housefly.record.plot_style import BLUE, GREEN, GREY, INK, ORANGE
 
-_WINDOW = 9.0
-"""Length of the part of the flight that is shown [s]."""
-_FRAME_STRIDE = 3
-"""Every so many frames of tracking, one is drawn."""
+_LAG_MAX = 0.6
+"""Longest lag of the angle behind its command that is looked for [s]."""
 
 
-class _Signal(NamedTuple):
-    """One arrow: name, curves (time, value, colour, style), and place of its plot (column, row)."""
+def draw_fig12_and_13(
+    folder: Path, flight: FlightTracks, demanded: FloatArray, start: float
+) -> tuple[Exhibit, Exhibit]:
+    """Draw both diagrams.
 
-    name: str
-    curves: tuple[tuple[FloatArray, FloatArray, str, str], ...]
-    place: tuple[float, float]
-
-
-def draw_fig12_and_13(folder: Path, flight: FlightTracks, start: float) -> tuple[Exhibit, Exhibit]:
-    """Draw both diagrams from ``start`` [s] of a flight on."""
-    signals = _signals(flight, start)
-    inner = (
-        "reference and position",
-        "demanded acceleration",
-        "commanded angle",
-        "reached angle",
-        "true position",
-    )
+    Args:
+        folder: where to write.
+        flight: in mode default, with the truth.
+        demanded: by the control law in the world, before any limit [m/s^2], shape (n, 2).
+        start: of the part that is shown [s].
+    """
+    forward = forward_signals(flight, demanded, start)
+    feedback = feedback_signals(flight, start)
+    write_figure(folder, "fig12", (13.6, 4.3), lambda figure: draw_diagram(figure, forward, ()))
     write_figure(
-        folder, "fig12", (12.0, 5.0), lambda figure: _diagram(figure, signals, inner, False)
-    )
-    write_figure(
-        folder,
-        "fig13",
-        (12.0, 7.2),
-        lambda figure: _diagram(figure, signals, (*inner, "tracking", "estimate"), True),
+        folder, "fig13", (13.6, 6.4), lambda figure: draw_diagram(figure, forward, feedback)
     )
     error, lag = _numbers(flight, start)
+    limited = _limited(flight, demanded, start)
     return (
         Exhibit(
             "12",
@@ -58,167 +44,90 @@ def draw_fig12_and_13(folder: Path, flight: FlightTracks, start: float) -> tuple
             "fig12",
             "A block diagram without signals: position loop outside, the drone's own attitude loop"
             " inside.",
-            f"{_WINDOW:.0f} s of one flight along x at every arrow: the position follows its"
+            f"{WINDOW:.0f} s of one flight of mode default along x. The true position follows its"
             f" reference to {100 * error:.1f} cm (root mean square), the angle follows its command"
-            f" {1000 * lag:.0f} ms behind.",
+            f" {1000 * lag:.0f} ms behind.{_nose(flight, start)}"
+            f" The acceleration is what the law demands before any limit; {limited}.",
+            wide=True,
         ),
         Exhibit(
             "13",
             "General control schema with Kalman filter",
             "fig13",
             "The same with Vicon data and Kalman filter in the feedback; no signals.",
-            "The same seconds with what tracking saw and what the filter made of it: position and"
-            " speed.",
+            "The same seconds with what tracking saw, as its difference from the truth, and the"
+            " speed that the filter made of it, beside the true one.",
+            wide=True,
         ),
     )
 
 
-def _signals(flight: FlightTracks, start: float) -> dict[str, _Signal]:
-    shown = (flight.at >= start) & (flight.at < start + _WINDOW)
-    t = flight.at[shown] - start
-    frames = (flight.seen_at >= start) & (flight.seen_at < start + _WINDOW)
-    seen_t = flight.seen_at[frames] - start
-    reference, estimate = flight.reference[shown, 0], flight.estimate[shown]
-    push = np.array([acceleration(theta, phi, 0.0)[0] for theta, phi in flight.asked[shown]])
-    along = np.cos(_yaws(flight)[shown])
+def forward_signals(flight: FlightTracks, demanded: FloatArray, start: float) -> tuple[Panel, ...]:
+    """Return the signals from the reference to the true position, in order."""
+    shown, true = _shown(flight.at, start), _shown(flight.true_at, start)
+    t, true_t = flight.at[shown] - start, flight.true_at[true] - start
     tilt, reached = flight.asked[shown, 0], flight.reached[shown, 0]
-    x, tracked = flight.seen[frames, 0], flight.seen_tilt[frames, 0]
-    few = slice(None, None, _FRAME_STRIDE)
-    return {
-        "reference and position": _Signal(
-            "x_ref, x [m]", ((t, reference, GREY, "--"), (t, estimate[:, 0], BLUE, "-")), (0.0, 1.0)
+    x = flight.true[true, 0]
+    return (
+        Panel("x_ref [m]", (Curve(t, flight.reference[shown, 0], GREY),)),
+        Panel("demanded acceleration\nalong x [m/s²]", (Curve(t, demanded[shown, 0], ORANGE),)),
+        Panel("theta_des [rad]", (Curve(t, tilt, ORANGE),)),
+        Panel(
+            "theta [rad], dashed: theta_des",
+            (Curve(t, tilt, GREY, "--"), Curve(t, reached, GREEN)),
         ),
-        "demanded acceleration": _Signal(
-            "demanded acceleration [m/s²]", ((t, push * along, ORANGE, "-"),), (1.0, 1.0)
-        ),
-        "commanded angle": _Signal("theta_des [rad]", ((t, tilt, ORANGE, "-"),), (2.0, 1.0)),
-        "reached angle": _Signal(
-            "theta [rad]", ((t, tilt, GREY, "--"), (t, reached, GREEN, "-")), (3.0, 1.0)
-        ),
-        "true position": _Signal("x [m]", ((seen_t, x, GREEN, "-"),), (4.0, 1.0)),
-        "tracking": _Signal("tracking: x [m]", ((seen_t[few], x[few], GREEN, "."),), (3.0, 0.0)),
-        "estimate": _Signal("Kalman: dx/dt [m/s]", ((t, estimate[:, 2], BLUE, "-"),), (1.0, 0.0)),
-        "tracked angle": _Signal("theta [rad]", ((seen_t, tracked, GREEN, "."),), (2.0, 0.0)),
-    }
+        Panel("true x [m]", (Curve(true_t, x, INK),)),
+    )
 
 
-def _yaws(flight: FlightTracks) -> FloatArray:
-    return np.array([s.outputs.estimate.yaw if s.outputs.estimate else 0.0 for s in flight.steps])
+def feedback_signals(flight: FlightTracks, start: float) -> tuple[Panel, ...]:
+    """Return what leaves tracking, and what leaves the filter."""
+    shown, frames = _shown(flight.at, start), _shown(flight.seen_at, start)
+    t, seen_t = flight.at[shown] - start, flight.seen_at[frames] - start
+    truth = np.interp(flight.seen_at[frames], flight.true_at, flight.true[:, 0])
+    speed = np.gradient(flight.true[:, 0], flight.true_at)
+    true = _shown(flight.true_at, start)
+    return (
+        Panel(
+            "tracked x - true x [mm]",
+            (Curve(seen_t, 1000.0 * (flight.seen[frames, 0] - truth), GREEN, "."),),
+        ),
+        Panel(
+            "dx/dt by the filter [m/s], dashed: true",
+            (
+                Curve(t, flight.estimate[shown, 2], BLUE),
+                Curve(flight.true_at[true] - start, speed[true], INK, "--"),
+            ),
+        ),
+    )
+
+
+def _shown(at: FloatArray, start: float) -> NDArray[np.bool_]:
+    return np.asarray((at >= start) & (at < start + WINDOW))
 
 
 def _numbers(flight: FlightTracks, start: float) -> tuple[float, float]:
-    """Return the RMS distance from the reference [m] and the lag of the angle [s]."""
-    shown = (flight.at >= start) & (flight.at < start + _WINDOW)
-    off = flight.reference[shown] - flight.estimate[shown, :2]
+    """Return the true RMS distance from the reference [m] and the lag of the angle [s]."""
+    shown, true = _shown(flight.at, start), _shown(flight.true_at, start)
+    at = flight.true_at[true]
+    reference = [np.interp(at, flight.at[shown], flight.reference[shown, k]) for k in range(2)]
+    off = np.array(reference).T - flight.true[true, :2]
     asked, reached = flight.asked[shown, 0], flight.reached[shown, 0]
     period = float(np.median(np.diff(flight.at)))
-    shifts = range(round(0.6 / period))
+    shifts = range(round(_LAG_MAX / period))
     fits = [np.corrcoef(asked[: asked.size - k], reached[k:])[0, 1] for k in shifts]
     return float(np.sqrt(np.nanmean(np.sum(off**2, axis=1)))), float(np.argmax(fits) * period)
 
 
-_BLOCKS = (
-    "reference",
-    "feedback\nlinearization",
-    "saturation,\nlast gate",
-    "drone:\nattitude loop",
-    "drone:\nmotion",
-)
+def _nose(flight: FlightTracks, start: float) -> str:
+    """Return in words that x and pitch have opposite signs, where they have."""
+    shown = np.flatnonzero(_shown(flight.at, start))
+    yaws = [found.yaw for k in shown if (found := flight.steps[k].outputs.estimate)]
+    turned = bool(yaws) and float(np.cos(yaws).mean()) < 0.0
+    return " The nose points to -x, so a positive pitch pushes to -x." if turned else ""
 
 
-def _diagram(
-    figure: Figure, signals: dict[str, _Signal], names: tuple[str, ...], filtered: bool
-) -> None:
-    frame = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    figure.set_layout_engine("none")
-    frame.set_xlim(0.0, 12.0)
-    height = 7.2 if filtered else 5.0
-    frame.set_ylim(0.0, height)
-    frame.axis("off")
-    row = height - 0.85
-    centres = [1.2 + 2.4 * k for k in range(5)]
-    for centre, words in zip(centres, _BLOCKS, strict=True):
-        _block(frame, centre, row, words)
-    for left, right in pairwise(centres):
-        _arrow(frame, [(left + 0.72, row), (right - 0.72, row)])
-    low = 0.55 if filtered else row - 3.35
-    if filtered:
-        _block(frame, centres[3], low, "Vicon")
-        _block(frame, centres[1], low, "Kalman filter")
-        _arrow(frame, [(centres[4], row - 0.42), (centres[4], low), (centres[3] + 0.72, low)])
-        _arrow(frame, [(centres[3] - 0.72, low), (centres[1] + 0.72, low)])
-        _arrow(frame, [(centres[1], low + 0.42), (centres[1], row - 0.42)])
-        _arrow(
-            frame,
-            [(centres[2], row - 0.42), (centres[2], low + 0.62), (centres[1] + 0.74, low + 0.22)],
-            dashed=True,
-        )
-    else:
-        _arrow(
-            frame,
-            [
-                (centres[4], row - 0.42),
-                (centres[4], low),
-                (centres[1], low),
-                (centres[1], row - 0.42),
-            ],
-        )
-    for name in names:
-        signal = signals[name]
-        column, level = signal.place
-        centre = centres[0] + 2.4 * column
-        bottom = (row - 2.45) if level == 1.0 else low + 0.85
-        _plot(figure, signal, (centre - 0.78) / 12.0, bottom / height, 1.62 / 12.0, 1.35 / height)
-
-
-def _block(frame: Any, x: float, y: float, words: str) -> None:
-    frame.add_patch(
-        FancyBboxPatch(
-            (x - 0.7, y - 0.4),
-            1.4,
-            0.8,
-            boxstyle="round,pad=0.02,rounding_size=0.1",
-            facecolor="#eaf3f8",
-            edgecolor=BLUE,
-        )
-    )
-    frame.text(x, y, words, ha="center", va="center", fontsize=9)
-
-
-def _arrow(frame: Any, points: list[tuple[float, float]], *, dashed: bool = False) -> None:
-    style = "--" if dashed else "-"
-    for a, b in pairwise(points[:-1]):
-        frame.plot([a[0], b[0]], [a[1], b[1]], color=INK, linewidth=1.0, linestyle=style, zorder=1)
-    frame.add_patch(
-        FancyArrowPatch(
-            points[-2],
-            points[-1],
-            arrowstyle="-|>",
-            mutation_scale=11,
-            color=INK,
-            linewidth=1.0,
-            linestyle=style,
-            zorder=1,
-        )
-    )
-
-
-def _plot(
-    figure: Figure, signal: _Signal, left: float, bottom: float, width: float, height: float
-) -> None:
-    axes = figure.add_axes((left, bottom, width, height))
-    axes.patch.set_alpha(1.0)
-    for t, values, colour, style in signal.curves:
-        kind = (
-            {"marker": ".", "linestyle": "none", "markersize": 2.5}
-            if style == "."
-            else {"linestyle": style}
-        )
-        axes.plot(t, values, color=colour, linewidth=1.1, **kind)
-    axes.set_title(
-        signal.name, fontsize=8, bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5}
-    )
-    axes.tick_params(labelsize=7, length=2)
-    axes.set_xlim(0.0, _WINDOW)
-    axes.set_xticks([0, 3, 6, 9], ["0", "3", "6", "9 s"])
-    axes.grid(True, linewidth=0.5)
+def _limited(flight: FlightTracks, demanded: FloatArray, start: float) -> str:
+    """Return in words how large the demand was."""
+    size = float(np.nanmax(np.linalg.norm(demanded[_shown(flight.at, start)], axis=1)))
+    return f"at most {size:.2f} m/s² in these seconds"

@@ -63,12 +63,12 @@ def draw_fig15_and_16(
 
 
 def _words(mode: str, flight: FlightTracks) -> str:
-    off = distances_to_path(flight.seen[flight.seen_during(Phase.OUTBOUND), :2], flight.path)
+    off = distances_to_path(flight.true[flight.true_during(Phase.OUTBOUND), :2], flight.path)
     length = sum(distance(a, b) for a, b in pairwise(flight.path))
     return (
         f"Mode {mode}: {length:.1f} m in {len(flight.path)} waypoints; flown"
         f" {100 * np.sqrt(np.mean(off**2)):.1f} cm off the way (root mean square),"
-        f" {100 * off.max():.0f} cm at most, on the way there, by tracking."
+        f" {100 * off.max():.0f} cm at most, on the way there, in truth."
     )
 
 
@@ -99,8 +99,8 @@ def _both(
         else:
             paint_fine_grid(axes, grid)
         out, back = (
-            flight.seen_during(Phase.OUTBOUND, Phase.LOOKING),
-            flight.seen_during(Phase.RETURNING),
+            flight.true_during(Phase.OUTBOUND, Phase.LOOKING),
+            flight.true_during(Phase.RETURNING),
         )
         path = np.array(flight.path)
         axes.plot(
@@ -114,11 +114,11 @@ def _both(
             label="planned",
         )
         axes.plot(
-            flight.seen[out, 0], flight.seen[out, 1], color=BLUE, linewidth=1.5, label="flown there"
+            flight.true[out, 0], flight.true[out, 1], color=BLUE, linewidth=1.5, label="flown there"
         )
         axes.plot(
-            flight.seen[back, 0],
-            flight.seen[back, 1],
+            flight.true[back, 0],
+            flight.true[back, 1],
             color=GREEN,
             linewidth=1.2,
             label="flown back",

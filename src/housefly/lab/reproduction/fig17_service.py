@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -40,7 +41,13 @@ class Moment:
 
 
 def draw_fig17(
-    folder: Path, moments: tuple[Moment, ...], outcome: str, photographed: bool, *, over_wires: bool
+    folder: Path,
+    moments: tuple[Moment, ...],
+    outcome: str,
+    photographed: bool,
+    *,
+    over_wires: bool,
+    notice: str = "",
 ) -> Exhibit:
     """Draw the strip.
 
@@ -50,24 +57,36 @@ def draw_fig17(
         outcome: of the service.
         photographed: whether the consoles are photographs of the page, or drawn from the recording.
         over_wires: whether it flew over real wires, or on a stepped clock without camera.
+        notice: why it is not the flight that was wanted; "" when it is.
     """
-    write_figure(
-        folder, "fig17", (10.0, 2.55 * len(moments)), lambda figure: _paint(figure, moments)
-    )
+    if over_wires:
+        size = (10.0, 2.55 * len(moments))
+        write_figure(folder, "fig17", size, lambda figure: _paint(figure, moments))
+    else:
+        size = (10.0, 2.7 * ceil(len(moments) / 2))
+        write_figure(folder, "fig17", size, lambda figure: _paint_consoles(figure, moments))
     source = (
         "photographs of the page in Chromium"
         if photographed
-        else "drawn from the recording (no browser on this machine)"
+        else "drawn from the recording" + (" (no browser on this machine)" if over_wires else "")
     )
-    way = "over real wires" if over_wires else "on a stepped clock, which has no camera"
+    where = (
+        f"over real wires ({outcome}, {moments[-1].at:.0f} s). Left: the console, {source}. Right:"
+        " the drone's camera, as received."
+        if over_wires
+        else f"on a stepped clock ({outcome}, {moments[-1].at:.0f} s): the console's map, {source}."
+        " On a stepped clock there is neither page nor camera; flown over real wires, both are"
+        " shown side by side."
+    )
     return Exhibit(
         "17",
         "The service experiment",
         "fig17",
         "Photographs of the drone on the left, of the operator's page on the right, from take-off"
         " to the entrance.",
-        f"One service {way} ({outcome}, {moments[-1].at:.0f} s). Left: the console, {source}."
-        " Right: the drone's camera, as received.",
+        f"One service {where}",
+        notice,
+        wide=True,
     )
 
 
@@ -81,6 +100,15 @@ def _paint(figure: Figure, moments: tuple[Moment, ...]) -> None:
             right.text(0.5, 0.5, "no picture received", ha="center", va="center")
         else:
             _picture(right, moment.camera)
+
+
+def _paint_consoles(figure: Figure, moments: tuple[Moment, ...]) -> None:
+    panels = figure.subplots(ceil(len(moments) / 2), 2, squeeze=False).ravel()
+    for axes, moment in zip(panels, moments, strict=False):
+        _picture(axes, moment.console)
+        axes.set_title(f"{moment.at:.0f} s: {moment.title}", fontsize=9)
+    for axes in panels[len(moments) :]:
+        axes.remove()
 
 
 def _picture(axes: Any, picture: RgbImage) -> None:
@@ -99,6 +127,7 @@ def drawn_console(grid: OccupancyGrid, flight: FlightTracks, until: float) -> Rg
         canvas = FigureCanvasAgg(figure)
         axes = figure.subplots()
         paint_fine_grid(axes, grid)
+        axes.margins(0.02)
         path, past = np.array(flight.path), flight.seen_at <= until
         axes.plot(path[:, 0], path[:, 1], color=ORANGE, linestyle="--", linewidth=1.5)
         axes.plot(flight.seen[past, 0], flight.seen[past, 1], color=BLUE, linewidth=1.5)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from housefly.geometry import Vec2, euler_from_quaternion
 from housefly.messages import Action, Phase, PilotStep
 from housefly.numeric import FloatArray
+from housefly.record.truth import TrueFlight
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,6 +29,8 @@ class FlightTracks:
         seen_at: when frames were taken [s].
         seen: x, y, z that tracking saw, shape (m, 3).
         seen_tilt: pitch and roll that tracking saw [rad], shape (m, 2).
+        true_at: when the truth was sampled, shape (k,); empty where it is not known.
+        true: x, y, z where the drone really was, shape (k, 3).
     """
 
     steps: tuple[PilotStep, ...]
@@ -39,6 +42,8 @@ class FlightTracks:
     seen_at: FloatArray
     seen: FloatArray
     seen_tilt: FloatArray
+    true_at: FloatArray
+    true: FloatArray
 
     @property
     def path(self) -> tuple[Vec2, ...]:
@@ -56,15 +61,23 @@ class FlightTracks:
         """Return which steps belong to these phases."""
         return np.array([step.outputs.phase in phases for step in self.steps])
 
-    def seen_during(self, *phases: Phase) -> NDArray[np.bool_]:
-        """Return which frames were taken in these phases."""
+    def true_during(self, *phases: Phase) -> NDArray[np.bool_]:
+        """Return which samples of the truth belong to these phases."""
         inside = self.during(*phases)
-        places = np.clip(np.searchsorted(self.at, self.seen_at), 0, len(self.at) - 1)
+        places = np.clip(np.searchsorted(self.at, self.true_at), 0, len(self.at) - 1)
         return np.asarray(inside[places])
 
 
-def flight_tracks(steps: Sequence[PilotStep], body: str) -> FlightTracks:
-    """Return the columns of a flight; ``body`` is the drone's name in the tracking."""
+def flight_tracks(
+    steps: Sequence[PilotStep], body: str, truth: TrueFlight | None = None
+) -> FlightTracks:
+    """Return the columns of a flight.
+
+    Args:
+        steps: of the pilot.
+        body: the drone's name in the tracking.
+        truth: where the drone really was, on the clock of the steps.
+    """
     start = steps[0].now
     sightings = [s for step in steps for s in step.inputs.sightings if s.body == body]
     tilts = np.array([euler_from_quaternion(s.pose.orientation) for s in sightings]).reshape(-1, 3)
@@ -88,6 +101,8 @@ def flight_tracks(steps: Sequence[PilotStep], body: str) -> FlightTracks:
         np.array([s.captured_at - start for s in sightings]),
         np.array([s.pose.position for s in sightings]).reshape(-1, 3),
         tilts[:, [1, 0]],
+        truth.time - start if truth else np.empty(0),
+        truth.position if truth else np.empty((0, 3)),
     )
 
 

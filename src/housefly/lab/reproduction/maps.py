@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
@@ -12,20 +12,14 @@ from scipy.sparse.csgraph import dijkstra
 from housefly.config.site import Site, changed
 from housefly.geometry import Vec2, distance
 from housefly.lab.reproduction.routes import MappedSite, mapped_site, service_path
+from housefly.lab.reproduction.unexpected import UnexpectedObstacles, put_unexpected
 from housefly.pilot.planning.dijkstra import UNREACHED, FreeMask, distances
-from housefly.pilot.planning.planner import path_clearance, path_length, plan
+from housefly.pilot.planning.planner import path_length, plan
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, build_grid
-from housefly.room.model import Room, Shape, Solid
 
-_BOX_EDGE = 0.3
-"""Edge of the unexpected obstacle, which reaches from floor to ceiling [m]."""
-_BOX_SPACING = 0.25
-"""Distance between the points of the path where it is placed in turn [m]."""
 _MAX_HALF_BAND = 1.0
 """Most that a site may count below and above the flight height [m]."""
-_END_MARGIN = 1.0
-"""No box stands closer to either end of the path than this [m]: there neither map can help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,10 +43,7 @@ class MapFacts:
         drawn: number of virtual obstacles.
         legs: legs of the service's way.
         legs_along_y: how many of them are neither towards +x nor -x.
-        boxes: unexpected boxes put on the path, one after another.
-        hit_static: how many the path planned before touches.
-        hit_updated: how many the path planned on the updated map touches; without a path, the
-            planner says so.
+        unexpected: obstacles put into the room, one at a time.
     """
 
     cells: tuple[int, int]
@@ -69,18 +60,19 @@ class MapFacts:
     drawn: int
     legs: int
     legs_along_y: int
-    boxes: int
-    hit_static: int
-    hit_updated: int
+    unexpected: UnexpectedObstacles
 
 
 def survey(site: Site) -> MapFacts:
     """Return the facts about the site's room."""
-    paper, default = mapped_site(site, "paper"), mapped_site(site, "default")
+    return map_facts(mapped_site(site, "paper"), mapped_site(site, "default"))
+
+
+def map_facts(paper: MappedSite, default: MappedSite) -> MapFacts:
+    """Return the facts about a room, mapped in either mode."""
     free: FreeMask = paper.grid.cells == Cell.FREE
-    pairs, wrong = _compared(free, free)
+    pairs, wrong = compared_with_scipy(free, free)
     way = service_path(paper).waypoints
-    boxes, hit_static, hit_updated = _unexpected(default)
     bare = _without_virtual_obstacles(paper)
     hull = paper.site.drone
     return MapFacts(
@@ -98,13 +90,11 @@ def survey(site: Site) -> MapFacts:
         drawn=len(paper.site.map.paper_virtual_obstacles),
         legs=len(way) - 1,
         legs_along_y=sum(abs(b[0] - a[0]) < 1e-6 for a, b in pairwise(way)),
-        boxes=boxes,
-        hit_static=hit_static,
-        hit_updated=hit_updated,
+        unexpected=put_unexpected(default),
     )
 
 
-def _compared(free: FreeMask, believed: FreeMask) -> tuple[int, int]:
+def compared_with_scipy(free: FreeMask, believed: FreeMask) -> tuple[int, int]:
     """Return how many pairs of free cells were compared, and how many differ from scipy's.
 
     Args:
@@ -125,38 +115,6 @@ def _compared(free: FreeMask, believed: FreeMask) -> tuple[int, int]:
     )
     ours[ours == UNREACHED] = np.inf
     return size * size, int((ours != theirs).sum())
-
-
-def _unexpected(here: MappedSite) -> tuple[int, int, int]:
-    """Place a box at points along the planned path in turn.
-
-    Returns the number of boxes, hits of the old path, and hits of a path planned anew.
-    """
-    before = service_path(here).waypoints
-    spots = [
-        spot
-        for spot in _along(before, _BOX_SPACING)
-        if min(distance(spot, before[0]), distance(spot, before[-1])) >= _END_MARGIN
-    ]
-    hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
-    static = updated = 0
-    for spot in spots:
-        grid = build_grid(_with_box(here.room, spot), here.site)
-        answer = plan(grid, before[0], before[-1], here.site.limits.speed, shortcut=True)
-        static += path_clearance(grid, before) < hull
-        updated += answer.path is not None and answer.path.clearance < hull
-    return len(spots), static, updated
-
-
-def _with_box(room: Room, spot: Vec2) -> Room:
-    box = Solid(
-        "unexpected",
-        "unexpected",
-        Shape.BOX,
-        (*spot, 0.5 * room.height),
-        (_BOX_EDGE, _BOX_EDGE, room.height),
-    )
-    return replace(room, solids=(*room.solids, box))
 
 
 def _detour(paper: MappedSite) -> float:
@@ -188,11 +146,3 @@ def _gap(here: MappedSite) -> float:
     ways = (service_path(here, place.name) for place in here.room.places)
     hull = half_diagonal(here.site.drone.hull_length, here.site.drone.hull_width)
     return min(way.clearance for way in ways) - hull
-
-
-def _along(waypoints: tuple[Vec2, ...], spacing: float) -> list[Vec2]:
-    """Return points on a polyline, ``spacing`` apart [m]."""
-    marks = np.concatenate(([0.0], np.cumsum([distance(a, b) for a, b in pairwise(waypoints)])))
-    wanted = np.arange(0.0, marks[-1], spacing)
-    xs, ys = (np.interp(wanted, marks, column) for column in np.array(waypoints).T)
-    return [(float(x), float(y)) for x, y in zip(xs, ys, strict=True)]

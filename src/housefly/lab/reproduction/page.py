@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from housefly.lab.reproduction.exhibit import ClaimFinding, Exhibit, Table, Verdict
+from housefly.lab.reproduction.opposing_cases import OPPOSING_CSS, opposing_section
 from housefly.record.report_style import REPORT_CSS
 
 _MARKS = {Verdict.HOLDS: "✓", Verdict.CONDITION: "◐", Verdict.FAILS: "✕", Verdict.NOT_TESTABLE: "?"}
@@ -28,7 +29,13 @@ figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6p
 .beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);
 gap:1.2rem;align-items:start}
 @media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
+.beside figure{position:sticky;top:1rem}
+.above>div{columns:2;column-gap:1.6rem;margin-top:.8rem}
+.above .finding,.above .said{break-inside:avoid}
+@media (max-width:820px){.beside figure{position:static} .above>div{columns:1}}
 .said{border-left:3px solid var(--line);padding-left:.8rem;margin:0 0 .8rem}
+.notice{border:1px solid #e3b341;border-left-width:4px;border-radius:4px;padding:.5rem .8rem;
+margin:.4rem 0 .8rem;color:var(--ink)}
 .finding{margin:0 0 .9rem} .finding p{margin:.15rem 0}
 .claim{display:grid;grid-template-columns:3.2rem minmax(0,1fr) 14rem minmax(0,1.8fr);gap:.2rem 1rem;
 padding:.55rem 0;border-bottom:1px solid var(--line)}
@@ -45,9 +52,15 @@ code{overflow-wrap:anywhere}
 
 @dataclass(frozen=True, slots=True)
 class RunNotes:
-    """How the page was made: pairs of a name and a text."""
+    """How the page was made.
+
+    Attributes:
+        lines: pairs of a name and a text.
+        notices: what a reader must know first, as sentences.
+    """
 
     lines: tuple[tuple[str, str], ...]
+    notices: tuple[str, ...] = ()
 
 
 def write_page(
@@ -62,6 +75,7 @@ def write_page(
         _head(findings, made),
         *(_exhibit(folder, exhibit, findings) for exhibit in exhibits),
         _claims(findings),
+        opposing_section(findings, _verdict),
         *(_table(number, table) for number, table in enumerate(tables, 1)),
     ]
     body = "\n".join(parts)
@@ -74,7 +88,7 @@ def write_page(
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <title>The paper, made again</title>
-<style>{REPORT_CSS}{_OWN_CSS}</style>
+<style>{REPORT_CSS}{_OWN_CSS}{OPPOSING_CSS}</style>
 </head>
 <body>
 <main>
@@ -96,20 +110,23 @@ def _head(findings: tuple[ClaimFinding, ...], made: RunNotes) -> str:
     lines = "".join(
         f"<div><dt>{_text(name)}</dt><dd>{_text(words)}</dd></div>" for name, words in made.lines
     )
+    notices = "".join(_notice(words) for words in made.notices)
     return (
         "<header><h1>The paper, made again</h1>"
-        "<p>Every figure of <em>Control Architecture for Service Drone in Informationally"
+        "<p>The figures of <em>Control Architecture for Service Drone in Informationally"
         " Structured Environment</em> (Ghallabi, "
-        "Kawamura, Pyo, Tsuji, Kurazume), the numbers that it lacks, and what became of each of its"
+        "Kawamura, Pyo, Tsuji, Kurazume) that show a design or a measurement (7, 10 to 13, 15 to"
+        " 17), the numbers that it lacks, and what became of each of its"
         " claims. All flights are "
         "simulated: the drone is a twin, on its real wires or on a stepped clock.</p>"
-        f'<div class="count">{counts}</div><dl>{lines}</dl></header>'
+        f'{notices}<div class="count">{counts}</div><dl>{lines}</dl></header>'
     )
 
 
 def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[ClaimFinding, ...]) -> str:
     picture = base64.b64encode((folder / f"{exhibit.stem}.png").read_bytes()).decode()
     own = "".join(_finding(finding) for finding in findings if exhibit.number in finding.figures)
+    layout = "above" if exhibit.wide else "beside"
     number = (
         f"Fig. {exhibit.number}"
         if exhibit.number.isdigit()
@@ -117,12 +134,17 @@ def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[ClaimFinding, ...])
     )
     return (
         f'<section id="fig{exhibit.number}"><h2>{number}: {_text(exhibit.title)}</h2><div'
-        f' class="beside"><figure><img src="data:image/png;base64,{picture}"'
-        f' alt="{_text(exhibit.title)}"><figcaption>{_text(exhibit.caption)} <a'
+        f' class="{layout}"><figure><img src="data:image/png;base64,{picture}"'
+        f' alt="{_text(exhibit.title)}"><figcaption>{_notice(exhibit.notice)}'
+        f"{_text(exhibit.caption)} <a"
         f' href="{exhibit.stem}.png">PNG</a> <a'
         f' href="{exhibit.stem}.svg">SVG</a></figcaption></figure><div><p class="said"><span'
         f' class="small">In the paper:</span> {_text(exhibit.paper)}</p>{own}</div></div></section>'
     )
+
+
+def _notice(words: str) -> str:
+    return f'<p class="notice">{_text(words)}</p>' if words else ""
 
 
 def _finding(finding: ClaimFinding) -> str:

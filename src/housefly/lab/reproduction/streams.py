@@ -14,6 +14,7 @@ from housefly.lab.experiments.cases import Cases, cases
 from housefly.lab.experiments.engine import Progress, fly_many
 from housefly.lab.experiments.outcomes import Outcomes
 from housefly.lab.reproduction.fleet import fleet
+from housefly.lab.reproduction.kept_flights import FlyBatch
 from housefly.lab.reproduction.routes import MODES, mapped_site, service_plan
 
 RATES = (10.0, 20.0, 30.0, 50.0, 100.0)
@@ -62,14 +63,16 @@ def stream_flights(seeds: int) -> int:
     return len(MODES) * len(RATES) * len(LATENCIES) * len(LOSSES) * len(LOOP_FREQUENCIES) * seeds
 
 
-def fly_streams(site: Site, seeds: int, on_landed: Progress | None = None) -> Streams:
+def fly_streams(
+    site: Site, seeds: int, on_landed: Progress | None = None, *, fly: FlyBatch = fly_many
+) -> Streams:
     """Fly every combination with the same ``seeds`` drones."""
     rows, measured = [], []
     for mode in MODES:
         here = mapped_site(site, mode)
         table = _combinations(here.site, seeds)
         rows.append(table)
-        measured.append(fly_many(table, service_plan(here), on_progress=on_landed))
+        measured.append(fly(table, service_plan(here), on_progress=on_landed))
     flown = np.concatenate(rows)
     return Streams(flown, np.concatenate(measured), 0.5 * flown["alpha"])
 

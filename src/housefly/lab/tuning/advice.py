@@ -8,6 +8,7 @@ lag was identified wrongly.
 from __future__ import annotations
 
 from cmath import exp
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, radians, sqrt, tan
 
@@ -136,15 +137,22 @@ def judge(question: GainQuestion, alpha: float, beta: float) -> Judgement:
     return Judgement(loop, margins, wrong, error, tuple(objections))
 
 
-def advise(question: GainQuestion) -> Advice | None:
+def advise(
+    question: GainQuestion, on_progress: Callable[[str], object] = lambda words: None
+) -> Advice | None:
     """Return the recommendation, or None when even the slowest pair misses a required margin.
 
     A small Q trusts the model and filters noise well, but costs phase. So the fastest pair is found
     for each Q, and the one with the smallest error in noise and gusts wins.
+
+    Args:
+        question: drone and tracking.
+        on_progress: told in words what is being done.
     """
     position_noise = max(question.noise, _MIN_NOISE)
     found = []
     for noise in _ACCELERATION_NOISES:
+        on_progress(f"the fastest pair that keeps its margins with Q {noise:g} m/s^2")
         loop = replace(question.loop, position_noise=position_noise, acceleration_noise=noise)
         fastest = _fastest(replace(question, loop=loop))
         if fastest is not None:
@@ -153,6 +161,7 @@ def advise(question: GainQuestion) -> Advice | None:
         return None
     best = min(found, key=lambda loop: position_error(loop, question.noise))
     delay = best.delay + best.latency + 0.5 / best.rate_hz + 0.5 / best.tracking_hz
+    on_progress("the margins of the best of them")
     judged = judge(replace(question, loop=best), best.alpha, best.beta)
     return Advice(judged, rate_loop(question.yaw_lag, delay), rate_loop(question.climb_lag, delay))
 

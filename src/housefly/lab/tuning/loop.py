@@ -109,14 +109,19 @@ def timing_of(loop: Loop) -> Timing:
     )
 
 
-def period_of(loop: Loop) -> Period:
-    """Return the loop over its common period."""
+def growth_of(loop: Loop) -> float:
+    """Return the growth of the slowest mode in one second; below 1 the loop is stable."""
+    return period_of(loop, noises=False).growth
+
+
+def period_of(loop: Loop, *, noises: bool = True) -> Period:
+    """Return the loop over its common period; without ``noises`` their columns are left out."""
     timing = timing_of(loop)
     lag = loop.lag if loop.model_lag is None else loop.model_lag
     delay = loop.delay if loop.model_delay is None else loop.model_delay
-    noises = loop.acceleration_noise, loop.position_noise
-    observer = observer_of(timing, loop.paper, lag, loop.drag, delay, *noises)
-    run = _Run(loop, timing, observer)
+    sigmas = loop.acceleration_noise, loop.position_noise
+    observer = observer_of(timing, loop.paper, lag, loop.drag, delay, *sigmas)
+    run = _Run(loop, timing, observer, noises)
     asked = []
     for tick in range(timing.ticks):
         run.control(tick)
@@ -135,7 +140,7 @@ class _Run:
         own.
     """
 
-    def __init__(self, loop: Loop, timing: Timing, observer: Observer) -> None:
+    def __init__(self, loop: Loop, timing: Timing, observer: Observer, noises: bool) -> None:
         self._loop, self._timing, self._observer = loop, timing, observer
         reach = timing.latency + timing.interval + timing.tick + max(loop.delay, observer.delay)
         kept_commands = ceil(reach / timing.tick) + 3
@@ -149,10 +154,10 @@ class _Run:
             self.frames + kept_frames + 1, self.frames + kept_frames + 1 + observer.size
         )
         self.size = self.own.stop
-        self.rows: Rows = np.eye(
-            self.size, self.size + timing.frames + timing.ticks, dtype=np.complex128
-        )
-        self._noises = 0
+        columns = self.size + (timing.frames + timing.ticks if noises else 0)
+        self._factor = loop.factor.real if loop.factor.imag == 0.0 else loop.factor
+        self.rows: Rows = np.eye(self.size, columns, dtype=type(self._factor))
+        self._has_noises, self._noises = noises, 0
 
     def control(self, tick: int) -> None:
         """Process the frames that have arrived at a tick, and issue its command."""
@@ -179,14 +184,15 @@ class _Run:
         """Advance the drone to the next tick, exposing frames on the way."""
         timing, loop = self._timing, self._loop
         at, end = tick * timing.tick, (tick + 1) * timing.tick
-        self.rows[1, self.size + timing.frames + tick] += 1.0
+        if self._has_noises:
+            self.rows[1, self.size + timing.frames + tick] += 1.0
         while at < end - ROUNDING:
             index = floor((at - loop.delay) / timing.tick + ROUNDING)
             until = min(end, (index + 1) * timing.tick + loop.delay)
             frame = timing.captured(at)
             until = min(until, timing.taken_at(frame))
             # The newest command is that of this tick.
-            pushed = loop.factor * self.rows[self.commands + tick - index]
+            pushed = self._factor * self.rows[self.commands + tick - index]
             self.rows[:3] = advanced(self.rows[:3], pushed, loop.lag, loop.drag, until - at)
             at = until
             if timing.captured(at) > frame:
@@ -196,8 +202,9 @@ class _Run:
         last = self.own.start
         self.rows[self.frames + 1 : last] = self.rows[self.frames : last - 1].copy()
         self.rows[self.frames] = self.rows[0]
-        self.rows[self.frames, self.size + self._noises] += 1.0
-        self._noises += 1
+        if self._has_noises:
+            self.rows[self.frames, self.size + self._noises] += 1.0
+            self._noises += 1
 
     def _issued(self, index: int, tick: int) -> Rows:
         """Return the command issued at tick ``index``.

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from housefly.lab.tuning.loop import Loop, period_of
+from housefly.lab.tuning.loop import Loop, growth_of
 
 _FRAME_PHASES = (0.02, 0.5, 0.98)
 """Frames may fall anywhere between two ticks; margins are the worst of these phases."""
@@ -37,7 +37,7 @@ class Margins(NamedTuple):
 
 def is_stable(loop: Loop) -> bool:
     """Return whether the loop is stable wherever frames fall between two ticks."""
-    return all(period_of(replace(loop, phase=phase)).growth < 1.0 for phase in _FRAME_PHASES)
+    return all(growth_of(replace(loop, phase=phase)) < 1.0 for phase in _FRAME_PHASES)
 
 
 def margins_of(loop: Loop) -> Margins:

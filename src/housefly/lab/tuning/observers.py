@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from math import floor
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,9 +18,9 @@ from housefly.pilot.estimation.constant_velocity import ConstantVelocity, cv_pre
 from housefly.pilot.estimation.delay_filter import PREDICTION_STEP_MAX
 from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER, HOVER_BRAKING
 from housefly.pilot.estimation.lagged_axis import (
-    AxisCovariance,
     AxisModel,
     AxisState,
+    Transition,
     initial_covariance,
     predicted_axis,
     predicted_covariance,
@@ -28,7 +28,7 @@ from housefly.pilot.estimation.lagged_axis import (
     updated_covariance,
 )
 
-Rows = NDArray[np.complex128]
+Rows = NDArray[np.float64] | NDArray[np.complex128]
 """Quantities as coefficients, shape (quantities, state and noises)."""
 _IssuedCommand = Callable[[int, int], Rows]
 """Returns the command issued at one tick, as asked for at another."""
@@ -92,6 +92,20 @@ class Observer(Protocol):
         ...
 
 
+class _Way(NamedTuple):
+    """The prediction between two times as a linear map.
+
+    Attributes:
+        commands: ticks whose commands act in between.
+        state: later state from the earlier one, shape (4, 4).
+        command: later state from each of the commands, shape (4, commands).
+    """
+
+    commands: tuple[int, ...]
+    state: NDArray[np.float64]
+    command: NDArray[np.float64]
+
+
 class _StampedObserver:
     """Mode default: frames count when captured; predicts to when a command given now acts."""
 
@@ -102,6 +116,7 @@ class _StampedObserver:
     ) -> None:
         self.delay = delay
         self._timing, self._model = timing, model
+        self._ways: dict[tuple[float, float], _Way] = {}
         self._gains = self._steady(position_noise**2)
 
     def corrected(
@@ -127,11 +142,29 @@ class _StampedObserver:
     def _rolled(
         self, own: Rows, start: float, end: float, tick: int, issued: _IssuedCommand
     ) -> Rows:
-        axis: Any = AxisState(*own)
-        for at, until, index in self._pieces(start, end):
-            step = transition(self._model, True, round(until - at, 12))
-            axis = _plain(predicted_axis)(axis, issued(min(index, tick - 1), tick), step)
-        return np.array(axis)
+        way = self._ways.get((start, end))
+        if way is None:
+            way = self._ways[start, end] = self._way(start, end)
+        rolled: Rows = way.state @ own
+        if way.commands:
+            given = np.array([issued(min(index, tick - 1), tick) for index in way.commands])
+            rolled += way.command @ given
+        return rolled
+
+    def _way(self, start: float, end: float) -> _Way:
+        """Return the prediction between two times as matrices: rows pass through the live filter's
+        own step, once for every pair of times in a period.
+        """
+        pieces = list(self._pieces(start, end))
+        commands = sorted({index for _, _, index in pieces})
+        rows = np.eye(4, 4 + len(commands))
+        unit = np.eye(len(commands), 4 + len(commands), 4)
+        axis: Any = AxisState(*rows)
+        for at, until, index in pieces:
+            step = _plain(transition)(self._model, True, round(until - at, 12))
+            axis = _plain(predicted_axis)(axis, unit[commands.index(index)], step)
+        predicted = np.array(axis)
+        return _Way(tuple(commands), predicted[:, :4], predicted[:, 4:])
 
     def _pieces(self, start: float, end: float) -> Iterator[tuple[float, float, int]]:
         """Yield start [s], end [s] and the tick whose command acts between them."""
@@ -145,23 +178,28 @@ class _StampedObserver:
     def _steady(self, variance: float) -> NDArray[np.float64]:
         """Return the Kalman gains of the frames of a period, shape (frames, 4)."""
         frames = self._timing.frames
-        spread, gains = initial_covariance(variance, self._model.noise), np.zeros((frames, 4))
+        predicted, updated = _plain(predicted_covariance), _plain(updated_covariance)
+        steps = [self._steps_to(frame) for frame in range(frames)]
+        spread: Any = _plain(initial_covariance)(variance, self._model.noise)
+        gains = np.zeros((frames, 4))
         for _ in range(_MAX_ROUNDS):
             before = gains.copy()
             for frame in range(frames):
-                for at, until, _ in self._pieces(
-                    self._timing.taken_at(frame - 1), self._timing.taken_at(frame)
-                ):
-                    spread = AxisCovariance(
-                        *predicted_covariance(
-                            spread, transition(self._model, True, round(until - at, 12))
-                        )
-                    )
+                for step in steps[frame]:
+                    spread = predicted(spread, step)
                 gains[frame] = np.array(spread[:4]) / (spread.xx + variance)
-                spread = AxisCovariance(*updated_covariance(spread, variance))
+                spread = updated(spread, variance)
             if np.abs(gains - before).max() <= _SETTLED_SHARE * np.abs(gains).max():
                 break
         return gains
+
+    def _steps_to(self, frame: int) -> list[Transition]:
+        """Return the steps of the prediction from the frame before to this one."""
+        timing = self._timing
+        return [
+            _plain(transition)(self._model, True, round(until - at, 12))
+            for at, until, _ in self._pieces(timing.taken_at(frame - 1), timing.taken_at(frame))
+        ]
 
 
 class _PlainObserver:
@@ -197,19 +235,19 @@ class _PlainObserver:
 
     def _steady(self, noise: float, variance: float) -> NDArray[np.float64]:
         """Return the Kalman gains of the frames of a period, shape (frames, 2)."""
-        timing = self._timing
+        timing, predicted, updated = self._timing, _plain(cv_predicted), _plain(cv_updated)
         state, gains = ConstantVelocity(0.0, 0.0, variance, 0.0, 0.1), np.zeros((timing.frames, 2))
         for _ in range(_MAX_ROUNDS):
             before = gains.copy()
             for tick in range(timing.ticks):
-                state = ConstantVelocity(*cv_predicted(state, 0.0, noise, timing.tick))
+                state = predicted(state, 0.0, noise, timing.tick)
                 for frame in range(
                     timing.delivered((tick - 1) * timing.tick), timing.delivered(tick * timing.tick)
                 ):
                     gains[frame % timing.frames] = np.array([state.xx, state.xv]) / (
                         state.xx + variance
                     )
-                    state = ConstantVelocity(*cv_updated(state, 0.0, variance))
+                    state = updated(state, 0.0, variance)
             if np.abs(gains - before).max() <= _SETTLED_SHARE * np.abs(gains).max():
                 break
         return gains

@@ -17,7 +17,7 @@ from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_traced
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
 from housefly.lab.tuning.advice import MIN_GAIN_MARGIN, GainQuestion, Judgement, stiffness_bound
-from housefly.lab.tuning.loop import Loop, period_of
+from housefly.lab.tuning.loop import Loop, growth_of
 from housefly.pilot.estimation.estimator import EstimatorKind
 from housefly.record.plot_style import BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
 
@@ -152,13 +152,13 @@ def _gain(loop: Loop, alpha: float, frequency: float) -> float:
     """Return the gain margin to a few percent; nan where the loop is unstable."""
     own = replace(loop, alpha=float(alpha), beta=float(frequency) ** 2)
     low, high = 1.0, 8.0
-    if period_of(own).growth >= 1.0:
+    if growth_of(own) >= 1.0:
         return float("nan")
-    if period_of(replace(own, factor=high)).growth < 1.0:
+    if growth_of(replace(own, factor=high)) < 1.0:
         return high
     while high / low > 1.04:
         middle = sqrt(low * high)
         low, high = (
-            (middle, high) if period_of(replace(own, factor=middle)).growth < 1.0 else (low, middle)
+            (middle, high) if growth_of(replace(own, factor=middle)) < 1.0 else (low, middle)
         )
     return low

@@ -1,4 +1,4 @@
-"""How soon and how hard the drone can be counted on to brake."""
+"""How the drone can be counted on to brake, and how the pilot sinks to land."""
 
 from __future__ import annotations
 
@@ -6,3 +6,12 @@ BRAKING_DECELERATION = 1.0
 """How hard the drone can be counted on to brake [m/s^2]; at full tilt it is twice that."""
 REACTION_TIME = 0.3
 """Time from the cause, or the order, to braking that distances allow for [s]."""
+LAST_HEIGHT = 0.45
+"""The pilot steers a landing down to here; the last bit is the drone's own [m]."""
+SINK_LEAD = 0.33
+"""The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
+
+
+def sink_height(height: float) -> float:
+    """Return the height to want next while sinking from a height [m]."""
+    return max(LAST_HEIGHT, height - SINK_LEAD)

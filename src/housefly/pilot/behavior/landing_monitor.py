@@ -17,12 +17,12 @@ from math import inf
 
 from housefly.geometry import distance
 from housefly.messages.flight import Event, Phase, Severity
+from housefly.pilot.behavior.braking import LAST_HEIGHT, sink_height
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_tables import SIGNALS, Signal
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.behavior.steered_landing import LAST_HEIGHT, sink_height
 
 GUIDED_DISTANCE = 4.0
 """In mode paper the pilot sinks itself with somebody nearer than this [m]: the drone's own landing

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
+from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.drone_faults import DEAF_SONAR
-from housefly.pilot.behavior.steered_landing import LAST_HEIGHT
 from housefly.pilot.safety.drone_rules import lies_on_floor
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import control_error

@@ -90,6 +90,14 @@ def _leaving(c: RuleContext) -> float:
     return c.fence.leaving(c.now.position, c.now.velocity)
 
 
+def _is_too_high(c: RuleContext) -> bool:
+    """Return whether it is seen above the ceiling: a height carried on for long is a guess."""
+    if c.now.position is None or c.now.position[2] <= c.fence.ceiling:
+        return False
+    is_guessed = c.now.pose_age > c.limits.pose_age_level
+    return not (is_guessed and isfinite(c.now.position[2]))
+
+
 def _stands_above(c: RuleContext) -> float:
     if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
         return 0.0
@@ -153,7 +161,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.LAND,
         counts=N.AIRBORNE,
         condition="above the highest height plus slack, or too near to the ceiling of the room",
-        broken=lambda c: c.now.position is not None and not c.now.position[2] <= c.fence.ceiling,
+        broken=_is_too_high,
         words=lambda c: f"higher than {c.fence.ceiling:.1f} m: landing",
         clears=Clearing.GROUND,
     ),

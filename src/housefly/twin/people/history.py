@@ -1,4 +1,4 @@
-"""Where things are and which doors are open after each act of a scene; pure."""
+"""Where things are, which doors are open and what is on after each act of a scene; pure."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from housefly.twin.people.state import Act, SceneEvent, ThingState
 
 @dataclass(frozen=True, slots=True)
 class _Snapshot:
-    """Things and open doors between one act and the next."""
+    """Things, open doors and what is switched on between one act and the next."""
 
     things: Mapping[str, ThingState]
     open: frozenset[str]
+    on: frozenset[str] = frozenset()
 
 
 class SceneHistory:
@@ -77,11 +78,19 @@ class SceneHistory:
 
     def _open(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a door was opened."""
-        return _Snapshot(before.things, before.open | {self._device(event)})
+        return replace(before, open=before.open | {self._device(event)})
 
     def _close(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a door was closed."""
-        return _Snapshot(before.things, before.open - {self._device(event)})
+        return replace(before, open=before.open - {self._device(event)})
+
+    def _on(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
+        """Return the state after a device was switched on."""
+        return replace(before, on=before.on | {self._device(event)})
+
+    def _off(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
+        """Return the state after a device was switched off."""
+        return replace(before, on=before.on - {self._device(event)})
 
     def _press(self, event: SceneEvent, before: _Snapshot) -> _Snapshot:
         """Return the state after a button was pressed: unchanged."""
@@ -121,11 +130,13 @@ _EFFECTS: dict[Act, Callable[[SceneHistory, SceneEvent, _Snapshot], _Snapshot]] 
     Act.OPEN: SceneHistory._open,
     Act.CLOSE: SceneHistory._close,
     Act.PRESS: SceneHistory._press,
+    Act.ON: SceneHistory._on,
+    Act.OFF: SceneHistory._off,
 }
 
 
 def _with(before: _Snapshot, thing: ThingState) -> _Snapshot:
-    return _Snapshot({**before.things, thing.name: thing}, before.open)
+    return replace(before, things={**before.things, thing.name: thing})
 
 
 def _impossible(event: SceneEvent, what: str) -> ConfigError:

@@ -58,7 +58,8 @@ class Scene:
         local = self._local(time)
         snapshot = self._history.at(local)
         people = tuple(self._person(number, local) for number in range(len(self._lines)))
-        return SceneState(time, people, _carried(snapshot.things, people), snapshot.open)
+        things = _carried(snapshot.things, people)
+        return SceneState(time, people, things, snapshot.open, snapshot.on)
 
     def between(self, since: float, until: float) -> tuple[SceneEvent, ...]:
         """Return the events after ``since`` up to and including ``until`` [s], oldest first."""

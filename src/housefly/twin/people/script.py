@@ -12,7 +12,10 @@ _Coordinate = Annotated[float, Field(ge=-1000.0, le=1000.0, allow_inf_nan=False)
 _Point2 = tuple[_Coordinate, _Coordinate]
 _Point3 = tuple[_Coordinate, _Coordinate, _Coordinate]
 _Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.:-]{0,63}$")]
-_DeviceKind = Literal["floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion"]
+_DeviceKind = Literal[
+    "floor", "cabinet", "refrigerator", "bed", "door", "doorbell", "motion",
+    "switch", "power", "temperature", "contact", "level",
+]  # fmt: skip
 
 
 class Go(Section):
@@ -70,9 +73,9 @@ class Put(Section):
 
 
 class Handle(Section):
-    """Open or close a device's door, or press its button."""
+    """Open or close a device's door, press its button, or switch it on or off."""
 
-    do: Literal["open", "close", "press"]
+    do: Literal["open", "close", "press", "on", "off"]
     what: _Name
 
 
@@ -135,6 +138,15 @@ class DeviceScript(Section):
     )
     noise: float = quantity(
         0.0, 0.0, 10.0, "", "one-sigma error in its own unit: m of a floor, kg of a load cell"
+    )
+    value_on: float | None = Field(
+        default=None,
+        ge=-1e5,
+        le=1e5,
+        description="what it measures when on [W, degrees Celsius, %]",
+    )
+    value_off: float | None = Field(
+        default=None, ge=-1e5, le=1e5, description="what it measures when off, likewise"
     )
 
 

@@ -27,6 +27,8 @@ class Act(Enum):
     OPEN = "open"
     CLOSE = "close"
     PRESS = "press"
+    ON = "on"
+    OFF = "off"
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,12 +102,14 @@ class SceneState:
         people: in the order of the script.
         things: by name.
         open: ids of the devices whose doors stand open.
+        on: ids of the devices that are switched on.
     """
 
     at: float
     people: tuple[PersonState, ...]
     things: Mapping[str, ThingState]
     open: frozenset[str]
+    on: frozenset[str] = frozenset()
 
     def inside(self, device: str) -> tuple[ThingState, ...]:
         """Return what a device contains, in order of names."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from housefly.geometry import Vec2
-from housefly.twin.people import Act, Posture, Scene, SceneEvent, SceneState
+from housefly.twin.people import Act, PersonState, Posture, Scene, SceneEvent, SceneState
 from housefly.twin.people.script import DeviceScript, SceneScript
 from housefly.wires.devices import KINDS, Channel, DeviceAddress, encode_payload
 
@@ -19,6 +19,13 @@ _FLOOR_PERIOD = 0.1
 """Period of a floor sensor's reports [s]."""
 _STATES_PER_HEARTBEAT = 3.0
 """How often other devices repeat their state within the longest time allowed."""
+
+_ON_FLOOR = 0.1
+"""Who is carried at no more than this height lies or sits on the floor itself [m]."""
+_FEET_EXTENT, _SITTING_EXTENT = 0.35, 0.8
+"""Over what length those who stand and those who sit on the floor touch it [m]."""
+_LYING_EXTENT = 0.95
+"""Over what share of their height those who lie touch the floor."""
 
 _Values = dict[str, object]
 
@@ -108,6 +115,7 @@ class _Facts:
     def __init__(self, script: SceneScript) -> None:
         self.devices: Mapping[str, DeviceScript] = {device.id: device for device in script.devices}
         self.weights: Mapping[str, float] = {person.name: person.weight for person in script.people}
+        self.heights: Mapping[str, float] = {person.name: person.height for person in script.people}
         self._things = {thing.name: thing for thing in script.things}
 
     def tagged(self, thing: str) -> _Values:
@@ -146,16 +154,52 @@ class _Device:
 
 
 def _floor(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
-    standing = (
+    felt = (
         p
         for p in state.people
-        if p.present and p.posture is not Posture.LYING and _covers(device, p.position)
+        if p.present
+        and (p.posture is not Posture.LYING or p.support < _ON_FLOOR)
+        and _covers(device, p.position)
     )
     people = [
-        {"id": p.name, **_local(device, p.position), "weight": facts.weights[p.name]}
-        for p in standing
+        {
+            "id": p.name,
+            **_local(device, p.position),
+            "weight": facts.weights[p.name],
+            "extent": _extent(p, facts.heights[p.name]),
+        }
+        for p in felt
     ]
     return {"people": people}
+
+
+def _extent(person: PersonState, height: float) -> float:
+    """Return over what length somebody touches the floor [m]."""
+    if person.posture is Posture.LYING:
+        return round(_LYING_EXTENT * height, 2)
+    return (
+        _SITTING_EXTENT
+        if person.posture is Posture.SITTING and person.support < _ON_FLOOR
+        else _FEET_EXTENT
+    )
+
+
+def _switch(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
+    return {"state": "ON" if device.id in state.on else "OFF"}
+
+
+def _contact(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
+    return {"contact": device.id not in state.open}
+
+
+def _measured(key: str, on: float, off: float) -> _Reader:
+    """Return what reads a value that is one when on and another when off."""
+
+    def read(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
+        own = device.value_on if device.id in state.on else device.value_off
+        return {key: own if own is not None else on if device.id in state.on else off}
+
+    return read
 
 
 def _cabinet(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
@@ -184,7 +228,8 @@ def _motion(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
     }
 
 
-_READERS: dict[str, Callable[[DeviceScript, SceneState, _Facts], _Values]] = {
+_Reader = Callable[[DeviceScript, SceneState, _Facts], _Values]
+_READERS: dict[str, _Reader] = {
     "floor": _floor,
     "cabinet": _cabinet,
     "refrigerator": _cabinet,
@@ -192,8 +237,13 @@ _READERS: dict[str, Callable[[DeviceScript, SceneState, _Facts], _Values]] = {
     "door": _door,
     "doorbell": _doorbell,
     "motion": _motion,
+    "switch": _switch,
+    "power": _measured("power", 1400.0, 0.4),
+    "temperature": _measured("temperature", 180.0, 21.0),
+    "contact": _contact,
+    "level": _measured("level", 80.0, 20.0),
 }
-_ON_DEVICES = frozenset({Act.OPEN, Act.CLOSE, Act.PRESS})
+_ON_DEVICES = frozenset({Act.OPEN, Act.CLOSE, Act.PRESS, Act.ON, Act.OFF})
 _WORDS = {
     ("cabinet", Act.TAKE): "taken",
     ("cabinet", Act.PUT): "put",
@@ -205,7 +255,7 @@ _WORDS = {
     ("door", Act.CLOSE): "closed",
     ("doorbell", Act.PRESS): "pressed",
 }
-_MEASURED = frozenset({"x", "y", "load"})
+_MEASURED = frozenset({"x", "y", "load", "power", "temperature", "level"})
 """Keys of what is measured with noise."""
 
 

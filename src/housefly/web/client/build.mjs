@@ -8,7 +8,7 @@ const bundled = ["preact", "@preact/signals", "@preact/signals-core"];
 
 await mkdir(target, { recursive: true });
 await build({
-  entryPoints: { app: "src/main.tsx" },
+  entryPoints: { app: "src/main.tsx", new: "src/new/main.tsx" },
   outdir: target,
   bundle: true,
   minify: true,
@@ -20,6 +20,7 @@ await build({
   logLevel: "warning",
 });
 await copyFile("src/index.html", `${target}/index.html`);
+await copyFile("src/new.html", `${target}/new.html`);
 await copyFile("src/favicon.svg", `${target}/favicon.svg`);
 const licences = await Promise.all(
   bundled.map(
@@ -28,5 +29,5 @@ const licences = await Promise.all(
 );
 await writeFile(
   `${target}/LICENSES.txt`,
-  `app.js contains these libraries.\n\n${licences.join("\n---\n\n")}`,
+  `app.js and new.js contain these libraries.\n\n${licences.join("\n---\n\n")}`,
 );

@@ -11,6 +11,7 @@ from housefly.wires.devices.codec import (
     encode_payload,
 )
 from housefly.wires.devices.kind import DeviceKind, Placement
+from housefly.wires.devices.measured_topic import MeasuredTopic
 from housefly.wires.devices.topics import (
     Channel,
     DeviceAddress,
@@ -28,6 +29,7 @@ __all__ = [
     "Delivered",
     "DeviceAddress",
     "DeviceKind",
+    "MeasuredTopic",
     "Placement",
     "Reading",
     "decode_reading",

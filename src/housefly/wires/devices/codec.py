@@ -14,6 +14,7 @@ from housefly.wires.devices.cabinet import CABINET_KIND
 from housefly.wires.devices.fields import JsonRecord, JsonSpec, read_record
 from housefly.wires.devices.floor import FLOOR_KIND
 from housefly.wires.devices.kind import DeviceKind, DeviceReport, Placement
+from housefly.wires.devices.measured import MEASURED_KINDS
 from housefly.wires.devices.refrigerator import REFRIGERATOR_KIND
 from housefly.wires.devices.switches import DOOR_KIND, DOORBELL_KIND, MOTION_KIND
 from housefly.wires.devices.topics import Channel, DeviceAddress, printable_topic
@@ -28,6 +29,7 @@ KINDS: dict[str, DeviceKind] = {
         DOOR_KIND,
         DOORBELL_KIND,
         MOTION_KIND,
+        *MEASURED_KINDS.values(),
     )
 }
 """All kinds of devices, by their name in topics."""
@@ -98,18 +100,22 @@ def device_kind(address: DeviceAddress) -> DeviceKind:
 
 
 def decode_reading(
-    message: Delivered, placement: Placement = _NO_PLACEMENT, bounds: ClockBounds = _DEFAULT_BOUNDS
+    message: Delivered,
+    placement: Placement = _NO_PLACEMENT,
+    bounds: ClockBounds = _DEFAULT_BOUNDS,
+    kind: DeviceKind | None = None,
 ) -> Reading:
     """Return what a message report.
 
     A time outside the bounds is replaced by the time of arrival, and the observations carry the
     fact ``clock_error`` [s]. A retained state may have any age; it carries the fact ``retained``.
-    A retained event is over and yields nothing.
+    A retained event is over and yields nothing. ``kind`` replaces the one in the topic.
 
     Raises:
         WireError: naming the topic, the key, the value and what is allowed.
     """
-    kind, topic = device_kind(message.address), message.address.topic(message.channel)
+    kind = kind or device_kind(message.address)
+    topic = message.address.topic(message.channel)
     if message.channel is Channel.AVAILABILITY:
         return Reading(online=_presence(message.payload, topic))
     is_event = message.channel is Channel.EVENT
@@ -128,10 +134,15 @@ def _parse(spec: JsonSpec, payload: bytes, topic: str) -> JsonRecord:
     if len(payload) > MAX_DEVICE_PAYLOAD:
         raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {MAX_DEVICE_PAYLOAD} bytes")
     try:
-        tree = json.loads(payload.decode(), parse_constant=_no_number)
+        tree = parsed_json(payload)
     except (ValueError, RecursionError) as error:
         raise WireError(f"{topic}: not JSON ({str(error)[:80]})") from error
     return read_record(spec, tree, topic)
+
+
+def parsed_json(payload: bytes) -> object:
+    """Return the JSON of a payload; raises ValueError, for NaN and infinity too."""
+    return json.loads(payload.decode(), parse_constant=_no_number)
 
 
 def encode_payload(values: Mapping[str, object]) -> bytes:

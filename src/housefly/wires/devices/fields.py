@@ -82,7 +82,7 @@ class NumberField:
             or not isinstance(value, int | float)
             or not self.low <= value <= self.high
         ):
-            raise _refusal(
+            raise value_refusal(
                 where, value, f"a number from {self.low:g} to {self.high:g} {self.unit}".rstrip()
             )
         return float(value)
@@ -97,8 +97,24 @@ class FlagField:
     def check(self, value: object, where: str) -> bool:
         """Return the truth value."""
         if not isinstance(value, bool):
-            raise _refusal(where, value, "true or false")
+            raise value_refusal(where, value, "true or false")
         return value
+
+
+@dataclass(frozen=True, slots=True)
+class WordField:
+    """A truth value that a device may also say as a word or a number, in any case."""
+
+    words: Mapping[str, bool]
+    allowed: str
+    required: bool = True
+
+    def check(self, value: object, where: str) -> bool:
+        """Return the truth value."""
+        word = str(value).lower() if isinstance(value, str | bool | int) else ""
+        if word not in self.words:
+            raise value_refusal(where, value, self.allowed)
+        return self.words[word]
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +126,7 @@ class IdField:
     def check(self, value: object, where: str) -> str:
         """Return the id."""
         if not isinstance(value, str) or not ID_PATTERN.fullmatch(value):
-            raise _refusal(where, value, "an id of 1 to 64 letters, digits and _ . : -")
+            raise value_refusal(where, value, "an id of 1 to 64 letters, digits and _ . : -")
         return value
 
 
@@ -124,7 +140,9 @@ class ChoiceField:
     def check(self, value: object, where: str) -> str:
         """Return the word."""
         if not isinstance(value, str) or value not in self.words:
-            raise _refusal(where, value, "one of " + ", ".join(f'"{word}"' for word in self.words))
+            raise value_refusal(
+                where, value, "one of " + ", ".join(f'"{word}"' for word in self.words)
+            )
         return value
 
 
@@ -139,7 +157,7 @@ class RowsField:
     def check(self, value: object, where: str) -> tuple[JsonRecord, ...]:
         """Return the objects."""
         if not isinstance(value, list) or len(value) > self.most:
-            raise _refusal(where, value, f"a list of up to {self.most} objects")
+            raise value_refusal(where, value, f"a list of up to {self.most} objects")
         return tuple(
             read_record(self.spec, entry, f"{where}[{number}]")
             for number, entry in enumerate(value)
@@ -158,7 +176,7 @@ def read_record(spec: JsonSpec, tree: object, where: str) -> JsonRecord:
         WireError: naming the place, the value and what is allowed.
     """
     if not isinstance(tree, dict):
-        raise _refusal(where, tree, "a JSON object")
+        raise value_refusal(where, tree, "a JSON object")
     values = {
         key: row.check(tree[key], f"{where}.{key}")
         for key, row in spec.items()
@@ -177,8 +195,8 @@ def read_record(spec: JsonSpec, tree: object, where: str) -> JsonRecord:
     return JsonRecord(values, (*(key for key in tree if key not in spec), *nested))
 
 
-def _refusal(where: str, value: object, allowed: str) -> WireError:
-    """Return the error about one value."""
+def value_refusal(where: str, value: object, allowed: str) -> WireError:
+    """Return the error about one value: where it stands, what it is, what is allowed."""
     shown = ascii(value)
     return WireError(
         f"{where} is {shown if len(shown) <= _SHOWN else shown[:_SHOWN] + '...'}; allowed:"

@@ -18,6 +18,7 @@ _SPOT: JsonSpec = {
     "y": NumberField(-1000.0, 1000.0, "m"),
     "sigma": NumberField(0.001, 10.0, "m", required=False),
     "weight": NumberField(0.0, 500.0, "kg", required=False),
+    "extent": NumberField(0.0, 3.0, "m", required=False),
 }
 
 
@@ -34,7 +35,8 @@ def _observe(state: JsonRecord, report: DeviceReport) -> Iterator[Observation]:
 def _seen(spot: JsonRecord, report: DeviceReport, what: str, nameless: str) -> Observation:
     thing = report.placement.thing(spot.word("id")) or nameless
     position = report.placement.world(spot.number("x"), spot.number("y"), 0.0)
-    seen = report.about(thing, position, ("kind", what), ("weight", spot.number_or_none("weight")))
+    weight, extent = spot.number_or_none("weight"), spot.number_or_none("extent")
+    seen = report.about(thing, position, ("kind", what), ("weight", weight), ("extent", extent))
     variance = (spot.number_or_none("sigma") or _DEFAULT_SIGMA) ** 2
     return replace(seen, covariance=(variance, 0.0, 0.0, variance, 0.0, variance))
 

@@ -1,5 +1,6 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
+import { Metres } from "../controls/metres";
 import {
   addInTheMiddle,
   aims,
@@ -275,41 +276,5 @@ function ZoneForm({ index }: { index: number }) {
         ))}
       </fieldset>
     </>
-  );
-}
-
-/** A number field that leaves half-typed input such as "4." alone. */
-function Metres({
-  name,
-  value,
-  set,
-}: {
-  name: string;
-  value: number;
-  set: (value: number) => void;
-}) {
-  const field = useRef<HTMLInputElement>(null);
-  const show = (): void => {
-    // Blur comes also when the form goes away.
-    const input = field.current;
-    if (input && input.valueAsNumber !== value) input.value = String(value);
-  };
-  useLayoutEffect(() => {
-    if (document.activeElement !== field.current) show();
-  }, [value]);
-  return (
-    <label>
-      {name}
-      <input
-        ref={field}
-        type="number"
-        step="0.05"
-        onBlur={show}
-        onInput={(event) =>
-          Number.isFinite(event.currentTarget.valueAsNumber) &&
-          set(event.currentTarget.valueAsNumber)
-        }
-      />
-    </label>
   );
 }

@@ -67,13 +67,15 @@ function Answer({ go }: { go: (words: string) => void }) {
     );
   }
   if (!answer) return <p class="quiet">By name or nickname, or touch something on the map.</p>;
+  const perhaps = answer.alternatives.map((one) => one.thing).filter((id) => id);
+  const around = [...new Set([...answer.inside, ...perhaps])];
   return (
     <>
       {at.value !== null && <strong class="then">At {clock(at.value)}: </strong>}
       <p class="words">{answer.words}</p>
-      {answer.inside.length > 0 && (
+      {around.length > 0 && (
         <p class="chips">
-          {answer.inside.map((id) => (
+          {around.map((id) => (
             <button type="button" key={id} onClick={() => go(id)}>
               {nameOf(id)}
             </button>

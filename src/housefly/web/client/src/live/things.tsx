@@ -36,7 +36,7 @@ export function ThingsLayer({ to }: { to: Projection }) {
   );
 }
 
-/** Rings around what was searched for, or around what it is in. */
+/** Rings around what was searched for, or around what it is in; dashed where it may be instead. */
 function Rings({ to, byId }: { to: Projection; byId: Map<string, Seen> }) {
   const answer = found.value.answer;
   if (!answer) return null;
@@ -44,13 +44,23 @@ function Rings({ to, byId }: { to: Projection; byId: Map<string, Seen> }) {
     answer.position,
     ...[answer.thing, ...answer.inside].map((id) => byId.get(id)?.position),
   ].find((position) => position != null);
-  if (!known) return null;
-  const [u, v] = to.at([known[0], known[1]]);
+  const rings = [
+    { place: known, kind: "found" },
+    ...answer.alternatives.map((one) => ({ place: one.position, kind: "found perhaps" })),
+  ];
   return (
-    <g class="found" transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`}>
-      <circle r="22" />
-      <circle class="outer" r="28" />
-    </g>
+    <>
+      {rings.map(({ place, kind }, index) => {
+        if (!place) return null;
+        const [u, v] = to.at([place[0], place[1]]);
+        return (
+          <g class={kind} key={index} transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`}>
+            <circle r="22" />
+            <circle class="outer" r="28" />
+          </g>
+        );
+      })}
+    </>
   );
 }
 

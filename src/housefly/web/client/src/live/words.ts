@@ -41,7 +41,8 @@ export function happened(event: EventAnswer): string {
   return words + whose + by + said;
 }
 
-const ORDINARY = /^(person (present|walking|standing|sitting|lying)|bed occupied)$/;
+const ORDINARY =
+  /^(person (present|walking|standing|sitting|lying)|bed occupied|appliance on|contact open)$/;
 
 /** Whether somebody should look; that a person walks about is no worry. */
 export const isWorry = (kind: string): boolean => !ORDINARY.test(kind);

@@ -9,6 +9,13 @@ export interface SourceAnswer {
   facts: Record<string, string | number | boolean>;
 }
 
+export interface AlternativePlace {
+  words: string;
+  thing: string;
+  position: [number, number, number] | null;
+  confidence: number;
+}
+
 export interface WhereAnswer {
   thing: string;
   name: string;
@@ -23,6 +30,8 @@ export interface WhereAnswer {
   age: number | null;
   sources: string[];
   said: SourceAnswer[];
+  confidence: number;
+  alternatives: AlternativePlace[];
 }
 
 export interface ViewpointAnswer {
@@ -102,6 +111,7 @@ export interface SituationAnswer {
   since: number;
   confidence: number;
   evidence: string;
+  facts: Record<string, string | number | boolean>;
 }
 
 export interface ObstacleAnswer {
@@ -124,6 +134,59 @@ export interface PictureAnswer {
   things: PlacedThing[];
   situations: SituationAnswer[];
   obstacles: ObstacleAnswer[];
+}
+
+export interface StateAnswer {
+  thing: string;
+  name: string;
+  state: string;
+  answer: "yes" | "no" | "unknown";
+  words: string;
+  confidence: number;
+  age: number | null;
+  since: number | null;
+  sources: string[];
+}
+
+export interface PersonAnswer {
+  person: string;
+  name: string;
+  words: string;
+  present: "yes" | "no" | "unknown";
+  posture: string;
+  activity: string;
+  fallen: number;
+  carries: string[];
+  since: number | null;
+  confidence: number;
+  position: [number, number, number] | null;
+  age: number | null;
+  evidence: string;
+}
+
+export interface PeopleAnswer {
+  at: number;
+  people: PersonAnswer[];
+}
+
+export interface TimeUp {
+  left: number;
+  back: number | null;
+}
+
+export interface NightAnswer {
+  thing: string;
+  begin: number;
+  end: number;
+  times_up: TimeUp[];
+  rose: number | null;
+  in_bed: number;
+  unknown: number;
+  words: string;
+}
+
+export interface NightsAnswer {
+  nights: NightAnswer[];
 }
 
 export interface CoverageView {
@@ -174,6 +237,9 @@ export type RoomAnswer =
   | EventsAnswer
   | SensorsAnswer
   | PictureAnswer
+  | StateAnswer
+  | PeopleAnswer
+  | NightsAnswer
   | CoverageView
   | EditsView;
 

@@ -1,0 +1,128 @@
+"""A hundred services in the lively room, in lock step: contacts, and how near people came.
+
+    python benchmarks/lively_services.py        100 services, about 20 minutes on a core
+    python benchmarks/lively_services.py 4      four rooms of five services
+
+Judged on the truth of the simulated room, not on what the pilot believed.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from _run import table
+from housefly.app.lively import lively_changes
+from housefly.app.loaded_site import LoadedSite, load_site
+from housefly.app.public.simulation import Simulation
+from housefly.app.safety_case.oracle import Oracle
+from housefly.config.site import changed
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, PilotStep
+
+ROOMS, SERVICES = 20, 5
+LOOK_S = 3.0
+LONGEST_S = 600.0
+"""A service that takes longer than this has failed."""
+ANSWER_S = 2.0
+"""An order that has not left the ground after this was refused."""
+
+
+@dataclass
+class RoomDay:
+    """What happened in one room with its services."""
+
+    flown: int = 0
+    refused: Counter[str] = field(default_factory=Counter)
+    violations: tuple[str, ...] = ()
+    walked_into: str = ""
+    person_clearance: float = 9.0
+    durations: list[float] = field(default_factory=list)
+    told: Counter[str] = field(default_factory=Counter)
+
+
+def loaded_lively() -> LoadedSite:
+    """Return the lively room without its broker, which lock step does not need."""
+    changes = {k: v for k, v in lively_changes().items() if not k.startswith("mqtt__")}
+    return load_site("bsen", hub__enabled=False, **changes)
+
+
+def has_ended(step: PilotStep) -> bool:
+    """Return whether nothing is going on and the drone stands."""
+    telemetry = step.inputs.telemetry
+    stands = telemetry is not None and telemetry.status in (
+        DroneStatus.LANDED,
+        DroneStatus.EMERGENCY,
+    )
+    return stands and step.outputs.phase is Phase.IDLE
+
+
+def spend_day(seed: int) -> RoomDay:
+    """Let somebody ask for services at odd moments while people live their lives."""
+    loaded, rng, day = loaded_lively(), np.random.default_rng(seed), RoomDay()
+    loaded = replace(loaded, site=changed(loaded.site, twin__seed=1 + seed))
+    simulation = Simulation(loaded)
+    oracle = Oracle(simulation.world, loaded.site, loaded.room, faulty_since=0.0)
+    places = [place.name for place in loaded.room.places if place.name != "home"]
+    due, since, asked = float(rng.uniform(0.5, 60.0)), None, 0
+    while asked < SERVICES or since is not None:
+        simulation.advance()
+        orders: tuple[Order, ...] = ()
+        if since is None and simulation.now >= due:
+            place = places[int(rng.integers(len(places)))]
+            orders = (Order(OrderKind.SERVICE, place=place, look_s=LOOK_S, sender="benchmark"),)
+            since, asked = simulation.now, asked + 1
+        step = simulation.step(simulation.inputs(*orders))
+        oracle.watch(step)
+        for event in step.outputs.events:
+            day.told[event.code] += 1
+            if event.code == "order_refused":
+                day.refused[event.text] += 1
+        if since is None or simulation.now - since < ANSWER_S:
+            continue
+        took = simulation.now - since
+        if has_ended(step) or took > LONGEST_S:
+            if took > 2.0 * ANSWER_S:
+                day.flown += 1
+                day.durations.append(took)
+            since, due = None, simulation.now + float(rng.uniform(1.0, 40.0))
+    day.violations = tuple(oracle.violations.values())
+    day.walked_into = oracle.walked_into
+    day.person_clearance = oracle.person_clearance
+    return day
+
+
+def main() -> None:
+    """Spend the days, and print what came of them."""
+    rooms = int(sys.argv[1]) if len(sys.argv) > 1 else ROOMS
+    print("## A hundred services among people\n")
+    with ProcessPoolExecutor() as pool:
+        days = []
+        for day in pool.map(spend_day, range(rooms)):
+            days.append(day)
+            print(f"room {len(days)} of {rooms}", file=sys.stderr, flush=True)
+    durations = sorted(t for day in days for t in day.durations)
+    refused = sum((day.refused for day in days), Counter())
+    touched = [words for day in days for words in day.violations]
+    walked = [day.walked_into for day in days if day.walked_into]
+    rows = [
+        ("services flown", sum(day.flown for day in days)),
+        ("refused before take-off", sum(refused.values())),
+        ("contacts, or another invariant broken", len(touched)),
+        ("walked into during its own take-off", len(walked)),
+        ("nearest a person came to the hull", f"{min(d.person_clearance for d in days):.2f} m"),
+        ("median duration", f"{durations[len(durations) // 2]:.0f} s"),
+        ("longest", f"{durations[-1]:.0f} s"),
+    ]
+    print(table(["what", "figure"], rows))
+    for words, count in refused.most_common():
+        print(f"\nRefused {count} times: {words}.")
+    for words in (*touched, *walked):
+        print(f"\nBroken: {words}.")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""Tries the wires of a site that is being described, as the product uses them."""
+
+from __future__ import annotations
+
+import asyncio
+
+from housefly.app.trackers import tracker_of
+from housefly.clock import RealClock
+from housefly.config.drone import DroneConfig
+from housefly.config.limits import LimitsConfig
+from housefly.errors import HouseflyError
+from housefly.room.draft.model import DraftDrone, DraftTracking
+from housefly.room.draft.site_of_draft import tracking_config
+from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_from
+
+_REPORTS_TIME = 1.5
+"""Time for the rate of the drone's reports to be counted [s]."""
+
+
+def hear_tracking(tracking: DraftTracking, seconds: float = LISTEN_SECONDS) -> Heard:
+    """Listen to a tracking system, in its own frame; raises ConfigError for a bad value."""
+    config = tracking_config(tracking)
+    wire = config.wire
+    where = f"{config.address}:{config.port_of(wire)}" if wire else config.address
+    clock = RealClock()
+
+    async def listen() -> Heard:
+        try:
+            return await heard_from(tracker_of(config, clock), clock, seconds, where)
+        except HouseflyError as error:  # such as a part that is not installed
+            return Heard(where, 0.0, (), str(error))
+
+    return asyncio.run(listen())
+
+
+def check_drone(drone: DraftDrone) -> tuple[str, ...]:
+    """Connect to a drone as its driver does, order nothing, and say what it answers.
+
+    The first word is "well" or "not reached".
+    """
+    return asyncio.run(_drone_words(drone))
+
+
+async def _drone_words(drone: DraftDrone) -> tuple[str, ...]:
+    from housefly.drones.ardrone.driver import ArDrone
+
+    driver = ArDrone(
+        DroneConfig(address=drone.address, has_video=False), LimitsConfig(), RealClock()
+    )
+    try:
+        await driver.connect()
+        await asyncio.sleep(_REPORTS_TIME)
+        report = driver.telemetry
+        if report is None:
+            return ("not reached", f"no report came from {drone.address}")
+        version = driver.configuration.get("general:num_version_soft", "unknown")
+        return (
+            "well",
+            f"{drone.address} answers {driver.telemetry_rate_hz:.0f} times a second:"
+            f" {report.status.value}, battery {100 * report.battery:.0f} %, firmware {version}",
+            *driver.notes,
+        )
+    except (HouseflyError, OSError) as error:
+        return ("not reached", str(error))
+    finally:
+        await driver.close()

@@ -1,0 +1,100 @@
+"""A hover that is pushed once, on a stepped clock: does the drone's true swing die away?"""
+
+from __future__ import annotations
+
+from math import ceil, floor, inf
+from typing import NamedTuple
+
+import numpy as np
+
+from housefly.app.loaded_site import LoadedSite, open_site
+from housefly.config.site import changed
+from housefly.errors import LinkError
+from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
+from housefly.numeric import FloatArray
+from housefly.pilot.assembly import make_pilot
+from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
+from housefly.twin.disturbance import NEUTRAL, Disturbances
+from housefly.twin.lockstep import LockstepRoom
+from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.command_delay import simulated_command_delay
+
+_PUSH = Disturbances(wind=(1.0, 0.0, 0.0))
+"""So weak that nothing saturates: a swing of 3 to 9 cm."""
+_ORDER_AT, _PUSH_AT, _PUSH_END = 0.5, 2.0, 2.5
+"""When it is told to take off; when wind begins and ends, counted from the hover [s]."""
+_WINDOW, _WINDOWS = 8.0, 4
+"""The swing is measured in windows of two or three periods [s]; the first is not counted."""
+_GIVE_UP_AFTER = 60.0
+_DYING = 0.9
+"""A swing that keeps a smaller share of itself over two windows dies away."""
+_STILL = 0.002
+"""A swing below this is sensor noise [m]."""
+
+
+class Swing(NamedTuple):
+    """How far the true position swings about its mean, one sigma [m].
+
+    Attributes:
+        early: 8 to 16 s after the push.
+        late: 24 to 32 s after it; infinite when the last gate had to end the hover.
+    """
+
+    early: float
+    late: float
+
+    @property
+    def dies_away(self) -> bool:
+        """Whether the loop is stable."""
+        return self.late < max(_DYING * self.early, _STILL)
+
+
+def with_more_delay(loaded: LoadedSite, extra: float) -> LoadedSite:
+    """Return the site with a simulated drone that obeys later than it did, by ``extra`` [s].
+
+    The firmware runs every 5 ms, so give a multiple of that.
+    """
+    delay = simulated_command_delay(loaded.site) + extra
+    return open_site(changed(loaded.site, twin__command_delay=delay))
+
+
+def nearest_periods(delay: float) -> tuple[float, float]:
+    """Return the multiples of the firmware's period at or below a delay, and at or above it [s]."""
+    count = delay / CONTROL_PERIOD
+    return floor(count) * CONTROL_PERIOD, ceil(count) * CONTROL_PERIOD
+
+
+def hover_swing(loaded: LoadedSite) -> Swing:
+    """Fly a hover of the simulated drone, push it once, and return how it swings.
+
+    Raises:
+        LinkError: it did not come to hover.
+    """
+    world = SimulatedWorld(loaded.site, loaded.room)
+    room = LockstepRoom(world, loaded.site)
+    pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
+    period = 1.0 / loaded.site.control.rate_hz
+    hovering_at, places, told = inf, list[float](), False
+    while room.now < hovering_at + _PUSH_END + _WINDOW * _WINDOWS:
+        room.advance(period)
+        since = room.now - hovering_at
+        world.disturb(_PUSH if _PUSH_AT <= since < _PUSH_END else NEUTRAL)
+        orders: tuple[Order, ...] = ()
+        if not told and room.now >= _ORDER_AT:
+            orders, told = (Order(OrderKind.TAKE_OFF, issued_at=room.now),), True
+        outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
+        room.send(outputs.command)
+        if outputs.phase is Phase.HOLDING:
+            hovering_at = min(hovering_at, room.now)
+        elif room.now > _GIVE_UP_AFTER and hovering_at == inf:
+            raise LinkError(f"no hover: {outputs.reason}")
+        if since > _PUSH_END:
+            places.append(world.truth().pose.position[0])
+            if outputs.safety is not SafetyMode.NOMINAL:
+                return Swing(0.0, inf)
+    windows = np.split(np.array(places[: _WINDOWS * round(_WINDOW / period)]), _WINDOWS)
+    return Swing(_spread(windows[1]), _spread(windows[3]))
+
+
+def _spread(places: FloatArray) -> float:
+    return float(places.std())

@@ -1,0 +1,187 @@
+"""How one person is, from the situations that hold, in a sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import hypot
+
+from housefly.geometry import Vec3
+from housefly.hub.api.answers import SituationAnswer
+from housefly.hub.api.state_answers import PersonAnswer, Verdict
+from housefly.hub.situations.fall import FALLEN
+from housefly.hub.situations.person import ON_FLOOR, PRESENT
+from housefly.hub.situations.posture import LYING, SITTING, STANDING, WALKING
+from housefly.hub.things.carrying import with_article
+from housefly.hub.things.thing import ThingKind
+from housefly.hub.things.words import age_words, seen_words
+from housefly.hub.things.world_model import WorldModel
+
+_POSTURES = (LYING, SITTING, STANDING, WALKING)
+_CARRIES = 0.5
+"""Less sure than this, nobody is said to carry a thing."""
+_BESIDE = 1.0
+"""Whoever stands this near to a piece of furniture is at it [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class RoomMoment:
+    """The room at one time.
+
+    Attributes:
+        at: Unix time [s].
+        world: what is where then.
+        situations: what holds then.
+        known: whether anything was listening then.
+        confidence_in: returns the confidence in the place of a thing, 0 to 1, by its id.
+    """
+
+    at: float
+    world: WorldModel
+    situations: tuple[SituationAnswer, ...]
+    known: bool = True
+    confidence_in: Callable[[str], float] = lambda thing: 1.0
+
+
+def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:
+    """Return how somebody is.
+
+    Args:
+        moment: the room.
+        person: id.
+        gone: whether whoever saw them last says that they left its sight.
+    """
+    world = moment.world
+    thing, found = world.thing(person), world.where(person)
+    holds = {held.kind: held for held in moment.situations if held.thing == person}
+    posture = next((holds[kind] for kind in _POSTURES if kind in holds), None)
+    fallen = holds.get(FALLEN)
+    base = fallen or posture or holds.get(PRESENT)
+    present: Verdict = "yes" if base is not None else "no" if gone else "unknown"
+    carries = tuple(
+        one.id
+        for one in world.things
+        if world.where(one.id).inside == person and moment.confidence_in(one.id) >= _CARRIES
+    )
+    activity = _activity(world, posture, fallen, found.position)
+    told = base.evidence if base else ""
+    heard = None if base is None else evidence_age(world, told, person, moment.at)
+    words = _sentence(moment, person, base, activity, present, heard)
+    if carries and present == "yes":
+        words += f"; carries {' and '.join(world.thing(one).name for one in carries)}"
+    return PersonAnswer(
+        person,
+        thing.name,
+        words,
+        present,
+        posture.kind.removeprefix("person ") if posture else "",
+        activity or ("away" if present == "no" else ""),
+        fallen.confidence if fallen else 0.0,
+        carries,
+        posture.since if posture else None,
+        posture.confidence if posture else 0.0,
+        found.position if found.seen_at is not None else None,
+        heard if base is not None else found.age(moment.at),
+        told,
+    )
+
+
+def evidence_sources(evidence: str) -> tuple[str, ...]:
+    """Return the ids of the sources in a situation's evidence: "bed: load 58 kg; ..."."""
+    heads = (part.partition(":") for part in evidence.split("; "))
+    return tuple(dict.fromkeys(head for head, colon, _ in heads if colon and " " not in head))
+
+
+def evidence_age(world: WorldModel, evidence: str, thing: str, now: float) -> float | None:
+    """Return how long ago the sources of an evidence last spoke [s]; None if they never did."""
+    sources = evidence_sources(evidence)
+    known = {one.id for one in world.things}
+    times = [
+        seen.captured_at
+        for about in (thing, *sources)
+        if about in known
+        for seen in world.latest_observations(about)
+        if seen.source in sources
+    ]
+    return max(0.0, now - max(times)) if times else None
+
+
+def people_of(moment: RoomMoment) -> tuple[str, ...]:
+    """Return the ids of everybody: in the catalogue, or found by the detectors."""
+    listed = {thing.id for thing in moment.world.of_kind(ThingKind.PERSON)}
+    found = {held.thing for held in moment.situations if held.kind.startswith("person ")}
+    known = {thing.id for thing in moment.world.things}
+    return tuple(sorted(listed | (found & known)))
+
+
+def is_bed(on: object) -> bool:
+    """Return whether what carries somebody is a bed: neither the floor nor a seat."""
+    return isinstance(on, str) and on not in ("", ON_FLOOR) and "seat" not in on.split()
+
+
+def _activity(
+    world: WorldModel,
+    posture: SituationAnswer | None,
+    fallen: SituationAnswer | None,
+    position: Vec3 | None,
+) -> str:
+    if fallen is not None:
+        return "on the floor"
+    if posture is None:
+        return ""
+    on = posture.facts.get("on", "")
+    if on:
+        return "in bed" if is_bed(on) and posture.kind == LYING else f"on the {on}"
+    beside = _beside(world, position) if posture.kind == STANDING and position else ""
+    return f"at {beside}" if beside else posture.kind.removeprefix("person ")
+
+
+def _beside(world: WorldModel, position: Vec3) -> str:
+    """Return the name of the nearest furniture that somebody stands at, "" for none."""
+    near = [
+        (hypot(place[0] - position[0], place[1] - position[1]), thing.name)
+        for thing in world.of_kind(ThingKind.FURNITURE)
+        if (place := world.where(thing.id).position) is not None
+    ]
+    distance, name = min(near, default=(_BESIDE, ""))
+    return spoken_name(name) if distance < _BESIDE else ""
+
+
+_VERBS = {LYING: "lies", SITTING: "sits", STANDING: "stands", WALKING: "walks"}
+
+
+def _sentence(
+    moment: RoomMoment,
+    person: str,
+    base: SituationAnswer | None,
+    activity: str,
+    present: Verdict,
+    heard: float | None,
+) -> str:
+    who = spoken_name(moment.world.thing(person).name)
+    if base is None:
+        if present == "no":
+            return f"{who} is not here, {seen_words(moment.world.where(person), moment.at)}"
+        return f"nobody knows how {who} is" if moment.known else f"nothing listens to {who} now"
+    if base.kind == FALLEN:
+        does = "may have fallen and lies on the floor"
+    elif base.kind == PRESENT:
+        does = "is here"
+    else:
+        place = activity if activity.split()[0] in ("in", "on", "at") else ""
+        does = f"{_VERBS[base.kind]} {place}".rstrip()
+    spoken = "" if heard is None else f", {age_words(heard)}"
+    sure = f"{100 * base.confidence:.0f} % sure"
+    return f"{who} {does}{lasting_words(moment.at - base.since)} ({sure}; {base.evidence}{spoken})"
+
+
+def lasting_words(seconds: float) -> str:
+    """Return how long something lasts [s]: " for 12 s", " for 3 min"."""
+    words = age_words(max(seconds, 0.0))
+    return "" if words == "now" else f" for {words.removesuffix(' ago')}"
+
+
+def spoken_name(name: str) -> str:
+    """Return a name as it stands in a sentence: "stove" is "the stove", "Ann" and "bed-2" stay."""
+    is_plain = name[:1].islower() and not any(letter.isdigit() for letter in name)
+    return with_article(name) if is_plain else name

@@ -1,0 +1,1 @@
+"""A site that somebody is still describing: what is known, what is missing, and its files."""

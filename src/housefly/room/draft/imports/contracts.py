@@ -1,0 +1,31 @@
+"""What is said about a file of a room, and what comes of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from housefly.room.draft.model import SiteDraft
+
+
+@dataclass(frozen=True, slots=True)
+class ImportHints:
+    """What a file does not say itself.
+
+    Attributes:
+        unit: metres per unit of the file; None is found out.
+        up: the axis of a scan that points up; auto is found out.
+        layers: words in the names of a plan's layers that hold walls; none is found out.
+    """
+
+    unit: float | None = None
+    up: Literal["auto", "y", "z"] = "auto"
+    layers: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Imported:
+    """A draft with the room of a file, and what was found and assumed, a sentence each."""
+
+    draft: SiteDraft
+    notes: tuple[str, ...]

@@ -1,0 +1,81 @@
+"""Reads any file of a room that is known, by the end of its name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from housefly.config.text import is_file, shortened
+from housefly.errors import RoomError
+from housefly.room.draft.imports.contracts import Imported, ImportHints
+from housefly.room.draft.imports.dxf_plan import dxf_plan
+from housefly.room.draft.imports.ros_cells import ros_cells
+from housefly.room.draft.imports.scan import scan
+from housefly.room.draft.imports.svg_plan import svg_plan
+from housefly.room.draft.model import SiteDraft
+from housefly.room.draft.site_of_draft import suggested_places
+from housefly.room.draft.suggestions import suggested_pad
+
+FILE_SIZE_MAX = 500_000_000
+"""Largest file that is read [bytes]."""
+
+_Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
+_IMPORTERS: dict[str, tuple[str, _Importer]] = {
+    ".yaml": ("ROS map", ros_cells),
+    ".yml": ("ROS map", ros_cells),
+    ".ply": ("scan", scan),
+    ".obj": ("scan", scan),
+    ".glb": ("scan", scan),
+    ".gltf": ("scan", scan),
+    ".stl": ("scan", scan),
+    ".svg": ("floor plan", svg_plan),
+    ".dxf": ("floor plan", dxf_plan),
+}
+IMPORT_SUFFIXES: tuple[tuple[str, str], ...] = tuple(
+    (suffix, what) for suffix, (what, _) in _IMPORTERS.items()
+)
+"""Ends of file names that are read, and what each is."""
+
+
+def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> Imported:
+    """Return a draft with the room of a file, with a pad and places that suit it.
+
+    Walls, furniture, places and zones that were there before are gone; name, tracking and drone
+    stay.
+
+    Raises:
+        RoomError: the file cannot be read, or holds no room; says what to do.
+        MissingPartError: its reader is not installed.
+    """
+    known = _IMPORTERS.get(path.suffix.lower())
+    if known is None:
+        raise RoomError(
+            f"{shortened(path.name)}: no room is read from such a file; allowed:"
+            f" {', '.join(_IMPORTERS)}"
+        )
+    if not is_file(path):
+        raise RoomError(f"{shortened(str(path))} is no file; check its name")
+    if path.stat().st_size > FILE_SIZE_MAX:
+        raise RoomError(
+            f"{path.name} has more than {FILE_SIZE_MAX // 1_000_000} MB; thin the scan out, 2 cm"
+            " between points are enough"
+        )
+    empty = replace(
+        draft,
+        walls=(),
+        furniture=(),
+        scanned=(),
+        pad=None,
+        places=(),
+        zones=(),
+        frame_points=(),
+        source=path.name,
+    )
+    found = known[1](empty, path, hints or ImportHints())
+    pad = suggested_pad(found.draft)
+    if pad is None:
+        notes = (*found.notes, "the drone fits nowhere: is the unit of the file right?")
+        return Imported(found.draft, notes)
+    draft = replace(found.draft, pad=pad)
+    return Imported(replace(draft, places=suggested_places(draft)), found.notes)

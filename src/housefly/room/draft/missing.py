@@ -1,0 +1,221 @@
+"""What a draft still lacks before it flies, in words, each with what mends it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from housefly.errors import ConfigError, HouseflyError
+from housefly.room.distance import clearance_field, footprints
+from housefly.room.draft.alignment import fit_words, rigid_fit
+from housefly.room.draft.model import SiteDraft
+from housefly.room.draft.shapes import room_of_draft
+from housefly.room.draft.site_of_draft import site_of_draft, tracking_config
+from housefly.room.draft.suggestions import PAD_CLEARANCE, suggested_pad
+from housefly.room.edits import blocked_words, reached_from
+from housefly.room.grid import OccupancyGrid, build_grid
+from housefly.room.home_pad import HOME_PAD_RADIUS
+from housefly.room.model import Room
+
+
+class DraftStep(Enum):
+    """The steps of a description, in the order in which they are asked."""
+
+    ROOM = "room"
+    OBJECTS = "objects"
+    PAD = "pad"
+    PLACES = "places"
+    ZONES = "zones"
+    TRACKING = "tracking"
+    FRAME = "frame"
+    DRONE = "drone"
+
+
+@dataclass(frozen=True, slots=True)
+class Missing:
+    """One thing that a draft lacks.
+
+    Attributes:
+        step: where it is mended.
+        words: what is missing or wrong.
+        mend: what to do.
+        hinders: whether the site cannot fly without it; False is advice.
+    """
+
+    step: DraftStep
+    words: str
+    mend: str
+    hinders: bool = True
+
+
+def missing(draft: SiteDraft) -> tuple[Missing, ...]:
+    """Return what a draft lacks, in the order of the steps; none that hinders: it can fly."""
+    found = [*_of_room(draft), *_of_hardware(draft)]
+    order = list(DraftStep)
+    return tuple(sorted(found, key=lambda item: order.index(item.step)))
+
+
+def _of_room(draft: SiteDraft) -> Iterator[Missing]:
+    if draft.bounds is None:
+        yield Missing(
+            DraftStep.ROOM,
+            "the room has no size yet",
+            "give length x width x height in metres (6x4x2.5), or a file of the room",
+        )
+        return
+    try:
+        room = room_of_draft(draft)
+        site = site_of_draft(draft, simulated=True)
+        grid = build_grid(room, site)
+    except HouseflyError as error:
+        yield Missing(DraftStep.ROOM, str(error), "correct that value")
+        return
+    if draft.height < draft.flight_height + 0.4:
+        yield Missing(
+            DraftStep.ROOM,
+            f"the ceiling ({draft.height:g} m) is less than 0.4 m above the flight height"
+            f" ({draft.flight_height:g} m)",
+            "correct the height of the room, or lower flight_height",
+        )
+    if not (draft.walls or draft.scanned):
+        yield Missing(
+            DraftStep.OBJECTS,
+            "the room has no walls",
+            "draw them, or give the size again: a rectangle brings its four walls",
+            hinders=False,
+        )
+    yield from _of_pad(draft, room, grid)
+    if draft.pad is not None:
+        yield from _of_places(draft, room, grid)
+    yield from _of_zones(draft)
+
+
+def _of_pad(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Missing]:
+    suggested = suggested_pad(draft)
+    if suggested is None:
+        yield Missing(
+            DraftStep.PAD,
+            "the drone fits nowhere in this room",
+            "check the unit of the file or the size: are they metres? Or take furniture and zones"
+            " out",
+        )
+        return
+    spot = f"({suggested[0]:.2f}, {suggested[1]:.2f}) m is roomy"
+    if draft.pad is None:
+        yield Missing(
+            DraftStep.PAD,
+            "it is not said where the pad lies, on which the drone starts and lands",
+            f"say where: {spot}",
+        )
+        return
+    x, y = draft.pad
+    if not grid.is_free(grid.cell_of(draft.pad)):
+        yield Missing(
+            DraftStep.PAD,
+            f"the drone cannot start at ({x:.2f}, {y:.2f}) m:"
+            f" {blocked_words(grid, draft.pad, site_of_draft(draft, simulated=True))}",
+            f"move the pad: {spot}",
+        )
+        return
+    standing = footprints(room.solids, 0.02, draft.flight_height)
+    gap = float(clearance_field(standing, np.array([x]), np.array([y]), 5.0)[0, 0])
+    if gap < PAD_CLEARANCE:
+        yield Missing(
+            DraftStep.PAD,
+            f"something stands on the floor {gap:.2f} m from the middle of the pad, and the drone"
+            f" starts with {PAD_CLEARANCE:.2f} m and more around it",
+            f"move the pad: {spot}",
+        )
+
+
+def _of_places(draft: SiteDraft, room: Room, grid: OccupancyGrid) -> Iterator[Missing]:
+    others = [place for place in draft.places if place.name != "home"]
+    if not others:
+        yield Missing(
+            DraftStep.PLACES,
+            "there is no place to fly to",
+            "name one and say where it is",
+        )
+    names = [place.name for place in others]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        yield Missing(DraftStep.PLACES, f"two places are called {name!r}", "rename one")
+    if not grid.is_free(grid.cell_of(room.home)):
+        return
+    reached = reached_from(grid, room.home)
+    for place in others:
+        cell = grid.cell_of((place.x, place.y))
+        if grid.contains(cell) and reached[cell]:
+            continue
+        why = blocked_words(grid, (place.x, place.y), site_of_draft(draft, simulated=True))
+        yield Missing(
+            DraftStep.PLACES,
+            f"the drone cannot hover at {place.name!r}, ({place.x:.2f}, {place.y:.2f}) m: {why}",
+            "move it, or leave it out",
+        )
+
+
+def _of_zones(draft: SiteDraft) -> Iterator[Missing]:
+    for zone in draft.zones:
+        x_min, y_min, x_max, y_max = zone.rectangle
+        if draft.pad is None:
+            continue
+        x, y = draft.pad
+        dx, dy = max(x_min - x, 0.0, x - x_max), max(y_min - y, 0.0, y - y_max)
+        if dx * dx + dy * dy < HOME_PAD_RADIUS**2:
+            yield Missing(
+                DraftStep.ZONES,
+                f"the zone {zone.reason!r} covers the pad",
+                f"keep it {HOME_PAD_RADIUS:.2f} m away from ({x:.2f}, {y:.2f}) m",
+            )
+
+
+def _of_hardware(draft: SiteDraft) -> Iterator[Missing]:
+    if not draft.hardware:
+        return
+    if draft.tracking is None:
+        yield Missing(
+            DraftStep.TRACKING,
+            "it is not said which motion capture system sees the drone",
+            "say its kind and address, such as: vicon 10.0.0.5",
+        )
+    else:
+        try:
+            tracking_config(draft.tracking)
+        except ConfigError as error:
+            yield Missing(DraftStep.TRACKING, str(error), "correct that value")
+    yield from _of_frame(draft)
+    if draft.drone is None:
+        yield Missing(
+            DraftStep.DRONE,
+            "it is not said where the drone answers",
+            "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1",
+        )
+    elif not draft.drone.profile:
+        yield Missing(
+            DraftStep.DRONE,
+            "the drone flies with the constants of a usual AR.Drone 2.0",
+            "measure yours: housefly identify (docs/identify-and-gains.md)",
+            hinders=False,
+        )
+
+
+def _of_frame(draft: SiteDraft) -> Iterator[Missing]:
+    if not draft.frame_points:
+        yield Missing(
+            DraftStep.FRAME,
+            "nobody compared the tracking frame with the map yet",
+            "take three points here, or carry the drone: housefly preflight --frames --site SITE",
+            hinders=False,
+        )
+        return
+    try:
+        fit = rigid_fit(draft.frame_points)
+    except ConfigError as error:
+        yield Missing(DraftStep.FRAME, error.problem, "take the points again")
+        return
+    doubts = fit_words(fit, draft.frame_points)[2:]
+    for doubt in doubts:
+        yield Missing(DraftStep.FRAME, doubt, "take the points again", hinders=not fit.is_trusted)

@@ -1,0 +1,16 @@
+import type { HeardView } from "../wire/draft-messages";
+
+/** What a live test said. */
+export function Words({ said }: { said: HeardView | null }) {
+  return (
+    <div role="status">
+      {said && (
+        <ul class="notes">
+          {said.words.map((words) => (
+            <li key={words}>{words}</li>
+          ))}
+        </ul>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,145 @@
+import { signal } from "@preact/signals";
+import { Metres } from "../controls/metres";
+import type { DraftTracking, HeardView } from "../wire/draft-messages";
+import { ask, change, known } from "./draft";
+import { Button, Choice, Text } from "./fields";
+import { Words } from "./heard-words";
+
+const KINDS = [
+  ["vicon", "Vicon (DataStream)"],
+  ["natnet", "OptiTrack (NatNet)"],
+  ["vrpn", "VRPN"],
+  ["bridge", "another, by motioncapture"],
+] as const;
+const PORTS = { vicon: 801, natnet: 1510, vrpn: 3883, bridge: null };
+const UPS = [
+  ["auto", "as usual"],
+  ["z", "z"],
+  ["y", "y"],
+] as const;
+const TRANSPORTS = [
+  ["tcp", "TCP"],
+  ["udp", "UDP"],
+] as const;
+
+const typed = signal<DraftTracking>({
+  kind: "vicon",
+  address: "",
+  port: null,
+  body: "ardrone",
+  bridge_system: "qualisys",
+  vrpn_transport: "tcp",
+  up_axis: "auto",
+});
+export const heard = signal<HeardView | null>(null);
+
+export function TrackingStep() {
+  const { hardware } = known.value;
+  return (
+    <>
+      <div class="chips" role="group" aria-label="What flies">
+        <Button pressed={!hardware} press={() => change({ hardware: false })}>
+          All simulated
+        </Button>
+        <Button pressed={hardware} press={() => change({ hardware: true, ...realDrone() })}>
+          Real hardware
+        </Button>
+      </div>
+      {hardware ? (
+        <TrackingForm />
+      ) : (
+        <p class="quiet">
+          Drone and tracking are simulated: try the room first. What is real can be said later.
+        </p>
+      )}
+    </>
+  );
+}
+
+function realDrone(): object {
+  return known.value.drone ? {} : { drone: { address: "192.168.1.1", profile: "" } };
+}
+
+function TrackingForm() {
+  const tracking = known.value.tracking ?? typed.value;
+  const set = (next: Partial<DraftTracking>): void => {
+    typed.value = { ...tracking, ...next };
+    const said = typed.value.address.trim() !== "";
+    change({ tracking: said ? typed.value : null }, `tracking.${Object.keys(next)[0]}`);
+  };
+  const usual = PORTS[tracking.kind];
+  return (
+    <>
+      <Choice name="System" value={tracking.kind} options={KINDS} set={(kind) => set({ kind })} />
+      <div class="pair">
+        <Text
+          name="Address"
+          value={tracking.address}
+          placeholder="10.0.0.5"
+          set={(address) => set({ address })}
+        />
+        {usual !== null && (
+          <Metres
+            name="Port"
+            step={1}
+            value={tracking.port ?? usual}
+            set={(port) => set({ port: port === usual ? null : port })}
+          />
+        )}
+        {tracking.kind === "bridge" && (
+          <Text
+            name="Its type in motioncapture"
+            value={tracking.bridge_system}
+            set={(bridge_system) => set({ bridge_system })}
+          />
+        )}
+      </div>
+      <div class="pair">
+        <Text
+          name="The drone's name there"
+          value={tracking.body}
+          set={(body) => set({ body })}
+        />
+        {tracking.kind === "natnet" && (
+          <Choice
+            name="Axis up"
+            value={tracking.up_axis}
+            options={UPS}
+            set={(up_axis) => set({ up_axis })}
+          />
+        )}
+        {tracking.kind === "vrpn" && (
+          <Choice
+            name="Begins by"
+            value={tracking.vrpn_transport}
+            options={TRANSPORTS}
+            set={(vrpn_transport) => set({ vrpn_transport })}
+          />
+        )}
+      </div>
+      <Button ready={known.value.tracking !== null} press={listen}>
+        Listen for 3 s
+      </Button>
+      <Words said={heard.value} />
+      {heard.value && heard.value.bodies.length > 0 && (
+        <div class="chips" role="group" aria-label="Which one is the drone">
+          {heard.value.bodies.map(({ name }) => (
+            <Button
+              key={name}
+              pressed={name === tracking.body}
+              press={() => set({ body: name })}
+            >
+              {name}
+            </Button>
+          ))}
+        </div>
+      )}
+    </>
+  );
+}
+
+/** Listen to what is kept as the tracking system. */
+export async function listen(): Promise<void> {
+  heard.value = null;
+  heard.value = await ask<HeardView>("/tracking/heard", "Listening …");
+}

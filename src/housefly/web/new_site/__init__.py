@@ -1,0 +1,1 @@
+"""The page of ``housefly new``: a room and a site drawn in the browser."""

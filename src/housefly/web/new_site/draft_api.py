@@ -1,0 +1,168 @@
+"""The draft over HTTP: show, change, undo, import, listen to the tracking system, write.
+
+Only the page of this server with its session may ask. 409 when the draft was changed elsewhere,
+with the draft as it is; 422 in words, with the key, for a value that is not allowed.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+
+from pydantic import TypeAdapter
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.routing import BaseRoute, Route
+
+from housefly.errors import ConfigError, HouseflyError
+from housefly.room.draft.model import DraftDrone, DraftTracking
+from housefly.tracking.live_check import LISTEN_SECONDS, Heard, heard_words
+from housefly.web.new_site.draft_actions import ACTIONS, DraftRequest, parsed_request
+from housefly.web.new_site.draft_answers import (
+    BodyView,
+    HeardView,
+    WrittenFile,
+    WrittenView,
+    draft_refusal,
+)
+from housefly.web.new_site.draft_service import DraftService
+from housefly.web.new_site.draft_view import DraftView
+from housefly.web.new_site.uploads import Uploads
+from housefly.web.responses import error_response, json_response
+from housefly.web.session_auth import SessionAuth
+
+DRAFT_SIZE_MAX = 4 * 2**20
+"""Largest request but for files [bytes]."""
+
+
+_VIEW: TypeAdapter[DraftView] = TypeAdapter(DraftView)
+_HEARD: TypeAdapter[HeardView] = TypeAdapter(HeardView)
+_WRITTEN: TypeAdapter[WrittenView] = TypeAdapter(WrittenView)
+
+
+class DraftApi:
+    """The routes of the page of ``housefly new``.
+
+    Args:
+        service: keeps the draft.
+        uploads: keeps files.
+        auth: the page's session.
+        hear: listens to a tracking system for so many seconds; blocks.
+        check_drone: asks whether a drone answers, in words; blocks.
+    """
+
+    def __init__(
+        self,
+        service: DraftService,
+        uploads: Uploads,
+        auth: SessionAuth,
+        hear: Callable[[DraftTracking, float], Heard],
+        check_drone: Callable[[DraftDrone], tuple[str, ...]],
+    ) -> None:
+        self._service, self._uploads, self._auth = service, uploads, auth
+        self._hear, self._check_drone = hear, check_drone
+        self._thread = ThreadPoolExecutor(1, "draft")
+        self._listener = ThreadPoolExecutor(1, "listener")
+
+    def routes(self) -> list[BaseRoute]:
+        """Return the routes."""
+        return [
+            Route("/draft", self._show, methods=["GET"]),
+            *(Route(path, partial(self._changed, path), methods=["POST"]) for path in ACTIONS),
+            Route("/files/{name}", self._upload, methods=["PUT"]),
+            Route("/tracking/heard", self._heard, methods=["POST"]),
+            Route("/drone/heard", self._drone, methods=["POST"]),
+            Route("/site", self._write, methods=["POST"]),
+        ]
+
+    def close(self) -> None:
+        """Shut the threads down without waiting."""
+        self._service.close()
+        for pool in (self._thread, self._listener):
+            pool.shutdown(wait=False, cancel_futures=True)
+
+    async def _show(self, request: Request) -> Response:
+        if not self._auth.has_session(request):
+            return error_response(401, "this browser has no session")
+        return await self._answer(lambda: _VIEW.dump_json(self._service.view()))
+
+    async def _changed(self, path: str, request: Request) -> Response:
+        return await self._asked(
+            request,
+            lambda body: _VIEW.dump_json(ACTIONS[path](self._service, self._uploads, body)),
+        )
+
+    async def _heard(self, request: Request) -> Response:
+        return await self._asked(request, self._hear_tracking, self._listener)
+
+    async def _drone(self, request: Request) -> Response:
+        return await self._asked(request, self._hear_drone, self._listener)
+
+    async def _write(self, request: Request) -> Response:
+        return await self._asked(request, self._write_site)
+
+    async def _upload(self, request: Request) -> Response:
+        if not self._auth.is_own_page(request):
+            return _refused()
+        try:
+            size = await self._uploads.keep(request.path_params["name"], request.stream())
+        except HouseflyError as error:
+            return draft_refusal(error)
+        except OSError as error:
+            return error_response(507, f"the file cannot be kept: {error.strerror}")
+        return JSONResponse({"bytes": size})
+
+    def _hear_tracking(self, body: bytes) -> bytes:
+        parsed_request(DraftRequest, body)
+        tracking = self._service.draft().tracking
+        if tracking is None:
+            raise ConfigError("tracking", "say first which system it is, and where it answers")
+        heard = self._hear(tracking, LISTEN_SECONDS)
+        bodies = tuple(BodyView(body.name, body.position) for body in heard.bodies)
+        return _HEARD.dump_json(HeardView(heard_words(heard, tracking.body), bodies))
+
+    def _hear_drone(self, body: bytes) -> bytes:
+        parsed_request(DraftRequest, body)
+        drone = self._service.draft().drone
+        if drone is None:
+            raise ConfigError("drone", "say first where the drone answers")
+        found, *words = self._check_drone(drone)
+        answers = words if found == "well" else [f"{found}: {'; '.join(words)}"]
+        return _HEARD.dump_json(HeardView(tuple(answers), ()))
+
+    def _write_site(self, body: bytes) -> bytes:
+        paths = self._service.write(parsed_request(DraftRequest, body).based_on)
+        files = (WrittenFile(str(path), path.read_text(encoding="utf-8")) for path in paths)
+        return _WRITTEN.dump_json(WrittenView(tuple(files)))
+
+    async def _asked(
+        self,
+        request: Request,
+        work: Callable[[bytes], bytes],
+        pool: ThreadPoolExecutor | None = None,
+    ) -> Response:
+        if not self._auth.is_own_page(request):
+            return _refused()
+        body = b""
+        async for part in request.stream():
+            body += part
+            if len(body) > DRAFT_SIZE_MAX:
+                return error_response(413, f"too much; allowed: {DRAFT_SIZE_MAX >> 20} MiB")
+        return await self._answer(lambda: work(body), pool)
+
+    async def _answer(
+        self, work: Callable[[], bytes], pool: ThreadPoolExecutor | None = None
+    ) -> Response:
+        loop = asyncio.get_running_loop()
+        try:
+            return json_response(await loop.run_in_executor(pool or self._thread, work))
+        except HouseflyError as error:
+            return draft_refusal(error)
+        except OSError as error:
+            return error_response(507, f"nothing was kept: {error.strerror}")
+
+
+def _refused() -> JSONResponse:
+    return error_response(403, "this page may not change the site")

@@ -1,0 +1,66 @@
+"""Margins are promises about flights: kept below them and lost above, on the truth."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from housefly.app.loaded_site import LoadedSite, load_site
+from housefly.app.public.gains import judge_gains
+from housefly.app.stability_flight import (
+    Swing,
+    hover_swing,
+    nearest_periods,
+    with_more_delay,
+)
+from housefly.config.twin import COMMAND_DELAY
+from housefly.lab.tuning.advice import Judgement
+from housefly.lab.tuning.margins import delay_margin
+
+TOLERANCE = 0.05
+"""What is promised is flown within this share."""
+SETTINGS = ((100.0, 0.02), (10.0, 0.1))
+
+
+def tracked(rate: float, latency: float) -> LoadedSite:
+    return load_site("bsen", twin__mocap_rate_hz=rate, twin__mocap_latency=latency)
+
+
+def judged(rate: float, latency: float) -> tuple[LoadedSite, Judgement]:
+    loaded = tracked(rate, latency)
+    return loaded, judge_gains(loaded)
+
+
+@pytest.mark.parametrize(("rate", "latency"), SETTINGS)
+def test_a_flight_holds_the_delay_margin_less_five_percent(rate: float, latency: float) -> None:
+    loaded, judgement = judged(rate, latency)
+    extra, _ = nearest_periods((1.0 - TOLERANCE) * judgement.margins.delay)
+    assert extra > 0.1
+    assert hover_swing(with_more_delay(loaded, extra)).dies_away
+
+
+@pytest.mark.parametrize(("rate", "latency"), SETTINGS)
+def test_a_flight_fails_at_the_delay_margin_and_five_percent(rate: float, latency: float) -> None:
+    loaded, judgement = judged(rate, latency)
+    _, extra = nearest_periods((1.0 + TOLERANCE) * judgement.margins.delay)
+    assert not hover_swing(with_more_delay(loaded, extra)).dies_away
+
+
+def test_a_model_without_datagrams_would_promise_what_no_flight_holds() -> None:
+    loaded, judgement = judged(*SETTINGS[0])
+    naive = delay_margin(replace(judgement.loop, delay=COMMAND_DELAY))
+    assert naive > (1.0 + TOLERANCE) * judgement.margins.delay
+    extra, _ = nearest_periods((1.0 - 0.2 * TOLERANCE) * naive)
+    assert not hover_swing(with_more_delay(loaded, extra)).dies_away
+
+
+@pytest.mark.parametrize(
+    ("swing", "dies_away"),
+    [
+        (Swing(0.05, 0.01), True), (Swing(0.05, 0.05), False), (Swing(0.0, float("inf")), False),
+        (Swing(0.0005, 0.0006), True),
+    ],
+)  # fmt: skip
+def test_a_swing_dies_away_when_it_shrinks_or_is_noise(swing: Swing, dies_away: bool) -> None:
+    assert swing.dies_away is dies_away
