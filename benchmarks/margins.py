@@ -13,7 +13,7 @@ import numpy as np
 from _run import table
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import choose_gains, judge_gains
-from housefly.app.stability_flight import hover_swing, nearest_periods, with_more_delay
+from housefly.app.stability_flight import hover_swing, nearest_periods
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
@@ -31,7 +31,7 @@ TRACKING = ((100.0, 0.02), (30.0, 0.05), (10.0, 0.1))
 LAGS = (5.0, 7.0, 10.0)
 DRONES = 6
 ROOM_TRACKING = (
-    (100.0, 0.02), (100.0, 0.1), (50.0, 0.02), (50.0, 0.05), (10.0, 0.02), (10.0, 0.1), (5.0, 0.1),
+    (100.0, 0.02), (100.0, 0.05), (50.0, 0.02), (50.0, 0.05), (10.0, 0.02), (10.0, 0.1), (5.0, 0.1),
 )  # fmt: skip
 
 
@@ -76,9 +76,9 @@ def flown_delay_edge(loaded: LoadedSite, promised: float) -> float:
     The firmware runs every 5 ms, so delays are multiples of that.
     """
     extra, _ = nearest_periods(promised)
-    holds = hover_swing(with_more_delay(loaded, extra)).dies_away
+    holds = hover_swing(loaded, extra).dies_away
     step = CONTROL_PERIOD if holds else -CONTROL_PERIOD
-    while hover_swing(with_more_delay(loaded, extra + step)).dies_away is holds:
+    while hover_swing(loaded, extra + step).dies_away is holds:
         extra += step
     return extra + 0.5 * step
 

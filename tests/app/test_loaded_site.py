@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.app.loaded_site import open_site, read_site, with_newest_edits
+from housefly.app.loaded_site import load_site, open_site, read_site, with_newest_edits
 from housefly.app.runtime import new_runtime
 from housefly.config.edits import Edits, NoFlyZone, PlaceEdit
 from housefly.config.site import Site, changed
@@ -88,3 +88,9 @@ def test_edits_are_beside_the_rooms_memory(
 ) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", "/state")
     assert edits_folder(changed(Site(), hub__store=store)) == Path(folder)
+
+
+def test_points_of_a_plan_are_written_as_people_do() -> None:
+    refused = load_site("bsen").plan((12.2, 2.5))
+    assert str(refused.suggestion) == "(12.15, 1.45)"
+    assert len(str(load_site("bsen").plan("entrance").path)) < 160

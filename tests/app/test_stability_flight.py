@@ -12,7 +12,6 @@ from housefly.app.stability_flight import (
     Swing,
     hover_swing,
     nearest_periods,
-    with_more_delay,
 )
 from housefly.config.twin import COMMAND_DELAY
 from housefly.lab.tuning.advice import Judgement
@@ -37,14 +36,14 @@ def test_a_flight_holds_the_delay_margin_less_five_percent(rate: float, latency:
     loaded, judgement = judged(rate, latency)
     extra, _ = nearest_periods((1.0 - TOLERANCE) * judgement.margins.delay)
     assert extra > 0.1
-    assert hover_swing(with_more_delay(loaded, extra)).dies_away
+    assert hover_swing(loaded, extra).dies_away
 
 
 @pytest.mark.parametrize(("rate", "latency"), SETTINGS)
 def test_a_flight_fails_at_the_delay_margin_and_five_percent(rate: float, latency: float) -> None:
     loaded, judgement = judged(rate, latency)
     _, extra = nearest_periods((1.0 + TOLERANCE) * judgement.margins.delay)
-    assert not hover_swing(with_more_delay(loaded, extra)).dies_away
+    assert not hover_swing(loaded, extra).dies_away
 
 
 def test_a_model_without_datagrams_would_promise_what_no_flight_holds() -> None:
@@ -52,7 +51,7 @@ def test_a_model_without_datagrams_would_promise_what_no_flight_holds() -> None:
     naive = delay_margin(replace(judgement.loop, delay=COMMAND_DELAY))
     assert naive > (1.0 + TOLERANCE) * judgement.margins.delay
     extra, _ = nearest_periods((1.0 - 0.2 * TOLERANCE) * naive)
-    assert not hover_swing(with_more_delay(loaded, extra)).dies_away
+    assert not hover_swing(loaded, extra).dies_away
 
 
 @pytest.mark.parametrize(

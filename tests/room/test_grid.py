@@ -14,7 +14,7 @@ from housefly.config.map import VirtualObstacle
 from housefly.config.site import Site, changed
 from housefly.room.bsen import bsen
 from housefly.room.distance import clearance_field, covered_shares, footprints
-from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
+from housefly.room.grid import Cell, build_grid, inflation
 from housefly.room.model import Place, Room, Shape, Solid
 
 HOME = (0.5, 0.5)
@@ -177,11 +177,3 @@ def test_every_place_of_bsen_is_free_in_both_modes(name: str) -> None:
     for mode in ("default", "paper"):
         grid = build_grid(bsen(), changed(Site(), mode=mode))
         assert grid.is_free(grid.cell_of(place.viewpoint))
-
-
-def test_the_middle_of_a_cell_is_written_as_people_do() -> None:
-    grid = OccupancyGrid((0.0, 0.0), 0.1, np.zeros((150, 60), np.uint8), np.zeros((150, 60)))
-    assert str(grid.centre_of((133, 14))) == "(13.35, 1.45)"
-    assert all(
-        grid.cell_of(grid.centre_of((i, j))) == (i, j) for i in range(150) for j in range(60)
-    )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -33,12 +33,13 @@ class LoadedSite:
     def plan(self, goal: str | Vec2, start: str | Vec2 = "home") -> PlanAnswer:
         """Return the way from a start to a goal, or the reason why there is none.
 
-        Both are the name of a place, or world xy [m]. Raises ConfigError for an unknown place.
+        Both are the name of a place, or world xy [m]. Points are told to a nanometre: 1.45, not
+        1.4500000000000002. Raises ConfigError for an unknown place.
         """
         from housefly.pilot.navigator import RoomNavigator
 
         navigator = RoomNavigator(self.site, self.room, self.grid)
-        return navigator.route(self.point_of(start), self.point_of(goal))
+        return _readable(navigator.route(self.point_of(start), self.point_of(goal)))
 
     def point_of(self, place: str | Vec2) -> Vec2:
         """Return where the drone hovers at a place [m]; raises ConfigError for an unknown one."""
@@ -48,6 +49,17 @@ class LoadedSite:
             return self.room.place(place).viewpoint
         except KeyError as error:
             raise ConfigError("place", str(error.args[0])) from error
+
+
+def _readable(answer: PlanAnswer) -> PlanAnswer:
+    path, nearest = answer.path, answer.suggestion
+    if path is not None:
+        path = replace(path, waypoints=tuple(_rounded(point) for point in path.waypoints))
+    return replace(answer, path=path, suggestion=None if nearest is None else _rounded(nearest))
+
+
+def _rounded(point: Vec2) -> Vec2:
+    return round(point[0], 9), round(point[1], 9)
 
 
 def load_site(name: str = "bsen", **changes: Any) -> LoadedSite:

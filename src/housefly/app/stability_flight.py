@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from housefly.app.loaded_site import LoadedSite, open_site
-from housefly.config.site import changed
+from housefly.app.loaded_site import LoadedSite
 from housefly.errors import LinkError
 from housefly.messages import Inputs, Order, OrderKind, Phase, SafetyMode
 from housefly.numeric import FloatArray
@@ -17,12 +16,15 @@ from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 from housefly.twin.disturbance import NEUTRAL, Disturbances
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
-from housefly.wires.ardrone.command_delay import simulated_command_delay
 
-_PUSH = Disturbances(wind=(1.0, 0.0, 0.0))
-"""So weak that nothing saturates: a swing of 3 to 9 cm."""
-_ORDER_AT, _PUSH_AT, _PUSH_END = 0.5, 2.0, 2.5
-"""When it is told to take off; when wind begins and ends, counted from the hover [s]."""
+_PUSH = Disturbances(wind=(0.4, 0.0, 0.0))
+"""So weak that nothing saturates, and no rule of the last gate ends a swing that dies away: 1 to 4
+cm.
+"""
+_ORDER_AT, _LATE_AT, _PUSH_AT, _PUSH_END = 0.5, 4.0, 5.0, 5.5
+"""When it is told to take off; counted from the hover, when the drone becomes late, when wind
+begins and when it ends [s].
+"""
 _WINDOW, _WINDOWS = 8.0, 4
 """The swing is measured in windows of two or three periods [s]; the first is not counted."""
 _GIVE_UP_AFTER = 60.0
@@ -49,13 +51,12 @@ class Swing(NamedTuple):
         return self.late < max(_DYING * self.early, _STILL)
 
 
-def with_more_delay(loaded: LoadedSite, extra: float) -> LoadedSite:
-    """Return the site with a simulated drone that obeys later than it did, by ``extra`` [s].
+class _TiringWorld(SimulatedWorld):
+    """A room whose drone can be made to obey later while it flies."""
 
-    The firmware runs every 5 ms, so give a multiple of that.
-    """
-    delay = simulated_command_delay(loaded.site) + extra
-    return open_site(changed(loaded.site, twin__command_delay=delay))
+    def obey_later(self, extra: float) -> None:
+        """Add to the command delay [s]."""
+        self._delay += extra
 
 
 def nearest_periods(delay: float) -> tuple[float, float]:
@@ -64,13 +65,18 @@ def nearest_periods(delay: float) -> tuple[float, float]:
     return floor(count) * CONTROL_PERIOD, ceil(count) * CONTROL_PERIOD
 
 
-def hover_swing(loaded: LoadedSite) -> Swing:
+def hover_swing(loaded: LoadedSite, extra: float = 0.0) -> Swing:
     """Fly a hover of the simulated drone, push it once, and return how it swings.
+
+    Args:
+        loaded: the site.
+        extra: by how much later than the site says it obeys once it hovers [s]; the firmware runs
+            every 5 ms, so give a multiple of that.
 
     Raises:
         LinkError: it did not come to hover.
     """
-    world = SimulatedWorld(loaded.site, loaded.room)
+    world = _TiringWorld(loaded.site, loaded.room)
     room = LockstepRoom(world, loaded.site)
     pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
     period = 1.0 / loaded.site.control.rate_hz
@@ -84,9 +90,11 @@ def hover_swing(loaded: LoadedSite) -> Swing:
             orders, told = (Order(OrderKind.TAKE_OFF, issued_at=room.now),), True
         outputs = pilot.step(room.now, Inputs(room.sightings(), room.telemetry(), orders))
         room.send(outputs.command)
-        if outputs.phase is Phase.HOLDING:
-            hovering_at = min(hovering_at, room.now)
-        elif room.now > _GIVE_UP_AFTER and hovering_at == inf:
+        if outputs.phase is Phase.HOLDING and hovering_at == inf:
+            hovering_at = room.now
+        if since < _LATE_AT <= since + period:
+            world.obey_later(extra)
+        if room.now > _GIVE_UP_AFTER and hovering_at == inf:
             raise LinkError(f"no hover: {outputs.reason}")
         if since > _PUSH_END:
             places.append(world.truth().pose.position[0])

@@ -88,10 +88,10 @@ class OccupancyGrid:
         )
 
     def centre_of(self, cell: CellIndex) -> Vec2:
-        """Return the middle of a cell [m], to a nanometre: 1.45, not 1.4500000000000002."""
+        """Return the middle of a cell [m]."""
         return (
-            round(float(self.origin[0] + (cell[0] + 0.5) * self.resolution), 9),
-            round(float(self.origin[1] + (cell[1] + 0.5) * self.resolution), 9),
+            float(self.origin[0] + (cell[0] + 0.5) * self.resolution),
+            float(self.origin[1] + (cell[1] + 0.5) * self.resolution),
         )
 
     def contains(self, cell: CellIndex) -> bool:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -149,3 +151,22 @@ def test_a_bad_option_is_named_with_range_and_unit(
 ) -> None:
     assert main(["gains", *arguments]) == 2
     assert words in capsys.readouterr().err
+
+
+_FIRST_WORD = """
+import sys
+from housefly.app.terminal import console
+def told(*words, **how):
+    sys.exit(3 if "numba" in sys.modules or "numpy" in sys.modules else 0)
+console.print = told
+from housefly.cli import main
+main(sys.argv[1:])
+"""
+
+
+@pytest.mark.parametrize("command", [["gains"], ["identify", "--lockstep"]])
+def test_the_first_words_come_before_anything_heavy_is_loaded(
+    command: list[str], tmp_path: Path
+) -> None:
+    line = [sys.executable, "-c", _FIRST_WORD, *command]
+    assert subprocess.run(line, cwd=tmp_path, check=False, timeout=60).returncode == 0

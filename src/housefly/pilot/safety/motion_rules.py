@@ -134,13 +134,13 @@ def _drift(c: RuleContext) -> float:
 
     0 where that is unknown, and where climbing on until it can be steered is the shorter way.
     """
-    start, position, velocity = c.seen.start, c.now.position, c.now.velocity
-    if start is None or position is None or velocity is None:
+    start, position, drift = c.seen.start, c.now.position, c.seen.drift
+    if start is None or position is None or drift is None:
         return 0.0
     landing = LANDING_TURN + (_rise(c) + LANDING_RISE) / LANDING_SINK
     if landing > (STEERABLE_AT - position[2]) / STEERABLE_RATE:
         return 0.0
-    rest = (p + landing * v for p, v in zip(position[:2], velocity[:2], strict=True))
+    rest = (p + landing * v for p, v in zip(position[:2], drift, strict=True))
     return dist(tuple(rest), start)
 
 

@@ -21,8 +21,12 @@ SETTLING_TIME = 0.5
 """After old poses or late steps the estimated velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
 """How far back holding is added up [s]."""
+DRIFT_TIME = 0.15
+"""Time constant with which the velocity of a take-off is smoothed [s]: filters may be noisy."""
 VELOCITY_ERROR_SPAN = 4.0
 """Time constant of the mean square of the velocity error [s]."""
+VELOCITY_ERROR_CAP = 0.3
+"""A larger error counts as this: one hard stop is not seconds of gusts [m/s]."""
 LATE_SPAN = 1.0
 """How far back late steps are counted [s]."""
 LATE_STEP = 0.05
@@ -53,6 +57,7 @@ class FlightObservations:
         climbing_for: how long the drone has flown at its present wanted height [s].
         standing_height: tracked height of a drone that stands [m].
         start: where it took off [m]; None before it was seen standing.
+        drift: smoothed velocity in the plane while it takes off [m/s]; None else.
         tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
@@ -67,6 +72,7 @@ class FlightObservations:
     climbing_for: float = 0.0
     standing_height: float = 0.0
     start: Vec2 | None = None
+    drift: Vec2 | None = None
     tilt_asked: float = nan
     tilt_error: float = nan
     velocity_change: float = 0.0
@@ -91,6 +97,7 @@ class FlightObserver:
         self._height = inf
         self._standing = inf
         self._start: Vec2 | None = None
+        self._drift: Vec2 | None = None
         self._asked: Vec2 | None = None
         self._velocities: Window[Vec2] = Window(VELOCITY_SPAN)
         self._error_squared = 0.0
@@ -116,6 +123,7 @@ class FlightObserver:
             climbing_for=self._climbing_for(inputs),
             standing_height=self._standing if isfinite(self._standing) else 0.0,
             start=self._start,
+            drift=self._drifting(inputs, dt),
             tilt_asked=hypot(*self._asked) if self._asked else nan,
             tilt_error=self._tilt_error(inputs),
             velocity_change=self._velocity_change(inputs),
@@ -133,6 +141,15 @@ class FlightObserver:
             height = inputs.position[2]
             self._start = inputs.position[:2]
             self._standing = min(self._standing, height) if isfinite(height) else self._standing
+
+    def _drifting(self, inputs: GateInputs, dt: float) -> Vec2 | None:
+        if inputs.status is not DroneStatus.TAKING_OFF or inputs.velocity is None:
+            self._drift = None
+            return None
+        (vx, vy), (x, y) = inputs.velocity[:2], self._drift or (0.0, 0.0)
+        share = 1.0 - exp(-dt / DRIFT_TIME)
+        self._drift = (x + share * (vx - x), y + share * (vy - y))
+        return self._drift
 
     def _climbing_for(self, inputs: GateInputs) -> float:
         is_same = inputs.flight_height == self._height
@@ -172,7 +189,7 @@ class FlightObserver:
 
     def _velocity_error(self, inputs: GateInputs, dt: float) -> float:
         """Return the rms velocity error of this flight; it rests while the drone flies itself."""
-        error = velocity_error(inputs)
+        error = min(velocity_error(inputs), VELOCITY_ERROR_CAP)
         if not inputs.airborne:
             self._error_squared = 0.0
         elif inputs.cruising and inputs.flown is not None and isfinite(error):
