@@ -99,6 +99,10 @@ def send_to_the_entrance(page: Page) -> None:
     expect(go).to_be_enabled()
     page.wait_for_timeout(500)
     hold(page, go, 0.9)
+    with suppress(AssertionError):
+        expect(state(page, "Ready on the pad")).not_to_be_visible(timeout=10_000)
+        return
+    hold(page, go, 3.0)  # a starved browser does not count the first one
 
 
 @pytest.mark.timeout(240)

@@ -162,6 +162,46 @@ def test_a_sensor_that_never_spoke_is_named(asked: Asked) -> None:
     assert asked.words("stove", "open").startswith("I do not know: no sensor tells whether")
 
 
+def test_a_sensor_that_says_it_is_offline_is_not_believed_however_fresh(asked: Asked) -> None:
+    asked.says("stove-plug", 12.0, ("power", 1420.0))
+    gone = SensorHealth("stove-plug", "power", "Power meter", False, is_offline=True)
+    asked.house.status.add_health_source(lambda: (gone,))
+    answer = asked.house.ask(StateQuestion("stove", "on"))
+    assert (answer.answer, answer.confidence) == ("unknown", 0.0)
+    assert answer.words == (
+        "I do not know: its sensor says that it is offline; it drew 1 420 W, 12 s ago"
+    )
+    asked.says("a-stove-switch", 5.0, ("on", True))
+    assert asked.words("stove", "on") == "Yes: the stove is switched on, 5 s ago"
+    assert asked.words("stove", "on", asked.house.now - 1.0).startswith("Yes: the stove draws")
+
+
+def test_a_device_that_takes_a_things_name_does_not_outvote_the_named_one(asked: Asked) -> None:
+    asked.says("stove-plug", 12.0, ("power", 0.4))
+    asked.says("stove", 1.0, ("power", 2000.0))
+    answer = asked.house.ask(StateQuestion("stove", "on"))
+    assert answer.words == (
+        "No: the stove draws 0.4 W, 12 s ago; but stove says that it draws 2 000 W"
+    )
+    assert answer.confidence < 0.9
+
+
+def test_a_device_asked_by_its_own_name_says_what_its_thing_says(asked: Asked) -> None:
+    asked.says("stove-plug", 3.0, ("power", 30.0))
+    asked.happens(ON, "stove", 100.0)
+    asked.holds((ON, "stove", 100.0, "stove-plug: 30 W", {}))
+    asked.house.memory.world.add_thing(Thing("stove-plug", "stove-plug"))
+    for name in ("stove", "stove-plug"):
+        assert asked.words(name, "on") == f"Yes: the {name} draws 30 W, 3 s ago (on for 100 s)"
+
+
+def test_a_sensor_that_was_not_heard_by_then_is_told_of_then(asked: Asked) -> None:
+    asked.says("stove-plug", 3.0, ("power", 30.0))
+    assert asked.words("stove", "on", asked.house.now - 60.0) == (
+        "I do not know: its sensor had not been heard by then (stove-plug, a-stove-switch)"
+    )
+
+
 def test_a_state_and_a_thing_that_nobody_knows_are_refused(asked: Asked) -> None:
     with pytest.raises(WireError, match="state is 'boiling'; allowed here: on, running"):
         asked.words("stove", "boiling")
@@ -203,7 +243,7 @@ def test_lying_on_the_sofa_and_on_the_floor_and_a_fall_are_told_apart(asked: Ask
     assert asked.words("resident", "fallen").startswith("No: ")
     asked.holds((lying, "person-1", 60.0, "camera: head near the floor", {"on": "floor"}))
     assert asked.words("resident", "on the floor").startswith("Yes: the resident lies on the floor")
-    assert asked.words("resident", "fallen").startswith("No: ")
+    assert asked.words("resident", "fallen").startswith("I do not know: the resident lies on the")
     asked.holds(
         (lying, "person-1", 60.0, "camera: head near the floor", {"on": "floor"}),
         (fallen, "person-1", 60.0, "camera: on the floor, head at 0.25 m", {"descent": 0.6}),
@@ -257,6 +297,17 @@ def test_while_nothing_runs_nothing_is_claimed_of_now(tmp_path: Path, house: Any
     assert answer.words == "I do not know: nothing listens to Ann now"
 
 
+def test_while_nothing_runs_a_report_of_a_moment_ago_is_no_answer_of_now(house: Any) -> None:
+    house.answers = QueryHandler(house.memory, house.status, lambda: house.now, DEVICES)
+    house.memory.world.add_thing(Thing("stove", "the stove"))
+    at = house.now - 7.0
+    house.memory.add(Observation("stove-plug", "stove-plug", at, at, facts=(("power", 1420.0),)))
+    answer = house.ask(StateQuestion("stove", "on"))
+    assert (answer.answer, answer.confidence, answer.age) == ("unknown", 0.0, 7.0)
+    assert answer.words == "I do not know: nothing listens to it now; it drew 1 420 W, 7 s ago"
+    assert house.ask(StateQuestion("stove", "on", house.now - 1.0)).answer == "yes"
+
+
 def test_nights_of_a_bed_a_person_and_of_nobody(asked: Asked) -> None:
     house = asked.house
     asked.happens("bed occupied", "bed", 7000.0)
@@ -270,3 +321,12 @@ def test_nights_of_a_bed_a_person_and_of_nobody(asked: Asked) -> None:
     assert house.ask(NightsQuestion(house.now - 86_400.0, "resident", None, 0.0, 24.0)).nights
     with pytest.raises(ThingError):
         house.ask(NightsQuestion(0.0, "nobody-at-all"))
+
+
+def test_of_whom_no_bed_spoke_nobody_knows_whether_they_were_in_one(asked: Asked) -> None:
+    asked.happens("bell pressed", "doorbell", 7000.0)
+    for thing in ("resident", "cup"):
+        question = NightsQuestion(asked.house.now - 2 * 86_400.0, thing, None, 0.0, 24.0)
+        nights = asked.house.ask(question).nights
+        assert nights and all(one.unknown == one.end - one.begin for one in nights)
+        assert not any("nobody was in bed" in one.words for one in nights)

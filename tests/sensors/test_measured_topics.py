@@ -63,6 +63,8 @@ async def test_a_device_that_says_offline_is_and_its_heartbeat_is_that_of_the_si
         await maker.publish("zigbee2mqtt/plug/availability", '{"state": "offline"}')
         await until(lambda: not heard.health("stove-plug").connected)
         assert heard.health("stove-plug").problem.startswith("offline")
+        assert heard.health("stove-plug").is_offline
+        assert not heard.health("probe").is_offline
         await until(lambda: heard.health("probe").problem.startswith("silent for 2 s"))
 
 
@@ -90,3 +92,31 @@ async def test_a_state_that_the_broker_kept_is_told_as_such_and_is_no_sign_of_li
             await until(lambda: heard.told)
             assert dict(heard.observations[0].facts) == {"power": 1420.0, "retained": True}
             assert not heard.health("stove-plug").connected
+
+
+async def test_what_shares_the_state_topic_of_a_device_is_offline_with_it(broker, listen, until):
+    async with listen(broker.port, sensors=[PLUG, SWITCH]) as heard, broker.client() as maker:
+        await maker.publish("zigbee2mqtt/plug", '{"power": 3.0, "state": "ON"}')
+        await until(lambda: len(heard.told) == 2)
+        await maker.publish("zigbee2mqtt/plug/availability", "offline")
+        await until(lambda: heard.health("stove-switch").is_offline)
+
+
+async def test_what_the_broker_kept_of_what_was_heard_is_nothing_new_after_a_break(
+    broker, listen, until
+):
+    async with listen(broker.port, sensors=[PLUG, PROBE]) as heard:
+        async with broker.client() as maker:
+            await maker.publish("zigbee2mqtt/plug", '{"power": 1420.0}', retain=True)
+            await until(lambda: heard.told)
+        await broker.kill()
+        await until(lambda: not heard.sensors.connected)
+        await broker.start()
+        async with broker.client() as maker:
+            await maker.publish("zigbee2mqtt/plug", '{"power": 1420.0}', retain=True)
+            await until(lambda: heard.sensors.connected)
+            await maker.publish("housefly/bsen/temperature/probe/state", '{"temperature": 21.5}')
+            await until(lambda: heard.told[-1].source == "probe")
+            assert not [row for row in heard.observations if dict(row.facts).get("retained")]
+            await maker.publish("zigbee2mqtt/plug", '{"power": 2.0}')
+            await until(lambda: dict(heard.told[-1].facts) == {"power": 2.0})

@@ -11,6 +11,8 @@ from rich.progress import Progress, ProgressColumn
 from rich.table import Table
 
 console = Console(highlight=False)
+plain_console = Console(highlight=False, markup=False, emoji=False)
+"""For words that come from devices and memory: brackets in them are text, never a style."""
 
 
 def new_table(headings: Iterable[str], **column: Any) -> Table:

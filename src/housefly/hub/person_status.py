@@ -34,6 +34,7 @@ class RoomMoment:
         situations: what holds then.
         known: whether anything was listening then.
         confidence_in: returns the confidence in the place of a thing, 0 to 1, by its id.
+        offline: ids of the devices that say themselves that they are gone; of now only.
     """
 
     at: float
@@ -41,6 +42,7 @@ class RoomMoment:
     situations: tuple[SituationAnswer, ...]
     known: bool = True
     confidence_in: Callable[[str], float] = lambda thing: 1.0
+    offline: frozenset[str] = frozenset()
 
 
 def person_answer(moment: RoomMoment, person: str, gone: bool) -> PersonAnswer:

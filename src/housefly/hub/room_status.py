@@ -51,6 +51,11 @@ class RoomStatus:
         with self._lock:
             return tuple(seen for own in self._obstacles.values() for seen in own)
 
+    def offline(self) -> frozenset[str]:
+        """Return the ids of the sensors that say themselves that they are gone."""
+        found = (sensor for health in self._healths for sensor in health())
+        return frozenset(sensor.id for sensor in found if sensor.is_offline)
+
     def sensors(self) -> SensorsAnswer:
         """Return the health of every sensor."""
         found = [sensor for health in self._healths for sensor in health()]

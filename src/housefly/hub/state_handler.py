@@ -109,7 +109,13 @@ class StateHandler:
     ) -> NightAnswer:
         if not any(night[0] <= event.at <= night[1] for event in events):
             return nothing_kept(thing, night)
-        return night_of(thing, night, stays_of(thing, events, now), now)
+        found = night_of(thing, night, stays_of(thing, events, now), now)
+        # A bed that nobody heard of is not an empty bed.
+        heard = any(
+            event.thing == thing and night[0] - _LOOK_BACK <= event.at <= night[1]
+            for event in events
+        )
+        return found if found.in_bed > 0.0 or heard else nothing_kept(thing, night)
 
     def _now(self, at: float | None) -> float:
         return self._clock() if at is None else at
@@ -121,11 +127,11 @@ class StateHandler:
             believed = self._beliefs_at(world, at)
             return answer(RoomMoment(at, world, held, True, _confidence_by(believed, world, at)))
         known = self._status.is_live
-        holds = self._status.situations() if known else ()
+        holds, offline = self._status.situations() if known else (), self._status.offline()
         with self._memory.lock:
             world, now = self._memory.world, self._clock()
             sure = _confidence_by(self._memory.beliefs, world, now)
-            return answer(RoomMoment(now, world, holds, known, sure))
+            return answer(RoomMoment(now, world, holds, known, sure, offline))
 
     def _events(self, until: float, *kinds: str) -> tuple[RoomEvent, ...]:
         """Return what happened in the last day of some kinds, by time."""

@@ -59,10 +59,11 @@ class _Report:
     fact: str
     silent_for: float | None
     is_kept: bool
+    is_offline: bool
 
     @property
     def is_fresh(self) -> bool:
-        return self.silent_for is None and not self.is_kept
+        return self.silent_for is None and not self.is_kept and not self.is_offline
 
 
 def device_answer(
@@ -88,25 +89,33 @@ def device_answer(
             for device in _devices_of(thing, devices)
             if (report := _report(moment, device, wanted, devices)) is not None
         ),
-        key=lambda report: (not report.is_fresh, strength(report.fact), report.sample.source),
+        # A device of any name may speak on our own topics: it does not outvote one that was named.
+        key=lambda report: (
+            not report.is_fresh,
+            report.sample.source not in devices,
+            strength(report.fact),
+            report.sample.source,
+        ),
     )
     if not reports:
-        return _unknown(
-            question, thing, _no_report(thing, question.state, wanted, devices), None, ()
-        )
+        is_past = question.at is not None
+        why = _no_report(thing, question.state, wanted, devices, is_past)
+        return _unknown(question, thing, why, None, ())
     best = reports[0]
     age = max(0.0, moment.at - best.sample.captured_at)
     who, sources = spoken_name(thing.name), (best.sample.source,)
-    if not best.is_fresh:
+    told_of = traits_of(devices, best.sample.source).thing
+    if not (best.is_fresh and moment.known):
         return _unknown(question, thing, _silence(best, moment, len(reports)), age, sources)
     holds = best.verdict.holds
     if holds is None and wanted is DeviceProperty.ON:
-        holds = was_on(thing.id)
+        holds = was_on(told_of)
     said = f"{who} {best.verdict.clause}, {age_words(age)}"
     if holds is None:
         return _unknown(question, thing, f"{said}; {best.verdict.lacks}", age, sources)
-    since = _since(moment, thing.id, wanted) if holds else None
-    lasting = "" if since is None else f" ({wanted.value}{lasting_words(moment.at - since)})"
+    since = _since(moment, told_of, wanted) if holds else None
+    duration = "" if since is None else lasting_words(moment.at - since)
+    lasting = f" ({wanted.value}{duration})" if duration else ""
     others = _others(reports[1:], holds)
     verdict: Verdict = "yes" if holds is positive else "no"
     words = f"{verdict.capitalize()}: {said}{lasting}{others}"
@@ -117,7 +126,10 @@ def device_answer(
 
 
 def person_state_answer(question: StateQuestion, who: PersonAnswer) -> StateAnswer:
-    """Return whether somebody is in a state, by what the detectors say of them."""
+    """Return whether somebody is in a state, by what the detectors say of them.
+
+    Whoever lies on the floor without a fall that was seen may have fallen all the same.
+    """
     state = _plain(question.state)
     sources = evidence_sources(who.evidence)
     if state in _PRESENCE:
@@ -125,6 +137,8 @@ def person_state_answer(question: StateQuestion, who: PersonAnswer) -> StateAnsw
     elif state in PERSON_STATES:
         known = who.posture or who.fallen or who.present == "no"
         holds = PERSON_STATES[state](who)
+        if state == "fallen" and not holds and who.activity == "on the floor":
+            known = False
         verdict = "unknown" if not known else "yes" if holds else "no"
     else:
         raise _no_such_state(question.state, (*PERSON_STATES, *_PRESENCE))
@@ -181,7 +195,8 @@ def _report(
     age = moment.at - sample.captured_at
     is_silent = age > _MISSED_BEATS * heartbeat_of(fact, traits)
     kept = facts.get("retained") is True and sample.captured_at == sample.received_at
-    return _Report(sample, verdict, fact, age if is_silent else None, kept)
+    gone = device in moment.offline
+    return _Report(sample, verdict, fact, age if is_silent else None, kept, gone)
 
 
 def _silence(report: _Report, moment: RoomMoment, count: int) -> str:
@@ -191,7 +206,12 @@ def _silence(report: _Report, moment: RoomMoment, count: int) -> str:
         return (
             f"{its} was not heard yet; the broker kept that it {report.verdict.past} at some time"
         )
-    lasting = lasting_words(report.silent_for or 0.0)
+    ago = age_words(max(0.0, moment.at - report.sample.captured_at))
+    if report.is_offline:
+        return f"{its} says that it is offline; it {report.verdict.past}, {ago}"
+    if report.silent_for is None:
+        return f"nothing listens to it now; it {report.verdict.past}, {ago}"
+    lasting = lasting_words(report.silent_for)
     listens = "" if moment.known else "; nothing listens to it now"
     return f"{its} has been silent{lasting}; then it {report.verdict.past}{listens}"
 
@@ -216,7 +236,11 @@ def _since(moment: RoomMoment, thing: str, wanted: DeviceProperty) -> float | No
 
 
 def _no_report(
-    thing: Thing, state: str, wanted: DeviceProperty, devices: Mapping[str, DeviceTraits]
+    thing: Thing,
+    state: str,
+    wanted: DeviceProperty,
+    devices: Mapping[str, DeviceTraits],
+    is_past: bool,
 ) -> str:
     """Return why nobody ever told: no sensor that could, or none that spoke."""
     able = [
@@ -224,6 +248,8 @@ def _no_report(
         for device in _devices_of(thing, devices)
         if device in devices and tells(devices[device].kind, wanted)
     ]
+    if able and is_past:
+        return f"its sensor had not been heard by then ({', '.join(able)})"
     if able:
         return f"its sensor was never heard ({', '.join(able)}; housefly sensors says why)"
     return (

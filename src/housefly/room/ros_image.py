@@ -164,6 +164,8 @@ def _number(
 def _picture(path: Path) -> tuple[NDArray[np.float64], Mask]:
     """Return brightness from 0 to 1 and which pixels are opaque, rows from the top."""
     try:
+        if path.exists() and not path.is_file():
+            raise OSError("no ordinary file")
         with Image.open(path) as image:
             if max(image.size) > _MAX_SIDE:
                 raise RoomError(

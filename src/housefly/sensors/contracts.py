@@ -27,6 +27,7 @@ class SensorHealth:
         age: time since it was last heard [s]; infinite if never.
         problem: what is wrong and what to do about it, in words, or "".
         counts: numbers of received and dropped messages, by name.
+        is_offline: whether its own word, or its last will, is that it is gone.
     """
 
     id: str
@@ -37,6 +38,7 @@ class SensorHealth:
     age: float = inf
     problem: str = ""
     counts: _Counts = ()
+    is_offline: bool = False
 
 
 class Sensor(Protocol):

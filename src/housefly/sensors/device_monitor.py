@@ -32,6 +32,7 @@ class DeviceMonitor:
         self._things: dict[str, float] = {}
         self._online: bool | None = None
         self._complaints: dict[str, tuple[float, str]] = {}
+        self._last_state = b""
 
     @property
     def kind(self) -> DeviceKind:
@@ -60,6 +61,13 @@ class DeviceMonitor:
                 return False
         self._things[thing] = now
         return True
+
+    def repeats(self, state: bytes, retained: bool) -> bool:
+        """Return whether the broker only repeats the state that was heard last, after a break."""
+        if retained:
+            return state == self._last_state
+        self._last_state = state
+        return False
 
     def record(self, reading: Reading, now: float, retained: bool) -> None:
         """Record a decoded message; one that the broker retained is no sign of life."""
@@ -99,6 +107,7 @@ class DeviceMonitor:
             age=self._rate.age(now),
             problem=problem,
             counts=tuple(sorted((name, count) for name, count in self.counts.items() if count)),
+            is_offline=self._online is False,
         )
 
     def _problem(self, now: float) -> str:

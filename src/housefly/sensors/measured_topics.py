@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from housefly.config.devices import MqttConfig
+from housefly.config.measured_devices import MeasuredDeviceConfig
 from housefly.errors import WireError
 from housefly.wires.devices import Channel, DeviceAddress, MeasuredTopic
 
@@ -17,7 +18,9 @@ class MeasuredTopics:
     """
 
     def __init__(self, config: MqttConfig) -> None:
-        self._devices = {row.id: MeasuredTopic(row, config.site) for row in config.sensors}
+        self._devices = {
+            row.id: MeasuredTopic(row, config.site) for row in _with_shared_availability(config)
+        }
         self._by_topic: dict[str, list[tuple[MeasuredTopic, Channel]]] = {}
         for device in self._devices.values():
             if device.is_foreign:
@@ -50,3 +53,15 @@ class MeasuredTopics:
                 " this is not it"
             )
         return device is not None
+
+
+def _with_shared_availability(config: MqttConfig) -> Iterator[MeasuredDeviceConfig]:
+    """Yield the devices; those on one state topic are one apparatus, and are offline together."""
+    told = {
+        row.state_topic: row.availability_topic
+        for row in config.sensors
+        if row.state_topic and row.availability_topic
+    }
+    for row in config.sensors:
+        topic = row.availability_topic or told.get(row.state_topic, "")
+        yield row.model_copy(update={"availability_topic": topic})

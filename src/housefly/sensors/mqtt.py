@@ -171,7 +171,9 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
         payload = message.payload if isinstance(message.payload, bytes) else b""
         for device, channel in self._measured.on(message.topic.value):
             _, monitor = self._monitors[device.address.id]
-            if payload and monitor.admit(now):
+            if not payload or not monitor.admit(now):
+                continue
+            if channel is Channel.AVAILABILITY or not monitor.repeats(payload, message.retain):
                 delivered = Delivered(
                     device.address, channel, payload, self._wall(), message.retain
                 )

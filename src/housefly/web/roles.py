@@ -77,12 +77,15 @@ ROLE_OF_PATH: dict[str, Role] = {
     f"{API_PREFIX}/events": Role.WATCH,
     f"{API_PREFIX}/sensors": Role.WATCH,
     f"{API_PREFIX}/near": Role.ASK,
+    f"{API_PREFIX}/people": Role.ASK,
+    f"{API_PREFIX}/nights": Role.ASK,
 }
 """For reading, and for WebSockets."""
 ROLE_OF_FOLDER: dict[str, Role] = {
     f"{API_PREFIX}/where/": Role.ASK,
     f"{API_PREFIX}/contents/": Role.ASK,
     f"{API_PREFIX}/trajectory/": Role.ASK,
+    f"{API_PREFIX}/is/": Role.ASK,
 }
 ROLE_OF_CHANGE: dict[str, Role] = {
     "/stop": Role.WATCH,

@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
+from housefly.app.commands import ask
+from housefly.app.loaded_site import open_site, read_site
 from housefly.cli import main
+from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
+from housefly.hub.memory import RoomMemory
+from housefly.hub.store.open import open_site_store
+from housefly.messages import RoomEvent
 
 
 @pytest.fixture(autouse=True)
@@ -47,3 +56,32 @@ def test_sensors_are_not_well_when_nothing_runs(capsys: pytest.CaptureFixture[st
 def test_watching_nothing_is_told_with_what_to_do(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["watch"]) == 2
     assert "housefly demo" in capsys.readouterr().err
+
+
+def test_what_happened_is_told_with_whose_word_it_is(capsys: pytest.CaptureFixture[str]) -> None:
+    memory = RoomMemory((), lambda: open_site_store(open_site(read_site("bsen")).site))
+    memory.add(RoomEvent("door opened", "entrance", time.time() - 60.0, "situations/doors"))
+    memory.close()
+    assert main(["history", "--since", "10m"]) == 0
+    assert "[situations/doors]" in capsys.readouterr().out
+
+
+def test_what_a_device_says_is_text_and_neither_a_style_nor_the_end_of_the_command(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = "topic is 'x[/red][link=http://y]'; :bomb:"
+    sensor = SensorAnswer("plug", "power", "Plug", False, 0.0, None, said, {})
+
+    class Room:
+        def ask(self, question: object) -> SensorsAnswer:
+            return SensorsAnswer((sensor,), "all is kept")
+
+    @contextmanager
+    def room(site: str) -> Iterator[Room]:
+        yield Room()
+
+    monkeypatch.setattr(ask, "asked_room", room)
+    assert main(["sensors"]) == 1
+    out = "".join(capsys.readouterr().out.split())
+    for part in ("x[/red]", "[link=http://y]", ":bomb:"):
+        assert part in out

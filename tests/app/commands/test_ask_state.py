@@ -62,8 +62,25 @@ def test_what_is_no_state_is_refused_with_those_that_there_are(
 ) -> None:
     assert main(["is", "stove", "boiling"]) == 2
     told = capsys.readouterr().err
-    assert "does not end in a state; allowed: a thing, then on the floor, " in told
+    assert "does not end in a state; allowed: a thing, then away, closed, " in told
     assert main(["is", "stove"]) == 2
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        "stove on", "the Stove on?", "is the stove on", "stove on!", "the stove ON .",
+        "is the stove still on ?",
+    ],
+)  # fmt: skip
+def test_a_question_is_understood_as_people_say_it(said: str) -> None:
+    assert split_state(said.split()) == ("stove", "on")
+
+
+def test_what_says_not_is_never_taken_for_what_it_denies() -> None:
+    assert split_state(["stove", "not", "on"]) == ("stove not", "on")  # nothing is called so
+    with pytest.raises(ConfigError):
+        split_state(["is", "on"])
 
 
 def test_who_is_there_while_nothing_runs_is_not_guessed(capsys: pytest.CaptureFixture[str]) -> None:

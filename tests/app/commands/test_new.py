@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import subprocess
 from pathlib import Path
 
@@ -97,3 +98,28 @@ def test_the_help_names_every_way(capsys: pytest.CaptureFixture[str]) -> None:
         main(["new", "--help"])
     shown = capsys.readouterr().out
     assert all(word in shown for word in ("--page", "--yes", "Ctrl-C", "map.yaml", "scan.ply"))
+
+
+def test_the_next_commands_can_be_pasted_whatever_the_name(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "K\u00fcche 'x'", "--room", "6x4", "--yes"]) == 0
+    shown = capsys.readouterr().out
+    lines = [line for line in shown.splitlines() if line.startswith("  housefly ")]
+    assert len(lines) == 3
+    for line in lines:
+        assert shlex.split(line)[-1] == "K\u00fcche 'x'"
+
+
+@pytest.mark.parametrize("name", ["", "  "])
+def test_a_site_without_a_name_is_not_written_here(
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    name: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", name, "--room", "6x4", "--yes"]) == 2
+    assert "NAME" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -134,6 +134,37 @@ def test_a_script_ends_at_its_first_wrong_answer(tmp_path: Path) -> None:
         NewSiteDialog(SiteDraft("lab"), tmp_path, typed).run()
 
 
+@pytest.mark.parametrize("text", ["6,5x4", "6.5x4,2", "6,5 x 4,2", "6,4"])
+def test_a_decimal_comma_is_no_size(tmp_path: Path, text: str) -> None:
+    with pytest.raises(ConfigError, match=r"allowed: a size such as 6x4x2\.5"):
+        answered(SiteDraft("lab"), DraftStep.ROOM, text, tmp_path)
+
+
+@pytest.mark.parametrize("text", ["6.5x4", "6.5 x 4 m", "6.5m x 4m x 2.5m", "6.5\u00d74", "6.5 4"])
+def test_a_size_is_read_however_it_is_written(tmp_path: Path, text: str) -> None:
+    draft, _ = answered(SiteDraft("lab"), DraftStep.ROOM, text, tmp_path)
+    assert draft.bounds == (0.0, 0.0, 6.5, 4.0) and draft.height == 2.5
+
+
+def test_a_decimal_comma_is_no_size_of_furniture(tmp_path: Path) -> None:
+    room = with_size(SiteDraft("lab"), 6.0, 4.0)
+    with pytest.raises(ConfigError, match="furniture"):
+        answered(room, DraftStep.OBJECTS, "table 3,1 1,2x0.8", tmp_path)
+
+
+@pytest.mark.parametrize("unit", ["0", "-1", "1e9", "100000"])
+def test_a_unit_out_of_range_is_refused(tmp_path: Path, unit: str) -> None:
+    (tmp_path / "scan.ply").write_text("ply")
+    with pytest.raises(ConfigError, match="unit"):
+        answered(SiteDraft("lab"), DraftStep.ROOM, f"scan.ply unit={unit}", tmp_path)
+
+
+def test_a_script_ends_at_a_pad_that_cannot_be(tmp_path: Path) -> None:
+    script = TypedLines(["6x4", "", "0,0", "kitchen 5,2", "", "", ""], is_patient=False)
+    with pytest.raises(ConfigError, match="pad: the drone cannot start"):
+        NewSiteDialog(SiteDraft("lab"), tmp_path, script).run()
+
+
 def test_what_was_said_before_the_end_is_gone_on_with(tmp_path: Path) -> None:
     asks, _ = dialog(tmp_path, "6x4", "table 3,1 1x1x.7", "", "1,2")
     with pytest.raises(OutOfAnswers):

@@ -9,10 +9,12 @@ import pytest
 from housefly.config.site import Site
 from housefly.lab.reproduction.claims import CLAIMS, findings
 from housefly.lab.reproduction.counter_changes import service
+from housefly.lab.reproduction.edges import ESTIMATORS
 from housefly.lab.reproduction.evidence import Evidence
 from housefly.lab.reproduction.exhibit import Verdict
 from housefly.lab.reproduction.ruling import finding_of
 from housefly.lab.reproduction.stability_limit import stability_limit
+from housefly.lab.reproduction.streams import LATENCIES
 from housefly.lab.reproduction.trial_list import TRIALS
 from housefly.lab.reproduction.trials import fly_trials
 from housefly.pilot.estimation.estimator import EstimatorKind
@@ -47,6 +49,13 @@ def test_a_service_that_nobody_flew_proves_nothing(evidence: Evidence) -> None:
     assert finding_of(BY_KEY["service"], elsewhere).verdict is Verdict.NOT_TESTABLE
 
 
+def test_no_service_of_this_world_is_told_of_in_another(evidence: Evidence) -> None:
+    flown = replace(evidence, services=(ShortService(58.0),))  # type: ignore[arg-type]
+    assert "On the twin" in finding_of(BY_KEY["service"], flown).evidence
+    there = service(wind_y=0.6)(flown)
+    assert "On the twin" not in finding_of(BY_KEY["service"], there).evidence
+
+
 def test_low_frame_rate_harms_who_differentiates_and_not_a_correct_filter(
     evidence: Evidence,
 ) -> None:
@@ -62,6 +71,45 @@ def test_low_frame_rate_harms_who_differentiates_and_not_a_correct_filter(
     assert kept(EstimatorKind.FINITE_DIFFERENCE, 0.0) < 0.75
     assert kept(EstimatorKind.DELAY_COMPENSATED, 0.05) > 0.8
     assert kept(EstimatorKind.ON_ARRIVAL, 0.05) > kept(EstimatorKind.FINITE_DIFFERENCE, 0.05)
+
+
+@pytest.mark.parametrize("kept", [0.7, 0.9])
+def test_a_filter_fed_again_and_again_is_named_only_where_it_suffers(
+    evidence: Evidence, kept: float
+) -> None:
+    values = evidence.edges.values.copy()
+    held, late = list(ESTIMATORS).index(EstimatorKind.HELD_SAMPLE), LATENCIES.index(0.05)
+    values[held, 0, late] = kept * values[held, -1, late]
+    there = replace(evidence, edges=replace(evidence.edges, values=values))
+    found = finding_of(BY_KEY["low frame rate"], there)
+    assert found.verdict is Verdict.CONDITION
+    assert ("or fed again and again" in found.evidence) is (kept < 0.8)
+
+
+def test_every_drone_that_flew_is_counted(evidence: Evidence, flown: list[int]) -> None:
+    assert evidence.flights == sum(flown)
+
+
+@pytest.mark.parametrize(
+    ("calm", "quarter", "printed", "words"),
+    [
+        (0.1, 0.1, 0.1, "All do here, but the flights are too few"),
+        (0.1, 0.1, 0.3, "As long as the acceptor does not chatter"),
+        (0.3, 0.1, 0.3, "Below half a cell for all"),
+        (0.3, 0.3, 0.3, "For most, not for all"),
+    ],
+)
+def test_the_condition_on_eps3_says_no_more_than_its_shares(
+    evidence: Evidence, calm: float, quarter: float, printed: float, words: str
+) -> None:
+    """Six of six flights prove no more than 61 %."""
+    trials = dict(evidence.trials)
+    for key, error in (("eps3 0.4 m", calm), ("eps3 0.25 m", quarter), ("as printed", printed)):
+        trials[key] = trials[key].copy()
+        trials[key]["arrival_error"] = 0.1
+        trials[key]["arrival_error"][0] = error
+    found = finding_of(BY_KEY["eps3 below a cell"], replace(evidence, trials=trials))
+    assert found.verdict is Verdict.CONDITION and found.evidence.startswith(words)
 
 
 def test_every_finding_has_its_numbers_and_its_place(evidence: Evidence) -> None:

@@ -18,7 +18,7 @@ from housefly.lab.reproduction.fig10_acceptor import transitions
 from housefly.messages import Behavior
 from housefly.pilot.behavior.acceptor import STATES, TABLE
 from housefly.room.files import load_room
-from housefly.room.grid import OccupancyGrid, build_grid
+from housefly.room.grid import Cell, OccupancyGrid, build_grid
 
 
 @pytest.fixture(scope="module")
@@ -36,6 +36,9 @@ def test_the_grid_is_drawn_with_the_drone_and_its_cells_counted(
     with_drone = fig07_grid.draw_fig07(tmp_path, grid, (10.55, 1.25))
     first = (tmp_path / "fig07.png").read_bytes()
     assert "25 x 9 = 225" in with_drone.caption
+    counted = [int(n) for n in re.findall(r"(\d+) (?:blocked|behind|free)", with_drone.caption)]
+    assert len(counted) == 4 and sum(counted) == grid.cells.size
+    assert counted[-1] == (grid.cells == Cell.FREE).sum()
     fig07_grid.draw_fig07(tmp_path, grid, (5.0, 3.0))
     assert (tmp_path / "fig07.png").read_bytes() != first
     fig07_grid.draw_fig07(tmp_path, grid, (10.55, 1.25))

@@ -111,3 +111,10 @@ def test_a_folder_that_cannot_be_written_is_told(tmp_path: Path) -> None:
         save_draft(whole(), tmp_path / "lab")
     with pytest.raises(RoomError, match="cannot be"):
         load_draft(tmp_path / "lab")
+
+
+def test_a_site_file_in_another_encoding_is_kept_byte_by_byte(tmp_path: Path) -> None:
+    mine = 'name = "Küche"\n'.encode("latin-1")
+    (tmp_path / "site.toml").write_bytes(mine)
+    write_site(whole(), tmp_path)
+    assert (tmp_path / "site.toml.old").read_bytes() == mine

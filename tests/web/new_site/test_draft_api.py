@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from pathlib import Path
 from typing import Any
@@ -207,3 +208,30 @@ async def test_the_link_is_good_once_and_other_hosts_are_turned_away(drawer: Any
 async def test_a_request_without_end_is_cut(drawer: Any) -> None:
     status, _, text = await drawer.request("POST", "/draft", b" " * (DRAFT_SIZE_MAX + 1))
     assert status == 413 and "MiB" in text
+
+
+async def test_a_file_whose_browser_left_is_not_read_as_a_whole_one(drawer: Any) -> None:
+    lines = (
+        f"PUT /files/plan.svg HTTP/1.1\r\nHost: {drawer.host}:{drawer.port}\r\n"
+        f"Cookie: {drawer.cookie}\r\nOrigin: {drawer.origin}\r\n"
+        f"X-Housefly-Proof: {drawer.proof}\r\nContent-Length: 1000\r\n\r\n<svg>"
+    )
+    _, writer = await asyncio.open_connection(drawer.host, drawer.port)
+    writer.write(lines.encode())
+    await writer.drain()
+    await asyncio.sleep(0.2)
+    writer.close()
+    await writer.wait_closed()
+    await asyncio.sleep(0.2)
+    status, refused = await drawer.post("/draft/import", file="plan.svg")
+    assert status == 422 and "did not arrive" in refused["error"]
+
+
+async def test_a_file_that_holds_what_no_draft_may_is_refused_and_the_page_lives_on(
+    drawer: Any,
+) -> None:
+    svg = '<svg xmlns="http://www.w3.org/2000/svg"><rect width="6" height="4"/></svg>'
+    await drawer.put("/files/plan.svg", svg.encode())
+    status, refused = await drawer.post("/draft/import", file="plan.svg", unit=300.0)
+    assert status == 422 and "unit" in refused["error"]
+    assert (await drawer.get())[0] == 200

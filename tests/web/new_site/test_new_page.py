@@ -274,3 +274,20 @@ async def test_everything_can_be_reached_on_any_screen(page: Page, screen: Any) 
     await last.scroll_into_view_if_needed()
     box = await last.bounding_box()
     assert box is not None and box["y"] + box["height"] <= screen["height"] + 1
+
+
+async def test_a_decimal_comma_is_typed_as_a_decimal_point(page: Page) -> None:
+    await number(page, "length (x)").fill("")
+    await number(page, "length (x)").press_sequentially("6,5")
+    await number(page, "width (y)").fill("4")
+    await button(page, "Make this room").click()
+    await expect(page.get_by_text("6.50 \u00d7 4.00 m")).to_be_visible()
+
+
+async def test_at_double_size_on_a_phone_the_head_leaves_room_for_the_steps(page: Page) -> None:
+    await page.set_viewport_size({"width": 195, "height": 422})
+    await size(page)
+    await expect(page.get_by_role("status")).to_be_visible()
+    head = await page.locator("header.top").bounding_box()
+    assert head is not None and head["height"] < 140
+    assert await page.evaluate("document.documentElement.scrollWidth <= innerWidth")

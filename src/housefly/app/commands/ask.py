@@ -10,7 +10,7 @@ from housefly.app.commands.asked_room import add_asked_site, asked_room
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
 from housefly.app.room_words import clock_time, event_line, moved_line, said_line, sensor_row
-from housefly.app.terminal import console, new_table
+from housefly.app.terminal import new_table, plain_console
 
 if TYPE_CHECKING:
     from housefly.hub.api.answers import News
@@ -55,9 +55,9 @@ def _where(options: Namespace) -> int:
     at = parse_time(options.at, time.time(), "--at") if options.at else None
     with asked_room(options.site) as room:
         answer = room.ask(checked_question(WhereQuestion(options.thing, at)))
-    console.print(answer.words, soft_wrap=True)
+    plain_console.print(answer.words, soft_wrap=True)
     for said in answer.said:
-        console.print(said_line(said), soft_wrap=True)
+        plain_console.print(said_line(said), soft_wrap=True)
     return 0
 
 
@@ -74,14 +74,14 @@ def _history(options: Namespace) -> int:
             track = TrajectoryQuestion(options.thing, since, until, every=1.0)
             rows = room.ask(checked_question(track)).rows[-options.limit :]
             for at, x, y, z in rows:
-                console.print(f"{clock_time(at, now)}  ({x:.2f}, {y:.2f}, {z:.2f}) m")
+                plain_console.print(f"{clock_time(at, now)}  ({x:.2f}, {y:.2f}, {z:.2f}) m")
             return 0
         question = EventsQuestion(since, until, options.thing, options.kind, limit=options.limit)
         events = room.ask(checked_question(question)).events
     for event in events:
-        console.print(event_line(event, now), soft_wrap=True)
+        plain_console.print(event_line(event, now), soft_wrap=True)
     if not events:
-        console.print(f"nothing happened since {clock_time(since, now)}")
+        plain_console.print(f"nothing happened since {clock_time(since, now)}")
     return 0
 
 
@@ -91,7 +91,7 @@ def _watch(options: Namespace) -> int:
     from housefly.hub.client.room_client import RoomClient
 
     place = find()
-    console.print(f"watching {place.site}; Ctrl-C ends")
+    plain_console.print(f"watching {place.site}; Ctrl-C ends")
     try:
         with RoomClient(place.address, place.key, socket=place.socket) as room:
             for news in room.watch():
@@ -103,9 +103,9 @@ def _watch(options: Namespace) -> int:
 
 def _print_news(news: News, moves: bool) -> None:
     for event in news.events:
-        console.print(event_line(event, news.at), soft_wrap=True)
+        plain_console.print(event_line(event, news.at), soft_wrap=True)
     for thing in news.things if moves else ():
-        console.print(moved_line(thing, news.at), style="dim", soft_wrap=True)
+        plain_console.print(moved_line(thing, news.at), style="dim", soft_wrap=True)
 
 
 def _sensors(options: Namespace) -> int:
@@ -119,10 +119,10 @@ def _sensors(options: Namespace) -> int:
     for sensor in answer.sensors:
         table.add_row(*sensor_row(sensor))
     if answer.sensors:
-        console.print(table)
+        plain_console.print(table)
     else:
-        console.print("no sensor is running")
-    console.print(f"memory: {answer.memory}")
+        plain_console.print("no sensor is running")
+    plain_console.print(f"memory: {answer.memory}")
     return 0 if answer.sensors and all(sensor.connected for sensor in answer.sensors) else 1
 
 

@@ -8,12 +8,13 @@ from argparse import ArgumentParser, Namespace
 from housefly.app.commands.asked_room import add_asked_site, asked_room
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.parse_time import TIME_FORMS, parse_time
-from housefly.app.terminal import console
+from housefly.app.terminal import plain_console
 from housefly.errors import ConfigError
 
 _EXIT_CODES = {"yes": 0, "no": 1, "unknown": 3}
 """For scripts; 2 is a question that could not be asked."""
-_ARTICLES = ("the", "a", "an")
+_LEADING = ("is", "are", "the", "a", "an")
+_MARKS = "?!."
 _DAY = 86_400.0
 
 
@@ -58,7 +59,7 @@ def _is(options: Namespace) -> int:
     at = parse_time(options.at, time.time(), "--at") if options.at else None
     with asked_room(options.site) as room:
         answer = room.ask(checked_question(StateQuestion(thing, state, at)))
-    console.print(answer.words, soft_wrap=True, markup=False)
+    plain_console.print(answer.words, soft_wrap=True)
     return _EXIT_CODES[answer.answer]
 
 
@@ -71,9 +72,11 @@ def _who(options: Namespace) -> int:
     with asked_room(options.site) as room:
         answer = room.ask(checked_question(PeopleQuestion(options.person, at)))
     for person in answer.people:
-        console.print(person.words, soft_wrap=True, markup=False)
+        plain_console.print(person.words, soft_wrap=True)
     if not answer.people:
-        console.print("nobody is known; people are things of kind person, or who a sensor sees")
+        plain_console.print(
+            "nobody is known; people are things of kind person, or who a sensor sees"
+        )
     return 0
 
 
@@ -93,11 +96,11 @@ def _nights(options: Namespace) -> int:
     kept = [night for night in answer.nights if night.unknown < night.end - night.begin]
     for night in kept:
         name = f"{night.thing}, " if several else ""
-        console.print(f"{name}{night.words}", soft_wrap=True, markup=False)
+        plain_console.print(f"{name}{night.words}", soft_wrap=True)
     if missing := len(answer.nights) - len(kept):
-        console.print(f"nothing was kept of {missing} night{'' if missing == 1 else 's'}")
+        plain_console.print(f"nothing was kept of {missing} night{'' if missing == 1 else 's'}")
     if not answer.nights:
-        console.print("no bed was occupied, as far as the memory knows; docs/situations.md")
+        plain_console.print("no bed was occupied, as far as the memory knows; docs/situations.md")
     return 0
 
 
@@ -108,15 +111,15 @@ def split_state(words: list[str]) -> tuple[str, str]:
     """
     from housefly.hub.state_queries import STATE_WORDS
 
-    said = " ".join(words).lower().rstrip("?").split()
-    said = said[1:] if said[:1] and said[0] in _ARTICLES else said
+    said = " ".join(words).lower().rstrip(f"{_MARKS} ").split()
+    while said and said[0] in _LEADING:
+        said = said[1:]
     text = " ".join(said)
     for state in STATE_WORDS:
         if text.endswith(f" {state}"):
-            return text.removesuffix(f" {state}"), state
-    raise ConfigError(
-        "is", f"{text!r} does not end in a state; allowed: a thing, then {', '.join(STATE_WORDS)}"
-    )
+            return text.removesuffix(f" {state}").removesuffix(" still"), state
+    known = ", ".join(sorted(STATE_WORDS))
+    raise ConfigError("is", f"{text!r} does not end in a state; allowed: a thing, then {known}")
 
 
 def parse_window(words: str) -> tuple[float, float]:

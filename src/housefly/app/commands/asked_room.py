@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
-from housefly.app.terminal import console
+from housefly.app.terminal import plain_console
 from housefly.errors import LinkError
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def asked_room(site: str) -> Iterator[AnsweringRoom]:
         from housefly.app.loaded_site import read_site, site_file
         from housefly.hub.offline import OfflineRoom
 
-        console.print("no room is running: this is what its memory holds", style="dim")
+        plain_console.print("no room is running: this is what its memory holds", style="dim")
         with OfflineRoom(read_site(site), site_file(site).parent) as memory:
             yield memory
     else:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
+from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
     from housefly.room.draft.missing import DraftStep
@@ -62,6 +63,8 @@ def _run(options: Namespace) -> int:
     from housefly.room.draft.files import load_draft, write_site
     from housefly.room.draft.model import SiteDraft
 
+    if not options.name.strip():
+        raise ConfigError("NAME", "is empty; allowed: a folder, whose name the site has")
     folder = Path(options.name).expanduser()
     kept = load_draft(folder)
     draft = kept or SiteDraft(name=folder.resolve().name[:60])
@@ -75,7 +78,7 @@ def _run(options: Namespace) -> int:
     wires = Wires() if options.no_test else Wires(hear_tracking, check_drone)
     asker = DefaultsAsker() if options.yes else TerminalAsker()
     dialog = NewSiteDialog(draft, folder, asker, wires, _given(options))
-    go_on = f"go on with: housefly new {options.name}"
+    go_on = f"go on with: housefly new {quote(options.name)}"
     try:
         draft = dialog.run()
     except KeyboardInterrupt:
@@ -129,10 +132,11 @@ def _tell_result(draft: SiteDraft, folder: Path, paths: tuple[Path, ...]) -> Non
     console.print(f"written: {', '.join(map(str, paths))}", markup=False, soft_wrap=True)
     for item in missing(draft):
         console.print(f"note: {item.words}\n   -> {item.mend}", markup=False, soft_wrap=True)
-    site = folder / SIMULATED_FILE if draft.hardware else folder
+    real = quote(str(folder))
+    site = quote(str(folder / SIMULATED_FILE)) if draft.hardware else real
     place = draft.places[0].name
     lines = [
-        ("is this machine fit for it", f"housefly doctor --site {folder}"),
+        ("is this machine fit for it", f"housefly doctor --site {real}"),
         ("the whole thing, simulated", f"housefly demo --site {site}"),
         (
             "one simulated service",
@@ -142,8 +146,8 @@ def _tell_result(draft: SiteDraft, folder: Path, paths: tuple[Path, ...]) -> Non
     if draft.hardware:
         lines += [
             ("before the first flight: compare tracking, drone and map, the drone in your hands",
-             f"housefly preflight --frames --site {folder}"),
-            ("the real room", f"housefly run --site {folder}"),
+             f"housefly preflight --frames --site {real}"),
+            ("the real room", f"housefly run --site {real}"),
         ]  # fmt: skip
     for words, line in lines:
         console.print(f"{words}:\n  {line}", markup=False, soft_wrap=True)

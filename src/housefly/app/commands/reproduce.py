@@ -89,7 +89,7 @@ def _run(options: Namespace) -> int:
     except LinkError as error:
         kept = f"what was flown is kept in {out}: run the same again to go on"
         raise LinkError(f"{error}; {kept}") from error
-    found, page = _written(options, out, measured, time.monotonic() - began)
+    found, page = _written(options, out, measured, began)
     _print_verdicts(found, page, time.monotonic() - began)
     return 0
 
@@ -124,7 +124,7 @@ def _measured(options: Namespace, site: Site, store: ReproductionStore) -> Measu
 
 
 def _written(
-    options: Namespace, out: Path, measured: Measured, seconds: float
+    options: Namespace, out: Path, measured: Measured, began: float
 ) -> tuple[tuple[ClaimFinding, ...], Path]:
     from housefly.app.reproduction_exhibits import draw_exhibits
     from housefly.lab.reproduction.claims import findings
@@ -136,7 +136,7 @@ def _written(
     found = judged_elsewhere(findings(measured.evidence), measured.evidence)
     console.print("drawing figures and page ...")
     exhibits = draw_exhibits(out, measured)
-    made = _run_notes(options, seconds, measured)
+    made = _run_notes(options, time.monotonic() - began, measured)
     return found, write_page(out, exhibits, tables(measured.evidence), found, made)
 
 
@@ -145,12 +145,8 @@ def _run_notes(options: Namespace, seconds: float, measured: Measured) -> RunNot
 
     from housefly.lab.reproduction.page import RunNotes
 
-    evidence = measured.evidence
-    flown = (
-        evidence.streams.outcomes.size
-        + evidence.edges.values.size
-        + sum(t.size for t in evidence.trials.values())
-    )
+    seeds = _QUICK_SEEDS if options.quick else _SEEDS
+    flown = f"{measured.evidence.flights:,}".replace(",", " ")
     quick = " --quick" if options.quick else ""
     wires = " --no-wires" if options.no_wires else ""
     return RunNotes(
@@ -158,7 +154,10 @@ def _run_notes(options: Namespace, seconds: float, measured: Measured) -> RunNot
         lines=(
             ("made by", f"housefly reproduce --seed {options.seed}{quick}{wires}"),
             ("on", time.strftime("%Y-%m-%d %H:%M")),
-            ("simulated flights", f"{flown:,}".replace(",", " ")),
+            (
+                "simulated flights",
+                f"{flown} in this world; {seeds} drones in each cell of Tables 1 to 9",
+            ),
             ("time of this run", f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores"),
             (
                 "versions",

@@ -70,8 +70,11 @@ def _room(draft: SiteDraft, text: str, folder: Path) -> Answer:
         length, width, height = (float(part) if part else 2.5 for part in size.groups())
         return with_size(draft, length, width, height), ()
     name, keys = split_keys(text, ("unit", "up", "layers"))
-    if Path(name).suffix == "":
-        raise ConfigError("room", f"is {name!r}; allowed: a size such as 6x4x2.5, or a file")
+    if not Path(name).suffix[1:2].isalpha():
+        raise ConfigError(
+            "room",
+            f"is {name!r}; allowed: a size such as 6x4x2.5 (metres, decimal points), or a file",
+        )
     up = keys.get("up", "auto")
     if up not in _UP_AXES:
         raise ConfigError("up", f"is {up!r}; allowed: y, z")

@@ -121,9 +121,10 @@ class NewSiteDialog:
             lacks = [item for item in missing(self.draft) if item.step is question.step]
             self._tell("", lacks)
             hindered = [item for item in lacks if item.hinders]
-            if hindered and is_enter and not self._asker.is_patient:
+            is_last = is_enter or not question.repeats
+            if hindered and is_last and not self._asker.is_patient:
                 raise _refusal(hindered[0])
-            if not hindered and (is_enter or not question.repeats):
+            if not hindered and is_last:
                 self.draft = replace(self.draft, answered=question.step.value)
                 save_draft(self.draft, self._folder)
                 return _FORWARD

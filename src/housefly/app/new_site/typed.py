@@ -8,8 +8,9 @@ from math import radians
 from housefly.errors import ConfigError
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)"
-SIZE = re.compile(rf"({_NUMBER})\s*[x ,]\s*({_NUMBER})(?:\s*[x ,]\s*({_NUMBER}))?(?:\s*m)?")
-"""LENGTHxWIDTH or LENGTHxWIDTHxHEIGHT."""
+_BY = r"\s*(?:m\s*)?(?:[x\u00d7]\s*|\s)"
+SIZE = re.compile(rf"({_NUMBER}){_BY}({_NUMBER})(?:{_BY}({_NUMBER}))?(?:\s*m)?")
+"""LENGTHxWIDTH or LENGTHxWIDTHxHEIGHT; a comma may be a decimal one, and so parts nothing."""
 _KEYED = re.compile(r"\s([a-z]+)=(\S+)")
 
 

@@ -22,8 +22,8 @@ def _speeds(evidence: Evidence) -> Ruling:
     """Rule on "u_x and u_y control the horizontal speeds": does speed follow as the angle does?"""
     angle, speed = evidence.equations.angle_rise, evidence.equations.speed_rise
     text = (
-        f"Under a steady command the angle rises within {angle:.2f} s, the speed within"
-        f" {speed:.2f} s."
+        f"Under a steady command the angle has reached 63 % of its last value after {angle:.2f} s,"
+        f" the speed after {speed:.2f} s."
     )
     verdict = Verdict.HOLDS if speed <= _IMMEDIATE_FACTOR * angle else Verdict.FAILS
     return Ruling(

@@ -79,7 +79,8 @@ def service(**columns: Any) -> Change:
         drones = fleet(here.site, _DRONES)
         table = cases(here.site, _DRONES, **{**drones, **stream, **columns})
         flown = fly_many(table, service_plan(here))
-        return replace(evidence, streams=Streams(table, flown, np.full(len(table), OWN_FREQUENCY)))
+        streams = Streams(table, flown, np.full(len(table), OWN_FREQUENCY))
+        return replace(evidence, streams=streams, services=())
 
     return change
 

@@ -39,6 +39,7 @@ class Evidence:
         edges: largest stable frequencies.
         known_lag: the same with lambda known to the filter and unknown.
         trials: small experiments, by key.
+        flights: simulated drones in all of these.
         services: whole services flown on the twin, from take-off to landing.
         pitch: a step in pitch on the twin; None when none was flown.
     """
@@ -50,6 +51,7 @@ class Evidence:
     edges: Edges
     known_lag: KnownLag
     trials: Mapping[str, Outcomes]
+    flights: int
     services: tuple[Summary, ...] = ()
     pitch: AngularStep | None = None
 
@@ -92,4 +94,5 @@ def gather(
         edges=find_edges(site, edge_seeds, landed, fly=fly),
         known_lag=fly_known_lag(site, edge_seeds, landed, fly=fly),
         trials=fly_trials(site, seeds, landed, changes, fly=fly),
+        flights=total,
     )

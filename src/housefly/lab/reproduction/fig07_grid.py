@@ -20,7 +20,10 @@ _HATCH = "////"
 
 def draw_fig07(folder: Path, grid: OccupancyGrid, drone: Vec2) -> Exhibit:
     """Draw the grid of mode paper: free white, obstacle black, drone grey, as in the paper."""
-    blocked, virtual = (int((grid.cells == cell).sum()) for cell in (Cell.OCCUPIED, Cell.VIRTUAL))
+    free, blocked, outside, virtual = (
+        int((grid.cells == cell).sum())
+        for cell in (Cell.FREE, Cell.OCCUPIED, Cell.OUTSIDE, Cell.VIRTUAL)
+    )
     nx, ny = grid.cells.shape
     write_figure(
         folder, "fig07", (9.0, 3.7), lambda figure: paint_grid(figure.subplots(), grid, drone)
@@ -32,8 +35,8 @@ def draw_fig07(folder: Path, grid: OccupancyGrid, drone: Vec2) -> Exhibit:
         "A 2-D grid of the room: white squares are free, black ones obstacles, the grey one is the"
         " drone.",
         f"B-sen cut at the flight height: {nx} x {ny} = {nx * ny} cells of {grid.resolution:g} m,"
-        f" {blocked} blocked by things, {virtual} by virtual obstacles of the site file (hatched),"
-        f" {nx * ny - blocked - virtual} free. The paper counts 255.",
+        f" {blocked} blocked by things and walls, {outside} behind walls, {virtual} blocked by"
+        f" virtual obstacles of the site file (hatched), {free} free. The paper counts 255.",
     )
 
 

@@ -19,10 +19,10 @@ from housefly.pilot.behavior.acceptor import EXECUTION_ORDER, STATES, TABLE, Con
 from housefly.record.plot_style import BLUE, INK
 
 _PLACES: dict[Behavior, tuple[float, float]] = {
-    Behavior.HOVER: (0.0, 0.0),
+    Behavior.HOVER: (0.0, -0.6),
     Behavior.ALTITUDE_CONTROL: (0.0, 3.0),
-    Behavior.YAW_CONTROL: (-4.6, -2.4),
-    Behavior.PATH_TRACKING: (4.6, -2.4),
+    Behavior.YAW_CONTROL: (-5.2, -3.2),
+    Behavior.PATH_TRACKING: (5.2, -3.2),
 }
 _WIDTH, _HEIGHT = 2.1, 0.8
 _SYMBOLS = {
@@ -67,7 +67,7 @@ def _rank(bits: int) -> int:
 def draw_fig10(folder: Path, table: NDArray[np.uint8] = TABLE) -> Exhibit:
     """Draw the acceptor."""
     found = transitions(table)
-    write_figure(folder, "fig10", (8.6, 6.0), lambda figure: _paint(figure, found))
+    write_figure(folder, "fig10", (8.6, 6.1), lambda figure: _paint(figure, found))
     between = sum(1 for state, target, _ in found if state is not target)
     return Exhibit(
         "10",
@@ -76,8 +76,9 @@ def draw_fig10(folder: Path, table: NDArray[np.uint8] = TABLE) -> Exhibit:
         "Four behaviors and the transitions between them; the text gives conditions q1 to q4 and an"
         " order, but not every edge.",
         f"Drawn from the table that flies: {len(STATES)} states, {between} transitions between"
-        " them. Where several conditions hold the first of rest, q1, q2, q3, q4 decides (the"
-        " paper's execution order); where none does the state stays.",
+        " them. Rest, which the paper has not, means that nothing is to be tracked. Where several"
+        " conditions hold, rest decides before q1, q2, q3, q4, the paper's execution order; where"
+        " none does, the state stays.",
     )
 
 
@@ -101,13 +102,13 @@ def _paint(figure: Figure, found: tuple[_Transition, ...]) -> None:
             _loop(axes, state, names)
         else:
             _arrow(axes, state, target, names)
-    axes.set_xlim(-6.0, 6.0)
-    axes.set_ylim(-3.9, 4.5)
+    axes.set_xlim(-6.5, 6.5)
+    axes.set_ylim(-4.7, 4.5)
     axes.set_aspect("equal")
     axes.axis("off")
 
 
-_BEND = 0.12
+_BEND = 0.085
 """Bend of an arrow as a share of its length."""
 _LABEL_AT = 0.42
 """Position of an arrow's label as a share of its length."""

@@ -44,7 +44,7 @@ def draw_fig12_and_13(
             "fig12",
             "A block diagram without signals: position loop outside, the drone's own attitude loop"
             " inside.",
-            f"{WINDOW:.0f} s of one flight of mode default along x. The true position follows its"
+            f"{WINDOW:.0f} s of one flight of mode default, along x only. The position follows its"
             f" reference to {100 * error:.1f} cm (root mean square), the angle follows its command"
             f" {1000 * lag:.0f} ms behind.{_nose(flight, start)}"
             f" The acceleration is what the law demands before any limit; {limited}.",

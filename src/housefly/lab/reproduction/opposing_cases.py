@@ -21,9 +21,10 @@ gap:.2rem 1rem;padding:.5rem 0;border-bottom:1px solid var(--line)}
 _INTRODUCTION = (
     "A verdict is worth what could overturn it. First the claims for which measurements speak on"
     " both sides; then, for every verdict that was measured, one world that should overturn it:"
-    " another drone, room, stream, gain or air, flown, mapped or evaluated anew in this run by the"
-    " same code. The numbers stand there in the words of the finding; what was put in the place of"
-    " what stands before them."
+    " another drone, room, stream, gain or air. What decides the verdict is flown, mapped or"
+    " evaluated anew there, in this run, by the same code; any other number of the sentence is this"
+    " world's. The sentence keeps its words: where it says as printed, 0.2 deg or beta = 5.29, and"
+    " the world has something else in its place, the number is that of the world."
 )
 
 

@@ -26,6 +26,7 @@ _OWN_CSS = """
 @media (prefers-color-scheme:dark){
 .holds{color:#57c08a}.fails{color:#f0857b}.condition{color:#e3b341}}
 figure img{display:block;width:100%;height:auto;background:#fff;border-radius:6px}
+@media (max-width:820px){.plot img{min-width:640px} .above .plot img{min-width:1000px}}
 .beside{display:grid;grid-template-columns:minmax(0,1.7fr) minmax(0,1fr);
 gap:1.2rem;align-items:start}
 @media (max-width:820px){.beside{grid-template-columns:minmax(0,1fr)}}
@@ -118,7 +119,9 @@ def _head(findings: tuple[ClaimFinding, ...], made: RunNotes) -> str:
         "Kawamura, Pyo, Tsuji, Kurazume) that show a design or a measurement (7, 10 to 13, 15 to"
         " 17), the numbers that it lacks, and what became of each of its"
         " claims. All flights are "
-        "simulated: the drone is a twin, on its real wires or on a stepped clock.</p>"
+        "simulated: whole services and the steps of Fig. 11 on a twin with rigid bodies and the"
+        " drone's firmware, everything that needs many drones on a model of the same drone with"
+        " lag, drag and delays.</p>"
         f'{notices}<div class="count">{counts}</div><dl>{lines}</dl></header>'
     )
 
@@ -134,8 +137,8 @@ def _exhibit(folder: Path, exhibit: Exhibit, findings: tuple[ClaimFinding, ...])
     )
     return (
         f'<section id="fig{exhibit.number}"><h2>{number}: {_text(exhibit.title)}</h2><div'
-        f' class="{layout}"><figure><img src="data:image/png;base64,{picture}"'
-        f' alt="{_text(exhibit.title)}"><figcaption>{_notice(exhibit.notice)}'
+        f' class="{layout}"><figure><div class="plot"><img src="data:image/png;base64,{picture}"'
+        f' alt="{_text(exhibit.title)}"></div><figcaption>{_notice(exhibit.notice)}'
         f"{_text(exhibit.caption)} <a"
         f' href="{exhibit.stem}.png">PNG</a> <a'
         f' href="{exhibit.stem}.svg">SVG</a></figcaption></figure><div><p class="said"><span'

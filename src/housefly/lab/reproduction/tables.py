@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
@@ -29,6 +29,7 @@ MODE_ORDER: tuple[Mode, Mode] = ("paper", "default")
 _MIN_STABLE_SHARE = 0.5
 """Errors are means over stable flights; below this share of them the cell stays empty."""
 _NO_NUMBER = "-"
+_AS_FIRST = "Flights, drones, intervals and what counts as stable: as in Table 1."
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,8 +75,10 @@ _MEASURES: tuple[_Measure, ...] = (
 
 def tables(evidence: Evidence) -> tuple[Table, ...]:
     """Return all tables: by stream, by gains, by gains on the worst stream, edges by estimator."""
+    first, *others = (_by_stream(evidence, question) for question in _MEASURES)
     return (
-        *(_by_stream(evidence, question) for question in _MEASURES),
+        first,
+        *(replace(table, note=_AS_FIRST) for table in others),
         _by_gains(evidence),
         _stable_by_gains(evidence),
         _edges(evidence),
@@ -119,9 +122,7 @@ def _by_gains(evidence: Evidence) -> Table:
         f"Tracking at {stream}. alpha = 2 omega, beta = omega^2: critically damped; {OWN_FREQUENCY}"
         " rad/s is the site's own. "
     )
-    return Table(
-        "What do cautious and stiff gains give?", headings, tuple(rows), note + _note(evidence)
-    )
+    return Table("What do cautious and stiff gains give?", headings, tuple(rows), note + _AS_FIRST)
 
 
 def _stable_by_gains(evidence: Evidence) -> Table:
@@ -144,7 +145,7 @@ def _stable_by_gains(evidence: Evidence) -> Table:
         f"How stiff may the gains be where tracking is worst ({_stream_name(latency, loss)})?"
         " Flights that stay near the path and end at rest [%]"
     )
-    return Table(title, headings, tuple(rows), _note(evidence))
+    return Table(title, headings, tuple(rows), _AS_FIRST)
 
 
 def _edges(evidence: Evidence) -> Table:
@@ -231,8 +232,8 @@ def _note(evidence: Evidence) -> str:
     ).size
     return (
         f"The service's outbound way; {seeds} drones with constants drawn around the identified"
-        " ones, the same in every cell. Shares with Wilson's 95 % interval; means ± half of"
-        " Student's. Errors are of the flights that stayed stable"
+        " ones, the same in every cell. Shares with Wilson's 95 % interval; means ± half the"
+        " width of Student's. Errors are of the flights that stayed stable"
         f" ({_NO_NUMBER}: less than half did, or none arrived): never more than 1 m off the way,"
         " moving by less than 10 cm in the last 2 s. So a drone that soft gains leave under way, or"
         " that moving air pushes off while no behavior holds its place, is not counted as stable"

@@ -63,19 +63,20 @@ def judge_low_rate(evidence: Evidence) -> Ruling:
     careless = [kind for kind in _NAMES if kind not in _CAREFUL]
     cases = OpposingCases(
         f"{change} {', '.join(_words(evidence, kind) for kind in careless)}.",
-        f"{change} {', '.join(_words(evidence, kind) for kind in _CAREFUL)}. Latency does more:"
-        f" {1000 * _LATE:.0f} ms leave the paper's filter {percent(delay)} at {_FAST:.0f} frames/s."
-        f" With our gains {percents(stable)} of the paper's flights stay stable at {_SLOW:.0f}"
-        " frames/s.",
+        f"{change} {', '.join(_words(evidence, kind) for kind in _CAREFUL)}."
+        f" {1000 * _LATE:.0f} ms of latency leave the paper's filter {percent(delay)} at"
+        f" {_FAST:.0f} frames/s. With our gains {percents(stable)} of the paper's flights stay"
+        f" stable at {_SLOW:.0f} frames/s.",
     )
     text = f"{cases.speaks_for} {cases.speaks_against}"
     if _kept(evidence, EstimatorKind.ON_ARRIVAL, TYPICAL_LATENCY) < _UNHARMED_SHARE:
         return Ruling(Verdict.HOLDS, text, cases)
     if _kept(evidence, EstimatorKind.FINITE_DIFFERENCE, TYPICAL_LATENCY) < _UNHARMED_SHARE:
+        fed = _kept(evidence, EstimatorKind.HELD_SAMPLE, TYPICAL_LATENCY) < _UNHARMED_SHARE
         return Ruling(
             Verdict.CONDITION,
-            "Holds where frames are held and differentiated, or fed again and again, not where each"
-            " is used once. " + text,
+            f"Holds where frames are held and differentiated{', or fed again and again' * fed}, not"
+            f" where each is used once. {text}",
             cases,
         )
     return Ruling(Verdict.FAILS, text, cases)
@@ -144,7 +145,7 @@ def judge_kalman(evidence: Evidence) -> Ruling:
     cases = OpposingCases(
         f"The loop is stable up to {rad_per_s(theirs_prompt)} with the paper's filter when its"
         f" frames are fresh, up to {rad_per_s(theirs)} when they are {1000 * _LATE:.0f} ms old; our"
-        f" gains need {OWN_FREQUENCY:.1f}.",
+        f" gains need {OWN_FREQUENCY:.1f} rad/s.",
         f"With a filter that knows lag and delays it is stable up to {rad_per_s(ours_prompt)} and"
         f" {rad_per_s(ours)}.",
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from shutil import copyfile
 
 from housefly.config.text import read_text_file
 from housefly.errors import ConfigError, RoomError
@@ -57,11 +58,19 @@ def write_site(draft: SiteDraft, folder: Path) -> tuple[Path, ...]:
     paths = []
     for name, text in texts.items():
         path = folder / name
-        if path.is_file() and (before := path.read_text("utf-8")) != text:
-            _written(path.with_name(f"{name}.old"), before)
+        _keep_old(path, text)
         paths.append(_written(path, text))
     save_draft(draft, folder)
     return tuple(paths)
+
+
+def _keep_old(path: Path, text: str) -> None:
+    """Copy a file that says something else, whatever its bytes are."""
+    try:
+        if path.is_file() and path.read_bytes() != text.encode():
+            copyfile(path, path.with_name(f"{path.name}.old"))
+    except OSError as error:
+        raise RoomError(f"{path} cannot be kept as .old: {error.strerror or error}") from error
 
 
 def _written(path: Path, text: str) -> Path:

@@ -12,7 +12,7 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 
 from pydantic import TypeAdapter
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
@@ -110,6 +110,8 @@ class DraftApi:
             size = await self._uploads.keep(request.path_params["name"], request.stream())
         except HouseflyError as error:
             return draft_refusal(error)
+        except ClientDisconnect:
+            return error_response(400, "the browser left before the whole file was here")
         except OSError as error:
             return error_response(507, f"the file cannot be kept: {error.strerror}")
         return JSONResponse({"bytes": size})

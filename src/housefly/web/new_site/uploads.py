@@ -40,20 +40,25 @@ class Uploads:
         others = [file for file in self._folder.iterdir() if file != path]
         if len(others) >= FILES_MAX:
             raise RoomError(f"{FILES_MAX} files are here already: start the page again")
-        size = 0
-        with path.open("wb") as file:
-            async for part in parts:
-                size += len(part)
-                if size > FILE_SIZE_MAX:
-                    break
-                file.write(part)
-        if size > FILE_SIZE_MAX:
-            path.unlink()
-            raise RoomError(
-                f"{name} is larger than {FILE_SIZE_MAX >> 20} MiB: thin the scan out first, 5 cm"
-                " between its points are enough"
-            )
-        return size
+        try:
+            return await _kept(path, parts)
+        except BaseException:  # half a file, whose browser left or whose disk is full, is none
+            path.unlink(missing_ok=True)
+            raise
+
+
+async def _kept(path: Path, parts: AsyncIterator[bytes]) -> int:
+    size = 0
+    with path.open("wb") as file:
+        async for part in parts:
+            size += len(part)
+            if size > FILE_SIZE_MAX:
+                raise RoomError(
+                    f"{path.name} is larger than {FILE_SIZE_MAX >> 20} MiB: thin the scan out"
+                    " first, 5 cm between its points are enough"
+                )
+            file.write(part)
+    return size
 
 
 def _checked(name: str) -> str:

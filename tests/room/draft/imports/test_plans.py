@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from housefly.errors import RoomError
+from housefly.errors import ConfigError, RoomError
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
 from housefly.room.draft.missing import missing
@@ -117,6 +117,40 @@ def test_what_is_no_plan_is_refused_in_words(
 def test_a_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RoomError, match="is no file"):
         imported(SiteDraft("flat"), tmp_path / "plan.svg")
+
+
+def test_blocks_in_blocks_that_never_end_are_refused_at_once(tmp_path: Path) -> None:
+    document = ezdxf.new()
+    document.blocks.new("B0").add_line((0, 0), (6000, 4000))
+    for level in range(1, 10):
+        block = document.blocks.new(f"B{level}")
+        for _ in range(10):
+            block.add_blockref(f"B{level - 1}", (0, 0))
+    document.modelspace().add_blockref("B9", (0, 0))
+    path = tmp_path / "plan.dxf"
+    document.saveas(path)
+    with pytest.raises(RoomError, match="blocks"):
+        imported(SiteDraft("flat"), path)
+
+
+def test_blocks_with_millions_of_lines_are_refused(tmp_path: Path) -> None:
+    document = ezdxf.new()
+    block = document.blocks.new("B")
+    for n in range(500):
+        block.add_line((0, 0), (6000, n))
+    for _ in range(1000):
+        document.modelspace().add_blockref("B", (0, 0))
+    path = tmp_path / "plan.dxf"
+    document.saveas(path)
+    with pytest.raises(RoomError, match="more than 100000"):
+        imported(SiteDraft("flat"), path)
+
+
+@pytest.mark.parametrize("unit", [150.0, 0.001, 0.0, -1.0, 20000.0])
+def test_a_unit_that_makes_no_room_of_a_plan_is_refused(tmp_path: Path, unit: float) -> None:
+    plan = svg(tmp_path, '<rect x="0" y="0" width="6" height="4"/>')
+    with pytest.raises((ConfigError, RoomError), match="unit"):
+        imported(SiteDraft("flat"), plan, ImportHints(unit=unit))
 
 
 def test_a_new_plan_keeps_name_and_tracking(tmp_path: Path) -> None:

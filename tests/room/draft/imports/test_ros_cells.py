@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
+import numpy as np
 import pytest
+from PIL import Image
 
+from housefly.errors import RoomError
 from housefly.room.draft.imports.imported import imported
 from housefly.room.draft.missing import missing
 from housefly.room.draft.model import SiteDraft
@@ -13,6 +17,11 @@ from housefly.room.draft.shapes import room_of_draft
 from housefly.room.draft.site_of_draft import site_of_draft
 from housefly.room.grid import Cell, build_grid
 from housefly.room.ros_map import import_ros_map
+
+YAML = (
+    "image: map.png\nresolution: 0.01\norigin: [0, 0, 0]\nnegate: 0\n"
+    "occupied_thresh: 0.65\nfree_thresh: 0.196\n"
+)
 
 
 @pytest.mark.parametrize("name", ["small_house", "turtlebot3"])
@@ -29,3 +38,18 @@ def test_a_shipped_map_lacks_nothing_and_is_the_room_of_room_import(
     grid = build_grid(draft, site_of_draft(found.draft))
     other = build_grid(room, site_of_draft(found.draft))
     assert ((grid.cells == Cell.FREE) == (other.cells == Cell.FREE)).mean() > 0.99
+
+
+def test_a_picture_of_noise_is_refused_before_its_boxes_are_counted(tmp_path: Path) -> None:
+    pixels = np.random.default_rng(1).choice(np.array([0, 255], np.uint8), (2048, 2048))
+    Image.fromarray(pixels).save(tmp_path / "map.png")
+    (tmp_path / "map.yaml").write_text(YAML)
+    with pytest.raises(RoomError, match="at most 20000"):
+        imported(SiteDraft("noise"), tmp_path / "map.yaml")
+
+
+def test_a_picture_that_is_a_pipe_is_refused_and_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "map.png")
+    (tmp_path / "map.yaml").write_text(YAML)
+    with pytest.raises(RoomError, match=r"no ordinary file"):
+        imported(SiteDraft("pipe"), tmp_path / "map.yaml")

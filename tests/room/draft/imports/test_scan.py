@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.errors import RoomError
 from housefly.room.draft.imports.contracts import ImportHints
 from housefly.room.draft.imports.imported import imported
+from housefly.room.draft.imports.point_cloud import fine_spacing
 from housefly.room.draft.missing import missing
 from housefly.room.draft.model import DraftBox, SiteDraft, with_size
 from housefly.room.draft.shapes import room_of_draft
@@ -144,6 +146,27 @@ def test_what_is_no_scan_is_refused_in_words(
     (tmp_path / name).write_bytes(content)
     with pytest.raises(RoomError, match=words):
         imported(SiteDraft("scan"), tmp_path / name)
+
+
+def test_a_mesh_that_stands_in_a_scene_too_often_is_refused(tmp_path: Path) -> None:
+    cloud = trimesh.PointCloud(np.random.default_rng(1).random((20_000, 3)))
+    files = trimesh.Scene(cloud).export(file_type="gltf")
+    tree = json.loads(files["model.gltf"])
+    mesh = next(node["mesh"] for node in tree["nodes"] if "mesh" in node)
+    tree["nodes"] = [{"mesh": mesh} for _ in range(2000)]
+    tree["scenes"] = [{"nodes": list(range(2000))}]
+    for name, content in (files | {"model.gltf": json.dumps(tree).encode()}).items():
+        (tmp_path / name).write_bytes(content)
+    path = tmp_path / "model.gltf"
+    with pytest.raises(RoomError, match="at most"):
+        imported(SiteDraft("flat"), path)
+
+
+def test_many_large_surfaces_share_the_points_of_one_scan() -> None:
+    parts = [trimesh.creation.box((12.0, 12.0, 0.01)) for _ in range(40)]
+    spacing = fine_spacing(parts, 0.02)
+    assert sum(part.area for part in parts) / spacing**2 <= 8_000_001
+    assert fine_spacing(parts[:1], 0.02) == 0.02
 
 
 def test_a_scan_in_no_usual_unit_asks_for_it(tmp_path: Path) -> None:

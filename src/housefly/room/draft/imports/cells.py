@@ -21,7 +21,15 @@ def boxes_of_cells(
         top: height of the boxes' top [m].
         thing: what they are; their names are it with a number.
         bottom: height that they begin at [m].
+
+    Raises:
+        RoomError: there are more than a room may have.
     """
+    # No two boxes share a lower left corner, so they are at least as many as these.
+    padded = np.pad(mask, ((1, 0), (1, 0)))
+    corners = int((mask & ~padded[:-1, 1:] & ~padded[1:, :-1]).sum())
+    if corners > SCANNED_MAX:
+        raise RoomError(_too_many(corners))
     return tuple(
         DraftBox(
             name=f"{thing} {n}",
@@ -40,10 +48,14 @@ def boxes_of_cells(
 def refuse_too_many(boxes: tuple[DraftBox, ...], name: str) -> None:
     """Raise RoomError when a file makes more boxes than a room may have."""
     if len(boxes) > SCANNED_MAX:
-        raise RoomError(
-            f"{name} needs {len(boxes)} boxes, at most {SCANNED_MAX} are supported: cut out the"
-            " part to fly in, and clean it of single points"
-        )
+        raise RoomError(f"{name}: {_too_many(len(boxes))}")
+
+
+def _too_many(count: int) -> str:
+    return (
+        f"{count} boxes and more are needed, at most {SCANNED_MAX} are supported: cut out the part"
+        " to fly in, and clean it of single points"
+    )
 
 
 def without_holes(known: Mask, rounds: int = 2) -> Mask:

@@ -13,7 +13,8 @@ from housefly.room.draft.imports.plan import PlanLine, plan_draft
 from housefly.room.draft.model import SiteDraft
 
 _DRAWN = frozenset({"LINE", "LWPOLYLINE", "POLYLINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE"})
-_INSERTS_MAX = 5000
+_INSERTS_MAX, _DRAWN_MAX = 5000, 100_000
+"""Blocks inside of blocks are few lines in a file, and endlessly many on the plan."""
 _SAG_SHARE = 1e-3
 """Curves are followed to this share of the drawing's size."""
 _UNITS = {1: 0.0254, 2: 0.3048, 4: 0.001, 5: 0.01, 6: 1.0, 14: 0.1}
@@ -32,11 +33,12 @@ def dxf_plan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
     try:
         document = filemanagement.readfile(path)
         space = document.modelspace()
-        extents = bbox.extents(space, fast=True)
+        drawn = list(_entities(space))
+        extents = bbox.extents(drawn, fast=True)
         size = max(extents.size.x, extents.size.y) if extents.has_data else 1.0
         lines = [
             PlanLine((a.x, a.y), (b.x, b.y), entity.dxf.layer)
-            for entity in _entities(space)
+            for entity in drawn
             for a, b in pairwise(curves.make_path(entity).flattening(size * _SAG_SHARE))
         ]
     except Exception as error:  # a broken file makes its reader fail in any way
@@ -47,12 +49,21 @@ def dxf_plan(draft: SiteDraft, path: Path, hints: ImportHints) -> Imported:
 
 
 def _entities(space: Any) -> Iterator[Any]:
-    """Yield what is drawn, also inside of inserted blocks."""
-    waiting, count = list(space), 0
+    """Yield what is drawn, also inside of inserted blocks; raises ValueError for too many."""
+    waiting, inserts, drawn = [iter(space)], 0, 0
     while waiting:
-        entity = waiting.pop(0)
-        if entity.dxftype() == "INSERT" and count < _INSERTS_MAX:
-            count += 1
-            waiting.extend(entity.virtual_entities())
+        entity = next(waiting[-1], None)
+        if entity is None:
+            waiting.pop()
+        elif entity.dxftype() == "INSERT":
+            inserts += 1
+            if inserts > _INSERTS_MAX:
+                raise ValueError(
+                    f"more than {_INSERTS_MAX} blocks are inserted; leave out what is no wall"
+                )
+            waiting.append(iter(entity.virtual_entities()))
         elif entity.dxftype() in _DRAWN:
+            drawn += 1
+            if drawn > _DRAWN_MAX:
+                raise ValueError(f"more than {_DRAWN_MAX} shapes; leave out what is no wall")
             yield entity

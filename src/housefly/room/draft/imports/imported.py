@@ -7,7 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from housefly.config.text import is_file, shortened
-from housefly.errors import RoomError
+from housefly.errors import ConfigError, RoomError
+from housefly.room.draft.codec import draft_from_json, draft_to_json
 from housefly.room.draft.imports.contracts import Imported, ImportHints
 from housefly.room.draft.imports.dxf_plan import dxf_plan
 from housefly.room.draft.imports.ros_cells import ros_cells
@@ -19,6 +20,9 @@ from housefly.room.draft.suggestions import suggested_pad
 
 FILE_SIZE_MAX = 500_000_000
 """Largest file that is read [bytes]."""
+
+_UNITS = (1e-6, 1000.0)
+"""Metres per unit that may be said."""
 
 _Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
 _IMPORTERS: dict[str, tuple[str, _Importer]] = {
@@ -45,9 +49,17 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
     stay.
 
     Raises:
+        ConfigError: the unit is out of range, or the room has a value that no draft may have.
         RoomError: the file cannot be read, or holds no room; says what to do.
         MissingPartError: its reader is not installed.
     """
+    hints = hints or ImportHints()
+    if hints.unit is not None and not _UNITS[0] <= hints.unit <= _UNITS[1]:
+        raise ConfigError(
+            "unit",
+            f"is {hints.unit:g}; allowed: {_UNITS[0]:g} to {_UNITS[1]:g} metres per unit of the"
+            " file",
+        )
     known = _IMPORTERS.get(path.suffix.lower())
     if known is None:
         raise RoomError(
@@ -72,10 +84,12 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
         frame_points=(),
         source=path.name,
     )
-    found = known[1](empty, path, hints or ImportHints())
-    pad = suggested_pad(found.draft)
+    found = known[1](empty, path, hints)
+    # What a file says is as much from outside as what a page sends.
+    draft = draft_from_json(draft_to_json(found.draft), path.name)
+    pad = suggested_pad(draft)
     if pad is None:
         notes = (*found.notes, "the drone fits nowhere: is the unit of the file right?")
-        return Imported(found.draft, notes)
-    draft = replace(found.draft, pad=pad)
+        return Imported(draft, notes)
+    draft = replace(draft, pad=pad)
     return Imported(replace(draft, places=suggested_places(draft)), found.notes)

@@ -20,6 +20,8 @@ _LINE_MIN = 0.02
 _LINE_THICKNESS = 0.03
 """Walls in a plan are drawn by their faces; each face becomes so thick [m]."""
 _SIDES = (1.5, 80.0)
+_SAID_SIDES = (1.0, 200.0)
+"""Of a plan whose unit was said [m]."""
 _EDGE = 0.1
 """Of the cells that tell inside from outside [m]."""
 _INSIDE_SHARE = 0.4
@@ -136,6 +138,12 @@ def _unit(
 ) -> tuple[float, str]:
     length, width = (float(side) for side in extent)
     if hints.unit is not None:
+        said = [hints.unit * side for side in (length, width)]
+        if not all(_SAID_SIDES[0] <= side <= _SAID_SIDES[1] for side in said):
+            raise RoomError(
+                f"{name} is {said[0]:.4g} m x {said[1]:.4g} m with unit={hints.unit:g}; allowed:"
+                f" {_SAID_SIDES[0]:g} to {_SAID_SIDES[1]:g} m: say another unit"
+            )
         return hints.unit, f"one unit is {hints.unit:g} m, as you said"
     choices = ([declared] if declared else []) + [
         (unit, f"taken for {words}") for unit, words in _UNITS.items()

@@ -16,6 +16,10 @@ SPACING = 0.02
 _COARSE_POINTS = 50_000
 """So many points of all surfaces tell axis and unit."""
 _POINTS_MAX = 4_000_000
+_SAMPLES_MAX = 8_000_000
+"""Most points on all surfaces together."""
+_VERTICES_MAX = 30_000_000
+"""Most points of a file, those of a part counted as often as it stands in the scene."""
 _POINTS_MIN = 500
 _SIDES = (1.5, 60.0)
 """A room is at least and at most so long [m]."""
@@ -49,7 +53,8 @@ def read_point_cloud(path: Path, hints: ImportHints) -> PointCloud:
     coarse = np.vstack([_sampled(part, (area / _COARSE_POINTS) ** 0.5) for part in parts])
     axis, axis_note = _up_axis(coarse, path, hints)
     unit, unit_note = _unit(_turned(coarse, axis), path, hints)
-    points = np.vstack([_sampled(part, SPACING / unit) for part in parts]) * unit
+    spacing = fine_spacing(parts, SPACING / unit)
+    points = np.vstack([_sampled(part, spacing) for part in parts]) * unit
     points = _turned(points, axis)
     if points.shape[0] < _POINTS_MIN:
         raise RoomError(
@@ -72,12 +77,37 @@ def _parts(path: Path) -> list[Any]:
         # Only files beside it may be named inside it, and nothing is fetched.
         with np.errstate(all="ignore"):
             scene = trimesh.load_scene(path, allow_remote=False)
+        _refuse_too_many(scene, path.name)
         found = [part for part in scene.dump() if getattr(part, "vertices", None) is not None]
+    except RoomError:
+        raise
     except Exception as error:  # a broken file makes its reader fail in any way
         raise RoomError(f"{path.name} cannot be read as a scan: {error}") from error
     if not found:
         raise RoomError(f"{path.name} holds neither points nor surfaces")
     return found
+
+
+def _refuse_too_many(scene: Any, name: str) -> None:
+    """Raise RoomError for what a few lines of a file would make of this machine's memory."""
+    parts = (scene.geometry[scene.graph[node][1]] for node in scene.graph.nodes_geometry)
+    count = sum(len(part.vertices) for part in parts if hasattr(part, "vertices"))
+    if count > _VERTICES_MAX:
+        raise RoomError(
+            f"{name} holds {count} points, at most {_VERTICES_MAX} are read: thin the scan out,"
+            " 2 cm between points are enough"
+        )
+
+
+def fine_spacing(parts: list[Any], wanted: float) -> float:
+    """Return how far apart points on the surfaces of all parts are, in the unit of the parts.
+
+    Args:
+        parts: meshes and clouds.
+        wanted: distance unless that makes too many points.
+    """
+    area = sum(float(part.area) for part in parts if _has_faces(part))
+    return max(wanted, float(np.sqrt(area / _SAMPLES_MAX)))
 
 
 def _sampled(part: Any, spacing: float) -> FloatArray:

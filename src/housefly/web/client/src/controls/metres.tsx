@@ -26,6 +26,7 @@ export function Metres({ name, value, set, step = 0.05 }: MetresProps) {
         type="number"
         step={step}
         onBlur={show}
+        onBeforeInput={decimalPoint}
         onInput={(event) =>
           Number.isFinite(event.currentTarget.valueAsNumber) &&
           set(event.currentTarget.valueAsNumber)
@@ -33,4 +34,11 @@ export function Metres({ name, value, set, step = 0.05 }: MetresProps) {
       />
     </label>
   );
+}
+
+/** A comma typed for a decimal point is one: a browser may drop it, and read 6,5 as 65. */
+function decimalPoint(event: InputEvent): void {
+  if (event.data?.split(",").length !== 2) return;
+  event.preventDefault();
+  document.execCommand("insertText", false, event.data.replace(",", "."));
 }
