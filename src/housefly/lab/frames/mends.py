@@ -9,7 +9,7 @@ from housefly.geometry import Vec2, Vec3
 from housefly.lab.frames.findings import FrameFault, FrameFinding
 from housefly.numeric import wrapped
 
-_RIGHT_ANGLE = radians(12.0)
+_RIGHT_ANGLE = radians(7.0)
 """An angle so near to a multiple of 90 degrees is one: no person lays a drone better [rad]."""
 _UNITS = (
     (1000.0, "millimetres"),
