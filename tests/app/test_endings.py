@@ -66,6 +66,7 @@ class Terminal:
             import termios
 
             os.setsid()
+            signal.signal(signal.SIGHUP, signal.SIG_DFL)  # who runs the tests may ignore it
             fcntl.ioctl(0, termios.TIOCSCTTY, 0)
 
         ends = {"stdin": self._slave, "stdout": self._slave, "stderr": self._slave}

@@ -120,6 +120,8 @@ def test_states_people_and_nights_are_answered_over_http_too(
 ) -> None:
     now = time.time()
     room.memory.add(Observation("stove", "stove", now - 3.0, now, facts=(("power", 1420.0),)))
+    assert client.state("stove", "on").answer == "unknown", "nothing listens to it"
+    room.status.add_health_source(lambda: ())
     answer = client.state("stove", "on")
     assert (answer.answer, answer.sources) == ("yes", ("stove",))
     assert answer.words.startswith("Yes: the stove draws 1 420 W, ")
