@@ -5,9 +5,9 @@ from __future__ import annotations
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
 from housefly.messages.flight import OrderKind
-from housefly.pilot.behavior.charge_needed import charge_for
 from housefly.pilot.behavior.mission import Mission, Refused, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.way_home import charge_for
 
 
 def charge_refusal(

@@ -1,10 +1,11 @@
-"""How long the way home takes from where the drone is, asked of the planner now and then."""
+"""The way home from where the drone is: how long it takes, and the charge that it needs."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import inf
 
+from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
 from housefly.messages.steering import PlanAnswer
 
@@ -12,6 +13,10 @@ ASKING_PERIOD = 1.0
 """How often the planner is asked [s]."""
 DETOUR_FACTOR = 2.0
 """Where there is no way at present, one this much longer than the straight line is counted on."""
+LANDING_TIME = 15.0
+"""A landing, with what goes before it, takes no longer than this [s]."""
+RETURN_RESERVE = 0.02
+"""Charge that is left above the floor when a drone that turned home in time stands."""
 
 
 class WayHome:
@@ -39,3 +44,8 @@ class WayHome:
         self.exists = answer.path is not None
         straight = distance(here, self._home) / self._speed
         self.duration = answer.duration if self.exists else DETOUR_FACTOR * straight
+
+
+def charge_for(seconds: float, drain: float, limits: LimitsConfig) -> float:
+    """Return the charge [1] that a flight of so long and a landing need; drain in 1/s."""
+    return limits.battery_floor + RETURN_RESERVE + drain * (seconds + LANDING_TIME)

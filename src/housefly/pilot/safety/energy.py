@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import inf, isfinite, nan
 
 from housefly.config.limits import LimitsConfig
-from housefly.pilot.behavior.charge_needed import LANDING_TIME, charge_for
+from housefly.pilot.behavior.way_home import LANDING_TIME, charge_for
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.timers import Stopwatch, Window
 

@@ -7,13 +7,14 @@ from housefly.pilot.safety.drone_rules import DRONE_RULES
 from housefly.pilot.safety.motion_rules import MOTION_RULES
 from housefly.pilot.safety.rule import SafetyRule
 from housefly.pilot.safety.tracking_rules import TRACKING_RULES
+from housefly.pilot.safety.wind_rules import WIND_RULES
 
 MODE_SEVERITY = {mode: rank for rank, mode in enumerate(SafetyMode)}
 """Rank of each mode; a higher one wins."""
 
 SAFETY_RULES: tuple[SafetyRule, ...] = tuple(
     sorted(
-        (*DRONE_RULES, *TRACKING_RULES, *MOTION_RULES),
+        (*DRONE_RULES, *TRACKING_RULES, *MOTION_RULES, *WIND_RULES),
         key=lambda rule: MODE_SEVERITY[rule.mode],
         reverse=True,
     )

@@ -1,0 +1,102 @@
+"""Rules of the last gate about wind: a take-off that is blown away, a flight that is blown about.
+
+A take-off cannot be steered, and a landing near the floor drifts on for seconds: what counts is
+where the drone would stand if it landed now, not where it is.
+"""
+
+from __future__ import annotations
+
+from math import dist, inf
+
+from housefly.messages.sensing import DroneStatus
+from housefly.messages.steering import SafetyMode
+from housefly.pilot.safety.limits import too_old
+from housefly.pilot.safety.observer import VELOCITY_ERROR_SPAN
+from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
+
+M, N = SafetyMode, Counting
+
+TAKE_OFF_DRIFT = 0.3
+"""Who takes off and would stand farther aside than this if it landed now is blown away [m]."""
+LANDING_TURN, LANDING_RISE, LANDING_SINK = 0.9, 0.1, 0.15
+"""A landing out of a climb near the floor: it still rises for so long [s] and so far [m], then
+sinks slowly [m/s].
+"""
+TAKE_OFF_ABORT_HEIGHT = 0.12
+"""Who is blown away below this is stopped at once, because a landing drifts on for 2 s [m]."""
+STEERABLE_AT, STEERABLE_RATE = 0.95, 0.25
+"""The drone can be steered from this height on [m], and climbs there so fast at least [m/s]."""
+BLOWN_ABOUT = 0.15
+"""A velocity error above this for seconds (rms) is wind; still air leaves 0.03 [m/s]."""
+
+
+def _rise(c: RuleContext) -> float:
+    """Return how far above where it stood the drone is [m]; infinite where that is unknown."""
+    if c.now.position is None or too_old(c.now.pose_age, c.limits.pose_age_level):
+        return inf
+    return c.now.position[2] - c.seen.standing_height
+
+
+def _own_height(c: RuleContext) -> float:
+    """Return how high the drone says it is [m]; infinite where it says nothing."""
+    return c.now.telemetry.height if c.now.telemetry else inf
+
+
+def _drift(c: RuleContext) -> float:
+    """Return how far from where it took off a drone that landed now would stand [m].
+
+    0 where that is unknown, and where climbing on until it can be steered is the shorter way.
+    """
+    start, position, drift = c.seen.start, c.now.position, c.seen.drift
+    if start is None or position is None or drift is None:
+        return 0.0
+    landing = LANDING_TURN + (_rise(c) + LANDING_RISE) / LANDING_SINK
+    if landing > (STEERABLE_AT - position[2]) / STEERABLE_RATE:
+        return 0.0
+    rest = (p + landing * v for p, v in zip(position[:2], drift, strict=True))
+    return dist(tuple(rest), start)
+
+
+WIND_RULES: tuple[SafetyRule, ...] = (
+    SafetyRule(
+        code="take_off_drift",
+        mode=M.LAND,
+        counts=N.AIRBORNE,
+        condition="blown aside while it takes off",
+        broken=lambda c: c.now.status is DroneStatus.TAKING_OFF and _drift(c) > TAKE_OFF_DRIFT,
+        words=lambda c: (
+            f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m): landing"
+        ),
+        clears=Clearing.GROUND,
+    ),
+    SafetyRule(
+        code="take_off_aborted",
+        mode=M.CUT,
+        counts=N.AIRBORNE,
+        condition="blown aside with its feet hardly off the floor",
+        broken=lambda c: (
+            c.now.status is DroneStatus.TAKING_OFF
+            and _drift(c) > TAKE_OFF_DRIFT
+            and max(_rise(c), _own_height(c)) < TAKE_OFF_ABORT_HEIGHT
+        ),
+        words=lambda c: (
+            f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m) and only"
+            f" {max(_rise(c), 0.0):.2f} m up: cutting the motors"
+        ),
+        clears=Clearing.RESET,
+    ),
+    SafetyRule(
+        code="blown_about",
+        mode=M.LAND,
+        counts=N.CRUISE,
+        condition="gusts: it moves otherwise than told for seconds",
+        broken=lambda c: c.seen.velocity_error > BLOWN_ABOUT,
+        words=lambda c: (
+            f"blown about: {c.seen.velocity_error:.2f} m/s off the wanted velocity for"
+            f" {VELOCITY_ERROR_SPAN:.0f} s (limit {BLOWN_ABOUT:g} m/s): landing"
+        ),
+        after=1.0,
+        clears=Clearing.GROUND,
+        steered=True,
+    ),
+)
