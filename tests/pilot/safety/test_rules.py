@@ -253,6 +253,18 @@ def test_a_take_off_is_not_cut_short_for_a_drift_that_nobody_saw(
     assert times("take_off_aborted", blown, 0.5) == []
 
 
+def test_a_noisy_velocity_is_no_drift_and_one_hard_stop_no_gusts() -> None:
+    def noisy(inputs: GateInputs, t: float) -> GateInputs:
+        side = 0.12 if round(t / TICK) % 2 else -0.12
+        return replace(taking_off(0.05, 0.15)(inputs, t), velocity=(side, 0.0, 0.2))
+
+    def stopping(inputs: GateInputs, t: float) -> GateInputs:
+        return replace(inputs, velocity=(max(0.0, 0.8 - t), 0.0, 0.0))
+
+    assert times("take_off_drift", noisy, 1.0) == []
+    assert times("blown_about", stopping, 5.0) == []
+
+
 def test_a_height_that_was_carried_on_through_blindness_is_not_told_as_seen() -> None:
     assert times("too_high", at(2.6, pose_age=0.3), 1.0) == []
     assert times("too_high", at(float("nan"), pose_age=0.3), 1.0)

@@ -45,7 +45,8 @@ def can_steer_landing(c: RuleContext) -> bool:
     is_high = c.now.position is not None and c.now.position[2] > LAST_HEIGHT + 0.05
     is_in_time = c.seen.landing_for < STEERED_MAX and not c.seen.late_steps
     is_near = control_error(c.now) < STEERED_ERROR_MAX
-    return is_flying and is_high and is_in_time and is_near and knows_place(c)
+    is_free = is_flying and not c.now.stopped
+    return is_free and is_high and is_in_time and is_near and knows_place(c)
 
 
 def knows_height(c: RuleContext) -> bool:
