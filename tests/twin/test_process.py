@@ -214,7 +214,7 @@ async def test_it_writes_the_truth_while_its_tracking_lies_and_stamps_it_with_ou
     tracker = ViconTracker(TrackingConfig(address=loopback), RealClock())
     sightings: list[Sighting] = []
     tracking = asyncio.create_task(tracker.run(sightings.extend))
-    while not any(seen.body == "ardrone" for seen in sightings):
+    while not any(seen.body == "ardrone" for seen in sightings) or not file.stat().st_size:
         await asyncio.sleep(0.02)
     tracking.cancel()
     await asyncio.gather(tracking, return_exceptions=True)

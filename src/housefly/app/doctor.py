@@ -14,10 +14,7 @@ from housefly.app.loaded_site import open_site
 from housefly.app.ports import PortNeed, port_needs
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
-from housefly.room.edits import reached_from
-from housefly.room.grid import OccupancyGrid
-from housefly.room.model import Place
-from housefly.room.reach import Mask
+from housefly.room.edits import is_reached, reached_from
 
 _RENDER_PROBE = "import mujoco; c = mujoco.GLContext(8, 8); c.make_current(); c.free()"
 
@@ -145,7 +142,7 @@ def check_room(site: Site) -> MachineCheck:
         return MachineCheck("room", False, str(error), "mend that file, or: housefly new")
     reached = reached_from(loaded.grid, loaded.room.home)
     places = loaded.room.places
-    lost = [place.name for place in places if not _is_marked(loaded.grid, reached, place)]
+    lost = [place.name for place in places if not is_reached(reached, loaded.grid, place.viewpoint)]
     if "home" in lost:
         found = "the drone cannot start: the pad is too close to something"
         return MachineCheck("room", False, found, "move the pad: housefly room show draws the room")
@@ -154,11 +151,6 @@ def check_room(site: Site) -> MachineCheck:
     if lost:
         return MachineCheck("room", False, f"{found}; no way leads to {', '.join(lost)}", remedy)
     return MachineCheck("room", True, f"{found}, a way leads to each")
-
-
-def _is_marked(grid: OccupancyGrid, reached: Mask, place: Place) -> bool:
-    cell = grid.cell_of(place.viewpoint)
-    return grid.contains(cell) and bool(reached[cell])
 
 
 def _hardware(site: Site) -> MachineCheck:

@@ -22,6 +22,7 @@ from housefly.hub.room_status import RoomStatus
 from housefly.hub.sensor_status import SensorStatus
 from housefly.hub.situation_service import SituationService
 from housefly.hub.situations.device_traits import device_traits_of
+from housefly.hub.situations_at import MEMORY_STARTED
 from housefly.hub.store.open import open_site_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.hub.wall_clock import WallClock
@@ -81,7 +82,7 @@ class Hub:
 
     async def run(self) -> None:
         """Run the drivers until cancelled."""
-        self.memory.add(RoomEvent("memory started", "hub", self.clock.now(), "hub"))
+        self.memory.add(RoomEvent(MEMORY_STARTED, "hub", self.clock.now(), "hub"))
         async with asyncio.TaskGroup() as tasks:
             for sensor in self._sensors:
                 tasks.create_task(sensor.run(self.memory.add))

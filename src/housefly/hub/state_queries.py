@@ -2,33 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
 
 from housefly.errors import WireError
 from housefly.hub.api.questions import StateQuestion
 from housefly.hub.api.state_answers import PersonAnswer, StateAnswer, Verdict
-from housefly.hub.device_states import (
-    DEVICE_STATES,
-    DeviceProperty,
-    DeviceVerdict,
-    device_verdict,
-    heartbeat_of,
-    strength,
-    telling_fact,
-    tells,
-)
+from housefly.hub.device_reports import LastReport, reports_on, why_no_report, why_not_believed
+from housefly.hub.device_states import DEVICE_STATES, DeviceProperty
 from housefly.hub.person_status import RoomMoment, evidence_sources, lasting_words, spoken_name
 from housefly.hub.situations.appliance import APPLIANCE_ON, CONTACT_OPEN
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
 from housefly.hub.things.thing import Thing
 from housefly.hub.things.words import age_words
-from housefly.messages import Observation
 
-_MISSED_BEATS = 2.0
-"""After this many heartbeats without a word a device is silent."""
-_DEVICE_CONFIDENCE = 0.95
-"""Confidence in a device that reports."""
+_DEVICE_CONFIDENCE, _DISPUTED_CONFIDENCE = 0.95, 0.825
+"""Confidence in a device that reports, and in one that another contradicts."""
 
 PERSON_STATES: dict[str, Callable[[PersonAnswer], bool]] = {
     "lying": lambda who: who.posture == "lying",
@@ -50,22 +38,6 @@ STATE_WORDS = tuple(
 """Every word for a state, the longest first."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Report:
-    """The last report of one device about a state, and whether it may be believed still."""
-
-    sample: Observation
-    verdict: DeviceVerdict
-    fact: str
-    silent_for: float | None
-    is_kept: bool
-    is_offline: bool
-
-    @property
-    def is_fresh(self) -> bool:
-        return self.silent_for is None and not self.is_kept and not self.is_offline
-
-
 def device_answer(
     question: StateQuestion,
     thing: Thing,
@@ -83,30 +55,16 @@ def device_answer(
         was_on: whether a thing was on when last decided; for a power in between.
     """
     wanted, positive = _device_state(question.state)
-    reports = sorted(
-        (
-            report
-            for device in _devices_of(thing, devices)
-            if (report := _report(moment, device, wanted, devices)) is not None
-        ),
-        # A device of any name may speak on our own topics: it does not outvote one that was named.
-        key=lambda report: (
-            not report.is_fresh,
-            report.sample.source not in devices,
-            strength(report.fact),
-            report.sample.source,
-        ),
-    )
+    reports = reports_on(thing, wanted, moment, devices)
     if not reports:
-        is_past = question.at is not None
-        why = _no_report(thing, question.state, wanted, devices, is_past)
+        why = why_no_report(thing, question.state, wanted, devices, question.at is not None)
         return _unknown(question, thing, why, None, ())
     best = reports[0]
     age = max(0.0, moment.at - best.sample.captured_at)
     who, sources = spoken_name(thing.name), (best.sample.source,)
     told_of = traits_of(devices, best.sample.source).thing
     if not (best.is_fresh and moment.known):
-        return _unknown(question, thing, _silence(best, moment, len(reports)), age, sources)
+        return _unknown(question, thing, why_not_believed(best, moment, len(reports)), age, sources)
     holds = best.verdict.holds
     if holds is None and wanted is DeviceProperty.ON:
         holds = was_on(told_of)
@@ -119,7 +77,7 @@ def device_answer(
     others = _others(reports[1:], holds)
     verdict: Verdict = "yes" if holds is positive else "no"
     words = f"{verdict.capitalize()}: {said}{lasting}{others}"
-    confidence = _DEVICE_CONFIDENCE if not others else 0.5 * (1.0 + _DEVICE_CONFIDENCE) - 0.15
+    confidence = _DISPUTED_CONFIDENCE if others else _DEVICE_CONFIDENCE
     return StateAnswer(
         thing.id, thing.name, question.state, verdict, words, confidence, age, since, sources
     )
@@ -171,52 +129,7 @@ def _verdict_of_presence(present: Verdict, wanted: Verdict) -> Verdict:
     return "yes" if present == wanted else "no"
 
 
-def _devices_of(thing: Thing, devices: Mapping[str, DeviceTraits]) -> tuple[str, ...]:
-    own = tuple(device for device, traits in devices.items() if traits.thing == thing.id)
-    return tuple(dict.fromkeys((thing.id, *own)))
-
-
-def _report(
-    moment: RoomMoment, device: str, wanted: DeviceProperty, devices: Mapping[str, DeviceTraits]
-) -> _Report | None:
-    """Return the last report of a device about itself; None when it tells nothing of a state."""
-    if device not in {thing.id for thing in moment.world.things}:
-        return None
-    sample = next(
-        (s for s in moment.world.latest_observations(device) if s.source == device and s.valid),
-        None,
-    )
-    facts = dict(sample.facts) if sample is not None else {}
-    fact = telling_fact(wanted, facts)
-    if sample is None or not fact:
-        return None
-    traits = traits_of(devices, device)
-    verdict = device_verdict(wanted, fact, facts, traits)
-    age = moment.at - sample.captured_at
-    is_silent = age > _MISSED_BEATS * heartbeat_of(fact, traits)
-    kept = facts.get("retained") is True and sample.captured_at == sample.received_at
-    gone = device in moment.offline
-    return _Report(sample, verdict, fact, age if is_silent else None, kept, gone)
-
-
-def _silence(report: _Report, moment: RoomMoment, count: int) -> str:
-    """Return why the newest report is not believed."""
-    its = "its sensor" if count == 1 else "every sensor of it"
-    if report.is_kept:
-        return (
-            f"{its} was not heard yet; the broker kept that it {report.verdict.past} at some time"
-        )
-    ago = age_words(max(0.0, moment.at - report.sample.captured_at))
-    if report.is_offline:
-        return f"{its} says that it is offline; it {report.verdict.past}, {ago}"
-    if report.silent_for is None:
-        return f"nothing listens to it now; it {report.verdict.past}, {ago}"
-    lasting = lasting_words(report.silent_for)
-    listens = "" if moment.known else "; nothing listens to it now"
-    return f"{its} has been silent{lasting}; then it {report.verdict.past}{listens}"
-
-
-def _others(reports: list[_Report], holds: bool) -> str:
+def _others(reports: Sequence[LastReport], holds: bool) -> str:
     """Return what other sensors say that says otherwise, "" when none does."""
     against = [
         f"{report.sample.source} says that it {report.verdict.clause}"
@@ -233,29 +146,6 @@ _LASTING = {DeviceProperty.ON: APPLIANCE_ON, DeviceProperty.OPEN: CONTACT_OPEN}
 def _since(moment: RoomMoment, thing: str, wanted: DeviceProperty) -> float | None:
     held = (s for s in moment.situations if s.kind == _LASTING.get(wanted) and s.thing == thing)
     return next((s.since for s in held), None)
-
-
-def _no_report(
-    thing: Thing,
-    state: str,
-    wanted: DeviceProperty,
-    devices: Mapping[str, DeviceTraits],
-    is_past: bool,
-) -> str:
-    """Return why nobody ever told: no sensor that could, or none that spoke."""
-    able = [
-        device
-        for device in _devices_of(thing, devices)
-        if device in devices and tells(devices[device].kind, wanted)
-    ]
-    if able and is_past:
-        return f"its sensor had not been heard by then ({', '.join(able)})"
-    if able:
-        return f"its sensor was never heard ({', '.join(able)}; housefly sensors says why)"
-    return (
-        f"no sensor tells whether {spoken_name(thing.name)} is {state};"
-        " mqtt.sensors in the site file names one (docs/devices.md)"
-    )
 
 
 def _unknown(

@@ -164,7 +164,7 @@ def _check_place(
             f" {allowed}",
             item,
         )
-    if _at(reached, bare, edit.viewpoint):
+    if is_reached(reached, bare, edit.viewpoint):
         return
     why = blocked_words(bare, edit.viewpoint, site)
     raise EditsError(
@@ -214,10 +214,10 @@ def _check_zone(zone: NoFlyZone, item: str, room: Room, resolution: float) -> No
 
 def _check_ways(changed: Room, site: Site, bare: OccupancyGrid, reached: Mask) -> None:
     """Refuse zones that cut off reachable places; the error names the first such zone."""
-    counted = [place for place in changed.places if _at(reached, bare, place.viewpoint)]
+    counted = [place for place in changed.places if is_reached(reached, bare, place.viewpoint)]
     for number, grid in _grids(changed, site, counted):
         left = reached_from(grid, changed.home)
-        lost = [place for place in counted if not _at(left, grid, place.viewpoint)]
+        lost = [place for place in counted if not is_reached(left, grid, place.viewpoint)]
         if lost:
             zone = site.edits.zones[number]
             names = ", ".join(place.title or place.name for place in lost)
@@ -245,7 +245,7 @@ def _grids(room: Room, site: Site, places: list[Place]) -> Iterator[tuple[int, O
 
 def _all_reached(grid: OccupancyGrid, room: Room, places: list[Place]) -> bool:
     reached = reached_from(grid, room.home)
-    return all(_at(reached, grid, place.viewpoint) for place in places)
+    return all(is_reached(reached, grid, place.viewpoint) for place in places)
 
 
 def reached_from(grid: OccupancyGrid, home: Vec2) -> Mask:
@@ -259,9 +259,10 @@ def reached_from(grid: OccupancyGrid, home: Vec2) -> Mask:
     )
 
 
-def _at(mask: Mask, grid: OccupancyGrid, point: Vec2) -> bool:
+def is_reached(reached: Mask, grid: OccupancyGrid, point: Vec2) -> bool:
+    """Return whether the cell of a point [m] is on the grid, and among those reached."""
     cell = grid.cell_of(point)
-    return grid.contains(cell) and bool(mask[cell])
+    return grid.contains(cell) and bool(reached[cell])
 
 
 def _instead(grid: OccupancyGrid, reached: Mask, point: Vec2) -> str:

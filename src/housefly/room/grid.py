@@ -164,22 +164,23 @@ def _grid(
         site.map.flight_height - site.map.half_band,
         site.map.flight_height + site.map.half_band,
     )
-    xs, ys = _middles(rectangle, resolution)
+    xs, ys = cell_middles(rectangle, resolution)
     cap = hypot(room.bounds[2] - room.bounds[0], room.bounds[3] - room.bounds[1])
     clearance = clearance_field(rows, xs, ys, cap)
     cells = np.full(clearance.shape, Cell.FREE, dtype=np.uint8)
     cells[clearance < keep] = Cell.INFLATED
     for obstacle in virtual:
-        cells[_inside(obstacle, xs, ys)] = Cell.VIRTUAL
+        cells[in_rectangle(obstacle.rectangle, xs, ys)] = Cell.VIRTUAL
     cells[~_on_reachable_floor(room, rows, min(resolution, _FINE_EDGE), xs, ys, cap)] = Cell.OUTSIDE
     covered = covered_shares(rows, xs, ys, resolution, clearance) > _COVERED_SHARE
     cells[covered | (clearance == 0.0)] = Cell.OCCUPIED
     return OccupancyGrid((rectangle[0], rectangle[1]), resolution, cells, clearance)
 
 
-def _middles(
+def cell_middles(
     rectangle: tuple[float, float, float, float], resolution: float
 ) -> tuple[FloatArray, FloatArray]:
+    """Return x and y of the middles of the cells that cover a rectangle [m]."""
     x_min, y_min, x_max, y_max = rectangle
     nx = max(1, round((x_max - x_min) / resolution))
     ny = max(1, round((y_max - y_min) / resolution))
@@ -189,10 +190,11 @@ def _middles(
     )
 
 
-def _inside(
-    obstacle: VirtualObstacle | NoFlyZone, xs: FloatArray, ys: FloatArray
+def in_rectangle(
+    rectangle: tuple[float, float, float, float], xs: FloatArray, ys: FloatArray
 ) -> NDArray[np.bool_]:
-    x_min, y_min, x_max, y_max = obstacle.rectangle
+    """Return which points of a grid lie in a rectangle, edges included [m]."""
+    x_min, y_min, x_max, y_max = rectangle
     return ((xs >= x_min) & (xs <= x_max))[:, None] & ((ys >= y_min) & (ys <= y_max))[None, :]
 
 
@@ -200,7 +202,7 @@ def _on_reachable_floor(
     room: Room, rows: FloatArray, fine: float, xs: FloatArray, ys: FloatArray, cap: float
 ) -> NDArray[np.bool_]:
     """Return which points a point-sized drone can reach from home without touching a footprint."""
-    fine_xs, fine_ys = _middles(room.bounds, fine)
+    fine_xs, fine_ys = cell_middles(room.bounds, fine)
     reached = reachable(
         clearance_field(rows, fine_xs, fine_ys, cap), fine_xs, fine_ys, fine, room.home
     )

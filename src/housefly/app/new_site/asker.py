@@ -27,7 +27,14 @@ class Asker(Protocol):
         ...
 
 
-class TerminalAsker:
+class _Printer:
+    def tell(self, words: str) -> None:
+        """Print lines, set in from the questions."""
+        for line in words.splitlines() or [""]:
+            console.print(f"  {line}", markup=False, soft_wrap=True)
+
+
+class TerminalAsker(_Printer):
     """Reads lines from the standard input; a script's are shown, so that its output reads whole."""
 
     def __init__(self) -> None:
@@ -49,13 +56,8 @@ class TerminalAsker:
         self.typed += len(line)
         return line.strip()
 
-    def tell(self, words: str) -> None:
-        """Print lines, set in from the questions."""
-        for line in words.splitlines() or [""]:
-            console.print(f"  {line}", markup=False, soft_wrap=True)
 
-
-class DefaultsAsker:
+class DefaultsAsker(_Printer):
     """Takes every default: what ``--yes`` does."""
 
     is_patient = False
@@ -64,8 +66,3 @@ class DefaultsAsker:
         """Return Enter."""
         console.print(f"{words} [{default}]" if default else words, markup=False)
         return ""
-
-    def tell(self, words: str) -> None:
-        """Print lines, set in from the questions."""
-        for line in words.splitlines() or [""]:
-            console.print(f"  {line}", markup=False, soft_wrap=True)

@@ -134,7 +134,7 @@ class NewSiteDialog:
         if text in ("help", "?"):
             self._asker.tell(f"{question.help}\n{ANY_TIME}")
         elif text == "missing":
-            self._tell("", list(missing(self.draft)) or [])
+            self._tell("", list(missing(self.draft)))
         elif text == "map":
             self._asker.tell(map_words(self.draft))
         elif text == "quit":

@@ -10,7 +10,7 @@ from housefly.room.draft.missing import DraftStep
 from housefly.room.draft.model import SiteDraft
 from housefly.room.draft.suggestions import suggested_pad
 
-_FILES = " ".join(suffix for suffix, _ in IMPORT_SUFFIXES)
+_FILES = " ".join(IMPORT_SUFFIXES)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from housefly.hub.situations.confidence import freshness
 from housefly.hub.situations.device_traits import DeviceTraits, traits_of
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
@@ -15,6 +15,7 @@ from housefly.hub.situations.situation import (
     Situation,
     fact,
     flag,
+    is_undated,
     number,
 )
 from housefly.messages import Facts, Observation, RoomEvent
@@ -57,8 +58,8 @@ class Appliances:
         """Add what a switch, a power meter or a contact reports about itself."""
         if not isinstance(item, Observation) or not item.valid or item.thing != item.source:
             return
-        if flag(item, "retained") and item.captured_at == item.received_at:
-            return  # the broker kept it from nobody knows when
+        if is_undated(item):
+            return
         traits, power = traits_of(self._devices, item.source), number(item, "power")
         kind, state = _state_in(item)
         if power is None and (state is None or _is_metered(traits, kind, self._metered)):
@@ -82,8 +83,7 @@ class Appliances:
 
     def active(self) -> tuple[Situation, ...]:
         """Return what is on or open."""
-        rows = sorted(self._appliances.items())
-        return tuple(own.hysteresis.situation for _, own in rows if own.hysteresis.situation)
+        return claimed_by(own.hysteresis for _, own in sorted(self._appliances.items()))
 
     def _appliance(self, device: str, traits: DeviceTraits, kind: str) -> _Appliance:
         heartbeat = traits.heartbeat or KINDS[_HEARTBEAT_OF[kind]].heartbeat

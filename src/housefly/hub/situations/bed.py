@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from housefly.hub.situations.confidence import freshness
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
@@ -60,11 +60,7 @@ class Beds:
 
     def active(self) -> tuple[Situation, ...]:
         """Return the occupied beds."""
-        return tuple(
-            bed.hysteresis.situation
-            for bed in self._beds.values()
-            if bed.hysteresis.situation is not None
-        )
+        return claimed_by(bed.hysteresis for bed in self._beds.values())
 
     def occupied(self, bed: str, now: float) -> bool | None:
         """Return whether a bed is loaded at a time [s], without hysteresis; None if unknown."""

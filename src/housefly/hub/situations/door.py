@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from housefly.hub.situations.confidence import freshness
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.situation import (
     SOURCE_PREFIX,
     Assessment,
@@ -89,11 +89,7 @@ class Doors:
 
     def active(self) -> tuple[Situation, ...]:
         """Return the doors that stand open too long."""
-        return tuple(
-            door.hysteresis.situation
-            for _, door in sorted(self._doors.items())
-            if door.hysteresis.situation is not None
-        )
+        return claimed_by(door.hysteresis for _, door in sorted(self._doors.items()))
 
     def _assess(self, name: str, door: _Door, now: float) -> Assessment | None:
         confidence = _CONTACT_CONFIDENCE * freshness(now - door.heard, DOOR_HEARTBEAT)

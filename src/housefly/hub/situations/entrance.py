@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from housefly.hub.situations.confidence import freshness, noisy_or
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.person_tracks import PersonTracks
 from housefly.hub.situations.situation import (
@@ -72,7 +72,7 @@ class Entrance:
 
     def active(self) -> tuple[Situation, ...]:
         """Return the situation that someone is there, if so."""
-        return (self._hysteresis.situation,) if self._hysteresis.situation is not None else ()
+        return claimed_by((self._hysteresis,))
 
     def _note_people(self, now: float) -> None:
         here = {person for person in self._tracks.people() if self._is_before_the_door(person, now)}

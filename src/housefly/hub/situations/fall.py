@@ -7,11 +7,12 @@ from math import inf
 
 from housefly.hub.situations.bed import Beds
 from housefly.hub.situations.confidence import KNOWN_THRESHOLD, noisy_or
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.layout import Layout
+from housefly.hub.situations.person_detector import PersonDetector
 from housefly.hub.situations.person_tracks import PersonTrack, PersonTracks
 from housefly.hub.situations.posture import features_of, is_down
-from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, DetectorInput, Situation
+from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Situation
 from housefly.messages import Facts, RoomEvent
 
 FALLEN = "person fallen"
@@ -64,21 +65,12 @@ class _Watch:
             self.upright_at = at
 
 
-class Falls:
-    """Detects who may have fallen.
-
-    Args:
-        tracks: where people are; fed by whoever owns it.
-        beds: which beds are occupied; likewise.
-        layout: where one sits and lies.
-    """
+class Falls(PersonDetector):
+    """Detects who may have fallen."""
 
     def __init__(self, tracks: PersonTracks, beds: Beds, layout: Layout) -> None:
-        self._tracks, self._beds, self._layout = tracks, beds, layout
+        super().__init__(tracks, beds, layout)
         self._watches: dict[str, _Watch] = {}
-
-    def add(self, item: DetectorInput) -> None:
-        """Ignore the item: all that counts comes through tracks and beds."""
 
     def update(self, now: float) -> tuple[RoomEvent, ...]:
         """Return who fell, or got up again, up to a time [s]."""
@@ -90,8 +82,7 @@ class Falls:
 
     def active(self) -> tuple[Situation, ...]:
         """Return who may have fallen and lies there still."""
-        rows = sorted(self._watches.items())
-        return tuple(w.hysteresis.situation for _, w in rows if w.hysteresis.situation)
+        return claimed_by(watch.hysteresis for _, watch in sorted(self._watches.items()))
 
     def _assess(self, person: str, watch: _Watch, now: float) -> Assessment | None:
         track = self._telling(person, now)

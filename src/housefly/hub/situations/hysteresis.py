@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from housefly.hub.situations.confidence import CLAIM_THRESHOLD, KNOWN_THRESHOLD
@@ -103,3 +103,8 @@ class Hysteresis:
                 evidence=found.evidence,
                 facts=found.facts,
             )
+
+
+def claimed_by(rows: Iterable[Hysteresis]) -> tuple[Situation, ...]:
+    """Return the situations that are claimed, in the order given."""
+    return tuple(row.situation for row in rows if row.situation is not None)

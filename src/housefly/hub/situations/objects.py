@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from housefly.geometry import Vec3
 from housefly.hub.situations.actor import NO_ACTOR, Actor, actor_near
 from housefly.hub.situations.contents import ContentsDetector
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.layout import Layout
 from housefly.hub.situations.move import PUT, TAKEN, Move
 from housefly.hub.situations.person_tracks import PersonTracks
@@ -55,11 +55,7 @@ class Objects:
 
     def active(self) -> tuple[Situation, ...]:
         """Return what is missing."""
-        return tuple(
-            hysteresis.situation
-            for _, hysteresis in sorted(self._states.items())
-            if hysteresis.situation is not None
-        )
+        return claimed_by(hysteresis for _, hysteresis in sorted(self._states.items()))
 
     def _event(self, move: Move) -> RoomEvent:
         actor = self._actor(move)

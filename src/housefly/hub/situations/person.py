@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from housefly.hub.situations.bed import Beds
-from housefly.hub.situations.hysteresis import Hysteresis
+from housefly.hub.situations.hysteresis import Hysteresis, claimed_by
 from housefly.hub.situations.layout import Layout
+from housefly.hub.situations.person_detector import PersonDetector
 from housefly.hub.situations.person_tracks import SPEED_WINDOW, PersonTrack, PersonTracks
 from housefly.hub.situations.posture import (
     LYING,
@@ -17,7 +18,7 @@ from housefly.hub.situations.posture import (
     features_of,
     rule_for,
 )
-from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, DetectorInput, Situation
+from housefly.hub.situations.situation import SOURCE_PREFIX, Assessment, Situation
 from housefly.hub.situations.sleeping import assess_sleeper
 from housefly.messages import Facts, RoomEvent
 
@@ -39,21 +40,12 @@ class _PersonState:
     posture: Hysteresis
 
 
-class People:
-    """Detects presence and posture of everybody whom a source sees.
-
-    Args:
-        tracks: where people are; fed by whoever owns it.
-        beds: which beds are occupied; likewise.
-        layout: where one sits and lies.
-    """
+class People(PersonDetector):
+    """Detects presence and posture of everybody whom a source sees."""
 
     def __init__(self, tracks: PersonTracks, beds: Beds, layout: Layout) -> None:
-        self._tracks, self._beds, self._layout = tracks, beds, layout
+        super().__init__(tracks, beds, layout)
         self._states: dict[str, _PersonState] = {}
-
-    def add(self, item: DetectorInput) -> None:
-        """Ignore the item: all that counts comes through tracks and beds."""
 
     def update(self, now: float) -> tuple[RoomEvent, ...]:
         """Return who came, left, walked, stood, sat or lay down up to a time [s]."""
@@ -70,10 +62,7 @@ class People:
     def active(self) -> tuple[Situation, ...]:
         """Return who is present, and their postures."""
         rows = [state for _, state in sorted(self._states.items())]
-        claims = (
-            hysteresis.situation for row in rows for hysteresis in (row.presence, row.posture)
-        )
-        return tuple(claim for claim in claims if claim is not None)
+        return claimed_by(claim for row in rows for claim in (row.presence, row.posture))
 
     def _presence(
         self, person: str, posture: Assessment | None, hysteresis: Hysteresis, now: float

@@ -92,6 +92,11 @@ def number(item: DetectorInput, name: str) -> float | None:
     )
 
 
+def is_undated(sample: Observation) -> bool:
+    """Return whether the broker kept a report from nobody knows when."""
+    return flag(sample, "retained") is True and sample.captured_at == sample.received_at
+
+
 def flag(item: DetectorInput, name: str) -> bool | None:
     """Return a fact that is a boolean, None if it is absent or something else."""
     value = fact(item, name)

@@ -90,9 +90,9 @@ def tracking_tree(tracking: DraftTracking, fit: RigidFit | None = None) -> dict[
     return tree
 
 
-def tracking_config(tracking: DraftTracking, fit: RigidFit | None = None) -> TrackingConfig:
+def tracking_config(tracking: DraftTracking) -> TrackingConfig:
     """Return the part of a site about tracking; raises ConfigError for the first bad key."""
-    return validated(TrackingConfig, tracking_tree(tracking, fit), "tracking")
+    return validated(TrackingConfig, tracking_tree(tracking), "tracking")
 
 
 def suggested_places(draft: SiteDraft) -> tuple[DraftPlace, ...]:

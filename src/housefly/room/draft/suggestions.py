@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -12,7 +11,14 @@ from housefly.geometry import Vec2
 from housefly.room.distance import clearance_field, footprints
 from housefly.room.draft.model import SiteDraft
 from housefly.room.draft.shapes import shell_of_draft
-from housefly.room.grid import Cell, OccupancyGrid, build_grid, inflation
+from housefly.room.grid import (
+    Cell,
+    build_grid,
+    cell_middles,
+    extent_of,
+    in_rectangle,
+    inflation,
+)
 from housefly.room.model import Room
 from housefly.room.spots import PROFILES, ClearanceProfile, largest_area, site_for
 
@@ -54,15 +60,16 @@ def _roomiest(
     """Return the roomiest point of the largest flyable part, and its share of all parts."""
     site = site_for(manner)
     grid = build_grid(room, changed(site, map__flight_height=draft.flight_height))
-    flyable = (grid.clearance >= inflation(site)) & ~_in_zones(grid, draft)
+    xs, ys = cell_middles(extent_of(grid), grid.resolution)
+    flyable = grid.clearance >= inflation(site)
+    for zone in draft.zones:
+        flyable &= ~in_rectangle(zone.rectangle, xs, ys)
     if connected_to_home:
         flyable &= grid.cells != Cell.OUTSIDE
     area = largest_area(flyable)
     if area is None:
         return None, 0.0
     x_min, y_min, x_max, y_max = room.bounds
-    xs = grid.origin[0] + (np.arange(grid.shape[0], dtype=np.float64) + 0.5) * grid.resolution
-    ys = grid.origin[1] + (np.arange(grid.shape[1], dtype=np.float64) + 0.5) * grid.resolution
     edge_x = np.minimum(xs - x_min, x_max - xs)[:, None]
     edge_y = np.minimum(ys - y_min, y_max - ys)[None, :]
     on_floor = clearance_field(footprints(room.solids, 0.02, draft.flight_height), xs, ys, 5.0)
@@ -75,17 +82,3 @@ def _roomiest(
     )
     x, y = grid.centre_of((int(i), int(j)))
     return (round(x, 2), round(y, 2)), float(area.sum() / flyable.sum())
-
-
-def _in_zones(grid: OccupancyGrid, draft: SiteDraft) -> Any:
-    xs = (grid.origin[0] + (np.arange(grid.shape[0], dtype=np.float64) + 0.5) * grid.resolution)[
-        :, None
-    ]
-    ys = (grid.origin[1] + (np.arange(grid.shape[1], dtype=np.float64) + 0.5) * grid.resolution)[
-        None, :
-    ]
-    inside = np.zeros(grid.shape, dtype=np.bool_)
-    for zone in draft.zones:
-        x_min, y_min, x_max, y_max = zone.rectangle
-        inside |= (xs >= x_min) & (xs <= x_max) & (ys >= y_min) & (ys <= y_max)
-    return inside

@@ -196,8 +196,9 @@ def _measured(key: str, on: float, off: float) -> _Reader:
     """Return what reads a value that is one when on and another when off."""
 
     def read(device: DeviceScript, state: SceneState, facts: _Facts) -> _Values:
-        own = device.value_on if device.id in state.on else device.value_off
-        return {key: own if own is not None else on if device.id in state.on else off}
+        is_on = device.id in state.on
+        own, usual = (device.value_on, on) if is_on else (device.value_off, off)
+        return {key: usual if own is None else own}
 
     return read
 

@@ -115,7 +115,7 @@ def _import(service: DraftService, uploads: Uploads, body: bytes) -> DraftView:
     found = imported(service.draft(), path, ImportHints(asked.unit, asked.up, asked.layers))
     return service.change(
         asked.based_on,
-        lambda now: replace(found.draft, source=asked.file),
+        lambda _: found.draft,
         f"read {asked.file}",
         notes=found.notes,
     )

@@ -1,7 +1,7 @@
 """The draft over HTTP: show, change, undo, import, listen to the tracking system, write.
 
-Only the page of this server with its session may ask. 409 when the draft was changed elsewhere,
-with the draft as it is; 422 in words, with the key, for a value that is not allowed.
+Only the page of this server with its session may ask. 409 when the draft was changed elsewhere;
+422 in words, with the key, for a value that is not allowed.
 """
 
 from __future__ import annotations
@@ -35,7 +35,6 @@ from housefly.web.session_auth import SessionAuth
 
 DRAFT_SIZE_MAX = 4 * 2**20
 """Largest request but for files [bytes]."""
-
 
 _VIEW: TypeAdapter[DraftView] = TypeAdapter(DraftView)
 _HEARD: TypeAdapter[HeardView] = TypeAdapter(HeardView)

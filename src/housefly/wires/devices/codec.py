@@ -131,17 +131,23 @@ def decode_reading(
 
 def _parse(spec: JsonSpec, payload: bytes, topic: str) -> JsonRecord:
     """Return a payload as a checked record; raises WireError."""
-    if len(payload) > MAX_DEVICE_PAYLOAD:
-        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {MAX_DEVICE_PAYLOAD} bytes")
     try:
-        tree = parsed_json(payload)
+        tree = parsed_json(payload, topic)
     except (ValueError, RecursionError) as error:
         raise WireError(f"{topic}: not JSON ({str(error)[:80]})") from error
     return read_record(spec, tree, topic)
 
 
-def parsed_json(payload: bytes) -> object:
-    """Return the JSON of a payload; raises ValueError, for NaN and infinity too."""
+def parsed_json(payload: bytes, topic: str) -> object:
+    """Return the JSON of a payload.
+
+    Raises:
+        WireError: it is too long.
+        ValueError: it is no JSON; NaN and infinity are none.
+        RecursionError: it is nested too deeply.
+    """
+    if len(payload) > MAX_DEVICE_PAYLOAD:
+        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {MAX_DEVICE_PAYLOAD} bytes")
     return json.loads(payload.decode(), parse_constant=_no_number)
 
 

@@ -17,49 +17,44 @@ CLOSED_WORDS = {"true": True, "closed": True, "off": True, "false": False, "open
 _BATTERY_POWERED, _MAINS_POWERED = 300.0, 60.0
 """Heartbeats of devices that sleep between two states, and of those that need not [s]."""
 
-SWITCH_KIND = DeviceKind(
-    "switch",
-    "Switch",
-    {"state": WordField(ON_WORDS, '"ON" or "OFF", true or false')},
-    heartbeat=_MAINS_POWERED,
-    observe=lambda state, report: [report.about_device(("on", state.flag("state")))],
+
+def _meter(name: str, title: str, field: NumberField, fact: str, heartbeat: float) -> DeviceKind:
+    """Return a kind that measures a number, under its own name in the payload."""
+    return DeviceKind(
+        name,
+        title,
+        {name: field},
+        heartbeat=heartbeat,
+        observe=lambda state, report: [report.about_device((fact, state.number(name)))],
+    )
+
+
+_WATTS = NumberField(-100_000.0, 100_000.0, "W")
+_CELSIUS = NumberField(-100.0, 1000.0, "degrees Celsius")
+_KINDS = (
+    DeviceKind(
+        "switch",
+        "Switch",
+        {"state": WordField(ON_WORDS, '"ON" or "OFF", true or false')},
+        heartbeat=_MAINS_POWERED,
+        observe=lambda state, report: [report.about_device(("on", state.flag("state")))],
+    ),
+    _meter("power", "Power meter", _WATTS, "power", _MAINS_POWERED),
+    _meter("temperature", "Thermometer", _CELSIUS, "temperature_c", _BATTERY_POWERED),
+    DeviceKind(
+        "contact",
+        "Contact",
+        {"contact": WordField(CLOSED_WORDS, 'true or "closed", false or "open"')},
+        heartbeat=_MAINS_POWERED,
+        observe=lambda state, report: [
+            report.about_device(("open", not state.flag("contact")), ("kind", "contact"))
+        ],
+    ),
+    _meter(
+        "level", "Level sensor", NumberField(0.0, 100.0, "%"), "level_percent", _BATTERY_POWERED
+    ),
 )
-POWER_KIND = DeviceKind(
-    "power",
-    "Power meter",
-    {"power": NumberField(-100_000.0, 100_000.0, "W")},
-    heartbeat=_MAINS_POWERED,
-    observe=lambda state, report: [report.about_device(("power", state.number("power")))],
-)
-TEMPERATURE_KIND = DeviceKind(
-    "temperature",
-    "Thermometer",
-    {"temperature": NumberField(-100.0, 1000.0, "degrees Celsius")},
-    heartbeat=_BATTERY_POWERED,
-    observe=lambda state, report: [
-        report.about_device(("temperature_c", state.number("temperature")))
-    ],
-)
-CONTACT_KIND = DeviceKind(
-    "contact",
-    "Contact",
-    {"contact": WordField(CLOSED_WORDS, 'true or "closed", false or "open"')},
-    heartbeat=_MAINS_POWERED,
-    observe=lambda state, report: [
-        report.about_device(("open", not state.flag("contact")), ("kind", "contact"))
-    ],
-)
-LEVEL_KIND = DeviceKind(
-    "level",
-    "Level sensor",
-    {"level": NumberField(0.0, 100.0, "%")},
-    heartbeat=_BATTERY_POWERED,
-    observe=lambda state, report: [report.about_device(("level_percent", state.number("level")))],
-)
-MEASURED_KINDS = {
-    kind.name: kind
-    for kind in (SWITCH_KIND, POWER_KIND, TEMPERATURE_KIND, CONTACT_KIND, LEVEL_KIND)
-}
+MEASURED_KINDS = {kind.name: kind for kind in _KINDS}
 """The kinds whose state is one value."""
 
 

@@ -9,12 +9,7 @@ from dataclasses import replace
 
 from housefly.config.measured_devices import MeasuredDeviceConfig
 from housefly.errors import WireError
-from housefly.wires.devices.codec import (
-    MAX_DEVICE_PAYLOAD,
-    Delivered,
-    Reading,
-    parsed_json,
-)
+from housefly.wires.devices.codec import Delivered, Reading, parsed_json
 from housefly.wires.devices.fields import (
     JsonField,
     JsonRecord,
@@ -120,10 +115,8 @@ def _own_field(config: MeasuredDeviceConfig, usual: JsonField) -> JsonField:
 
 def _text(payload: bytes, topic: str) -> object:
     """Return the JSON of a payload, or its text when it is none."""
-    if len(payload) > MAX_DEVICE_PAYLOAD:
-        raise WireError(f"{topic}: {len(payload)} bytes; allowed: up to {MAX_DEVICE_PAYLOAD} bytes")
     try:
-        return parsed_json(payload)
+        return parsed_json(payload, topic)
     except (ValueError, RecursionError):
         text = payload.decode(errors="replace").strip()
     if text[:1] in "{[":

@@ -28,7 +28,7 @@ BEGINNINGS = {
 }
 
 
-@pytest.mark.parametrize("suffix", [suffix for suffix, _ in IMPORT_SUFFIXES])
+@pytest.mark.parametrize("suffix", IMPORT_SUFFIXES)
 @settings(max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(tail=st.binary(max_size=200) | st.text("0123456789 .,-eLMlaAzZ\n\"<>/=", max_size=200).map(
     str.encode

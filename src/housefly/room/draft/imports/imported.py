@@ -25,21 +25,19 @@ _UNITS = (1e-6, 1000.0)
 """Metres per unit that may be said."""
 
 _Importer = Callable[[SiteDraft, Path, ImportHints], Imported]
-_IMPORTERS: dict[str, tuple[str, _Importer]] = {
-    ".yaml": ("ROS map", ros_cells),
-    ".yml": ("ROS map", ros_cells),
-    ".ply": ("scan", scan),
-    ".obj": ("scan", scan),
-    ".glb": ("scan", scan),
-    ".gltf": ("scan", scan),
-    ".stl": ("scan", scan),
-    ".svg": ("floor plan", svg_plan),
-    ".dxf": ("floor plan", dxf_plan),
+_IMPORTERS: dict[str, _Importer] = {
+    ".yaml": ros_cells,
+    ".yml": ros_cells,
+    ".ply": scan,
+    ".obj": scan,
+    ".glb": scan,
+    ".gltf": scan,
+    ".stl": scan,
+    ".svg": svg_plan,
+    ".dxf": dxf_plan,
 }
-IMPORT_SUFFIXES: tuple[tuple[str, str], ...] = tuple(
-    (suffix, what) for suffix, (what, _) in _IMPORTERS.items()
-)
-"""Ends of file names that are read, and what each is."""
+IMPORT_SUFFIXES = tuple(_IMPORTERS)
+"""Ends of file names that are read."""
 
 
 def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> Imported:
@@ -60,11 +58,11 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
             f"is {hints.unit:g}; allowed: {_UNITS[0]:g} to {_UNITS[1]:g} metres per unit of the"
             " file",
         )
-    known = _IMPORTERS.get(path.suffix.lower())
-    if known is None:
+    read = _IMPORTERS.get(path.suffix.lower())
+    if read is None:
         raise RoomError(
             f"{shortened(path.name)}: no room is read from such a file; allowed:"
-            f" {', '.join(_IMPORTERS)}"
+            f" {', '.join(IMPORT_SUFFIXES)}"
         )
     if not is_file(path):
         raise RoomError(f"{shortened(str(path))} is no file; check its name")
@@ -84,7 +82,7 @@ def imported(draft: SiteDraft, path: Path, hints: ImportHints | None = None) -> 
         frame_points=(),
         source=path.name,
     )
-    found = known[1](empty, path, hints)
+    found = read(empty, path, hints)
     # What a file says is as much from outside as what a page sends.
     draft = draft_from_json(draft_to_json(found.draft), path.name)
     pad = suggested_pad(draft)

@@ -10,7 +10,7 @@ import numpy as np
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.room.draft.imports.cells import boxes_of_cells
-from housefly.room.draft.imports.contracts import Imported, ImportHints
+from housefly.room.draft.imports.contracts import USUAL_UNITS, Imported, ImportHints
 from housefly.room.draft.model import DraftBox, DraftWall, SiteDraft
 from housefly.room.reach import flood
 
@@ -26,7 +26,6 @@ _EDGE = 0.1
 """Of the cells that tell inside from outside [m]."""
 _INSIDE_SHARE = 0.4
 """With less of the floor inside, the outer walls have a hole."""
-_UNITS = {1.0: "metres", 0.01: "centimetres", 0.001: "millimetres", 0.0254: "inches"}
 WALL_WORDS = ("wall", "mauer", "wand", "mur", "muro", "pared", "parete")
 """Words in the names of layers that hold walls."""
 
@@ -146,7 +145,7 @@ def _unit(
             )
         return hints.unit, f"one unit is {hints.unit:g} m, as you said"
     choices = ([declared] if declared else []) + [
-        (unit, f"taken for {words}") for unit, words in _UNITS.items()
+        (unit, f"taken for {words}") for unit, words in USUAL_UNITS.items()
     ]
     for unit, words in choices:
         if all(_SIDES[0] <= unit * side <= _SIDES[1] for side in (length, width)):

@@ -10,7 +10,7 @@ import numpy as np
 
 from housefly.errors import MissingPartError, RoomError
 from housefly.numeric import FloatArray
-from housefly.room.draft.imports.contracts import ImportHints
+from housefly.room.draft.imports.contracts import USUAL_UNITS, ImportHints
 
 SPACING = 0.02
 _COARSE_POINTS = 50_000
@@ -24,7 +24,6 @@ _POINTS_MIN = 500
 _SIDES = (1.5, 60.0)
 """A room is at least and at most so long [m]."""
 _HEIGHTS = (1.0, 20.0)
-_UNITS = {1.0: "metres", 0.01: "centimetres", 0.001: "millimetres", 0.0254: "inches"}
 _FLOOR_BIN = 0.02
 _Y_UP_SUFFIXES = (".glb", ".gltf")
 """The format says so."""
@@ -171,7 +170,7 @@ def _unit(points: FloatArray, path: Path, hints: ImportHints) -> tuple[float, st
     sides = f"{length:.4g} x {width:.4g} x {height:.4g}"
     if hints.unit is not None:
         return hints.unit, f"one unit is {hints.unit:g} m, as you said"
-    for unit, name in _UNITS.items():
+    for unit, name in USUAL_UNITS.items():
         fits = [_SIDES[0] <= unit * side <= _SIDES[1] for side in (length, width)]
         if all(fits) and _HEIGHTS[0] <= unit * height <= _HEIGHTS[1]:
             return unit, f"its numbers ({sides}) were taken for {name}"
