@@ -9,6 +9,7 @@ HouseflyError
 ├── LinkError          a drone, tracking system or bus peer does not answer
 ├── RecordingError     a recording cannot be read or written
 ├── ThingError         a thing is not known, is ambiguous, or cannot be where somebody puts it
+├── TaskError          a task, or a request for one, is refused; carries a reason code
 ├── StoreError         the room's memory cannot be opened, read or written
 └── MissingPartError   an optional part (extra, system library, renderer) is not installed
 """
@@ -70,6 +71,18 @@ class RecordingError(HouseflyError):
 
 class ThingError(HouseflyError):
     """A thing is not known, is meant by several names, or would contain itself."""
+
+
+class TaskError(HouseflyError):
+    """A task or a request for one is refused.
+
+    Attributes:
+        code: the reason, a value of ``tasks.api.values.ReasonCode``.
+    """
+
+    def __init__(self, problem: str, code: str) -> None:
+        self.code = code
+        super().__init__(problem)
 
 
 class StoreError(HouseflyError):

@@ -13,12 +13,14 @@ from typing import Generic, TypeVar
 from housefly.errors import WireError
 from housefly.messages import (
     DepthImage,
+    EventNews,
     LinkStatus,
     Obstacle,
     Order,
     PilotStep,
     RoomNews,
     SensorReport,
+    TaskNews,
     TrackedFrame,
     VideoFrame,
 )
@@ -82,6 +84,11 @@ OBSTACLE_TOPIC: Topic[Obstacle] = Topic("room/obstacles", Obstacle, Delivery.LAT
 DEPTH_TOPIC: Topic[DepthImage] = Topic(
     "room/depth", DepthImage, Delivery.LATEST, depth=2, max_size=16 * 2**20
 )
+ROOM_EVENT_TOPIC: Topic[EventNews] = Topic("room/event", EventNews, Delivery.EVERY)
+"""What a process other than the hub says has happened; the hub keeps it."""
+TASK_NEWS_TOPIC: Topic[TaskNews] = Topic(
+    "tasks/news", TaskNews, Delivery.LATEST, depth=8, max_size=2 * 2**20
+)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 
 TOPICS = (
@@ -94,6 +101,8 @@ TOPICS = (
     OBSTACLE_TOPIC,
     DEPTH_TOPIC,
     SENSOR_TOPIC,
+    ROOM_EVENT_TOPIC,
+    TASK_NEWS_TOPIC,
 )
 
 PLAN_QUERY = "pilot/plan"
@@ -104,3 +113,5 @@ PREFLIGHT_QUERY = "pilot/preflight"
 """Query: "" -> JSON list of the pre-flight checks (see ``hub.api.pilot_queries``)."""
 HUB_QUERY = "hub/ask"
 """Query: JSON question to the room -> JSON answer or refusal (see ``hub.api.json``)."""
+TASKS_QUERY = "tasks/ask"
+"""Query: JSON question to the tasks -> JSON answer or refusal (see ``tasks.api.json``)."""

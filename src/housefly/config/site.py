@@ -25,6 +25,7 @@ from housefly.config.map import MapConfig, RoomConfig
 from housefly.config.people import PeopleConfig
 from housefly.config.profile import CONSTANTS, load_profile
 from housefly.config.section import Section
+from housefly.config.tasks import TasksConfig
 from housefly.config.text import refuse_odd_values
 from housefly.config.toml import read_toml
 from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
@@ -67,6 +68,7 @@ class Site(Section):
     web: WebConfig = WebConfig()
     mqtt: MqttConfig = MqttConfig()
     hub: HubConfig = HubConfig()
+    tasks: TasksConfig = TasksConfig()
     edits: Edits = Edits()
 
     @property

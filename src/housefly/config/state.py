@@ -45,3 +45,9 @@ def edits_folder(site: Site) -> Path:
     """Return where the versions of a site's edits are: beside its memory, apart from others."""
     file = database_file(site)
     return file.with_name("edits" if file.name == _DATABASE else f"{file.stem}-edits")
+
+
+def tasks_folder(site: Site) -> Path:
+    """Return where a site keeps its queue, its rules' memory and its clips: beside its memory."""
+    file = database_file(site)
+    return file.with_name("tasks" if file.name == _DATABASE else f"{file.stem}-tasks")

@@ -43,7 +43,16 @@ from housefly.messages.steering import (
     SafetyMode,
     Setpoint,
 )
-from housefly.messages.world import Covariance, Fact, Facts, Observation, RoomEvent, RoomNews
+from housefly.messages.world import (
+    Covariance,
+    EventNews,
+    Fact,
+    Facts,
+    Observation,
+    RoomEvent,
+    RoomNews,
+    TaskNews,
+)
 
 __all__ = [
     "LEVEL",
@@ -55,6 +64,7 @@ __all__ = [
     "DroneStatus",
     "Estimate",
     "Event",
+    "EventNews",
     "Fact",
     "Facts",
     "Inputs",
@@ -80,6 +90,7 @@ __all__ = [
     "Setpoint",
     "Severity",
     "Sighting",
+    "TaskNews",
     "Telemetry",
     "TrackedFrame",
     "VideoFrame",

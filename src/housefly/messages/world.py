@@ -73,3 +73,17 @@ class RoomNews:
     """What changed in the room since the last news: ``hub.api.answers.News`` as JSON."""
 
     text: str
+
+
+@dataclass(frozen=True, slots=True)
+class TaskNews:
+    """The board of the tasks after a change: ``tasks.api.answers.TaskBoard`` as JSON."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class EventNews:
+    """What a process other than the hub says has happened: one ``RoomEvent`` as JSON."""
+
+    text: str

@@ -1,0 +1,209 @@
+"""What the tasks answer: one frozen value a kind of answer. Times are Unix time [s]."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from housefly.tasks.api.questions import (
+    BoardQuestion,
+    CancelTask,
+    ClipsQuestion,
+    ContinueTask,
+    DryRunQuestion,
+    PauseTask,
+    RehearseTask,
+    ReplyToTask,
+    RequestTask,
+    RulesQuestion,
+    Sentence,
+    ServicesQuestion,
+    SetMode,
+    TaskHistoryQuestion,
+    TaskQuestion,
+    Webhook,
+)
+from housefly.tasks.api.values import (
+    HouseMode,
+    ParameterValue,
+    ReasonCode,
+    RehearsalReport,
+    ServiceInfo,
+    TaskStatus,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class TasksAnswer:
+    """Tasks; after an order, those that it concerns."""
+
+    tasks: tuple[TaskStatus, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TaskBoard:
+    """Everything that a screen of the tasks shows.
+
+    Attributes:
+        at: when.
+        mode: of the house.
+        drone: what the drone does, in words.
+        records: whether the camera records now.
+        tasks: the open ones, in the order in which they fly.
+        ended: the newest ended ones, newest first.
+    """
+
+    at: float
+    mode: HouseMode
+    drone: str
+    records: bool
+    tasks: tuple[TaskStatus, ...]
+    ended: tuple[TaskStatus, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ServicesAnswer:
+    """What can be asked for."""
+
+    services: tuple[ServiceInfo, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RehearsalAnswer:
+    """What a rehearsal found."""
+
+    rehearsal: RehearsalReport
+
+
+@dataclass(frozen=True, slots=True)
+class SentenceAnswer:
+    """What became of a sentence.
+
+    Attributes:
+        understood: whether it means something here.
+        intent: its name (docs/tasks.md), or "".
+        slots: its values.
+        words: the answer, or why there is none.
+        task: the task that it started, or None.
+        suggestions: what may have been meant.
+    """
+
+    understood: bool
+    intent: str
+    words: str
+    slots: dict[str, ParameterValue] = field(default_factory=dict)
+    task: TaskStatus | None = None
+    suggestions: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ModeAnswer:
+    """The mode of the house, and what it allows, in words."""
+
+    mode: HouseMode
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class RuleStatus:
+    """One rule: what it says in words, whether it is on, and what it last did."""
+
+    name: str
+    words: str
+    enabled: bool
+    last_at: float | None = None
+    last_words: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class RulesAnswer:
+    """The rules."""
+
+    rules: tuple[RuleStatus, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RuleFiring:
+    """What a rule did, or would have done, and why; ``code`` OK starts its task."""
+
+    rule: str
+    at: float
+    cause: str
+    service: str
+    code: ReasonCode
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
+class FiringsAnswer:
+    """What the rules did, or would have done, by time."""
+
+    firings: tuple[RuleFiring, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ClipInfo:
+    """One clip or snapshot.
+
+    Attributes:
+        id: of the clip.
+        kind: "clip" or "snapshot".
+        task: id of the task that asked for it.
+        service, place, thing, people: what it shows.
+        cause: id of the event behind it.
+        began_at, duration: [Unix time, s] and [s].
+        size: of the file [bytes].
+        keep_until: when it is deleted [Unix time, s]; None is kept until somebody deletes it.
+        blanked: whether part of it was blanked for privacy.
+    """
+
+    id: str
+    kind: str
+    task: int
+    service: str
+    place: str
+    thing: str
+    people: tuple[str, ...]
+    cause: str
+    began_at: float
+    duration: float
+    size: int
+    keep_until: float | None = None
+    blanked: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ClipsAnswer:
+    """Clips and snapshots, the newest first."""
+
+    clips: tuple[ClipInfo, ...]
+
+
+TaskAnswer = (
+    TasksAnswer
+    | TaskBoard
+    | ServicesAnswer
+    | RehearsalAnswer
+    | SentenceAnswer
+    | ModeAnswer
+    | RulesAnswer
+    | FiringsAnswer
+    | ClipsAnswer
+)
+TASK_ANSWER_TYPES: dict[type[TaskQuestion], type[TaskAnswer]] = {
+    RequestTask: TasksAnswer,
+    RehearseTask: RehearsalAnswer,
+    ReplyToTask: TasksAnswer,
+    CancelTask: TasksAnswer,
+    PauseTask: TasksAnswer,
+    ContinueTask: TasksAnswer,
+    BoardQuestion: TaskBoard,
+    ServicesQuestion: ServicesAnswer,
+    TaskHistoryQuestion: TasksAnswer,
+    Sentence: SentenceAnswer,
+    SetMode: ModeAnswer,
+    RulesQuestion: RulesAnswer,
+    DryRunQuestion: FiringsAnswer,
+    ClipsQuestion: ClipsAnswer,
+    Webhook: FiringsAnswer,
+}
+"""What each question is answered with."""

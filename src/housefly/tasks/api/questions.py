@@ -1,0 +1,190 @@
+"""Questions and orders to the tasks, one frozen value each; ``tasks.api.answers`` has the answers.
+
+The same values cross the bus as JSON (``TASKS_QUERY``) and are the bodies of the HTTP API. Who asks
+stands in ``by``: the edge that knows the person fills it in, never the person.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from housefly.tasks.api.values import Confirm, HouseMode, ParameterValue, Priority, Surface
+
+_Word = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
+_Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^[^\x00-\x1f\x7f]*$")]
+_Sentence = Annotated[str, Field(min_length=1, max_length=500, pattern=r"^[^\x00-\x1f\x7f]*$")]
+_Time = Annotated[float, Field(ge=0.0, le=4102444800.0, allow_inf_nan=False)]
+"""Unix time up to the year 2100 [s]."""
+_Id = Annotated[int, Field(ge=1, le=2**53)]
+_Limit = Annotated[int, Field(ge=1, le=1000)]
+_Parameters = Annotated[dict[_Name, ParameterValue], Field(max_length=20)]
+
+
+@dataclass(frozen=True, slots=True)
+class RequestTask:
+    """Ask for a service; with ``confirm`` ASK it waits until a person says yes."""
+
+    service: _Name
+    parameters: _Parameters = field(default_factory=dict)
+    by: _Word = ""
+    surface: Surface = Surface.CONSOLE
+    cause: _Word = ""
+    confirm: Confirm = Confirm.AUTO
+    priority: Priority = Priority.PERSON
+    deadline: _Time | None = None
+    ask: Literal["request"] = "request"
+
+
+@dataclass(frozen=True, slots=True)
+class RehearseTask:
+    """Rehearse a service in lock step; nothing flies."""
+
+    service: _Name
+    parameters: _Parameters = field(default_factory=dict)
+    ask: Literal["rehearse"] = "rehearse"
+
+
+@dataclass(frozen=True, slots=True)
+class ReplyToTask:
+    """Answer a question of a task: its confirmation (id "confirm") or one that it asks."""
+
+    task: _Id
+    question: _Name
+    choice: _Name
+    by: _Word = ""
+    ask: Literal["reply"] = "reply"
+
+
+@dataclass(frozen=True, slots=True)
+class CancelTask:
+    """End a task: one that flies comes home or lands, as it says; 0 ends every open one."""
+
+    task: Annotated[int, Field(ge=0, le=2**53)] = 0
+    by: _Word = ""
+    ask: Literal["cancel"] = "cancel"
+
+
+@dataclass(frozen=True, slots=True)
+class PauseTask:
+    """Hover where the drone is until the task is continued."""
+
+    task: _Id
+    by: _Word = ""
+    ask: Literal["pause"] = "pause"
+
+
+@dataclass(frozen=True, slots=True)
+class ContinueTask:
+    """Go on with a paused task."""
+
+    task: _Id
+    by: _Word = ""
+    ask: Literal["continue"] = "continue"
+
+
+@dataclass(frozen=True, slots=True)
+class BoardQuestion:
+    """What flies, what waits, what ended lately, and in which mode the house is."""
+
+    ask: Literal["board"] = "board"
+
+
+@dataclass(frozen=True, slots=True)
+class ServicesQuestion:
+    """What can be asked for."""
+
+    ask: Literal["services"] = "services"
+
+
+@dataclass(frozen=True, slots=True)
+class TaskHistoryQuestion:
+    """Tasks that were asked for between two times, the newest first."""
+
+    since: _Time = 0.0
+    until: _Time | None = None
+    service: _Word = ""
+    limit: _Limit = 50
+    ask: Literal["history"] = "history"
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """Something a person said or typed; ``fly`` False never starts a task."""
+
+    text: _Sentence
+    language: Literal["en", "de", "ja"] = "en"
+    by: _Word = ""
+    surface: Surface = Surface.CONSOLE
+    confirm: Confirm = Confirm.AUTO
+    fly: bool = True
+    ask: Literal["sentence"] = "sentence"
+
+
+@dataclass(frozen=True, slots=True)
+class SetMode:
+    """Set the mode of the house."""
+
+    mode: HouseMode
+    by: _Word = ""
+    ask: Literal["mode"] = "mode"
+
+
+@dataclass(frozen=True, slots=True)
+class RulesQuestion:
+    """Which rules there are and what each did last."""
+
+    ask: Literal["rules"] = "rules"
+
+
+@dataclass(frozen=True, slots=True)
+class DryRunQuestion:
+    """What the rules would have done between two times of the past."""
+
+    since: _Time
+    until: _Time | None = None
+    ask: Literal["dry_run"] = "dry_run"
+
+
+@dataclass(frozen=True, slots=True)
+class ClipsQuestion:
+    """Which clips and snapshots there are; "" and 0 mean any, the newest first."""
+
+    since: _Time = 0.0
+    until: _Time | None = None
+    person: _Word = ""
+    place: _Word = ""
+    thing: _Word = ""
+    task: Annotated[int, Field(ge=0, le=2**53)] = 0
+    limit: _Limit = 50
+    ask: Literal["clips"] = "clips"
+
+
+@dataclass(frozen=True, slots=True)
+class Webhook:
+    """A trigger from outside: its name, for rules that wait for it."""
+
+    name: _Name
+    by: _Word = ""
+    ask: Literal["webhook"] = "webhook"
+
+
+TaskQuestion = (
+    RequestTask
+    | RehearseTask
+    | ReplyToTask
+    | CancelTask
+    | PauseTask
+    | ContinueTask
+    | BoardQuestion
+    | ServicesQuestion
+    | TaskHistoryQuestion
+    | Sentence
+    | SetMode
+    | RulesQuestion
+    | DryRunQuestion
+    | ClipsQuestion
+    | Webhook
+)

@@ -1,0 +1,263 @@
+"""The values of the tasks that cross borders: states, reasons, requests, what the board shows.
+
+Times are Unix time [s].
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from housefly.geometry import Vec2
+
+ParameterValue = str | float | bool
+
+
+class TaskState(Enum):
+    """How far a task has come."""
+
+    WAITING = "waiting for a yes"
+    QUEUED = "queued"
+    RUNNING = "running"
+    PAUSED = "paused"
+    SUSPENDED = "suspended"
+    DONE = "done"
+    FAILED = "failed"
+    CANCELLED = "cancelled"
+    REFUSED = "refused"
+    EXPIRED = "expired"
+
+
+ENDED = frozenset(
+    {
+        TaskState.DONE,
+        TaskState.FAILED,
+        TaskState.CANCELLED,
+        TaskState.REFUSED,
+        TaskState.EXPIRED,
+    }
+)
+"""States that a task never leaves."""
+
+
+class Priority(Enum):
+    """Who goes first; a higher one pre-empts a lower one at a safe point."""
+
+    ALARM = "alarm"
+    PERSON = "person"
+    RULE = "rule"
+    BACKGROUND = "background"
+
+
+class Confirm(Enum):
+    """Whether a person is asked before a task may fly."""
+
+    AUTO = "auto"
+    ASK = "ask"
+    NEVER = "never"
+
+
+class Surface(Enum):
+    """Where a request came from."""
+
+    CONSOLE = "console"
+    COMMAND_LINE = "command line"
+    HTTP = "http"
+    MQTT = "mqtt"
+    WEBHOOK = "webhook"
+    ASSISTANT = "assistant"
+    RULE = "rule"
+
+
+class HouseMode(Enum):
+    """The mode of the house: gates launching, recording and zones."""
+
+    HOME = "home"
+    AWAY = "away"
+    NIGHT = "night"
+    PRIVACY = "privacy"
+    MAINTENANCE = "maintenance"
+
+
+class ReasonCode(Enum):
+    """Why something was refused, or how a task ended; the words beside it are for people."""
+
+    OK = "ok"
+    UNKNOWN_SERVICE = "unknown_service"
+    BAD_PARAMETER = "bad_parameter"
+    UNKNOWN_PLACE = "unknown_place"
+    UNKNOWN_THING = "unknown_thing"
+    UNKNOWN_TASK = "unknown_task"
+    NOT_UNDERSTOOD = "not_understood"
+    NO_WAY = "no_way"
+    NO_VIEW = "no_view"
+    BATTERY = "battery"
+    TOO_LONG = "too_long"
+    PREFLIGHT = "preflight"
+    MODE = "mode"
+    QUIET_HOURS = "quiet_hours"
+    COOLDOWN = "cooldown"
+    RATE_LIMIT = "rate_limit"
+    QUEUE_FULL = "queue_full"
+    NOT_ALLOWED = "not_allowed"
+    DECLINED = "declined"
+    NO_ANSWER = "no_answer"
+    DEADLINE = "deadline"
+    CANCELLED = "cancelled"
+    PERSON_TOOK_OVER = "person_took_over"
+    STEP_FAILED = "step_failed"
+    TIMEOUT = "timeout"
+    SAFETY = "safety"
+    RESTARTED = "restarted"
+    NOT_READY = "not_ready"
+
+
+class StepState(Enum):
+    """How far one step of a task has come."""
+
+    WAITING = "waiting"
+    RUNNING = "running"
+    DONE = "done"
+    FAILED = "failed"
+    SKIPPED = "skipped"
+
+
+@dataclass(frozen=True, slots=True)
+class TaskRequest:
+    """A request for a service.
+
+    Attributes:
+        service: name of a task document.
+        parameters: for its parameters; what is missing takes its default.
+        asked_by: who asks, in words.
+        surface: where the request came from.
+        cause: id of the event or rule behind it, or "".
+        confirm: whether a person must say yes first.
+        priority: who goes first.
+        deadline: not begun by then [Unix time, s], it expires; None waits for ever.
+    """
+
+    service: str
+    parameters: dict[str, ParameterValue] = field(default_factory=dict)
+    asked_by: str = ""
+    surface: Surface = Surface.CONSOLE
+    cause: str = ""
+    confirm: Confirm = Confirm.AUTO
+    priority: Priority = Priority.PERSON
+    deadline: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RehearsalReport:
+    """What a rehearsal in lock step found, before anything flies.
+
+    Attributes:
+        may_fly: whether the task may fly.
+        code, words: why not, or what to expect, in one sentence.
+        way: where the drone flies, world xy [m].
+        duration: of the whole task [s]; None when it was not flown to its end.
+        charge: share of a full battery that it takes, 0 to 1.
+        clearance: smallest distance of the hull to anything [m].
+        first_look: until the first look at the subject [s].
+        took: time that the rehearsal itself took [s].
+    """
+
+    may_fly: bool
+    code: ReasonCode
+    words: str
+    way: tuple[Vec2, ...] = ()
+    duration: float | None = None
+    charge: float | None = None
+    clearance: float | None = None
+    first_look: float | None = None
+    took: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class StepStatus:
+    """One step of a task: its name in the document, what it does in words, how far it is."""
+
+    name: str
+    words: str
+    state: StepState
+
+
+@dataclass(frozen=True, slots=True)
+class PersonQuestion:
+    """A question that waits for a person.
+
+    Attributes:
+        id: of the question, unique within its task.
+        words: what is asked.
+        choices: what may be answered; the first is what a person would usually say.
+        until: the end of waiting [Unix time, s].
+        otherwise: the choice that counts when nobody answers.
+    """
+
+    id: str
+    words: str
+    choices: tuple[str, ...] = ("yes", "no")
+    until: float | None = None
+    otherwise: str = "no"
+
+
+@dataclass(frozen=True, slots=True)
+class TaskStatus:
+    """One task, waiting, flying or ended.
+
+    Attributes:
+        id: a number that never comes again at this site.
+        service, title, parameters: what it does.
+        state, code, words: how far it is and why, in one sentence.
+        asked_by, surface, cause, priority: who wanted it.
+        asked_at, started_at, ended_at, deadline: [Unix time, s].
+        steps: its steps, in order.
+        question: what waits for a person, or None.
+        rehearsal: what the rehearsal found, or None.
+        clips: ids of its clips and snapshots.
+        report: what it found, one line each, for people.
+    """
+
+    id: int
+    service: str
+    title: str
+    parameters: dict[str, ParameterValue]
+    state: TaskState
+    code: ReasonCode
+    words: str
+    asked_by: str
+    surface: Surface
+    cause: str
+    priority: Priority
+    asked_at: float
+    started_at: float | None = None
+    ended_at: float | None = None
+    deadline: float | None = None
+    steps: tuple[StepStatus, ...] = ()
+    question: PersonQuestion | None = None
+    rehearsal: RehearsalReport | None = None
+    clips: tuple[str, ...] = ()
+    report: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterInfo:
+    """One parameter of a service: its type, unit, default and what it is for."""
+
+    name: str
+    type: str
+    about: str
+    unit: str = ""
+    default: ParameterValue | None = None
+    required: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceInfo:
+    """One service that can be asked for."""
+
+    name: str
+    title: str
+    about: str
+    parameters: tuple[ParameterInfo, ...] = ()
+    flies: bool = True

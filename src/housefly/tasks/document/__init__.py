@@ -1,0 +1,1 @@
+"""Task documents: what a task does, written by people, read and checked."""

@@ -1,0 +1,1 @@
+"""Clips and snapshots: recorded only when a task asks, kept only as long as allowed."""

@@ -1,0 +1,1 @@
+"""Runs one task: a behavior tree, ticked with what is known, answers with what is to be done."""

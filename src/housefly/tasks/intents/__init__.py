@@ -1,0 +1,1 @@
+"""What people say, as intents: sentences in three languages, one JSON schema."""

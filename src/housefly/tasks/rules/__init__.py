@@ -1,0 +1,1 @@
+"""Rules: when something happens in the room and the mode allows it, a task is asked for."""

@@ -1,0 +1,1 @@
+"""Which task flies when: a bounded queue, priorities, pre-emption, deadlines, kept in a file."""

@@ -1,0 +1,1 @@
+"""Where to hover to see a place, a thing or a person."""
