@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from housefly.tasks.api.values import Confirm, HouseMode, ParameterValue, Priority, Surface
+from housefly.tasks.api.values import Confirm, HouseMode, ParameterValue, Priority, RequestSurface
 
 _Word = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^[^\x00-\x1f\x7f]*$")]
@@ -30,7 +30,7 @@ class RequestTask:
     service: _Name
     parameters: _Parameters = field(default_factory=dict)
     by: _Word = ""
-    surface: Surface = Surface.CONSOLE
+    surface: RequestSurface = RequestSurface.CONSOLE
     cause: _Word = ""
     confirm: Confirm = Confirm.AUTO
     priority: Priority = Priority.PERSON
@@ -117,7 +117,7 @@ class Sentence:
     text: _Sentence
     language: Literal["en", "de", "ja"] = "en"
     by: _Word = ""
-    surface: Surface = Surface.CONSOLE
+    surface: RequestSurface = RequestSurface.CONSOLE
     confirm: Confirm = Confirm.AUTO
     fly: bool = True
     ask: Literal["sentence"] = "sentence"

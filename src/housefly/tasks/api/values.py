@@ -13,7 +13,7 @@ from housefly.geometry import Vec2
 ParameterValue = str | float | bool
 
 
-class TaskState(Enum):
+class TaskStage(Enum):
     """How far a task has come."""
 
     WAITING = "waiting for a yes"
@@ -30,11 +30,11 @@ class TaskState(Enum):
 
 ENDED = frozenset(
     {
-        TaskState.DONE,
-        TaskState.FAILED,
-        TaskState.CANCELLED,
-        TaskState.REFUSED,
-        TaskState.EXPIRED,
+        TaskStage.DONE,
+        TaskStage.FAILED,
+        TaskStage.CANCELLED,
+        TaskStage.REFUSED,
+        TaskStage.EXPIRED,
     }
 )
 """States that a task never leaves."""
@@ -57,7 +57,7 @@ class Confirm(Enum):
     NEVER = "never"
 
 
-class Surface(Enum):
+class RequestSurface(Enum):
     """Where a request came from."""
 
     CONSOLE = "console"
@@ -112,7 +112,7 @@ class ReasonCode(Enum):
     NOT_READY = "not_ready"
 
 
-class StepState(Enum):
+class TaskStepState(Enum):
     """How far one step of a task has come."""
 
     WAITING = "waiting"
@@ -140,7 +140,7 @@ class TaskRequest:
     service: str
     parameters: dict[str, ParameterValue] = field(default_factory=dict)
     asked_by: str = ""
-    surface: Surface = Surface.CONSOLE
+    surface: RequestSurface = RequestSurface.CONSOLE
     cause: str = ""
     confirm: Confirm = Confirm.AUTO
     priority: Priority = Priority.PERSON
@@ -174,12 +174,12 @@ class RehearsalReport:
 
 
 @dataclass(frozen=True, slots=True)
-class StepStatus:
+class TaskStepStatus:
     """One step of a task: its name in the document, what it does in words, how far it is."""
 
     name: str
     words: str
-    state: StepState
+    state: TaskStepState
 
 
 @dataclass(frozen=True, slots=True)
@@ -222,18 +222,18 @@ class TaskStatus:
     service: str
     title: str
     parameters: dict[str, ParameterValue]
-    state: TaskState
+    state: TaskStage
     code: ReasonCode
     words: str
     asked_by: str
-    surface: Surface
+    surface: RequestSurface
     cause: str
     priority: Priority
     asked_at: float
     started_at: float | None = None
     ended_at: float | None = None
     deadline: float | None = None
-    steps: tuple[StepStatus, ...] = ()
+    steps: tuple[TaskStepStatus, ...] = ()
     question: PersonQuestion | None = None
     rehearsal: RehearsalReport | None = None
     clips: tuple[str, ...] = ()
