@@ -1,19 +1,22 @@
-"""Takes the pictures of the README: flies one service in a demo; console, room and report.
+"""Takes the pictures of the README: flies services in a simulated room; console, tasks, report.
 
 ``python scripts/screenshots.py`` writes docs/images/*.png.
 """
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
 
+from paho.mqtt import publish
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
@@ -25,6 +28,44 @@ FLAGS = [
     "--disable-component-update",
     "--no-first-run",
 ]
+
+SCENE = """
+name = "Somebody stands at the door"
+seed = 1
+loop = false
+
+[[people]]
+name = "visitor"
+visitor = true
+steps = [
+    { do = "wait", seconds = 0.2 },
+    { do = "appear", at = [0.85, 4.20] },
+    { do = "wait", seconds = 900.0 },
+]
+"""
+SITE = """
+name = "Home"
+[drone]
+address = "127.30.1.2"
+has_video = true
+[tracking]
+kind = "vicon"
+address = "127.30.1.2"
+[hub]
+store = "{folder}/room.db"
+[web]
+port = 8091
+[twin]
+seed = 1
+video = true
+scene = "{folder}/scene.toml"
+[mqtt]
+broker = "127.0.0.1"
+port = {port}
+start = true
+site = "home"
+"""
+BELL = "housefly/home/doorbell/doorbell/event"
 
 
 def housefly(*arguments: str, **options: object) -> subprocess.Popen[str]:
@@ -56,9 +97,9 @@ def photograph(pages: dict[str, Page], moment: str) -> None:
         print(f"{name}-{moment}.png")
 
 
-def hold(page: Page, name: str) -> None:
+def hold(page: Page, button: Locator) -> None:
     """Hold a button as long as it asks for."""
-    box = page.get_by_role("button", name=name).bounding_box()
+    box = button.bounding_box()
     assert box is not None
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.down()
@@ -81,7 +122,7 @@ def fly(browser: Browser, address: str) -> None:
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
     photograph({"console": desktop, "phone": phone}, "ready")
-    hold(desktop, "Send to look and come back")
+    hold(desktop, desktop.get_by_role("button", name="Send to look and come back"))
     expect(state(desktop, "Flying to Entrance")).to_be_visible(timeout=30_000)
     desktop.wait_for_timeout(7500)
     photograph({"console": desktop, "phone": phone}, "flying")
@@ -89,6 +130,66 @@ def fly(browser: Browser, address: str) -> None:
     desktop.wait_for_timeout(1500)
     photograph({"console": desktop, "phone": phone, "console-dark": dark}, "arrived")
     expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=90_000)
+
+
+def ring(port: int) -> None:
+    """Press the bell at the door, as a device does."""
+    publish.single(BELL, json.dumps({"event": "pressed"}), hostname="127.0.0.1", port=port)
+
+
+def look_who_rings(browser: Browser, address: str, port: int) -> None:
+    """Let the bell ring, say yes, and photograph question, tasks and clip."""
+    context = browser.new_context(viewport=DESKTOP, color_scheme="light")
+    desktop = context.new_page()
+    desktop.goto(address)
+    phone = context.new_page()
+    phone.set_viewport_size(PHONE)
+    phone.goto(address.split("?")[0] + "#tasks")
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=30_000)
+    expect(
+        phone.get_by_role("region", name="Services").get_by_role("listitem").first
+    ).to_be_visible(timeout=30_000)
+    ring(port)
+    question = desktop.get_by_role("article")
+    expect(question.locator(".rehearsal")).to_be_visible(timeout=60_000)
+    photograph({"console": desktop, "phone": phone}, "question")
+    hold(desktop, question.get_by_role("button").first)
+    desktop.get_by_role("navigation").get_by_role("button", name="Tasks").click()
+    expect(desktop.get_by_role("banner")).to_contain_text("recording", timeout=120_000)
+    desktop.wait_for_timeout(6000)
+    desktop.screenshot(path=IMAGES / "tasks.png")
+    phone.screenshot(path=IMAGES / "phone-tasks.png")
+    desktop.get_by_role("button", name="Come home").click(timeout=60_000)
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=120_000)
+    expect(desktop.get_by_role("region", name="Now").get_by_role("listitem")).to_have_count(
+        0, timeout=30_000
+    )
+    for page in (desktop, phone):
+        page.get_by_role("tabpanel").locator("summary").first.click()
+    desktop.wait_for_timeout(1000)
+    desktop.screenshot(path=IMAGES / "tasks-history.png")
+    for page, name in ((desktop, "tasks-clip.png"), (phone, "phone-tasks-clip.png")):
+        page.get_by_role("button", name="Show clip").click()
+        page.wait_for_timeout(8000)
+        page.screenshot(path=IMAGES / name)
+        print(name)
+
+
+def photograph_tasks(browser: Browser, folder: Path) -> None:
+    """Run a site with a bell at the door, and photograph what is asked for there."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = int(probe.getsockname()[1])
+    (folder / "scene.toml").write_text(SCENE)
+    (folder / "site.toml").write_text(SITE.format(folder=folder, port=port))
+    log = folder / "tasks.log"
+    command = ("run", "--site", str(folder / "site.toml"))
+    home = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
+    try:
+        look_who_rings(browser, address_in(log), port)
+    finally:
+        home.send_signal(signal.SIGINT)
+        home.wait(60)
 
 
 def photograph_report(browser: Browser, folder: Path) -> None:
@@ -120,6 +221,7 @@ def main() -> None:
         finally:
             demo.send_signal(signal.SIGINT)
             demo.wait(60)
+        photograph_tasks(browser, Path(folder))
         photograph_report(browser, Path(folder) / "flight")
         browser.close()
     housefly(

@@ -10,10 +10,11 @@
 Sites and rooms   load_site, LoadedSite, Site, Room, OccupancyGrid, import_ros_map, text_map,
                   draw_room
 Flights           fly, open_flight, Flight, Summary, ReplayResult, Simulation
-Wires             launch, Bus, ZenohBus, TOPICS and each topic, PLAN_QUERY, ArDrone, run_twin
+Wires             launch, Bus, ZenohBus, TOPICS and each topic, PLAN_QUERY, TASKS_QUERY,
+                  ArDrone, run_twin
 Lab               run_campaign, CampaignResult, identify, Identified, choose_gains, Advice,
                   judge_gains, Judgement
-The room          connect, RoomClient, play_scene, PlayedScene
+The room          connect, HouseClient, RoomClient, play_scene, PlayedScene
 Sensors           Sensor, SensorHealth, SensorSink, MessageRate
 Messages          everything in ``housefly.messages``
 Errors            HouseflyError and those below it
@@ -44,9 +45,12 @@ if TYPE_CHECKING:
         OBSTACLE_TOPIC,
         ORDER_TOPIC,
         PLAN_QUERY,
+        ROOM_EVENT_TOPIC,
         ROOM_NEWS_TOPIC,
         SENSOR_TOPIC,
         STEP_TOPIC,
+        TASK_NEWS_TOPIC,
+        TASKS_QUERY,
         TOPICS,
         VIDEO_TOPIC,
     )
@@ -63,10 +67,10 @@ if TYPE_CHECKING:
         RoomError,
         StaleEdits,
         StoreError,
+        TaskError,
         ThingError,
         WireError,
     )
-    from housefly.hub.client.connect import connect
     from housefly.hub.client.room_client import RoomClient
     from housefly.lab.identification.result import Identified
     from housefly.lab.tuning.advice import Advice, Judgement
@@ -80,6 +84,7 @@ if TYPE_CHECKING:
         DroneStatus,
         Estimate,
         Event,
+        EventNews,
         Fact,
         Facts,
         Inputs,
@@ -105,6 +110,7 @@ if TYPE_CHECKING:
         Setpoint,
         Severity,
         Sighting,
+        TaskNews,
         Telemetry,
         TrackedFrame,
         VideoFrame,
@@ -117,23 +123,25 @@ if TYPE_CHECKING:
     from housefly.room.ros_map import import_ros_map
     from housefly.sensors.contracts import Sensor, SensorHealth, SensorSink
     from housefly.sensors.message_rate import MessageRate
+    from housefly.tasks.client.connect import connect
+    from housefly.tasks.client.house_client import HouseClient
     from housefly.twin.process import run_twin
 
 # fmt: off
 __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
-    "PLAN_QUERY", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC", "STEP_TOPIC", "TOPICS", "VIDEO_TOPIC",
-    "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Command",
-    "ConfigError", "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event",
-    "Fact", "Facts", "Flight", "HouseflyError", "Identified", "Inputs", "Judgement",
-    "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation",
-    "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase",
-    "PilotStep", "PlanAnswer", "PlayedScene", "Pose", "PreflightCheck", "RecordingError",
-    "Reference", "ReplayResult", "Room",
+    "PLAN_QUERY", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC", "STEP_TOPIC",
+    "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "VIDEO_TOPIC", "Action", "Advice", "ArDrone",
+    "Behavior", "Bus", "CampaignResult", "Command", "ConfigError", "Covariance", "DepthImage",
+    "DroneStatus", "EditsError", "Estimate", "Event", "EventNews", "Fact", "Facts", "Flight",
+    "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "LinkError", "LinkStatus",
+    "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle", "ObstacleKind",
+    "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase", "PilotStep", "PlanAnswer",
+    "PlayedScene", "Pose", "PreflightCheck", "RecordingError", "Reference", "ReplayResult", "Room",
     "RoomClient", "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor",
-    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "Sighting",
-    "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "Telemetry", "ThingError",
-    "TrackedFrame", "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect",
+    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "Sighting", "Simulation",
+    "Site", "StaleEdits", "StoreError", "Summary", "TaskError", "TaskNews", "Telemetry",
+    "ThingError", "TrackedFrame", "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect",
     "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch", "load_site",
     "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
@@ -151,16 +159,16 @@ _MODULES = {
     "bus.bus": "Bus",
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
-        " ROOM_NEWS_TOPIC SENSOR_TOPIC STEP_TOPIC TOPICS VIDEO_TOPIC"
+        " ROOM_EVENT_TOPIC ROOM_NEWS_TOPIC SENSOR_TOPIC STEP_TOPIC TASKS_QUERY TASK_NEWS_TOPIC"
+        " TOPICS VIDEO_TOPIC"
     ),
     "bus.zenoh_bus": "ZenohBus",
     "config.site": "Site",
     "drones.ardrone.driver": "ArDrone",
     "errors": (
         "ConfigError EditsError HouseflyError LinkError MissingPartError RecordingError"
-        " RoomError StaleEdits StoreError ThingError WireError"
+        " RoomError StaleEdits StoreError TaskError ThingError WireError"
     ),
-    "hub.client.connect": "connect",
     "hub.client.room_client": "RoomClient",
     "lab.identification.result": "Identified",
     "lab.tuning.advice": "Advice Judgement",
@@ -172,6 +180,8 @@ _MODULES = {
     "room.ros_map": "import_ros_map",
     "sensors.contracts": "Sensor SensorHealth SensorSink",
     "sensors.message_rate": "MessageRate",
+    "tasks.client.connect": "connect",
+    "tasks.client.house_client": "HouseClient",
     "twin.process": "run_twin",
 }
 """Names by the module that they come from; all others come from ``housefly.messages``."""

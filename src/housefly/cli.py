@@ -17,6 +17,7 @@ from housefly.app.commands.doctor import DOCTOR_COMMAND
 from housefly.app.commands.fly import FLY_COMMAND
 from housefly.app.commands.gains import GAINS_COMMAND
 from housefly.app.commands.identify import IDENTIFY_COMMAND
+from housefly.app.commands.mcp import MCP_COMMAND
 from housefly.app.commands.memory import MEMORY_COMMANDS
 from housefly.app.commands.new import NEW_COMMAND
 from housefly.app.commands.plan import PLAN_COMMAND
@@ -24,8 +25,11 @@ from housefly.app.commands.preflight import PREFLIGHT_COMMAND
 from housefly.app.commands.replay import REPLAY_COMMAND
 from housefly.app.commands.reproduce import REPRODUCE_COMMAND
 from housefly.app.commands.room import ROOM_COMMANDS
+from housefly.app.commands.rules import RULES_COMMANDS
 from housefly.app.commands.run import DEMO_COMMAND, RUN_COMMAND
 from housefly.app.commands.safety import SAFETY_COMMAND
+from housefly.app.commands.task_documents import TASK_COMMANDS
+from housefly.app.commands.tasks import ASK_COMMAND, CANCEL_COMMAND, TASKS_COMMAND
 from housefly.app.commands.user import USER_COMMANDS
 from housefly.config.text import refuse_odd_values, shortened
 from housefly.errors import ConfigError, HouseflyError
@@ -41,6 +45,12 @@ _COMMANDS = (
     REPLAY_COMMAND,
     IDENTIFY_COMMAND,
     GAINS_COMMAND,
+    ASK_COMMAND,
+    TASKS_COMMAND,
+    CANCEL_COMMAND,
+    TASK_COMMANDS,
+    RULES_COMMANDS,
+    MCP_COMMAND,
     WHERE_COMMAND,
     IS_COMMAND,
     WHO_COMMAND,

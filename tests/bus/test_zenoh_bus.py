@@ -354,3 +354,26 @@ def test_a_process_that_forgets_to_close_still_exits(
         web = child("web", connect=endpoint)
         assert bus.ask("who/web", timeout=10.0)
         assert web.leave() == 0
+
+
+def test_with_several_threads_a_long_answer_holds_up_no_other(endpoint: str) -> None:
+    going_on = threading.Event()
+
+    def answer(text: str) -> str:
+        if text == "long":
+            going_on.wait(20.0)
+        return text
+
+    with ZenohBus(listen=endpoint) as bus, ZenohBus(connect=endpoint) as other:
+        bus.answer("x", answer, threads=2)
+        found: list[str] = []
+        asking = threading.Thread(target=lambda: found.append(other.ask("x", "long", 20.0)))
+        asking.start()
+        assert other.ask("x", "short", 10.0) == "short"
+        assert found == []
+        going_on.set()
+        asking.join()
+        assert found == ["long"]
+        bus.answer("broken", lambda text: str(1 // 0), threads=2)
+        with pytest.raises(LinkError, match="failed"):
+            other.ask("broken", "", 10.0)

@@ -22,6 +22,7 @@ from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 
 from housefly.config.site import Site, site_from_file
+from housefly.config.tasks import PrivacyZone
 from housefly.errors import RecordingError
 from housefly.messages import LinkStatus, PilotStep, VideoFrame
 from housefly.record.recorder import FlightRecorder
@@ -258,6 +259,20 @@ def test_pictures_before_the_first_key_frame_and_of_another_size_are_left_out_of
     assert recorder.finish("completed").video_frames == 57
     with av.open(str(tmp_path / "video.mp4")) as film:
         assert len(list(film.decode(video=0))) == 45
+
+
+def test_where_there_are_privacy_zones_no_picture_is_recorded(
+    tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, pictures: tuple[VideoFrame, ...]
+) -> None:
+    zone = PrivacyZone(name="bed", polygon=((0, 0), (1, 0), (1, 1)))
+    tasks = site.tasks.model_copy(update={"privacy_zones": (zone,)})
+    private = site.model_copy(update={"tasks": tasks})
+    recorder = FlightRecorder(tmp_path, private, room, grid)
+    for picture in pictures:
+        recorder.add_video(picture)
+    recorder.finish("completed")
+    assert not (tmp_path / "video.mp4").exists()
+    assert "/video" not in messages(tmp_path)
 
 
 def test_garbage_instead_of_pictures_makes_no_film_and_no_noise(

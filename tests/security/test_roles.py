@@ -23,10 +23,12 @@ from housefly.web.roles import (
     OPEN_FOLDERS,
     OPEN_PATHS,
     ROLE_OF_CHANGE,
+    ROLE_OF_CLIP_CHANGE,
     ROLE_OF_FOLDER,
     ROLE_OF_MESSAGE,
     ROLE_OF_ORDER,
     ROLE_OF_PATH,
+    ROLE_OF_TASK_CHANGE,
     Role,
 )
 from housefly.web.server import create_app
@@ -71,11 +73,33 @@ PATHS: dict[tuple[str, str], Role] = {
     ("GET", "/api/v1/near?thing=cup"): ASK,
     ("GET", "/api/v1/contents/shelf"): ASK,
     ("GET", "/api/v1/trajectory/cup"): ASK,
+    ("GET", "/api/v1/tasks"): WATCH,
+    ("GET", "/api/v1/tasks/history"): WATCH,
+    ("GET", "/api/v1/services"): WATCH,
+    ("GET", "/api/v1/rules"): WATCH,
+    ("GET", "/api/v1/rules/dry-run?since=0"): ASK,
+    ("GET", "/api/v1/clips"): WATCH,
+    ("GET", "/api/v1/clips/a-clip"): WATCH,
+    ("POST", "/api/v1/tasks"): ASK,
+    ("POST", "/api/v1/tasks/rehearse"): ASK,
+    ("POST", "/api/v1/tasks/7/cancel"): ASK,
+    ("POST", "/api/v1/tasks/7/reply"): FLY,
+    ("POST", "/api/v1/tasks/7/pause"): FLY,
+    ("POST", "/api/v1/tasks/7/continue"): FLY,
+    ("POST", "/api/v1/tasks/7/dance"): ADMIN,
+    ("POST", "/api/v1/tasks//cancel"): ADMIN,
+    ("POST", "/api/v1/sentence"): ASK,
+    ("POST", "/api/v1/mode"): FLY,
+    ("POST", "/api/v1/clips/a-clip/keep"): FLY,
+    ("POST", "/api/v1/clips/a-clip/delete"): ADMIN,
+    ("DELETE", "/api/v1/clips/a-clip"): ADMIN,
     ("GET", "/a-path-that-nobody-thought-of"): ADMIN,
     ("POST", "/socket"): ADMIN,
     ("DELETE", "/edits"): ADMIN,
 }
 SOCKETS = {"/socket": WATCH, "/video": WATCH, "/api/v1/watch": WATCH}
+KEY_ONLY = "/api/v1/webhook/{name}"
+"""No session opens it, only a key of its own: tests/web/test_tasks_api.py."""
 REFUSED = "your role is"
 
 
@@ -176,7 +200,9 @@ async def test_no_message_no_order_and_no_path_is_without_a_role() -> None:
         else:
             changing.add(path)
     assert reading == (set(ROLE_OF_PATH) - {"/stop"}) | set(ROLE_OF_FOLDER)
-    assert changing == set(ROLE_OF_CHANGE)
+    of_a_task = {f"/api/v1/tasks/{{task}}/{change}" for change in ROLE_OF_TASK_CHANGE}
+    of_a_clip = {f"/api/v1/clips/{{clip}}/{change}" for change in ROLE_OF_CLIP_CHANGE}
+    assert changing == set(ROLE_OF_CHANGE) | of_a_task | of_a_clip | {KEY_ONLY}
 
 
 def every_route(routes: Any, prefix: str = "") -> list[tuple[str, Any]]:

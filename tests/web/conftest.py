@@ -227,7 +227,7 @@ def cheap_passwords() -> Iterator[None]:
         yield
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def serving() -> Callable[..., contextlib.AbstractAsyncContextManager[Served]]:
     """Return what starts a console, for tests that start it more than once."""
     return serve

@@ -11,6 +11,7 @@ from housefly.app.lockstep import fly_lockstep
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.runtime import Runtime, new_runtime
 from housefly.app.terminal import console
+from housefly.config.site import changed
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.recorder import FlightRecorder
 from housefly.record.summary import Summary
@@ -67,7 +68,8 @@ def fly_service(
             else:
                 logs = out / "logs"
                 logs.mkdir(exist_ok=True)
-                runtime = new_runtime(loaded.site, logs)
+                # One service is flown by one order: nobody else may want something meanwhile.
+                runtime = new_runtime(changed(loaded.site, tasks__enabled=False), logs)
                 if web:
                     console.print(f"console: {_address(runtime)}", soft_wrap=True)
                 outcome = fly_over_wires(

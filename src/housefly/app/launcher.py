@@ -6,6 +6,7 @@ twin        the simulated drone and cameras, nearly as urgent; absent with real 
 hub         the room's memory
 broker      an MQTT broker; absent where the devices have their own
 perception  finds obstacles in scans and depth images; absent without such sensors
+tasks       services: queue, rules, clips; gives the pilot orders as people do
 web         the console
 """
 
@@ -74,6 +75,8 @@ def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ..
         )
     if site.lasers or site.depth_cameras:
         processes.append(ProcessSpec("perception", "housefly.app.perception_main", niceness=2))
+    if site.tasks.enabled:
+        processes.append(ProcessSpec("tasks", "housefly.app.tasks_main", niceness=3))
     if web:
         processes.append(
             ProcessSpec(

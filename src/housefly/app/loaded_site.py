@@ -113,6 +113,9 @@ def read_site(name: str, **changes: Any) -> Site:
     for key in ("tls_certificate", "tls_key", "users"):
         if (name := getattr(site.web, key)) and not name.startswith("~"):
             changes.setdefault(f"web__{key}", str((path.parent / name).absolute()))
+    for key in ("documents", "rules"):
+        if name := getattr(site.tasks, key):
+            changes.setdefault(f"tasks__{key}", str((path.parent / name).absolute()))
     return changed(site, **changes) if changes else site
 
 

@@ -1,7 +1,6 @@
 """Scores the memory's answers on the truth of scenes that are played in fast time.
 
-Devices of the twin -> their codec -> memory and detectors -> the answer to "where is it", wired as
-the hub wires them; no process, no broker, no waiting.
+``app.played_memory`` is asked "where is it" once a second.
 """
 
 from __future__ import annotations
@@ -13,24 +12,15 @@ from math import hypot
 from pathlib import Path
 
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.played_memory import DEVICE_PERIOD, PlayedMemory
 from housefly.geometry import Vec3
 from housefly.hub.api.answers import AlternativePlace, PlacedAnswer, WhereAnswer
 from housefly.hub.api.questions import ContentsQuestion, WhereQuestion
-from housefly.hub.memory import RoomMemory
-from housefly.hub.query_handler import QueryHandler
-from housefly.hub.room_status import RoomStatus
-from housefly.hub.situation_service import SituationService
-from housefly.hub.store.open import open_store
-from housefly.hub.things_of_room import catalogue_of, surfaces_of
-from housefly.messages import Observation, RoomEvent
+from housefly.hub.things_of_room import surfaces_of
 from housefly.twin.people import Scene, SceneState
-from housefly.twin.sensors.devices import SimulatedDevices
-from housefly.wires.devices import Delivered, Placement, decode_reading
 
-_DEVICE_PERIOD = 0.1
-"""Time between two looks at what the devices send [s]: the floor reports as often."""
-_DETECTORS_EVERY, _ASK_EVERY = 2, 10
-"""Device periods between two runs of the detectors, and between two rounds of questions."""
+_ASK_EVERY = 10
+"""Device periods between two rounds of questions."""
 _SAME_PLACE = 0.5
 """An answer within this distance of the truth over the floor is right [m]."""
 _BOXES = ("cabinet", "refrigerator")
@@ -79,14 +69,7 @@ class ScoredRoom:
     """
 
     def __init__(self, loaded: LoadedSite, folder: Path, begin: float) -> None:
-        site, store = loaded.site, folder / "room.db"
-        things = catalogue_of(site, loaded.room, folder)
-        self._memory = RoomMemory(things, lambda: open_store(store), surfaces_of(loaded.room))
-        status = RoomStatus(self._memory.writer.report)
-        self._situations = SituationService(site, loaded.room, self._memory, status)
-        self._now = begin
-        self._queries = QueryHandler(self._memory, status, lambda: self._now)
-        self._site = site.mqtt.site
+        self._memory = PlayedMemory(loaded, folder, begin)
         self._surfaces = surfaces_of(loaded.room)
 
     def close(self) -> None:
@@ -95,23 +78,13 @@ class ScoredRoom:
 
     def play(self, scene: Scene) -> Iterator[JudgedAnswer]:
         """Play one round of a scene, ask once a second, and yield the answers, judged."""
-        devices = SimulatedDevices(scene, self._site)
-        tags = Placement(things={thing.tag: thing.name for thing in scene.script.things})
-        began = self._now
-        for step in range(int(scene.length / _DEVICE_PERIOD)):
-            self._now = began + step * _DEVICE_PERIOD
-            for message in devices.messages(self._now - began, self._now):
-                sent = Delivered(message.address, message.channel, message.payload, self._now)
-                reading = decode_reading(sent, tags)
-                told: tuple[Observation | RoomEvent, ...]
-                told = (*reading.observations, *reading.events)
-                for item in told:
-                    self._memory.add(item)
-            if step % _DETECTORS_EVERY == 0:
-                self._situations.update(self._now)
+        self._memory.listen_to(scene)
+        began = self._memory.now
+        for step in range(int(scene.length / DEVICE_PERIOD)):
+            self._memory.advance()
             if step % _ASK_EVERY == 0:
-                yield from self._judged(scene, scene.at(self._now - began))
-        self._now += _DEVICE_PERIOD
+                yield from self._judged(scene, scene.at(self._memory.now - began))
+        self._memory.now += DEVICE_PERIOD
 
     def _judged(self, scene: Scene, truth: SceneState) -> Iterator[JudgedAnswer]:
         for name in truth.things:
@@ -124,12 +97,14 @@ class ScoredRoom:
                 yield self._judge_contents(device.id, truth)
 
     def _judge(self, name: str, kind: str, truth: SceneState) -> JudgedAnswer:
-        answer = self._queries.answer(WhereQuestion(name))
+        answer = self._memory.ask(WhereQuestion(name))
         assert isinstance(answer, WhereAnswer)
         right = _is_right(answer, name, truth)
         named = right or any(self._is_there(one, name, truth) for one in answer.alternatives)
         verdict = _verdict(answer, right, named)
-        return JudgedAnswer(self._now, name, kind, verdict, right, answer.confidence, answer.words)
+        return JudgedAnswer(
+            self._memory.now, name, kind, verdict, right, answer.confidence, answer.words
+        )
 
     def _is_there(self, other: AlternativePlace, name: str, truth: SceneState) -> bool:
         """Return whether an alternative is the truth: its place, or the top that it names."""
@@ -140,13 +115,13 @@ class ScoredRoom:
         return thing is not None and any(top.distance(thing.position[:2]) == 0.0 for top in tops)
 
     def _judge_contents(self, box: str, truth: SceneState) -> JudgedAnswer:
-        answer = self._queries.answer(ContentsQuestion(box))
+        answer = self._memory.ask(ContentsQuestion(box))
         assert isinstance(answer, PlacedAnswer)
         told = {thing.thing for thing in answer.things}
         right = told == {thing.name for thing in truth.inside(box)}
         verdict = AnswerGrade.RIGHT if right else AnswerGrade.WRONG
         words = ", ".join(sorted(told))
-        return JudgedAnswer(self._now, box, "contents", verdict, right, 1.0, words)
+        return JudgedAnswer(self._memory.now, box, "contents", verdict, right, 1.0, words)
 
 
 def _verdict(answer: WhereAnswer, right: bool, named: bool) -> AnswerGrade:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from housefly.hub.api.answers import EventAnswer, PlacedThing, SensorAnswer, SourceAnswer
 
-_HIDDEN_FACTS = ("noticed_at", "sigma", "lasted")
+_HIDDEN_FACTS = ("noticed_at", "sigma", "lasted", "because")
 """Facts that are for programs."""
 
 

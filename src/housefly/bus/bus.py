@@ -36,8 +36,11 @@ class Bus(Protocol):
         """Call the handler with each message; a slow one misses messages of LATEST topics."""
         ...
 
-    def answer(self, query: str, handler: Callable[[str], str]) -> Subscription:
-        """Answer a query: the handler maps the request text to the reply text."""
+    def answer(self, query: str, handler: Callable[[str], str], threads: int = 1) -> Subscription:
+        """Answer a query: the handler maps the request text to the reply text.
+
+        With several threads a question that takes long holds up no other.
+        """
         ...
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:

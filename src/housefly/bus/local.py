@@ -83,8 +83,10 @@ class LocalBus:
         """Call the handler with each message from now on."""
         return self._register(self._topics, _Entry(topic.key, handler))
 
-    def answer(self, query: str, handler: Callable[[str], str]) -> _LocalSubscription:
-        """Answer a query; the first of several handlers answers."""
+    def answer(
+        self, query: str, handler: Callable[[str], str], threads: int = 1
+    ) -> _LocalSubscription:
+        """Answer a query on the asker's thread; the first of several handlers answers."""
         return self._register(self._queries, _Entry(query, handler))
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:

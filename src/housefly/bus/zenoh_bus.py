@@ -14,6 +14,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
 from types import TracebackType
 from typing import Any, Self, TypeVar
 
@@ -48,6 +49,7 @@ class _Reader:
         self._work = work
         self._name = name
         self._open = True
+        self.on_close: Callable[[], None] = lambda: None
         self._complained_at = float("-inf")
         self._thread = threading.Thread(
             target=self._run, args=(source.handler,), name=f"bus {name}", daemon=True
@@ -76,6 +78,7 @@ class _Reader:
         if self._open:
             self._open = False
             self._source.undeclare()
+            self.on_close()
         if self._thread is not threading.current_thread():
             self._thread.join(timeout=1.0)
 
@@ -145,8 +148,12 @@ class ZenohBus:
             )
         )
 
-    def answer(self, query: str, handler: Callable[[str], str]) -> _Reader:
-        """Answer a query, on a thread of this subscription; an exception becomes an error reply."""
+    def answer(self, query: str, handler: Callable[[str], str], threads: int = 1) -> _Reader:
+        """Answer a query; an exception becomes an error reply.
+
+        Questions are answered one after the other on a thread of this subscription, or on several
+        threads at once: then one that takes long holds up no other.
+        """
         key = self._key(query)
         source = self._declare(
             self._session.declare_queryable, key, zenoh.handlers.FifoChannel(_EVERY_DEPTH)
@@ -162,7 +169,16 @@ class ZenohBus:
                 except Exception as error:
                     asked.reply_err(f"{error}".encode())
 
-        return self._keep(_Reader(source, query, reply))
+        if threads == 1:
+            return self._keep(_Reader(source, query, reply))
+        pool = ThreadPoolExecutor(threads, thread_name_prefix=f"answers {query}")
+
+        def hand_over(asked: Any) -> None:
+            pool.submit(reply, asked)
+
+        reader = _Reader(source, query, hand_over)
+        reader.on_close = lambda: pool.shutdown(wait=False, cancel_futures=True)
+        return self._keep(reader)
 
     def ask(self, query: str, request: str = "", timeout: float = 2.0) -> str:
         """Return the first reply; raises LinkError after the timeout [s] or on a failed handler."""

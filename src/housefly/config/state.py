@@ -51,3 +51,13 @@ def tasks_folder(site: Site) -> Path:
     """Return where a site keeps its queue, its rules' memory and its clips: beside its memory."""
     file = database_file(site)
     return file.with_name("tasks" if file.name == _DATABASE else f"{file.stem}-tasks")
+
+
+def clips_folder(site: Site) -> Path:
+    """Return where a site keeps its clips and snapshots, and the index of them."""
+    return tasks_folder(site) / "clips"
+
+
+def webhook_key_file(site: Site) -> Path:
+    """Return the file of the key that webhooks of a site must show."""
+    return tasks_folder(site) / "webhook-key"

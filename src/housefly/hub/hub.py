@@ -7,11 +7,19 @@ import logging
 from pathlib import Path
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, ROOM_NEWS_TOPIC, SENSOR_TOPIC, STEP_TOPIC
+from housefly.bus.topics import (
+    HUB_QUERY,
+    OBSTACLE_TOPIC,
+    ROOM_EVENT_TOPIC,
+    ROOM_NEWS_TOPIC,
+    SENSOR_TOPIC,
+    STEP_TOPIC,
+)
 from housefly.clock import RealClock
 from housefly.config.site import Site
 from housefly.errors import HouseflyError
 from housefly.hub.api.json import answer_to_json, question_from_json, refusal_to_json
+from housefly.hub.api.told_events import told_event_of
 from housefly.hub.change_feed import CHANGE_FEED_PERIOD, ChangeFeed
 from housefly.hub.flight_facts import FlightFacts
 from housefly.hub.memory import RoomMemory
@@ -26,7 +34,7 @@ from housefly.hub.situations_at import MEMORY_STARTED
 from housefly.hub.store.open import open_site_store
 from housefly.hub.things_of_room import catalogue_of, furniture_id, surfaces_of
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import PilotStep, RoomEvent
+from housefly.messages import EventNews, PilotStep, RoomEvent
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.room.edits import room_of
 from housefly.sensors.contracts import Sensor
@@ -77,6 +85,7 @@ class Hub:
             bus.subscribe(STEP_TOPIC, self._step),
             bus.subscribe(OBSTACLE_TOPIC, self._obstacles.update),
             bus.subscribe(SENSOR_TOPIC, self._sensor_status.update),
+            bus.subscribe(ROOM_EVENT_TOPIC, self._told),
             bus.answer(HUB_QUERY, self.answer),
         )
 
@@ -108,6 +117,9 @@ class Hub:
             self._obstacles.update(obstacle)
         for item in self._facts.items_of(step, self.clock.offset()):
             self.memory.add(item)
+
+    def _told(self, news: EventNews) -> None:
+        self.memory.add(told_event_of(news, self.clock.now()))
 
     def answer(self, text: str) -> str:
         """Return the answer to a question, both JSON; thread-safe, never raises."""

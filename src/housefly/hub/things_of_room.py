@@ -14,8 +14,8 @@ from housefly.config.site import Site
 from housefly.geometry import Vec3, quaternion_from_euler
 from housefly.hub.things.catalogue import load_catalogue
 from housefly.hub.things.surfaces import Surface
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
-from housefly.room.model import Room, Shape, Solid
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
+from housefly.room.model import Place, Room, Shape, Solid
 
 _BUILDING_WORDS = (
     "wall",
@@ -110,6 +110,11 @@ def furniture_id(piece: FurnitureConfig) -> str:
     return _id(piece.model or piece.name)
 
 
+def place_id(place: Place) -> str:
+    """Return the id of a place."""
+    return _id(f"place {place.name}")
+
+
 def _furniture(room: Room) -> Iterator[Thing]:
     parts: dict[str, list[Solid]] = {}
     for solid in room.solids:
@@ -136,10 +141,10 @@ def _places(room: Room, height: float) -> Iterator[Thing]:
     for place in room.places:
         x, y = place.viewpoint
         look_x, look_y, _ = place.look_at
-        view = Viewpoint("hover", (x, y, height), atan2(look_y - y, look_x - x))
+        view = NamedPose("hover", (x, y, height), atan2(look_y - y, look_x - x))
         title = place.title or place.name
         yield Thing(
-            _id(f"place {place.name}"),
+            place_id(place),
             title,
             ThingKind.PLACE,
             (place.name,),

@@ -1,7 +1,7 @@
 """The flight recorder: the whole flight in one folder, without ever delaying it.
 
 flight.mcap    every step, whole, and standard ROS 2 topics beside it
-video.mp4      the drone's pictures
+video.mp4      the drone's pictures, where the site has no privacy zones
 truth.jsonl    where the simulated drone really was, and what it touched
 site.json      the site as it was flown
 summary.json   the flight in numbers
@@ -92,8 +92,9 @@ class FlightRecorder:
         self._put(lambda: self._write_step(step))
 
     def add_video(self, frame: VideoFrame) -> None:
-        """Record one video frame."""
-        self._put(lambda: self._write_video(frame))
+        """Record one video frame, but none where the site has privacy zones: they are not blank."""
+        if not self._site.tasks.privacy_zones:
+            self._put(lambda: self._write_video(frame))
 
     def add_link(self, status: LinkStatus) -> None:
         """Record the health of the wires."""

@@ -33,6 +33,7 @@ from housefly.wires.devices import (
     listener_topic,
     parse_topic,
     site_subscription,
+    task_topic,
 )
 
 _MAX_DEVICES = 256
@@ -118,6 +119,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
 
     async def _session(self, sink: SensorSink) -> None:
         presence = listener_topic(self._config.site)
+        tasks = task_topic(self._config.site, "#")
         will = aiomqtt.Will(presence, b"offline", qos=1, retain=True)
         async with mqtt_client(self._config, will, MAX_DEVICE_PAYLOAD + _ENVELOPE) as link:
             await link.subscribe(site_subscription(self._config.site), qos=1)
@@ -128,7 +130,7 @@ class MqttSensors(ReconnectingClient[Observation | RoomEvent]):
             self._data_arrived(self._clock.now())
             self.counts["connections"] += 1
             async for message in link.messages:
-                if message.topic.value != presence:
+                if message.topic.value != presence and not message.topic.matches(tasks):
                     self._take(message, sink)
 
     def _take(self, message: aiomqtt.Message, sink: SensorSink) -> None:

@@ -9,6 +9,7 @@ from housefly.twin.clearance import Clearance, ClearanceMeter
 from housefly.twin.contact_log import Contact, ContactLog
 from housefly.twin.people.motion import PersonMotion
 from housefly.twin.physics import Physics
+from housefly.twin.picture_segments import PictureSegments
 from housefly.twin.solids import owners_of_geoms
 from housefly.twin.touch import touch_points
 
@@ -29,7 +30,12 @@ class Encounters:
         self._owners = owners_of_geoms(physics.model, room, tracked, physics.floors)
         self._log = ContactLog(motion)
         self._meter = ClearanceMeter(physics, self._owners)
+        self._segments = PictureSegments(physics, self._owners)
         self._measured: tuple[int, Clearance] | None = None
+
+    def in_picture(self) -> dict[str, float]:
+        """Return the share of the front camera's picture that each thing and person takes."""
+        return self._segments.shares()
 
     @property
     def contacts(self) -> tuple[Contact, ...]:

@@ -222,6 +222,13 @@ class SimulatedWorld:
         """Return how far the hull is now from solids and people [m]."""
         return self._encounters.clearance(self._ticks)
 
+    def in_picture(self) -> dict[str, float]:
+        """Return the share of the front camera's picture that each thing and person takes, 0 to 1.
+
+        By name; true, cast by rays: for scores and tests.
+        """
+        return self._encounters.in_picture()
+
     def scan(self, laser: str) -> tuple[int, ...]:
         """Return what a scanner of the site measures now, one distance a beam [mm]."""
         return self._scanners[laser].scan()

@@ -8,8 +8,15 @@ import logging
 from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.web.console import Console
-from housefly.web.protocol import LinkMessage, PreflightMessage, RoomMessage, to_text
+from housefly.web.protocol import (
+    LinkMessage,
+    PreflightMessage,
+    RoomMessage,
+    TasksMessage,
+    to_text,
+)
 from housefly.web.session_watch import LOOK_PERIOD
+from housefly.web.task_feed import BOARD_PERIOD, TaskFeed
 
 _LOG = logging.getLogger(__name__)
 
@@ -34,6 +41,7 @@ class Broadcast:
         self._sequence = -1
         self._path = -1
         self._link: LinkMessage | None = None
+        self._tasks: TasksMessage | None = None
 
     async def run(self) -> None:
         """Run until cancelled."""
@@ -43,6 +51,8 @@ class Broadcast:
             tasks.create_task(self._watch_return_time())
             tasks.create_task(self._watch_preflight())
             tasks.create_task(self._watch_sessions())
+            if self._console.tasks is not None:
+                tasks.create_task(self._watch_tasks(self._console.tasks))
 
     async def _send_changes(self) -> None:
         while True:
@@ -50,6 +60,7 @@ class Broadcast:
             self._console.check_lease()
             self._send_link()
             self._send_path()
+            self._send_tasks()
             self._send_state()
             self._console.send_events()
 
@@ -72,6 +83,17 @@ class Broadcast:
         if path.number != self._path:
             self._path = path.number
             self._console.broadcast("path", to_text(path))
+
+    def _send_tasks(self) -> None:
+        told = self._console.tasks.message() if self._console.tasks else None
+        if told is not None and told != self._tasks:
+            self._tasks = told
+            self._console.broadcast("tasks", to_text(told))
+
+    async def _watch_tasks(self, feed: TaskFeed) -> None:
+        while True:
+            await feed.ask()
+            await asyncio.sleep(BOARD_PERIOD)
 
     async def _watch_room(self) -> None:
         """Ask for the room until the pilot answers, and again when a pilot has restarted."""

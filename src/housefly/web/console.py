@@ -45,6 +45,7 @@ from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed, on_the_ground
+from housefly.web.task_feed import TaskFeed
 from housefly.web.viewer import Viewer
 
 _LOG = logging.getLogger(__name__)
@@ -70,8 +71,9 @@ class Console:
         auth: SessionAuth,
         clock: Clock,
         audit: AuditLog | None = None,
+        tasks: TaskFeed | None = None,
     ) -> None:
-        self.feed, self.link, self.lease = feed, link, Lease()
+        self.feed, self.link, self.lease, self.tasks = feed, link, Lease(), tasks
         self.room: RoomView | None = None
         self.preflight = PreflightView()
         self.viewers: set[Viewer] = set()
@@ -156,6 +158,11 @@ class Console:
             if viewer.present and viewer.number == self.lease.holder and not may_fly:
                 self._take_control_from(viewer)
 
+    def name_of_owner(self, owner: str) -> str:
+        """Return the name that others see for an owner of a session, of any of its tabs."""
+        names = (one.name for one in self.viewers if one.present and one.session.owner == owner)
+        return next(names, "a browser")
+
     def name_of_tab(self, owner: str, tab: str) -> str:
         """Return the name that others see for a tab of a session's owner."""
         return self._name(self._numbers.get((owner, tab)))
@@ -213,6 +220,8 @@ class Console:
         if self.room is not None:
             viewer.send(RoomMessage(self.room))
         viewer.send_latest("preflight", to_text(PreflightMessage(self.preflight)))
+        if self.tasks is not None:
+            viewer.send_latest("tasks", to_text(self.tasks.message()))
         viewer.send_latest("path", to_text(self.feed.path()))
         if (link := self.feed.link()) is not None:
             viewer.send_latest("link", to_text(link))

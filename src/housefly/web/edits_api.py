@@ -21,6 +21,7 @@ from starlette.routing import BaseRoute, Route
 
 from housefly.errors import EditsError, HouseflyError, StaleEdits
 from housefly.web.edit_service import EditService, EditsView
+from housefly.web.request_bodies import bounded_body
 from housefly.web.responses import error_response, json_response
 from housefly.web.session_auth import SessionAuth
 
@@ -103,7 +104,7 @@ class EditsApi:
         session = self._auth.session_of(request) if self._auth.is_own_page(request) else None
         if session is None:
             return error_response(403, "this page may not change the room")
-        body = await _body(request)
+        body = await bounded_body(request, MAX_BODY_SIZE)
         if body is None:
             return error_response(413, f"that is too much; allowed: up to {MAX_BODY_SIZE} bytes")
         try:
@@ -133,16 +134,6 @@ class EditsApi:
         except HouseflyError as error:
             return error_response(503, str(error))
         return json_response(_VIEW.dump_json(view))
-
-
-async def _body(request: Request) -> bytes | None:
-    """Return the body, or None when it is too large."""
-    read = b""
-    async for part in request.stream():
-        read += part
-        if len(read) > MAX_BODY_SIZE:
-            return None
-    return read
 
 
 def _parsed(body: bytes) -> _EditRequest:

@@ -29,10 +29,12 @@ from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
 from housefly.config.site import Site, changed, site_from_file
-from housefly.config.state import edits_folder, users_file
+from housefly.config.state import clips_folder, edits_folder, users_file, webhook_key_file
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
+from housefly.tasks.evidence.clip_index import ClipIndex
+from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.connections import ConnectionLimiter, limited_protocol
 from housefly.web.coverage_layer import coverage_view
@@ -42,6 +44,7 @@ from housefly.web.handshakes import HandshakeListener
 from housefly.web.server import create_app
 from housefly.web.session import EndedSessions
 from housefly.web.users import UserBook
+from housefly.web.webhook_key import webhook_key
 
 _LOG = logging.getLogger(__name__)
 
@@ -106,6 +109,9 @@ async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
             audit=AuditLog(edits_folder(site).with_name("commands.jsonl")),
             users=UserBook(users_file(site)),
             ended=EndedSessions(folder / "ended-sessions"),
+            clips=_clip_index(site),
+            hook_key=_hook_key(site),
+            privacy=LiveBlanker(site.tasks),
         )
         site = changed(site, web__port=listener.getsockname()[1])
         # Later collections skip what lives for the whole run, so that nobody waits for them.
@@ -183,6 +189,25 @@ def listening(host: str, port: int) -> HandshakeListener:
 def _report_stop(outcome: Future[bool]) -> None:
     if not outcome.result():
         _LOG.warning("STOP was not acknowledged on its own path; it also went over the bus")
+
+
+def _clip_index(site: Site) -> ClipIndex | None:
+    """Return the index of the clips, or None when there is none that can be read."""
+    if not site.tasks.enabled:
+        return None
+    try:
+        return ClipIndex(clips_folder(site), site.tasks)
+    except HouseflyError as error:
+        _LOG.error("no clips are shown: %s", error)
+        return None
+
+
+def _hook_key(site: Site) -> str:
+    try:
+        return webhook_key(webhook_key_file(site)) if site.tasks.enabled else ""
+    except OSError as error:
+        _LOG.error("no webhook is let in: its key cannot be kept: %s", error.strerror)
+        return ""
 
 
 def _stop_sender() -> StopSender:

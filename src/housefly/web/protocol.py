@@ -25,6 +25,7 @@ from housefly.messages import (
     SafetyMode,
     Severity,
 )
+from housefly.tasks.api.answers import TaskBoard
 
 _STRICT = ConfigDict(extra="forbid", allow_inf_nan=False, str_strip_whitespace=True)
 _PLACE_MAX, _NAME_MAX = 60, 24
@@ -264,6 +265,22 @@ class ViewersMessage:
 
 
 @dataclass(frozen=True, slots=True)
+class TasksMessage:
+    """The tasks.
+
+    Attributes:
+        running: whether somebody keeps the board now; without, it is of the past.
+        heard_at: when the server received the board [s].
+        board: the newest, or None before the first.
+    """
+
+    running: bool
+    heard_at: float
+    board: TaskBoard | None
+    type: Literal["tasks"] = "tasks"
+
+
+@dataclass(frozen=True, slots=True)
 class PlanReply:
     """Answer to PlanQuestion ``id``."""
 
@@ -316,6 +333,7 @@ ServerMessage = (
     | LinkMessage
     | EventsMessage
     | ViewersMessage
+    | TasksMessage
     | PlanReply
     | AcceptedReply
     | RefusedReply

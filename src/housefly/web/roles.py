@@ -79,6 +79,12 @@ ROLE_OF_PATH: dict[str, Role] = {
     f"{API_PREFIX}/near": Role.ASK,
     f"{API_PREFIX}/people": Role.ASK,
     f"{API_PREFIX}/nights": Role.ASK,
+    f"{API_PREFIX}/tasks": Role.WATCH,
+    f"{API_PREFIX}/tasks/history": Role.WATCH,
+    f"{API_PREFIX}/services": Role.WATCH,
+    f"{API_PREFIX}/rules": Role.WATCH,
+    f"{API_PREFIX}/rules/dry-run": Role.ASK,
+    f"{API_PREFIX}/clips": Role.WATCH,
 }
 """For reading, and for WebSockets."""
 ROLE_OF_FOLDER: dict[str, Role] = {
@@ -86,13 +92,31 @@ ROLE_OF_FOLDER: dict[str, Role] = {
     f"{API_PREFIX}/contents/": Role.ASK,
     f"{API_PREFIX}/trajectory/": Role.ASK,
     f"{API_PREFIX}/is/": Role.ASK,
+    f"{API_PREFIX}/clips/": Role.WATCH,
 }
 ROLE_OF_CHANGE: dict[str, Role] = {
     "/stop": Role.WATCH,
     "/edits": Role.ADMIN,
     "/edits/undo": Role.ADMIN,
+    f"{API_PREFIX}/tasks": Role.ASK,
+    f"{API_PREFIX}/tasks/rehearse": Role.ASK,
+    f"{API_PREFIX}/sentence": Role.ASK,
+    f"{API_PREFIX}/mode": Role.FLY,
 }
-"""For every method but GET and HEAD."""
+"""For every method but GET and HEAD. What a mere asker asks for waits for somebody's yes."""
+ROLE_OF_TASK_CHANGE: dict[str, Role] = {
+    "cancel": Role.ASK,
+    "reply": Role.FLY,
+    "pause": Role.FLY,
+    "continue": Role.FLY,
+}
+"""For ``/tasks/{id}/{change}``; a mere asker ends only what he asked for (``web.tasks_api``)."""
+ROLE_OF_CLIP_CHANGE: dict[str, Role] = {"keep": Role.FLY, "delete": Role.ADMIN}
+"""For ``/clips/{id}/{change}``."""
+_CHANGES_BELOW = {
+    f"{API_PREFIX}/tasks/": ROLE_OF_TASK_CHANGE,
+    f"{API_PREFIX}/clips/": ROLE_OF_CLIP_CHANGE,
+}
 
 
 def role_for_message(message: Any) -> Role:
@@ -112,11 +136,20 @@ def role_for_path(path: str, *, changes: bool) -> Role | None:
     if path in OPEN_PATHS or path.startswith(OPEN_FOLDERS):
         return None
     if changes:
-        return ROLE_OF_CHANGE.get(path, Role.ADMIN)
+        return ROLE_OF_CHANGE.get(path) or _role_for_change_of_one(path)
     for folder, role in ROLE_OF_FOLDER.items():
         if path.startswith(folder):
             return role
     return ROLE_OF_PATH.get(path, Role.ADMIN)
+
+
+def _role_for_change_of_one(path: str) -> Role:
+    """Return the role for a change of one task or clip."""
+    for folder, roles in _CHANGES_BELOW.items():
+        one, _, change = path.removeprefix(folder).partition("/")
+        if path.startswith(folder) and one:
+            return roles.get(change, Role.ADMIN)
+    return Role.ADMIN
 
 
 def role_objection(role: Role, needed: Role) -> str:

@@ -7,9 +7,8 @@ A request needs the console's session, or the key of this run as a bearer token,
 from __future__ import annotations
 
 import asyncio
-import hmac
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -26,12 +25,14 @@ from housefly.hub.api.endpoints import API_PREFIX, ENDPOINTS, Endpoint
 from housefly.hub.api.json import first_problem, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.messages import RoomNews
+from housefly.web.bearer import bears
 from housefly.web.responses import error_response, json_response
 from housefly.web.roles import Role
 from housefly.web.room_openapi import openapi_document
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol, same_origin
 from housefly.web.session_watch import while_logged_in
+from housefly.web.tasks_endpoints import TASK_ENDPOINTS
 
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""
@@ -53,15 +54,18 @@ class RoomApi:
         self._threads = ThreadPoolExecutor(4, "room")
         self._seats = Seats()
 
-    def routes(self) -> list[BaseRoute]:
-        """Return the routes below ``API_PREFIX``."""
-        document = openapi_document(ENDPOINTS, API_PREFIX)
+    def routes(self, more: Sequence[BaseRoute] = ()) -> list[BaseRoute]:
+        """Return the routes below ``API_PREFIX``, with more of the same API."""
+        document = openapi_document(ENDPOINTS, TASK_ENDPOINTS, API_PREFIX)
         asked = [
             Route(endpoint.path, self._handler(endpoint), methods=["GET"]) for endpoint in ENDPOINTS
         ]
         described = Route("/openapi.json", lambda request: JSONResponse(document), methods=["GET"])
         return [
-            Mount(API_PREFIX, routes=[*asked, described, WebSocketRoute("/watch", self._watch)])
+            Mount(
+                API_PREFIX,
+                routes=[*asked, described, WebSocketRoute("/watch", self._watch), *more],
+            )
         ]
 
     def close(self) -> None:
@@ -132,10 +136,7 @@ class RoomApi:
             subscription.close()
 
     def _may_ask(self, connection: HTTPConnection) -> bool:
-        scheme, _, offered = connection.headers.get("authorization", "").partition(" ")
-        if scheme.lower() == "bearer" and self._key:
-            return hmac.compare_digest(offered.encode(), self._key.encode())
-        return self._auth.has_session(connection)
+        return bears(connection, self._key) or self._auth.has_session(connection)
 
 
 def _parsed_question(reader: TypeAdapter[Any], request: Request) -> Question:

@@ -1,4 +1,4 @@
-"""The OpenAPI document of the room API, generated from its questions and answers."""
+"""The OpenAPI document of the HTTP API, generated from its questions and answers."""
 
 from __future__ import annotations
 
@@ -9,29 +9,35 @@ from pydantic import TypeAdapter
 
 from housefly.hub.api.answers import ANSWER_TYPES
 from housefly.hub.api.endpoints import Endpoint
+from housefly.web.tasks_endpoints import TaskEndpoint
+from housefly.web.tasks_openapi import SCHEMA_REFERENCE, parameter_schema, task_operation
 
 _API_VERSION = "1.0"
-_SCHEMA_REFERENCE = "#/components/schemas/{model}"
 
 
-def openapi_document(endpoints: Sequence[Endpoint], prefix: str) -> dict[str, Any]:
-    """Return the document."""
+def openapi_document(
+    endpoints: Sequence[Endpoint], tasks: Sequence[TaskEndpoint], prefix: str
+) -> dict[str, Any]:
+    """Return the document of what can be asked of the room and of the tasks."""
     schemas: dict[str, Any] = {
         "Error": {
             "type": "object",
-            "properties": {"error": {"type": "string"}},
+            "properties": {"error": {"type": "string"}, "code": {"type": "string"}},
             "required": ["error"],
         }
     }
-    paths = {
+    paths: dict[str, dict[str, Any]] = {
         prefix + endpoint.path: {"get": _operation(endpoint, schemas)} for endpoint in endpoints
     }
+    for task in tasks:
+        operation = task_operation(task, schemas)
+        paths.setdefault(prefix + task.path, {})[task.method.lower()] = operation
     return {
         "openapi": "3.1.0",
         "info": {
-            "title": "Housefly: the room",
+            "title": "Housefly: the room and its tasks",
             "version": _API_VERSION,
-            "description": "What is where, and what happened.",
+            "description": "What is where, what happened, and what is asked for.",
         },
         "security": [{"key": []}],
         "paths": paths,
@@ -44,7 +50,7 @@ def openapi_document(endpoints: Sequence[Endpoint], prefix: str) -> dict[str, An
 
 def _operation(endpoint: Endpoint, schemas: dict[str, Any]) -> dict[str, Any]:
     answer = TypeAdapter(ANSWER_TYPES[endpoint.question]).json_schema(
-        ref_template=_SCHEMA_REFERENCE, mode="serialization"
+        ref_template=SCHEMA_REFERENCE, mode="serialization"
     )
     schemas.update(answer.pop("$defs", {}))
     name = ANSWER_TYPES[endpoint.question].__name__
@@ -64,7 +70,7 @@ def _operation(endpoint: Endpoint, schemas: dict[str, Any]) -> dict[str, Any]:
             str(status): {
                 "description": words,
                 "content": {
-                    "application/json": {"schema": {"$ref": _SCHEMA_REFERENCE.format(model=model)}}
+                    "application/json": {"schema": {"$ref": SCHEMA_REFERENCE.format(model=model)}}
                 },
             }
             for status, (words, model) in sorted(described.items())
@@ -85,14 +91,7 @@ def _parameters(endpoint: Endpoint) -> list[dict[str, Any]]:
                 "name": name,
                 "in": "path" if in_path else "query",
                 "required": required,
-                "schema": _parameter_schema(own),
+                "schema": parameter_schema(own),
             }
         )
     return found
-
-
-def _parameter_schema(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of a parameter: an optional one may be absent but never null."""
-    options = [option for option in schema.get("anyOf", ()) if option.get("type") != "null"]
-    kept = {key: value for key, value in schema.items() if key not in ("anyOf", "default", "title")}
-    return {**kept, **options[0]} if options else kept

@@ -8,7 +8,7 @@
 /stop            POST: STOP, for a browser whose socket is down
 /video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
-/api/v1/...      the room: where things are, what happened
+/api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
 /edits           places and no-fly zones: shown, saved, undone
 """
 
@@ -27,8 +27,10 @@ from starlette.middleware import Middleware
 from housefly.bus.bus import Bus
 from housefly.clock import Clock, RealClock
 from housefly.config.furniture import FurnitureConfig
+from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.broadcast import Broadcast
+from housefly.web.clip_files import ClipBook, ClipFiles
 from housefly.web.console import Console
 from housefly.web.console_routes import console_routes
 from housefly.web.coverage_layer import CoverageLayer, CoverageView
@@ -45,6 +47,8 @@ from housefly.web.session import EndedSessions
 from housefly.web.session_auth import SessionAuth, api_key
 from housefly.web.session_pages import session_routes
 from housefly.web.state_feed import StateFeed
+from housefly.web.task_feed import TaskFeed
+from housefly.web.tasks_api import TasksApi
 from housefly.web.users import UserBook
 from housefly.web.video import VideoRelay
 from housefly.web.video_routes import video_routes
@@ -67,6 +71,9 @@ def create_app(
     audit: AuditLog | None = None,
     users: UserBook | None = None,
     ended: EndedSessions | None = None,
+    clips: ClipBook | None = None,
+    hook_key: str = "",
+    privacy: LiveBlanker | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -85,18 +92,35 @@ def create_app(
         edits: where places and zones are edited; None where they are not.
         users: who may log in; None for nobody.
         ended: sessions that are over.
+        clips: knows the clips and snapshots; None shows none.
+        hook_key: bearer token of webhooks; "" lets none in.
+        privacy: blanks the privacy zones in the video; None where there are none.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
     logins = Logins(users, clock, audit) if users else None
     link = PilotLink(bus, stop, clock)
-    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock, audit)
-    video = VideoRelay(bus)
+    board = TaskFeed(bus, clock)
+    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock, audit, board)
+    video = VideoRelay(bus, privacy, board.mode)
     layer = CoverageLayer(coverage) if coverage else None
-    room_api = RoomApi(bus, auth, api_key(secret) if secret else "")
+    key = api_key(secret) if secret else ""
+    room_api = RoomApi(bus, auth, key)
+    tasks_api = TasksApi(
+        bus,
+        auth,
+        clock,
+        key=key,
+        hook_key=hook_key,
+        name_of=console.name_of_owner,
+        audit=audit,
+    )
+    clip_routes = ClipFiles(clips, auth, key, console.name_of_owner, audit).routes()
     edits_api = EditsApi(edits, auth, console)
-    closing = [link.close, room_api.close, edits_api.close, *([layer.close] if layer else [])]
+    closing = [link.close, room_api.close, edits_api.close, tasks_api.close, board.close]
+    closing += [layer.close] if layer else []
     closing += [audit.close] if audit else []
+    closing += [clips.close] if clips else []
     closing += [logins.close] if logins else []
     return Starlette(
         routes=[
@@ -105,22 +129,27 @@ def create_app(
             *console_routes(console, auth),
             *video_routes(video, auth),
             *coverage_routes(layer, auth),
-            *room_api.routes(),
+            *room_api.routes([*tasks_api.routes(), *clip_routes]),
             *edits_api.routes(),
         ],
         middleware=[Middleware(HostGuard, hosts=hosts), Middleware(RoleGuard, auth=auth)],
-        lifespan=_lifespan(bus, console, video, closing),
+        lifespan=_lifespan(bus, console, board, video, closing),
     )
 
 
 def _lifespan(
-    bus: Bus, console: Console, video: VideoRelay, closing: list[Callable[[], None]]
+    bus: Bus,
+    console: Console,
+    board: TaskFeed,
+    video: VideoRelay,
+    closing: list[Callable[[], None]],
 ) -> Callable[[Starlette], AbstractAsyncContextManager[None]]:
     """Return what listens and broadcasts while the application runs, then calls ``closing``."""
 
     @asynccontextmanager
     async def running(app: Starlette) -> AsyncIterator[None]:
         console.feed.listen(bus)
+        board.listen()
         video.listen(asyncio.get_running_loop())
         task = asyncio.create_task(Broadcast(console).run())
         task.add_done_callback(_exit_on_failure)

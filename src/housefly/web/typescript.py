@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from housefly.hub.api import answers as room_answers
+from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditsView
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
@@ -18,6 +19,7 @@ from housefly.web.protocol import ClientMessage, ServerMessage
 _WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
 _ROOM_MESSAGES_FILE = _WIRE_FOLDER / "room-messages.ts"
+_TASK_MESSAGES_FILE = _WIRE_FOLDER / "task-messages.ts"
 _DRAFT_MESSAGES_FILE = _WIRE_FOLDER / "draft-messages.ts"
 _HEADER = "// Generated from {source} by `python -m housefly.web.typescript`. Do not edit.\n"
 _LINE_LENGTH = 100
@@ -35,6 +37,7 @@ def generated_files() -> dict[Path, str]:
     return {
         _MESSAGES_FILE: _socket_types(),
         _ROOM_MESSAGES_FILE: _room_types(),
+        _TASK_MESSAGES_FILE: _text("housefly/tasks/api", {"TaskAnswer": TaskAnswer}),
         _DRAFT_MESSAGES_FILE: _draft_types(),
     }
 

@@ -10,13 +10,15 @@ from __future__ import annotations
 import asyncio
 import struct
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import VIDEO_TOPIC
+from housefly.bus.topics import STEP_TOPIC, VIDEO_TOPIC
 from housefly.messages import VideoFrame
+from housefly.tasks.api.values import HouseMode
+from housefly.tasks.evidence.live_blanker import LiveBlanker
 
 FRAME_HEADER = struct.Struct("<BBHHxxQd")
 _FORMAT_VERSION = 1
@@ -78,10 +80,22 @@ class FrameQueue:
 
 
 class VideoRelay:
-    """Copies the drone's frames to every subscriber; a late one begins at the last key frame."""
+    """Copies the drone's frames to every subscriber; a late one begins at the last key frame.
 
-    def __init__(self, bus: Bus) -> None:
-        self._bus = bus
+    Args:
+        bus: where the frames come from.
+        privacy: blanks the privacy zones; None where there are none.
+        mode: tells the mode of the house, None while nobody knows; it decides which zones count.
+    """
+
+    def __init__(
+        self,
+        bus: Bus,
+        privacy: LiveBlanker | None = None,
+        mode: Callable[[], HouseMode | None] = lambda: None,
+    ) -> None:
+        self._bus, self._mode = bus, mode
+        self._privacy = privacy if privacy is not None and privacy.is_needed else None
         self._group: list[bytes] = []
         self._queues: set[FrameQueue] = set()
 
@@ -89,9 +103,12 @@ class VideoRelay:
         """Subscribe to the drone's frames; the bus closes the subscription."""
 
         def received(frame: VideoFrame) -> None:
-            with suppress(RuntimeError):  # the loop may be closed while the bus still delivers
-                loop.call_soon_threadsafe(self._relay, frame)
+            if (shown := self._shown(frame)) is not None:
+                with suppress(RuntimeError):  # the loop may be closed while the bus still delivers
+                    loop.call_soon_threadsafe(self._relay, shown)
 
+        if self._privacy is not None:
+            self._bus.subscribe(STEP_TOPIC, self._privacy.moved)
         self._bus.subscribe(VIDEO_TOPIC, received)
 
     @contextmanager
@@ -104,6 +121,13 @@ class VideoRelay:
             yield queue
         finally:
             self._queues.discard(queue)
+
+    def _shown(self, frame: VideoFrame) -> VideoFrame | None:
+        """Return what may be seen of a frame; takes some milliseconds where there are zones."""
+        if self._privacy is None:
+            return frame
+        self._privacy.set_mode(self._mode())
+        return self._privacy.blanked_frame(frame)
 
     def _relay(self, frame: VideoFrame) -> None:
         message = pack_frame(frame)

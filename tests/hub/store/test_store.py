@@ -25,7 +25,7 @@ from housefly.hub.store.rows import (
 from housefly.hub.store.schema import MIGRATIONS, version_of
 from housefly.hub.store.sql_store import SqlStore
 from housefly.hub.store.store import RejectedRowError
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Observation, RoomEvent
 
 HOUR = 3600.0
@@ -49,8 +49,8 @@ CUP = Thing(
     "cup",
     "茶碗 cup",
     viewpoints=(
-        Viewpoint("front", (1.0, 2.0, 3.0), 0.5, 0.1, "ardrone"),
-        Viewpoint("top", (0.0, 0.0, 2.0), 0.0),
+        NamedPose("front", (1.0, 2.0, 3.0), 0.5, 0.1, "ardrone"),
+        NamedPose("top", (0.0, 0.0, 2.0), 0.0),
     ),
 )
 
@@ -77,7 +77,7 @@ observations = st.builds(
     st.none() | st.tuples(*(numbers,) * 6), names, st.booleans(), facts,
 )  # fmt: skip
 events = st.builds(RoomEvent, names, names, numbers, names, names, numbers, facts)
-views = st.lists(st.builds(Viewpoint, names, points, numbers, numbers, names), max_size=2).map(
+views = st.lists(st.builds(NamedPose, names, points, numbers, numbers, names), max_size=2).map(
     tuple
 )
 things = st.builds(

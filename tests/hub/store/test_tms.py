@@ -18,7 +18,7 @@ from housefly.hub.store.export_tms import tms_lines
 from housefly.hub.store.import_tms import TmsDump, parse_tms, read_tms, slug, viewpoints_of
 from housefly.hub.store.sql_store import SqlStore
 from housefly.hub.store.tms_rows import KIND_BY_THOUSANDS
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Observation
 
@@ -53,7 +53,7 @@ def test_the_room_of_the_laboratory_is_read_whole(bsen: TmsDump) -> None:
 def test_approach_poses_become_viewpoints_of_a_robot(bsen: TmsDump) -> None:
     bed = WorldModel(bsen.things).find("bed")
     assert bed.viewpoints == (
-        Viewpoint("for smartpal5_2", (12.0, 0.9, 0.0), 1.57079633, robot="smartpal5_2"),
+        NamedPose("for smartpal5_2", (12.0, 0.9, 0.0), 1.57079633, robot="smartpal5_2"),
     )
     assert bed.orientation is not None and abs(yaw_of(bed.orientation)) == pytest.approx(pi)
 
@@ -238,7 +238,7 @@ def dumps(draw: st.DrawFn) -> tuple[list[Thing], list[Observation]]:
                 ),
                 inside=draw(st.sampled_from(["", *(thing.id for thing in things)])),
                 viewpoints=tuple(
-                    Viewpoint(f"for {r}", (1.5, draw(metres), 0.0), draw(angles), robot=r)
+                    NamedPose(f"for {r}", (1.5, draw(metres), 0.0), draw(angles), robot=r)
                     for r in ("kxp",)
                 ),
                 facts=(

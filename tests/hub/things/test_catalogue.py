@@ -10,7 +10,7 @@ import pytest
 from housefly.errors import ConfigError
 from housefly.geometry import yaw_of
 from housefly.hub.things.catalogue import catalogue_from_toml, load_catalogue
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 
 GOOD = """
 [[thing]]
@@ -40,7 +40,7 @@ def test_a_catalogue_becomes_things(tmp_path: Path) -> None:
         (2.0, 1.5, 0.9),
     )
     assert cabinet.orientation is not None and yaw_of(cabinet.orientation) == pytest.approx(1.5)
-    assert cabinet.viewpoints == (Viewpoint("front", (2.0, 0.5, 1.2), 1.57, 0.0, "ardrone"),)
+    assert cabinet.viewpoints == (NamedPose("front", (2.0, 0.5, 1.2), 1.57, 0.0, "ardrone"),)
     assert cabinet.facts == (("doors", 2.0), ("locked", False), ("maker", "oak & sons"))
     assert cabinet.viewpoints[0].yaw < pi / 2
 

@@ -21,7 +21,7 @@ from housefly.hub.store.tms_rows import (
     TmsRow,
     line_of,
 )
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Facts, Observation
 
 _FIRST_FREE_SENSOR = 3900
@@ -119,7 +119,7 @@ def _euler(orientation: Quaternion | None) -> Vec3:
     return (0.0, 0.0, 0.0) if orientation is None else euler_from_quaternion(orientation)
 
 
-def _approach(view: Viewpoint) -> str:
+def _approach(view: NamedPose) -> str:
     x, y, _ = view.position
     return f"{view.robot or 'any'};{x!r},{y!r},{view.yaw!r}"
 

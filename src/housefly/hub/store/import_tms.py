@@ -23,7 +23,7 @@ from housefly.hub.store.tms_rows import (
     source_of,
     tms_kind,
 )
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Facts, Observation
 
@@ -198,7 +198,7 @@ def _is_catalogue(row: TmsRow) -> bool:
     return row.time is None or (row.sensor == 0 and row.state == 0)
 
 
-def viewpoints_of(etcdata: str) -> tuple[Viewpoint, ...]:
+def viewpoints_of(etcdata: str) -> tuple[NamedPose, ...]:
     """Return the poses in "smartpal5_2;10.3,3.7,-1.57;wheelchair;9.8,1.55,1.57".
 
     Raises:
@@ -219,12 +219,12 @@ def slug(name: str) -> str:
     return re.sub(r"[^a-z0-9_]+", "-", name.casefold()).strip("-")
 
 
-def _viewpoint(robot: str, pose: str) -> Viewpoint:
+def _viewpoint(robot: str, pose: str) -> NamedPose:
     try:
         x, y, yaw = (float(number) for number in pose.split(","))
     except ValueError as error:
         raise ValueError(f"the pose of {robot!r} is {pose!r}; allowed: x,y,yaw") from error
-    return Viewpoint(f"for {robot}", (x, y, 0.0), yaw, robot=robot)
+    return NamedPose(f"for {robot}", (x, y, 0.0), yaw, robot=robot)
 
 
 def _position(row: TmsRow) -> Vec3 | None:

@@ -8,7 +8,7 @@ from math import isfinite
 
 from housefly.geometry import Quaternion, Vec3
 from housefly.hub.store.database import Row
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.messages import Covariance, Facts, Observation, RoomEvent
 
 _NO_POSITION: Row = (None, None, None)
@@ -94,7 +94,7 @@ def row_of_thing(thing: Thing) -> Row:
     return thing.id, thing.name, thing.kind.value, *pose, thing.inside, _text_of(thing.facts)
 
 
-def row_of_viewpoint(viewpoint: Viewpoint) -> Row:
+def row_of_viewpoint(viewpoint: NamedPose) -> Row:
     """Return the columns ``VIEWPOINT_COLUMNS``."""
     return viewpoint.name, viewpoint.robot, *viewpoint.position, viewpoint.yaw, viewpoint.pitch
 
@@ -103,7 +103,7 @@ def thing_from_row(row: Row, aliases: Sequence[str], viewpoints: Sequence[Row]) 
     """Return a thing from ``THING_COLUMNS``, its aliases and its ``VIEWPOINT_COLUMNS`` rows."""
     id_, name, kind, x, y, z, qw, qx, qy, qz, inside, facts = row
     seen_from = tuple(
-        Viewpoint(view, (vx, vy, vz), yaw, pitch, robot)
+        NamedPose(view, (vx, vy, vz), yaw, pitch, robot)
         for view, robot, vx, vy, vz, yaw, pitch in viewpoints
     )
     return Thing(

@@ -30,7 +30,7 @@ from housefly.config.toml import parse_toml
 from housefly.config.validation import Location, validated
 from housefly.errors import ConfigError, ThingError
 from housefly.geometry import quaternion_from_euler
-from housefly.hub.things.thing import Thing, ThingKind, Viewpoint
+from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Fact
 
@@ -122,7 +122,7 @@ def _thing(entry: _ThingEntry) -> Thing:
         orientation=None if entry.yaw is None else quaternion_from_euler(0.0, 0.0, entry.yaw),
         inside=entry.inside,
         viewpoints=tuple(
-            Viewpoint(v.name, v.position, v.yaw, v.pitch, v.robot) for v in entry.viewpoints
+            NamedPose(v.name, v.position, v.yaw, v.pitch, v.robot) for v in entry.viewpoints
         ),
         facts=tuple(entry.facts.items()),
     )

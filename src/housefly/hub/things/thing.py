@@ -23,7 +23,7 @@ class ThingKind(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Viewpoint:
+class NamedPose:
     """A named pose from which a robot reaches or sees a thing.
 
     Attributes:
@@ -64,5 +64,5 @@ class Thing:
     position: Vec3 | None = None
     orientation: Quaternion | None = None
     inside: str = ""
-    viewpoints: tuple[Viewpoint, ...] = ()
+    viewpoints: tuple[NamedPose, ...] = ()
     facts: Facts = ()

@@ -9,7 +9,9 @@ from housefly.tasks.api.questions import (
     CancelTask,
     ClipsQuestion,
     ContinueTask,
+    DeleteClip,
     DryRunQuestion,
+    KeepClip,
     PauseTask,
     RehearseTask,
     ReplyToTask,
@@ -28,6 +30,7 @@ from housefly.tasks.api.values import (
     ReasonCode,
     RehearsalReport,
     ServiceInfo,
+    TaskRequest,
     TaskStatus,
 )
 
@@ -85,6 +88,7 @@ class SentenceAnswer:
         words: the answer, or why there is none.
         task: the task that it started, or None.
         suggestions: what may have been meant.
+        offer: what a yes would ask for, as a new request; nothing is asked for yet.
     """
 
     understood: bool
@@ -93,6 +97,7 @@ class SentenceAnswer:
     slots: dict[str, ParameterValue] = field(default_factory=dict)
     task: TaskStatus | None = None
     suggestions: tuple[str, ...] = ()
+    offer: TaskRequest | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +178,7 @@ class ClipInfo:
 
 @dataclass(frozen=True, slots=True)
 class ClipsAnswer:
-    """Clips and snapshots, the newest first."""
+    """Clips and snapshots, the newest first; after an order, the one that it concerns."""
 
     clips: tuple[ClipInfo, ...]
 
@@ -205,5 +210,7 @@ TASK_ANSWER_TYPES: dict[type[TaskQuestion], type[TaskAnswer]] = {
     DryRunQuestion: FiringsAnswer,
     ClipsQuestion: ClipsAnswer,
     Webhook: FiringsAnswer,
+    KeepClip: ClipsAnswer,
+    DeleteClip: ClipsAnswer,
 }
 """What each question is answered with."""

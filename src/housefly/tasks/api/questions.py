@@ -171,6 +171,25 @@ class Webhook:
     ask: Literal["webhook"] = "webhook"
 
 
+@dataclass(frozen=True, slots=True)
+class KeepClip:
+    """Keep a clip or snapshot until somebody deletes it; with ``keep`` False, as long as others."""
+
+    clip: _Name
+    keep: bool = True
+    by: _Word = ""
+    ask: Literal["keep_clip"] = "keep_clip"
+
+
+@dataclass(frozen=True, slots=True)
+class DeleteClip:
+    """Delete a clip or snapshot at once, also one that is kept; nothing brings it back."""
+
+    clip: _Name
+    by: _Word = ""
+    ask: Literal["delete_clip"] = "delete_clip"
+
+
 TaskQuestion = (
     RequestTask
     | RehearseTask
@@ -187,4 +206,6 @@ TaskQuestion = (
     | DryRunQuestion
     | ClipsQuestion
     | Webhook
+    | KeepClip
+    | DeleteClip
 )

@@ -57,6 +57,14 @@ class Confirm(Enum):
     NEVER = "never"
 
 
+class OnPreempt(Enum):
+    """What becomes of a task that a more urgent one takes the drone from."""
+
+    RESUME = "resume"
+    RESTART = "restart"
+    END = "end"
+
+
 class RequestSurface(Enum):
     """Where a request came from."""
 
@@ -110,6 +118,8 @@ class ReasonCode(Enum):
     SAFETY = "safety"
     RESTARTED = "restarted"
     NOT_READY = "not_ready"
+    CONDITION = "condition"
+    PREEMPTED = "preempted"
 
 
 class TaskStepState(Enum):

@@ -32,6 +32,7 @@ class TaskInputs:
         warnings: what is wrong now, in words.
         replies: of people, since the last tick.
         battery: charge, 0 to 1; None when unknown.
+        orders: what people, and not tasks, ordered the pilot since the last tick.
     """
 
     now: float
@@ -46,6 +47,7 @@ class TaskInputs:
     warnings: tuple[str, ...] = ()
     replies: tuple[PersonReply, ...] = ()
     battery: float | None = None
+    orders: tuple[Order, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,1 +1,1 @@
-"""Which task flies when: a bounded queue, priorities, pre-emption, deadlines, kept in a file."""
+"""What flies when: a queue with priorities as a pure value, and its file that survives a crash."""

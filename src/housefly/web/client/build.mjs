@@ -1,14 +1,13 @@
 // Builds ../static, or the folder given, from src: `npm run build`. The result is committed, so
 // that Housefly needs no node to run.
 import { build } from "esbuild";
-import { copyFile, mkdir, readFile, writeFile } from "node:fs/promises";
+import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 
 const target = process.argv[2] ?? "../static";
 const bundled = ["preact", "@preact/signals", "@preact/signals-core"];
 
 await mkdir(target, { recursive: true });
-await build({
-  entryPoints: { app: "src/main.tsx", new: "src/new/main.tsx" },
+const options = {
   outdir: target,
   bundle: true,
   minify: true,
@@ -18,7 +17,16 @@ await build({
   jsxImportSource: "preact",
   legalComments: "none",
   logLevel: "warning",
+};
+// The screens beside the first are chunks of their own, fetched when there is time or need.
+for (const old of await readdir(target)) if (/^chunk-.*\.js$/.test(old)) await rm(`${target}/${old}`);
+await build({
+  ...options,
+  entryPoints: { app: "src/main.tsx" },
+  splitting: true,
+  chunkNames: "chunk-[name]-[hash]",
 });
+await build({ ...options, entryPoints: { new: "src/new/main.tsx" } });
 await copyFile("src/index.html", `${target}/index.html`);
 await copyFile("src/new.html", `${target}/new.html`);
 await copyFile("src/favicon.svg", `${target}/favicon.svg`);
@@ -29,5 +37,5 @@ const licences = await Promise.all(
 );
 await writeFile(
   `${target}/LICENSES.txt`,
-  `app.js and new.js contain these libraries.\n\n${licences.join("\n---\n\n")}`,
+  `app.js, its chunks and new.js contain these libraries.\n\n${licences.join("\n---\n\n")}`,
 );

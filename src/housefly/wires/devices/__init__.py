@@ -19,6 +19,7 @@ from housefly.wires.devices.topics import (
     parse_topic,
     printable_topic,
     site_subscription,
+    task_topic,
 )
 
 __all__ = [
@@ -39,4 +40,5 @@ __all__ = [
     "parse_topic",
     "printable_topic",
     "site_subscription",
+    "task_topic",
 ]

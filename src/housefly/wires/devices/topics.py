@@ -52,6 +52,11 @@ def listener_topic(site: str) -> str:
     return f"{_ROOT}/{site}/listener/availability"
 
 
+def task_topic(site: str, what: str) -> str:
+    """Return a topic of the tasks: "request", "answer", "request/NAME"; no device is there."""
+    return f"{_ROOT}/{site}/task/{what}"
+
+
 def parse_topic(topic: str) -> tuple[DeviceAddress, Channel]:
     """Return the device and channel of a topic.
 

@@ -1,7 +1,7 @@
+import type { ComponentChild } from "preact";
 import { Actions } from "./controls/actions";
 import { Mission } from "./controls/mission";
 import { StopBar } from "./controls/stop";
-import { RoomScreen } from "./live/screen";
 import { MapView } from "./map/map";
 import { Announcer } from "./panels/announcer";
 import { Battery } from "./panels/battery";
@@ -12,10 +12,19 @@ import { Log } from "./panels/log";
 import { Readings } from "./panels/readings";
 import { Top } from "./panels/top";
 import { VideoView } from "./panels/video";
-import { flying, screen, swapped } from "./store";
+import { lazyScreen } from "./lazy-screen";
+import { flying, screen, swapped, type Screen } from "./store";
+import { Questions } from "./tasks/questions";
 
-/** Two screens, one to fly and one of the room; STOP is on both, in the same place. */
+const SCREENS: Record<Screen, () => ComponentChild> = {
+  fly: FlyScreen,
+  room: lazyScreen(async () => (await import("./live/screen")).RoomScreen),
+  tasks: lazyScreen(async () => (await import("./tasks/tasks-screen")).TasksScreen),
+};
+
+/** Three screens: to fly, of the room, of the tasks; STOP is on each, in the same place. */
 export function App() {
+  const Shown = SCREENS[screen.value];
   return (
     <div
       class="app"
@@ -23,7 +32,8 @@ export function App() {
       data-swapped={swapped.value && screen.value === "fly"}
     >
       <Top />
-      {screen.value === "room" ? <RoomScreen /> : <FlyScreen />}
+      <Shown key={screen.value} />
+      {screen.value !== "tasks" && <Questions over={true} />}
       <StopBar />
       <Checks />
       <Help />

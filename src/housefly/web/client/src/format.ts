@@ -8,10 +8,10 @@ export function minutes(seconds: number): string {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
 }
 
-/** The words with a capital and a full stop. */
+/** The words with a capital and a full stop, unless they end otherwise. */
 export function sentence(words: string): string {
   const capital = words.charAt(0).toUpperCase() + words.slice(1);
-  return /[.…]$/.test(capital) ? capital : `${capital}.`;
+  return /[.…?!]$/.test(capital) ? capital : `${capital}.`;
 }
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;

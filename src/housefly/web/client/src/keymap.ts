@@ -2,7 +2,7 @@
 import { cutMotors, home, land, service, stop } from "./commands";
 import { nudge } from "./goal";
 import type { Hold } from "./hold";
-import { open, panel, screen, swapped } from "./store";
+import { open, panel, screen, swapped, type Screen } from "./store";
 
 export interface Key {
   /** `KeyboardEvent.key`; letters in lower case. */
@@ -23,7 +23,7 @@ const ARROWS: Record<string, [number, number]> = {
 
 export const SPACE = " ";
 
-const toggleScreen = (): void => open(screen.value === "fly" ? "room" : "fly");
+const toggle = (name: Screen) => (): void => open(screen.value === name ? "fly" : name);
 const toggleHelp = (): void => void (panel.value = panel.value === "help" ? "" : "help");
 const swapViews = (): void => void (swapped.value = !swapped.value);
 const closePanel = (): void => void (panel.value = "");
@@ -58,7 +58,8 @@ export const KEYS: Key[] = [
     hold: service,
   },
   { keys: ["m"], shown: "M", does: "Swap map and picture", press: swapViews },
-  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: toggleScreen },
+  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: toggle("room") },
+  { keys: ["t"], shown: "T", does: "Go to the tasks, and back to flying", press: toggle("tasks") },
   { keys: ["?"], shown: "?", does: "Show or hide this list", press: toggleHelp },
   { keys: ["escape"], shown: "Esc", does: "Close a panel", press: closePanel },
 ];

@@ -25,7 +25,7 @@ function find(event: KeyboardEvent): Key | undefined {
 
 function belongsToFocus(event: KeyboardEvent): boolean {
   // No goal moves and no flight begins where the goal is not on the screen.
-  if (screen.peek() === "room" && (event.key === "Enter" || event.key.startsWith("Arrow")))
+  if (screen.peek() !== "fly" && (event.key === "Enter" || event.key.startsWith("Arrow")))
     return true;
   // Someone who types a name while the drone flies can still stop it with Space.
   if (inTextField(event.target)) return event.key !== SPACE || !flying.peek();

@@ -13,6 +13,10 @@ import "./live/history.css";
 import "./live/live-map.css";
 import "./live/editing.css";
 import "./live/live-narrow.css";
+import "./tasks/questions.css";
+import "./tasks/tasks.css";
+import "./tasks/clips.css";
+import "./tasks/tasks-narrow.css";
 import { keepAwake } from "./wake-lock";
 import { connect } from "./wire/socket";
 

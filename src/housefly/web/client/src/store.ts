@@ -30,9 +30,12 @@ export const notice = signal("");
 /** Which of the two views is large; and on a narrow screen, which are shown. */
 export const swapped = signal(false);
 /** The screen that is open; the address keeps it over a reload. */
-export const screen = signal<"fly" | "room">(location.hash === "#room" ? "room" : "fly");
+export type Screen = "fly" | "room" | "tasks";
+export const screen = signal<Screen>(
+  location.hash === "#room" ? "room" : /^#(tasks|clip\/)/.test(location.hash) ? "tasks" : "fly",
+);
 
-export function open(name: "fly" | "room"): void {
+export function open(name: Screen): void {
   screen.value = name;
   history.replaceState(null, "", name === "fly" ? location.pathname : `#${name}`);
 }

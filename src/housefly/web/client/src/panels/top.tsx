@@ -1,6 +1,8 @@
 import { cutMotors } from "../commands";
 import { HoldButton } from "../controls/hold-button";
 import { CutIcon, ShapeIcon } from "../controls/icons";
+import { House } from "../tasks/house";
+import { asked } from "../tasks/board";
 import { iFly, nameOf, open, panel, room, screen, state, viewers } from "../store";
 import { lag } from "../wire/clock";
 import { milliseconds } from "../format";
@@ -9,6 +11,7 @@ import { headline } from "../headline";
 const SCREENS = [
   ["fly", "Fly"],
   ["room", "Room"],
+  ["tasks", "Tasks"],
 ] as const;
 
 /** The state in words, who flies, and far from STOP the button that cuts the motors. */
@@ -38,15 +41,23 @@ export function Top() {
               onClick={() => open(name)}
             >
               {title}
+              {name === "tasks" && asked.value.length > 0 && (
+                <span class="count"> {asked.value.length}</span>
+              )}
             </button>
           ))}
         </nav>
-        <span class="charge">
-          {state.value?.battery == null ? "" : `battery ${Math.round(100 * state.value.battery)} %`}
-        </span>
-        <span class="lag" title="Round trip between this browser and the server">
-          lag {lag.value === null ? "–" : milliseconds(lag.value)}
-        </span>
+        <div class="facts">
+          <House />
+          <span class="charge">
+            {state.value?.battery == null
+              ? ""
+              : `battery ${Math.round(100 * state.value.battery)} %`}
+          </span>
+          <span class="lag" title="Round trip between this browser and the server">
+            lag {lag.value === null ? "–" : milliseconds(lag.value)}
+          </span>
+        </div>
         <button
           type="button"
           class="quiet-button"

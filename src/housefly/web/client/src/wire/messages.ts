@@ -251,6 +251,130 @@ export interface ViewersMessage {
   type: "viewers";
 }
 
+export type HouseMode = "home" | "away" | "night" | "privacy" | "maintenance";
+
+export type TaskStage =
+  | "waiting for a yes"
+  | "queued"
+  | "running"
+  | "paused"
+  | "suspended"
+  | "done"
+  | "failed"
+  | "cancelled"
+  | "refused"
+  | "expired";
+
+export type ReasonCode =
+  | "ok"
+  | "unknown_service"
+  | "bad_parameter"
+  | "unknown_place"
+  | "unknown_thing"
+  | "unknown_task"
+  | "not_understood"
+  | "no_way"
+  | "no_view"
+  | "battery"
+  | "too_long"
+  | "preflight"
+  | "mode"
+  | "quiet_hours"
+  | "cooldown"
+  | "rate_limit"
+  | "queue_full"
+  | "not_allowed"
+  | "declined"
+  | "no_answer"
+  | "deadline"
+  | "cancelled"
+  | "person_took_over"
+  | "step_failed"
+  | "timeout"
+  | "safety"
+  | "restarted"
+  | "not_ready"
+  | "condition"
+  | "preempted";
+
+export type RequestSurface =
+  | "console"
+  | "command line"
+  | "http"
+  | "mqtt"
+  | "webhook"
+  | "assistant"
+  | "rule";
+
+export type Priority = "alarm" | "person" | "rule" | "background";
+
+export type TaskStepState = "waiting" | "running" | "done" | "failed" | "skipped";
+
+export interface TaskStepStatus {
+  name: string;
+  words: string;
+  state: TaskStepState;
+}
+
+export interface PersonQuestion {
+  id: string;
+  words: string;
+  choices: string[];
+  until: number | null;
+  otherwise: string;
+}
+
+export interface RehearsalReport {
+  may_fly: boolean;
+  code: ReasonCode;
+  words: string;
+  way: [number, number][];
+  duration: number | null;
+  charge: number | null;
+  clearance: number | null;
+  first_look: number | null;
+  took: number;
+}
+
+export interface TaskStatus {
+  id: number;
+  service: string;
+  title: string;
+  parameters: Record<string, string | number | boolean>;
+  state: TaskStage;
+  code: ReasonCode;
+  words: string;
+  asked_by: string;
+  surface: RequestSurface;
+  cause: string;
+  priority: Priority;
+  asked_at: number;
+  started_at: number | null;
+  ended_at: number | null;
+  deadline: number | null;
+  steps: TaskStepStatus[];
+  question: PersonQuestion | null;
+  rehearsal: RehearsalReport | null;
+  clips: string[];
+  report: string[];
+}
+
+export interface TaskBoard {
+  at: number;
+  mode: HouseMode;
+  drone: string;
+  records: boolean;
+  tasks: TaskStatus[];
+  ended: TaskStatus[];
+}
+
+export interface TasksMessage {
+  running: boolean;
+  heard_at: number;
+  board: TaskBoard | null;
+  type: "tasks";
+}
+
 export interface Path {
   waypoints: [number, number][];
   length: number;
@@ -313,6 +437,7 @@ export type ServerMessage =
   | LinkMessage
   | EventsMessage
   | ViewersMessage
+  | TasksMessage
   | PlanReply
   | AcceptedReply
   | RefusedReply

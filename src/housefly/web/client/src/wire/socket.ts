@@ -2,6 +2,7 @@
 import { batch } from "@preact/signals";
 import * as store from "../store";
 import { sentence } from "../format";
+import { told } from "../tasks/board";
 import { assume, learn, localNow } from "./clock";
 import type {
   AcceptedReply,
@@ -164,6 +165,9 @@ function receive(message: ServerMessage): void {
         break;
       case "viewers":
         store.viewers.value = message;
+        break;
+      case "tasks":
+        told.value = message;
         break;
       case "pong":
         learn(message.sent, message.now);

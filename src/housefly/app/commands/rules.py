@@ -1,0 +1,171 @@
+"""``housefly rules``: list the rules, check a file of them, see what they would have done."""
+
+from __future__ import annotations
+
+import time
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from housefly.app.commands.asked_room import add_asked_site, asked_room
+from housefly.app.commands.subcommand import CommandGroup, Subcommand
+from housefly.app.parse_time import TIME_FORMS, parse_time
+from housefly.app.terminal import plain_console
+
+if TYPE_CHECKING:
+    from housefly.tasks.api.answers import RuleFiring
+    from housefly.tasks.api.values import ServiceInfo
+    from housefly.tasks.rules.rule import Rule
+
+
+def _add_check_arguments(parser: ArgumentParser) -> None:
+    add_asked_site(parser)
+    parser.add_argument("file", type=Path, help="YAML file of rules")
+
+
+def _add_dry_run_arguments(parser: ArgumentParser) -> None:
+    add_asked_site(parser)
+    parser.add_argument("--file", type=Path, help="these rules (default: those of the site)")
+    parser.add_argument(
+        "--since", default="7d", metavar="TIME", help=f"from then on: {TIME_FORMS} (default: 7d)"
+    )
+    parser.add_argument("--until", metavar="TIME", help="up to then (default: now)")
+    parser.add_argument(
+        "--all", action="store_true", help="also what the rules did not do, and why"
+    )
+
+
+def _list(options: Namespace) -> int:
+    """Print each rule of a site in words; while it runs, also what each did last."""
+    from housefly.app.loaded_site import read_site
+
+    last = _last_firings(read_site(options.site).name)
+    for rule in _rules_of_site(options.site):
+        plain_console.print(_rule_line(rule), soft_wrap=True)
+        if words := last.get(rule.name):
+            plain_console.print(f"    {words}", soft_wrap=True)
+    return 0
+
+
+def _check(options: Namespace) -> int:
+    """Print the rules of a file in words, and what is wrong with them."""
+    from housefly.tasks.rules.rule_file import read_rules, rule_problems
+
+    rules = read_rules(options.file)
+    for rule in rules:
+        plain_console.print(_rule_line(rule), soft_wrap=True)
+    problems = rule_problems(rules, _services_of_site(options.site))
+    for problem in problems:
+        plain_console.print(problem, soft_wrap=True)
+    return 1 if problems else 0
+
+
+def _dry_run(options: Namespace) -> int:
+    """Print what the rules would have done with what the room remembers."""
+    from housefly.app.loaded_site import read_site
+    from housefly.config.state import tasks_folder
+    from housefly.tasks.api.values import HouseMode, ReasonCode
+    from housefly.tasks.rules.dry_run import dry_run, stored_events
+    from housefly.tasks.rules.room_facts import AskedRoomFacts
+    from housefly.tasks.rules.rule_engine import RuleEngine
+    from housefly.tasks.rules.rule_file import read_rules
+    from housefly.tasks.rules.rule_store import RuleStore
+
+    now = time.time()
+    since = parse_time(options.since, now, "--since")
+    until = parse_time(options.until, now, "--until") if options.until else now
+    rules = read_rules(options.file) if options.file else _rules_of_site(options.site)
+    site = read_site(options.site)
+    mode = RuleStore(tasks_folder(site), HouseMode(site.tasks.mode)).load().mode
+    with asked_room(options.site) as room:
+        events = stored_events(room.ask, since, until)
+        facts = AskedRoomFacts(room.ask, live=False)
+        answer = dry_run(RuleEngine(rules), events, since, until, mode, facts)
+    shown = [one for one in answer.firings if options.all or one.code is ReasonCode.OK]
+    for firing in shown:
+        plain_console.print(_firing_line(firing, now), soft_wrap=True)
+    fired = sum(firing.code is ReasonCode.OK for firing in answer.firings)
+    plain_console.print(
+        f"{len(events)} events; the rules would have asked for {fired} flights; nothing flew"
+    )
+    return 0
+
+
+def _last_firings(site: str) -> dict[str, str]:
+    """Return what each rule of a running site did last, by name; nothing where none runs."""
+    from housefly.app.room_words import clock_time
+    from housefly.errors import LinkError, TaskError
+    from housefly.hub.client.discovery import find
+    from housefly.tasks.api.questions import RulesQuestion
+    from housefly.tasks.client.tasks_client import TasksClient
+
+    try:
+        with TasksClient(find(site)) as tasks:
+            statuses = tasks.ask_tasks(RulesQuestion()).rules
+    except (LinkError, TaskError):
+        return {}
+    return {
+        one.name: f"{clock_time(one.last_at, time.time())}: {one.last_words}"
+        for one in statuses
+        if one.last_at is not None
+    }
+
+
+def _rules_of_site(name: str) -> tuple[Rule, ...]:
+    from housefly.app.loaded_site import read_site, site_file
+    from housefly.tasks.rules.rule_file import rules_of
+
+    site = read_site(name)
+    return rules_of(site_file(name).parent / site.tasks.rules if site.tasks.rules else None)
+
+
+def _services_of_site(name: str) -> dict[str, ServiceInfo]:
+    from housefly.app.loaded_site import read_site, site_file
+    from housefly.tasks.document.library import load_library
+
+    documents = read_site(name).tasks.documents
+    library = load_library(site_file(name).parent / documents if documents else None)
+    return {each: document.info() for each, document in library.items()}
+
+
+def _rule_line(rule: Rule) -> str:
+    return f"{rule.name}{'' if rule.enabled else ' (off)'}: {rule.words()}"
+
+
+def _firing_line(firing: RuleFiring, now: float) -> str:
+    from housefly.app.room_words import clock_time
+
+    return f"{clock_time(firing.at, now)}  {firing.rule}: {firing.words}  [{firing.cause}]"
+
+
+RULES_COMMANDS = CommandGroup(
+    name="rules",
+    help="what the house does by itself",
+    metavar="list|check|dry-run",
+    commands=(
+        Subcommand(
+            name="list",
+            help="the rules of a site, in words",
+            description="List the rules of a site, those that are off too.",
+            add_arguments=add_asked_site,
+            run=_list,
+        ),
+        Subcommand(
+            name="check",
+            help="check a file of rules",
+            description="Read a file of rules; print what they say and what is wrong with them.",
+            add_arguments=_add_check_arguments,
+            run=_check,
+        ),
+        Subcommand(
+            name="dry-run",
+            help="what would have happened",
+            description=(
+                "Send what the room remembers through the rules again; print what they would have"
+                " asked for. Nothing flies."
+            ),
+            add_arguments=_add_dry_run_arguments,
+            run=_dry_run,
+        ),
+    ),
+)

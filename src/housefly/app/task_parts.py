@@ -1,0 +1,120 @@
+"""Puts the task service of a site together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from housefly.app.live_task_room import LiveTaskRoom
+from housefly.app.loaded_site import LoadedSite
+from housefly.config.site import Site
+from housefly.config.state import clips_folder, tasks_folder
+from housefly.config.tasks import TasksConfig
+from housefly.hub.api.questions import Question
+from housefly.tasks.api.values import HouseMode
+from housefly.tasks.asked_room import AskedRoom
+from housefly.tasks.document.library import load_library
+from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.task_run import HOLD_PERIOD
+from housefly.tasks.room_names import names_of_room
+from housefly.tasks.rules.room_facts import AskedRoomFacts
+from housefly.tasks.rules.rule_engine import RuleEngine
+from housefly.tasks.rules.rule_file import rule_problems, rules_of
+from housefly.tasks.rules.rule_service import RuleService
+from housefly.tasks.rules.rule_store import RuleStore
+from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.scheduler.values import SchedulerLimits
+from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_engine import TaskEngine
+from housefly.tasks.task_outlet import TaskOutlet, TaskRehearser
+from housefly.tasks.task_rehearsals import TaskRehearsals
+from housefly.tasks.task_runs import TaskRuns
+from housefly.tasks.task_service import ServiceParts, TaskService
+
+_STORE = "tasks.db"
+_HOLD_MARGIN = 5.0
+_ASKING_PATIENCE = 5.0
+"""How long a person waits for the memory [s]."""
+
+
+def task_service(
+    loaded: LoadedSite,
+    room: LiveTaskRoom,
+    inbox: StepInbox,
+    rehearser: TaskRehearser,
+    outlet: TaskOutlet,
+    clock: Callable[[], float],
+    wall: Callable[[], float],
+) -> tuple[TaskService, ServiceParts, tuple[str, ...]]:
+    """Return the service of a site, its parts, and what is wrong with what it read, in words.
+
+    Args:
+        loaded: the site.
+        room: memory, people and viewpoints as of now.
+        inbox: the pilot's steps.
+        rehearser: flies in lock step.
+        outlet: takes orders and events.
+        clock: the pilot's [s].
+        wall: Unix time [s].
+
+    Raises:
+        TaskError, ConfigError: a document or a rule is wrong.
+        StoreError: the queue or the clips cannot be opened.
+    """
+    site, folder = loaded.site, tasks_folder(loaded.site)
+    config = site.tasks
+    library = load_library(Path(config.documents) if config.documents else None)
+    rules = rules_of(Path(config.rules) if config.rules else None)
+    rule_store = RuleStore(folder, HouseMode(config.mode))
+    store = TaskStore(folder / _STORE)
+    clips = ClipRecorder(clips_folder(site), config)
+    rehearsals = TaskRehearsals(rehearser)
+    actions = TaskActions(outlet, clips, site.tracking.body)
+    runs = TaskRuns(room, rehearsals, actions, inbox)
+    limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
+    engine = TaskEngine(store, limits, runs, actions)
+
+    def ask(question: Question) -> object:
+        return room.ask(question, _ASKING_PATIENCE)
+
+    parts = ServiceParts(
+        library,
+        engine,
+        store,
+        rehearsals,
+        actions,
+        inbox,
+        RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask)),
+        clips,
+        AskedRoom(ask),
+        outlet,
+        names_of_room(loaded.room),
+        _own_sentences(config),
+    )
+    services = {name: document.info() for name, document in library.items()}
+    problems = (
+        *store.notices,
+        rule_store.problem,
+        *rule_problems(rules, services),
+        _hold_problem(site),
+    )
+    service = TaskService(parts, clock, wall)
+    return service, parts, tuple(problem for problem in problems if problem)
+
+
+def _hold_problem(site: Site) -> str:
+    """Return that the pilot brings home whoever waits, when it does so too early for tasks."""
+    least = HOLD_PERIOD + _HOLD_MARGIN
+    if site.limits.hold_timeout >= least:
+        return ""
+    return (
+        f"limits.hold_timeout is {site.limits.hold_timeout:g} s: a task that hovers for longer is"
+        f" brought home and fails; allowed for such tasks: {least:g} s or more"
+    )
+
+
+def _own_sentences(config: TasksConfig) -> Path | None:
+    """Return the folder of sentences beside a site's own documents, or None."""
+    folder = Path(config.documents) / "sentences"
+    return folder if config.documents and folder.is_dir() else None

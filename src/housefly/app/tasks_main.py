@@ -1,0 +1,224 @@
+"""The tasks process: services, their queue, rules and clips; ``python -m housefly.app.tasks_main``.
+
+Started by the launcher where ``tasks.enabled``. It reaches the drone only by orders, as people do.
+When it dies, the drone hovers and the pilot brings it home by itself; after the restart nothing
+flies without a fresh order.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import os
+import queue
+import signal
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+
+from pydantic import TypeAdapter, ValidationError
+
+from housefly.app.live_obstacles import LiveObstacles
+from housefly.app.live_task_room import LiveTaskRoom
+from housefly.app.loaded_site import LoadedSite, open_site
+from housefly.app.rehearsal import Rehearser
+from housefly.app.room_now import room_now
+from housefly.app.runtime import Runtime, runtime_from_environment
+from housefly.app.task_outlet_bus import BusTaskOutlet
+from housefly.app.task_parts import task_service
+from housefly.bus.bus import Bus
+from housefly.bus.topics import (
+    OBSTACLE_TOPIC,
+    PREFLIGHT_QUERY,
+    ROOM_NEWS_TOPIC,
+    STEP_TOPIC,
+    TASK_NEWS_TOPIC,
+    TASKS_QUERY,
+    VIDEO_TOPIC,
+)
+from housefly.bus.zenoh_bus import ZenohBus
+from housefly.clock import RealClock
+from housefly.errors import HouseflyError, LinkError
+from housefly.hub.api.answers import News
+from housefly.hub.api.pilot_queries import PreflightView
+from housefly.hub.api.pilot_queries_json import from_json
+from housefly.hub.client.discovery import ROOM_KEY
+from housefly.hub.query_server import QueryServer
+from housefly.hub.wall_clock import WallClock
+from housefly.messages import PilotStep, RoomNews, TaskNews, VideoFrame
+from housefly.pilot.behavior.preflight import preflight_refusal
+from housefly.tasks.api.answers import TaskBoard
+from housefly.tasks.api.json import task_answer_to_json
+from housefly.tasks.client.tasks_client import tasks_socket
+from housefly.tasks.drone_state import TakeOffReadiness
+from housefly.tasks.evidence.camera_pose import camera_pose_of
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.rules.dry_run import event_of
+from housefly.tasks.rules.mqtt_link import MqttLink
+from housefly.tasks.rules.trigger import EventTrigger, Trigger
+
+_log = logging.getLogger(__name__)
+
+_TICK_PERIOD = 1.0 / 15.0
+_BOARD_PERIOD = 0.2
+"""The board is published at most so often [s]."""
+_CLOCK_PERIOD = 1.0
+"""How often rules look at the time, and the pilot is asked for its pre-flight list [s]."""
+_ANSWERERS = 6
+"""So many questions are answered at once: a rehearsal holds up no cancellation."""
+_MAX_TRIGGERS = 1000
+_NEWS: TypeAdapter[News] = TypeAdapter(News)
+
+
+class TasksProcess:
+    """The task service of one run on its wires.
+
+    Args:
+        loaded: the site.
+        bus: of the run.
+    """
+
+    def __init__(self, loaded: LoadedSite, bus: Bus) -> None:
+        self._bus, self._wall = bus, WallClock()
+        self._live = LiveObstacles(loaded.site, loaded.room)
+        site, clock, wall = loaded.site, RealClock(), self._wall.now
+        room, inbox = LiveTaskRoom(loaded, bus, self._live, clock.now), StepInbox()
+        self._rehearser = Rehearser(
+            loaded, lambda: room_now(self._live, inbox.newest, clock.now(), wall()), room.ask
+        )
+        outlet = BusTaskOutlet(bus, site.mqtt.site)
+        self.service, self._parts, problems = task_service(
+            loaded, room, inbox, self._rehearser, outlet, clock.now, wall
+        )
+        for problem in problems:
+            print(f"tasks: {problem}", flush=True)
+        self._triggers: queue.Queue[Trigger] = queue.Queue(_MAX_TRIGGERS)
+        rules = self._parts.rules.engine.rules
+        if site.mqtt.broker:
+            outlet.mqtt = MqttLink(site.mqtt, site.tasks, rules, self.service.answer, wall)
+        self._mqtt = outlet.mqtt
+        self._published: TaskBoard | None = None
+
+    async def run(self) -> None:
+        """Run until cancelled; then what flies is sent home."""
+        bus = self._bus
+        subscriptions = (
+            bus.subscribe(STEP_TOPIC, self._on_step),
+            bus.subscribe(VIDEO_TOPIC, self._on_video),
+            bus.subscribe(OBSTACLE_TOPIC, self._live.heard_obstacle),
+            bus.subscribe(ROOM_NEWS_TOPIC, self._on_news),
+            bus.answer(TASKS_QUERY, self.service.answer, _ANSWERERS),
+        )
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                tasks.create_task(_every(_TICK_PERIOD, self.service.tick))
+                tasks.create_task(_every(_BOARD_PERIOD, self._publish_board))
+                tasks.create_task(_every(_CLOCK_PERIOD, self._look_around))
+                tasks.create_task(_every(0.0, self._take_trigger))
+                if self._mqtt is not None:
+                    tasks.create_task(self._mqtt.run(self._enqueue))
+        finally:
+            for subscription in subscriptions:
+                subscription.close()
+            self.service.close("the tasks process was told to end")
+            self._rehearser.close()
+
+    def _on_step(self, step: PilotStep) -> None:
+        self._parts.inbox.add(step)
+        self._live.heard_step(step)
+
+    def _on_video(self, frame: VideoFrame) -> None:
+        step = self._parts.inbox.newest
+        self._parts.clips.add(frame, None if step is None else camera_pose_of(step))
+
+    def _on_news(self, news: RoomNews) -> None:
+        try:
+            events = _NEWS.validate_json(news.text).events
+        except ValidationError:
+            _log.warning("these are no news of the room: %s", news.text[:100])
+            return
+        for event in events:
+            self._enqueue(EventTrigger(event_of(event)))
+
+    def _enqueue(self, trigger: Trigger) -> None:
+        with contextlib.suppress(queue.Full):  # in such a storm of events no rule helps anybody
+            self._triggers.put_nowait(trigger)
+
+    def _take_trigger(self) -> None:
+        with contextlib.suppress(queue.Empty):
+            self.service.desk.heard(self._triggers.get(timeout=0.2))
+
+    def _look_around(self) -> None:
+        self.service.desk.looked_at_clock()
+        try:
+            view = from_json(PreflightView, self._bus.ask(PREFLIGHT_QUERY, "", 0.5))
+        except HouseflyError:
+            self.service.readiness = TakeOffReadiness()
+            return
+        words = "" if view.ready else preflight_refusal(view.checks) or "not looked at yet"
+        self.service.readiness = TakeOffReadiness(view.ready, str(words))
+
+    def _publish_board(self) -> None:
+        board = self.service.board()
+        before, self._published = self._published, board
+        if before is None or replace(board, at=before.at) != before:
+            self._bus.publish(TASK_NEWS_TOPIC, TaskNews(task_answer_to_json(board)))
+
+
+async def _every(period: float, work: Callable[[], None]) -> None:
+    """Do something again and again on a thread; what it refuses on purpose is told once."""
+    told = ""
+    while True:
+        try:
+            await asyncio.to_thread(work)
+            told = ""
+        except HouseflyError as error:
+            if str(error) != told:
+                print(f"tasks: {error}", flush=True)
+            told = str(error)
+        await asyncio.sleep(period)
+
+
+async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
+    with ZenohBus(connect=runtime.bus) as bus:
+        process = TasksProcess(loaded, bus)
+        server = _query_server(runtime, process.service.answer)
+        running = asyncio.create_task(process.run())
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, running.cancel)
+        print("tasks ready", flush=True)
+        try:
+            with contextlib.suppress(asyncio.CancelledError):
+                await running
+        finally:
+            if server is not None:
+                server.close()
+
+
+def _query_server(runtime: Runtime, answer: Callable[[str], str]) -> QueryServer | None:
+    """Open the socket on which programs of this user ask; without it they ask over HTTP."""
+    try:
+        path = tasks_socket(runtime.room_socket)
+        return QueryServer(answer, os.environ.get(ROOM_KEY, ""), path)
+    except LinkError as error:
+        _log.warning("%s", error)
+        return None
+
+
+def main() -> int:
+    """Run until SIGINT or SIGTERM; returns the exit status."""
+    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(name)s %(message)s")
+    try:
+        runtime = runtime_from_environment()
+        loaded = open_site(runtime.site())
+        asyncio.run(_run(runtime, loaded))
+    except HouseflyError as error:
+        print(f"tasks: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

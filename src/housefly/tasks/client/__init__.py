@@ -1,0 +1,1 @@
+"""Asks the tasks of a room that runs on this machine."""

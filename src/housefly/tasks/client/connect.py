@@ -1,0 +1,21 @@
+"""Finds a running room and connects to it."""
+
+from __future__ import annotations
+
+from housefly.hub.client.discovery import RoomAddress, find
+from housefly.tasks.client.house_client import HouseClient
+
+
+def connect(site: str = "", *, address: str = "", key: str = "") -> HouseClient:
+    """Connect to a room that runs on this machine, or to one at an address.
+
+    Args:
+        site: name of the site; "" for the room that was started last.
+        address: of a console elsewhere, for example http://10.0.0.7:8080, with its ``key``; its
+            tasks are asked over HTTP (docs/services.md), not here.
+        key: bearer token of that run.
+
+    Raises:
+        LinkError: no room is running here.
+    """
+    return HouseClient(RoomAddress(site, address, key, 0) if address else find(site))

@@ -1,0 +1,55 @@
+"""Whether tasks may order the drone now, and what it does, in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.messages import DroneStatus, Phase
+from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.scheduler.values import DroneAvailability
+from housefly.tasks.task_runs import SILENT_TIME
+
+
+@dataclass(frozen=True, slots=True)
+class TakeOffReadiness:
+    """What the pilot's pre-flight list says; before the first look nothing is known."""
+
+    is_ready: bool = False
+    words: str = "the pilot has not said yet whether it may take off"
+
+
+def drone_availability(
+    inbox: StepInbox, readiness: TakeOffReadiness, now: float
+) -> DroneAvailability:
+    """Return whether tasks may order the drone.
+
+    In the air only while a task has it: what a person flies is left to the person.
+
+    Args:
+        inbox: the pilot's steps.
+        readiness: of its pre-flight list.
+        now: the pilot's clock [s].
+    """
+    if inbox.age(now) > SILENT_TIME:
+        return DroneAvailability(False, "the pilot does not answer")
+    if inbox.status in AIRBORNE_STATUSES:
+        by_task = inbox.is_flown_by_task
+        return DroneAvailability(by_task, "" if by_task else "a person flies the drone")
+    if inbox.status is not DroneStatus.LANDED:
+        return DroneAvailability(False, "the drone does not say that it stands")
+    return DroneAvailability(readiness.is_ready, readiness.words)
+
+
+def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> str:
+    """Return what the drone does; arguments as above."""
+    step = inbox.newest
+    if step is None or inbox.age(now) > SILENT_TIME:
+        return "the pilot does not answer"
+    outputs = step.outputs
+    if outputs.reason:
+        return outputs.reason
+    if inbox.status in AIRBORNE_STATUSES:
+        goal = f": {outputs.goal_name}" if outputs.goal_name else ""
+        return f"{outputs.phase.value if outputs.phase is not Phase.IDLE else 'flying'}{goal}"
+    return "on the ground" + (f"; {readiness.words}" if not readiness.is_ready else ", ready")

@@ -1,0 +1,190 @@
+"""The table of clips and snapshots beside their files: SQLite, for this user only."""
+
+from __future__ import annotations
+
+import json
+import os
+import secrets
+import sqlite3
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from housefly.errors import StoreError
+from housefly.tasks.evidence.clip_news import ClipOrigin
+
+_DATABASE = "index.db"
+_BUSY_TIMEOUT = 5.0
+_SCHEMA = """
+CREATE TABLE IF NOT EXISTS clips (
+  id TEXT PRIMARY KEY, kind TEXT NOT NULL, task INTEGER NOT NULL, service TEXT NOT NULL,
+  place TEXT NOT NULL, thing TEXT NOT NULL, people TEXT NOT NULL, cause TEXT NOT NULL,
+  began_at REAL NOT NULL, duration REAL NOT NULL, size INTEGER NOT NULL,
+  kept INTEGER NOT NULL, blanked INTEGER NOT NULL, whole INTEGER NOT NULL);
+CREATE INDEX IF NOT EXISTS clips_by_time ON clips (began_at);
+CREATE TABLE IF NOT EXISTS views (
+  clip TEXT NOT NULL, at REAL NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL);
+CREATE INDEX IF NOT EXISTS views_by_clip ON views (clip, at);
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class ClipRow:
+    """One row of the table.
+
+    Attributes:
+        id, kind, task, service, place, thing, people, cause: as in ``ClipInfo``.
+        began_at, duration: [Unix time, s] and [s].
+        size: of the file [bytes].
+        kept: whether somebody wants it kept for good.
+        blanked: whether part of it was blanked.
+        whole: False while it is being written.
+    """
+
+    id: str
+    kind: str
+    task: int
+    service: str
+    place: str
+    thing: str
+    people: tuple[str, ...]
+    cause: str
+    began_at: float
+    duration: float = 0.0
+    size: int = 0
+    kept: bool = False
+    blanked: bool = False
+    whole: bool = False
+
+
+def new_clip_row(kind: str, began_at: float, origin: ClipOrigin) -> ClipRow:
+    """Return a row with an id of its own, which begins with the time and tells nothing else."""
+    stamp = time.strftime("%Y%m%d-%H%M%S", time.gmtime(began_at))
+    return ClipRow(
+        id=f"{stamp}-{secrets.token_hex(4)}",
+        kind=kind,
+        task=origin.task,
+        service=origin.service,
+        place="",
+        thing="",
+        people=(),
+        cause=origin.cause,
+        began_at=began_at,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class ClipView:
+    """Who did what with a clip, and when [Unix time, s]."""
+
+    at: float
+    who: str
+    what: str
+
+
+class ClipTable:
+    """The rows of a folder of clips; safe for several threads and processes.
+
+    Args:
+        folder: made if missing, mode 0700.
+
+    Raises:
+        StoreError: the file cannot be opened.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._lock = threading.RLock()
+        file = folder / _DATABASE
+        try:
+            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            folder.chmod(0o700)
+            os.close(os.open(file, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600))
+            file.chmod(0o600)
+            self._database = _opened(file)
+        except (OSError, sqlite3.Error) as error:
+            raise StoreError(f"the clips' index {file} cannot be opened: {error}") from error
+
+    def close(self) -> None:
+        """Close the file."""
+        with self._lock:
+            self._database.close()
+
+    def put(self, row: ClipRow) -> None:
+        """Write a row, new or changed; raises StoreError."""
+        values = (
+            *(row.id, row.kind, row.task, row.service, row.place, row.thing),
+            *(json.dumps(row.people), row.cause, row.began_at, row.duration, row.size),
+            *(row.kept, row.blanked, row.whole),
+        )
+        with self._written() as database:
+            database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 14)})", values)
+
+    def remove(self, name: str) -> None:
+        """Forget a row; who watched it is remembered; raises StoreError."""
+        with self._written() as database:
+            database.execute("DELETE FROM clips WHERE id = ?", (name,))
+
+    def rows(self, where: str = "1", *values: object) -> list[ClipRow]:
+        """Return rows by an SQL condition, the newest first; raises StoreError."""
+        with self._read() as database:
+            found = database.execute(
+                f"SELECT * FROM clips WHERE {where} ORDER BY began_at DESC, id DESC", values
+            ).fetchall()
+        return [_row(columns) for columns in found]
+
+    def saw(self, name: str, view: ClipView) -> None:
+        """Write down who did what with a clip; raises StoreError."""
+        with self._written() as database:
+            database.execute(
+                "INSERT INTO views VALUES (?, ?, ?, ?)", (name, view.at, view.who, view.what)
+            )
+
+    def views(self, name: str) -> tuple[ClipView, ...]:
+        """Return what was done with a clip, by time; raises StoreError."""
+        with self._read() as database:
+            found = database.execute(
+                "SELECT at, who, what FROM views WHERE clip = ? ORDER BY at", (name,)
+            )
+            return tuple(ClipView(*columns) for columns in found.fetchall())
+
+    @contextmanager
+    def _read(self) -> Iterator[sqlite3.Connection]:
+        try:
+            with self._lock:
+                yield self._database
+        except sqlite3.Error as error:
+            raise StoreError(f"the clips' index does not answer: {error}") from error
+
+    @contextmanager
+    def _written(self) -> Iterator[sqlite3.Connection]:
+        with self._read() as database, database:
+            yield database
+
+
+def _opened(file: Path) -> sqlite3.Connection:
+    try:
+        return _connected(file)
+    except sqlite3.DatabaseError as error:
+        if isinstance(error, sqlite3.OperationalError):
+            raise
+        # The files of the clips are still there and are taken up again.
+        file.replace(file.with_suffix(".broken"))
+        os.close(os.open(file, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600))
+        return _connected(file)
+
+
+def _connected(file: Path) -> sqlite3.Connection:
+    database = sqlite3.connect(file, timeout=_BUSY_TIMEOUT, check_same_thread=False)
+    database.row_factory = sqlite3.Row
+    database.execute("PRAGMA journal_mode = WAL")
+    database.executescript(_SCHEMA)
+    return database
+
+
+def _row(columns: sqlite3.Row) -> ClipRow:
+    fields = dict(columns)
+    flags = {name: bool(fields[name]) for name in ("kept", "blanked", "whole")}
+    return ClipRow(**{**fields, **flags, "people": tuple(json.loads(fields["people"]))})

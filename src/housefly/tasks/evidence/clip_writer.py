@@ -1,0 +1,142 @@
+"""One clip on its way to the disk: readable at every moment, and named only when it is whole."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import av
+from av.container import InputContainer
+
+from housefly.messages import VideoFrame
+from housefly.record.movie import Movie
+
+CLIP_SUFFIX, PART_SUFFIX = ".mp4", ".mp4.part"
+_MENDED_SUFFIX = ".mp4.mended"
+
+
+@dataclass(frozen=True, slots=True)
+class ClipFile:
+    """A whole clip: when its first picture arrived [s], its duration [s], its size [bytes]."""
+
+    path: Path
+    began_at: float
+    duration: float
+    size: int
+
+
+class ClipWriter:
+    """Writes one MP4 file that grows by fragments; a writer that dies leaves a readable one.
+
+    Args:
+        path: where the clip lies when it is whole; its folder must exist.
+
+    Raises:
+        OSError: the file cannot be made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path, self._part = path, path.with_name(path.stem + PART_SUFFIX)
+        make_private(self._part)
+        self._movie = Movie(self._part)
+        self._began_at: float | None = None
+        self._newest = 0.0
+        self._count = 0
+
+    def add(self, frame: VideoFrame) -> None:
+        """Append a picture; those before the first key frame are left out.
+
+        May raise OSError and av.FFmpegError.
+        """
+        if self._began_at is None and not frame.keyframe:
+            return
+        self._movie.add(frame)
+        self._began_at = frame.received_at if self._began_at is None else self._began_at
+        self._newest = max(self._newest, frame.received_at)
+        self._count += 1
+
+    def finish(self) -> ClipFile | None:
+        """Close the file and give it its name; None, and no file, when it has no picture.
+
+        May raise OSError and av.FFmpegError.
+        """
+        self._movie.close()
+        if self._began_at is None or not self._part.stat().st_size:
+            self._part.unlink(missing_ok=True)
+            return None
+        _name_it(self._part, self._path)
+        duration = self._newest - self._began_at
+        duration += duration / (self._count - 1) if self._count > 1 else 0.0
+        return ClipFile(self._path, self._began_at, duration, self._path.stat().st_size)
+
+    def abandon(self) -> None:
+        """Close the file as well as it can be, and leave it as what a crash would leave."""
+        try:
+            self._movie.close()
+        except (OSError, av.FFmpegError):
+            return
+
+
+def finish_leftover(part: Path) -> Path | None:
+    """Make a whole clip of what a crash left; None, and no file, when it shows nothing.
+
+    May raise OSError.
+    """
+    path = part.with_name(part.name.removesuffix(PART_SUFFIX) + CLIP_SUFFIX)
+    mended = part.with_name(part.name.removesuffix(PART_SUFFIX) + _MENDED_SUFFIX)
+    make_private(mended)
+    try:
+        written = _copied(part, mended)
+    except (av.FFmpegError, IndexError, ValueError):
+        written = 0
+    if written:
+        _name_it(mended, path)
+    mended.unlink(missing_ok=True)
+    part.unlink(missing_ok=True)
+    return path if written else None
+
+
+def duration_of(path: Path) -> float:
+    """Return how long a clip is [s]; 0 when it cannot be read."""
+    try:
+        with av.open(str(path)) as clip:
+            return float((clip.duration or 0) / av.time_base)
+    except (OSError, av.FFmpegError):
+        return 0.0
+
+
+def make_private(path: Path) -> None:
+    """Make an empty file that only this user can read; an old one is removed."""
+    path.unlink(missing_ok=True)
+    os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o600))
+
+
+def _copied(part: Path, path: Path) -> int:
+    """Copy every whole picture into an ordinary MP4 file and return how many there are."""
+    count = 0
+    with av.open(str(part)) as source, av.open(str(path), "w", format="mp4") as target:
+        stream = target.add_stream_from_template(source.streams.video[0])
+        for packet in _whole_packets(source):
+            packet.stream = stream
+            target.mux(packet)
+            count += 1
+    return count
+
+
+def _whole_packets(source: InputContainer) -> Iterator[Any]:
+    """Yield the packets up to the first that cannot be decoded: the last fragment may be torn."""
+    with suppress(av.FFmpegError):
+        for packet in source.demux(source.streams.video[0]):
+            packet.decode()
+            if packet.dts is not None:
+                yield packet
+
+
+def _name_it(part: Path, path: Path) -> None:
+    with part.open("rb") as file:
+        os.fsync(file.fileno())
+    part.replace(path)

@@ -1,0 +1,65 @@
+"""Steps that ask the room's memory and report what it says."""
+
+from __future__ import annotations
+
+from housefly.hub.api.questions import ContentsQuestion, WhereQuestion
+from housefly.tasks.execution.comparison import changes_between, last_time
+from housefly.tasks.execution.people_check import PeopleCheck, check_people
+from housefly.tasks.execution.step_behavior import StepBehavior
+from housefly.tasks.execution.values import Report, Say
+
+LINES_MAX = 20
+"""Most lines that one step reports."""
+
+
+class Find(StepBehavior):
+    """Reports where something is, as the memory has it."""
+
+    def begin(self) -> None:
+        """Ask and report."""
+        answer = self.context.room.ask(WhereQuestion(self.text("subject")))
+        words = answer.words[:1].upper() + answer.words[1:]
+        self.context.actions.append(Report(words))
+        if self.argument("say") is True:
+            self.context.actions.append(Say(words))
+
+
+class Contents(StepBehavior):
+    """Reports what is in a thing."""
+
+    def begin(self) -> None:
+        """Ask and report."""
+        thing = self.text("thing")
+        found = self.context.room.ask(ContentsQuestion(thing)).things
+        title = self.context.title_of(thing)
+        names = [each.name for each in found][:LINES_MAX]
+        more = f" and {len(found) - LINES_MAX} more" if len(found) > LINES_MAX else ""
+        words = f"In {title}: {', '.join(names)}{more}" if names else f"Nothing is in {title}"
+        self.context.actions.append(Report(f"{words}, as far as the room knows"))
+
+
+class Changes(StepBehavior):
+    """Reports what came, went or moved since the last time."""
+
+    def begin(self) -> None:
+        """Ask and report."""
+        now = self.context.inputs.unix
+        since = self.argument("since")
+        then = now - since if isinstance(since, float) else last_time(self.context)
+        lines = changes_between(self.context, then, self.text("thing"))
+        self.context.actions += [Report(line) for line in lines[:LINES_MAX]]
+
+
+class CheckPeople(StepBehavior):
+    """Reports how everybody is, and names who may need help or is missing."""
+
+    def begin(self) -> None:
+        """Ask, report, and remember whom it is about."""
+        context = self.context
+        check = PeopleCheck(self.number("sure") / 100.0, self.number("away"))
+        found = check_people(context, self.text("person"), check)
+        context.actions += [Report(line) for line in found.lines[:LINES_MAX]]
+        for name, who in (("as", found.in_need), ("missing", found.missing)):
+            context.results.pop(self.text(name), None)
+            if who is not None:
+                context.found(self.text(name), *who)

@@ -1,0 +1,200 @@
+"""What became of a task's orders, and whether somebody else flies the drone now."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.messages import Event, Order, OrderKind, Phase, SafetyMode
+from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.execution.values import TaskInputs
+
+ANSWER_TIME = 1.5
+"""The pilot answers an order within this [s], or never."""
+SETTLING_TIME = 1.5
+"""A phase that no order explains must last so long before it counts [s]: events come first."""
+TASK_SENDER = "task "
+"""How the sender of a task's order begins."""
+
+_I, _T, _O, _L, _H, _R, _D = tuple(Phase)
+EXPECTED: dict[OrderKind, frozenset[Phase]] = {
+    OrderKind.TAKE_OFF: frozenset({_T, _H}),
+    OrderKind.GO: frozenset({_T, _O, _H}),
+    OrderKind.HOVER: frozenset({_T, _H}),
+    OrderKind.HOME: frozenset({_T, _R, _D, _I}),
+    OrderKind.LAND: frozenset({_R, _D, _I}),
+}
+"""Phases that follow from each order once it is accepted."""
+
+DECISIONS: dict[str, ReasonCode] = {
+    "blocked": ReasonCode.NO_WAY,
+    "overdue": ReasonCode.TIMEOUT,
+    "return_wanted": ReasonCode.SAFETY,
+    "forced_down": ReasonCode.SAFETY,
+    "sinking": ReasonCode.SAFETY,
+    "emergency": ReasonCode.SAFETY,
+    "take_off_given_up": ReasonCode.SAFETY,
+}
+"""Events of the pilot that end a task, because the pilot flies on by itself."""
+_ENDS_HOMING = frozenset({"forced_down", "emergency"})
+"""Of those the ones that end a flight home, too; the others only bring it home."""
+_NOT_TAKING_OVER = frozenset({OrderKind.RESET, OrderKind.RESUME})
+_DOWN_MODES = frozenset({SafetyMode.LAND, SafetyMode.DESCEND})
+
+
+@dataclass(frozen=True, slots=True)
+class Interference:
+    """Why a task flies no longer: a reason code and one sentence."""
+
+    code: ReasonCode
+    words: str
+
+
+class OrderTracker:
+    """Follows the orders of one task.
+
+    Attributes:
+        order: the last one given; None before the first and after a pause.
+        given_at: when [s].
+        accepted: whether the pilot took it.
+        refused: why it did not, in the pilot's words, or "".
+        trouble: the pilot's last warning about the way, in words.
+    """
+
+    def __init__(self) -> None:
+        self.order: Order | None = None
+        self.given_at = 0.0
+        self.accepted = False
+        self.refused = ""
+        self.trouble = ""
+        self._strange_since: float | None = None
+        self._goal_name = ""
+
+    def gave(self, order: Order, now: float) -> None:
+        """Take note of an order that is given now [s]."""
+        self.order, self.given_at = order, now
+        self.accepted, self.refused, self.trouble = False, "", ""
+        self._strange_since, self._goal_name = None, ""
+
+    def forget(self) -> None:
+        """Expect nothing: others may have flown meanwhile."""
+        self.order, self._strange_since = None, None
+
+    def is_open(self, now: float) -> bool:
+        """Return whether the pilot may still be about to answer the last order."""
+        is_answered = self.accepted or bool(self.refused)
+        return self.order is not None and not is_answered and now - self.given_at < ANSWER_TIME
+
+    def update(self, inputs: TaskInputs) -> Interference | None:
+        """Bring it up to now; return why the task flies no longer, None while it does."""
+        found = self._by_person(inputs)
+        for event in inputs.events:
+            found = found or self._told(event, inputs)
+        if not self.accepted:
+            self._notice_phase(inputs)
+        found = found or self._by_gate(inputs) or self._by_phase(inputs)
+        return found
+
+    @property
+    def is_homing(self) -> bool:
+        """Whether the last order was to come down."""
+        return self.order is not None and self.order.kind in (OrderKind.HOME, OrderKind.LAND)
+
+    def _by_person(self, inputs: TaskInputs) -> Interference | None:
+        refused = {_asked(event) for event in inputs.events if event.code == "order_refused"}
+        for order in inputs.orders:
+            words = order.kind.value.replace("_", " ")
+            if order.kind not in _NOT_TAKING_OVER and words not in refused:
+                return _taken_over(words, order.sender)
+        if inputs.safety is SafetyMode.STOPPED:
+            return _taken_over("stop", "")
+        return None
+
+    def _told(self, event: Event, inputs: TaskInputs) -> Interference | None:
+        if event.code == "order_accepted":
+            return self._heard_accepted(event)
+        if event.code == "order_refused":
+            self._heard_refused(event, inputs)
+        elif event.code in ("no_way", "way_blocked") or (
+            event.code in DECISIONS and self.is_homing and event.code not in _ENDS_HOMING
+        ):
+            self.trouble = event.text
+        elif event.code in DECISIONS:
+            return Interference(DECISIONS[event.code], event.text)
+        return None
+
+    def _heard_accepted(self, event: Event) -> Interference | None:
+        words, sender = _asked(event), _sender(event)
+        is_ours = sender.startswith(TASK_SENDER) or not sender
+        order = self.order
+        if is_ours and order is not None and words == order.kind.value.replace("_", " "):
+            self.accepted = True
+        elif not is_ours and words not in {kind.value for kind in _NOT_TAKING_OVER}:
+            return _taken_over(words, sender)
+        return None
+
+    def _heard_refused(self, event: Event, inputs: TaskInputs) -> None:
+        words = _asked(event)
+        is_theirs = any(o.kind.value.replace("_", " ") == words for o in inputs.orders)
+        order = self.order
+        if order is None or is_theirs or self.accepted or self.refused:
+            return
+        if words == order.kind.value.replace("_", " "):
+            self.refused = event.text.partition(" refused: ")[2] or event.text
+
+    def _notice_phase(self, inputs: TaskInputs) -> None:
+        """An answer that was not heard shows in the phase."""
+        order = self.order
+        if order is None or self.refused or inputs.now - self.given_at < ANSWER_TIME / 3.0:
+            return
+        moving = EXPECTED[order.kind] - {Phase.IDLE, Phase.HOLDING}
+        self.accepted = inputs.phase in moving
+
+    def _by_gate(self, inputs: TaskInputs) -> Interference | None:
+        if inputs.safety in _DOWN_MODES and not self._lands_for_us(inputs):
+            why = f": {inputs.warnings[0]}" if inputs.warnings else ""
+            return Interference(ReasonCode.SAFETY, f"landing for safety{why}")
+        if inputs.safety is SafetyMode.RETURN and not self.is_homing:
+            why = f": {inputs.warnings[0]}" if inputs.warnings else ""
+            return Interference(ReasonCode.SAFETY, f"coming home for safety{why}")
+        return None
+
+    def _lands_for_us(self, inputs: TaskInputs) -> bool:
+        return self.is_homing and inputs.phase in (Phase.LANDING, Phase.IDLE)
+
+    def _by_phase(self, inputs: TaskInputs) -> Interference | None:
+        """Return what a phase or a goal says that no order of this task explains."""
+        order = self.order
+        if order is None or not self.accepted:
+            return None
+        is_strange = inputs.phase not in EXPECTED[order.kind]
+        if inputs.phase is Phase.OUTBOUND and order.kind is OrderKind.GO:
+            settled = inputs.now - self.given_at > SETTLING_TIME
+            self._goal_name = self._goal_name or (inputs.goal_name if settled else "")
+            is_strange = bool(self._goal_name) and inputs.goal_name != self._goal_name
+        if not is_strange:
+            self._strange_since = None
+            return None
+        since = self._strange_since = (
+            inputs.now if self._strange_since is None else self._strange_since
+        )
+        if inputs.now - since < SETTLING_TIME:
+            return None
+        words = f"the drone is {inputs.phase.value}, which this task did not order"
+        return Interference(ReasonCode.PERSON_TOOK_OVER, words)
+
+
+def _asked(event: Event) -> str:
+    """Return the kind of order that an event is about, in words."""
+    kinds = sorted((kind.value.replace("_", " ") for kind in OrderKind), key=len, reverse=True)
+    return next((words for words in kinds if event.text.startswith(words)), "")
+
+
+def _sender(event: Event) -> str:
+    """Return who gave the order that was accepted, or ""."""
+    head, _, _ = event.text[len(_asked(event)) :].partition(": ")
+    return head.partition(" by ")[2]
+
+
+def _taken_over(words: str, sender: str) -> Interference:
+    who = sender or "a person"
+    return Interference(ReasonCode.PERSON_TOOK_OVER, f"{who} took over: {words}")

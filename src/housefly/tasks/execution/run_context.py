@@ -1,0 +1,160 @@
+"""What the steps of one running task share: the present tick, and what they want done."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from housefly.errors import HouseflyError
+from housefly.hub.api.questions import WhereQuestion
+from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages.sensing import AIRBORNE_STATUSES
+from housefly.tasks.api.values import ReasonCode, TaskStepState
+from housefly.tasks.document.templates import plain_text
+from housefly.tasks.execution.order_tracker import TASK_SENDER, OrderTracker
+from housefly.tasks.execution.task_room import TaskRoom
+from housefly.tasks.execution.values import (
+    GiveOrder,
+    StartClip,
+    StopClip,
+    TakeSnapshot,
+    TaskAction,
+    TaskInputs,
+)
+
+
+@dataclass(slots=True)
+class StepNote:
+    """How far one step is, for people."""
+
+    name: str
+    words: str
+    state: TaskStepState = TaskStepState.WAITING
+
+
+@dataclass(slots=True)
+class RunContext:
+    """Shared by the steps of one task.
+
+    Attributes:
+        service: name of the task.
+        room: what may be asked of the room.
+        inputs: of the present tick.
+        time: time that the task has run, pauses left out [s].
+        orders: what became of its orders.
+        actions: what is to be done after this tick.
+        results: what steps found, by name: replies, people in need.
+        titles: what people call what was found, by id.
+        notes: every step, in order.
+        failure: reason and words of the last step that failed.
+        round: grows with each resumption; a step that sees a new one gives its order again.
+        faced: id of the person whom the drone faces, or "".
+        station: the order that brought the drone to where it hovers; None on the ground.
+        has_flown: whether the task ordered anything that flies.
+        flights: steps that fly now.
+        clips: clips that steps record now, inside each other.
+    """
+
+    service: str
+    room: TaskRoom
+    inputs: TaskInputs = field(default_factory=lambda: TaskInputs(0.0, 0.0))
+    time: float = 0.0
+    orders: OrderTracker = field(default_factory=OrderTracker)
+    actions: list[TaskAction] = field(default_factory=list)
+    results: dict[str, str] = field(default_factory=dict)
+    titles: dict[str, str] = field(default_factory=dict)
+    notes: list[StepNote] = field(default_factory=list)
+    failure: tuple[ReasonCode, str] = (ReasonCode.STEP_FAILED, "a step failed")
+    round: int = 0
+    faced: str = ""
+    station: Order | None = None
+    has_flown: bool = False
+    flights: int = 0
+    clips: int = 0
+
+    def text(self, template: str) -> str:
+        """Return a text with what steps found filled in: ids, for the room."""
+        return plain_text(template, lambda name: self.results.get(name, ""))
+
+    def words(self, template: str) -> str:
+        """Return a text with what steps found filled in as people call it."""
+
+        def shown(name: str) -> str:
+            found = self.results.get(name, "")
+            return self.titles.get(found, found)
+
+        return plain_text(template, shown)
+
+    def found(self, name: str, thing: str, title: str = "") -> None:
+        """Keep what a step found under a name, and what people call it."""
+        self.results[name] = thing
+        if title:
+            self.titles[thing] = title
+
+    def title_of(self, thing: str) -> str:
+        """Return what the memory calls a thing, or the word that was given."""
+        try:
+            return str(self.room.ask(WhereQuestion(thing)).name)
+        except HouseflyError:
+            return thing
+
+    def clip(self, before: float, subject: str) -> StartClip:
+        """Return the clip of a subject, with seconds of the past before it [s]."""
+        return StartClip(before, *self._shown(subject))
+
+    def snapshot(self, subject: str) -> TakeSnapshot:
+        """Return the picture of a subject."""
+        return TakeSnapshot(*self._shown(subject))
+
+    def _shown(self, subject: str) -> tuple[str, str, tuple[str, ...]]:
+        """Return the place, the thing and the people that a picture shows, for its index."""
+        people = (self.faced,) if self.faced else ()
+        if not subject:
+            return "", "", people
+        try:
+            kind = self.room.ask(WhereQuestion(subject)).kind
+        except HouseflyError:
+            kind = "place"
+        if kind == "person":
+            return "", "", (subject,)
+        return (subject, "", people) if kind == "place" else ("", subject, people)
+
+    def give(self, order: Order) -> None:
+        """Give the pilot an order, stamped with the present."""
+        stamped = replace(
+            order, issued_at=self.inputs.now, sender=f"{TASK_SENDER}{self.service}"[:100]
+        )
+        self.has_flown = True
+        self.orders.gave(stamped, self.inputs.now)
+        self.actions.append(GiveOrder(stamped))
+        if order.kind is OrderKind.GO:
+            self.station = order
+        elif order.kind in (OrderKind.HOME, OrderKind.LAND):
+            self.station = None
+
+    def start_clip(self, clip: StartClip) -> None:
+        """Record from now on; a clip inside a clip is the same clip."""
+        self.clips += 1
+        if self.clips == 1:
+            self.actions.append(clip)
+
+    def stop_clip(self) -> None:
+        """End what ``start_clip`` began."""
+        self.clips -= 1
+        if self.clips == 0:
+            self.actions.append(StopClip())
+
+    @property
+    def is_airborne(self) -> bool:
+        """Whether the drone flies, or is about to."""
+        return self.inputs.phase is not Phase.IDLE or self.inputs.status in AIRBORNE_STATUSES
+
+    @property
+    def stands(self) -> bool:
+        """Whether the drone is on the ground and nothing is under way."""
+        status = self.inputs.status
+        return self.inputs.phase is Phase.IDLE and status in (None, DroneStatus.LANDED)
+
+    @property
+    def hovers(self) -> bool:
+        """Whether the drone holds its place in the air."""
+        return self.inputs.phase is Phase.HOLDING

@@ -1,0 +1,232 @@
+"""Runs one task: told what is known at each tick, it answers what is to be done; pure."""
+
+from __future__ import annotations
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.tasks.api.values import ReasonCode, TaskStage, TaskStepState, TaskStepStatus
+from housefly.tasks.document.steps import StepKind, TaskStep
+from housefly.tasks.document.task_document import RETURN_HOME, BoundTask
+from housefly.tasks.execution.run_context import RunContext
+from housefly.tasks.execution.station import way_to_station
+from housefly.tasks.execution.task_room import TaskRoom
+from housefly.tasks.execution.tree import tree_of
+from housefly.tasks.execution.values import TaskAction, TaskInputs
+
+TASK_TIME_MAX = 3600.0
+"""No task takes longer than this [s], whatever its document says."""
+HOLD_PERIOD = 30.0
+"""A hovering drone is told to stay this often [s]: the pilot brings home one that hears nothing."""
+HOLD_REPEAT = 1.0
+"""A paused drone that still moves is told to hover again after this [s]."""
+LAND = (TaskStep(StepKind.LAND),)
+"""What brings the drone down when it cannot come home."""
+_MOVING = frozenset({Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING})
+_UNFINISHED = frozenset({TaskStepState.WAITING, TaskStepState.RUNNING})
+
+_End = tuple[TaskStage, ReasonCode, str]
+
+
+class TaskRun:
+    """One running task.
+
+    Attributes:
+        task: what runs.
+        stage: RUNNING, PAUSED, or how it ended.
+        code, words: why, for programs and for people.
+    """
+
+    def __init__(self, task: BoundTask, room: TaskRoom) -> None:
+        self.task = task
+        self.stage, self.code, self.words = TaskStage.RUNNING, ReasonCode.OK, ""
+        self._context = RunContext(task.service, room)
+        self._tree = tree_of(task.steps, self._context)
+        self._closing: Behaviour | None = None
+        self._closings: list[tuple[TaskStep, ...]] = []
+        self._end: _End | None = None
+        self._station: Behaviour | None = None
+        self._station_time, self._was_paused = 0.0, False
+        self._last: float | None = None
+        self._held_at = 0.0
+
+    @property
+    def steps(self) -> tuple[TaskStepStatus, ...]:
+        """How far each step is, in order."""
+        return tuple(TaskStepStatus(n.name, n.words, n.state) for n in self._context.notes)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it has ended."""
+        return self.stage not in (TaskStage.RUNNING, TaskStage.PAUSED)
+
+    @property
+    def is_safe_point(self) -> bool:
+        """Whether a more important task may take the drone now.
+
+        Not while it takes off, comes home or lands, while an order is under way, or while a clip
+        is recorded that nobody could take again.
+        """
+        context = self._context
+        is_still = context.inputs.phase in (Phase.IDLE, Phase.HOLDING, Phase.OUTBOUND)
+        is_open = context.orders.is_open(context.inputs.now)
+        return is_still and not is_open and not context.clips and self._end is None
+
+    def cancel(self, words: str) -> None:
+        """End it: in the air it does what its document says, on the ground nothing moves."""
+        if self.is_over or (self._end is not None and self._end[0] is not TaskStage.DONE):
+            return
+        is_closing = self._end is not None
+        self._end = (TaskStage.CANCELLED, ReasonCode.CANCELLED, words)
+        if self.stage is TaskStage.PAUSED:
+            self.stage, self._last = TaskStage.RUNNING, None
+        if not is_closing:
+            self._tree.stop(Status.INVALID)
+
+    def pause(self) -> None:
+        """Hover where the drone is, until ``resume``; the times of its steps stand still."""
+        if self.stage is TaskStage.RUNNING:
+            self.stage, self._held_at = TaskStage.PAUSED, float("-inf")
+
+    def resume(self) -> None:
+        """Go on with the same step, which gives its order again."""
+        if self.stage is TaskStage.PAUSED:
+            self.stage = TaskStage.RUNNING
+            self._context.round += 1
+            self._context.orders.forget()
+            # What passed since the last tick, paused or flown by another task, is not its time.
+            self._last = None
+            self._was_paused = True
+
+    def step(self, inputs: TaskInputs) -> tuple[TaskAction, ...]:
+        """Go on by one tick; return what is to be done now, in order."""
+        if self.is_over:
+            return ()
+        context = self._context
+        context.inputs = inputs
+        interference = context.orders.update(inputs) if self.task.flies else None
+        if interference is not None:
+            taken = interference.code is ReasonCode.PERSON_TOOK_OVER
+            stage = TaskStage.CANCELLED if taken else TaskStage.FAILED
+            self._finish((stage, interference.code, interference.words))
+        elif self.stage is TaskStage.PAUSED:
+            self._hold()
+        else:
+            self._pass_time(inputs.now)
+            self._advance()
+        actions = tuple(context.actions)
+        context.actions.clear()
+        return actions
+
+    def _pass_time(self, now: float) -> None:
+        if self._last is not None:
+            self._context.time += max(0.0, now - self._last)
+        self._last = now
+
+    def _advance(self) -> None:
+        if self._end is not None:
+            self._close()
+        elif self._is_late():
+            self._conclude((TaskStage.FAILED, ReasonCode.TIMEOUT, "the task took too long"))
+        elif self._wants_station() and self._station is not None:
+            self._return_to_station(self._station)
+        else:
+            self._tree.tick_once()
+            if self._tree.status is Status.SUCCESS:
+                self._conclude((TaskStage.DONE, ReasonCode.OK, "done"))
+            elif self._tree.status is Status.FAILURE:
+                self._conclude((TaskStage.FAILED, *self._context.failure))
+            else:
+                self._stay_alive()
+
+    def _is_late(self) -> bool:
+        limit = min(self.task.time_limit or TASK_TIME_MAX, TASK_TIME_MAX)
+        return self._context.time > limit
+
+    def _wants_station(self) -> bool:
+        """Whether the drone has yet to fly back to where it hovered before a pause."""
+        if self._was_paused and not self._context.flights:
+            self._station = way_to_station(self._context)
+            self._station_time = self._context.time
+        self._was_paused = False
+        return self._station is not None
+
+    def _return_to_station(self, station: Behaviour) -> None:
+        """Fly back to where the drone hovered before the pause; then the step goes on."""
+        station.tick_once()
+        if station.status is Status.SUCCESS:
+            # The way back is not the step's time.
+            self._station, self._context.time = None, self._station_time
+        elif station.status is Status.FAILURE:
+            self._conclude((TaskStage.FAILED, *self._context.failure))
+
+    def _conclude(self, end: _End) -> None:
+        """The steps are over; the drone may have to come home yet."""
+        if self._tree.status is Status.RUNNING:
+            self._tree.stop(Status.INVALID)
+        self._end = end
+        self._close()
+
+    def _close(self) -> None:
+        """Bring the drone down as the end wants it, then end."""
+        if self._closing is None and self._waits_for_pilot():
+            return
+        if self._closing is None and self._must_come_down():
+            self._closings = self._ways_down()
+        elif self._closing is not None:
+            self._closing.tick_once()
+        while self._must_come_down() and self._closings and not self._is_closing():
+            self._closing = tree_of(self._closings.pop(0), self._context)
+            self._closing.tick_once()
+        if self._is_closing():
+            self._stay_alive()
+        else:
+            self._finish(self._end)
+
+    def _must_come_down(self) -> bool:
+        """Whether this task has the drone in the air; a person's own flight is none of its."""
+        return self._context.has_flown and self._context.is_airborne
+
+    def _is_closing(self) -> bool:
+        return self._closing is not None and self._closing.status is Status.RUNNING
+
+    def _waits_for_pilot(self) -> bool:
+        """Whether an order to take off was given that the pilot has not answered yet."""
+        context = self._context
+        return context.inputs.phase is Phase.IDLE and context.orders.is_open(context.inputs.now)
+
+    def _ways_down(self) -> list[tuple[TaskStep, ...]]:
+        """Return what brings the drone down, the next when the one before did not."""
+        inputs = self._context.inputs
+        if inputs.phase is Phase.TAKING_OFF and inputs.status is DroneStatus.LANDED:
+            return [LAND]  # it stands yet: nothing moves
+        is_cancelled = self._end is not None and self._end[0] is TaskStage.CANCELLED
+        first = [self.task.on_cancel] if is_cancelled else []
+        return [*first, RETURN_HOME, LAND]
+
+    def _hold(self) -> None:
+        """Hover while paused; a landing is not held up."""
+        inputs, context = self._context.inputs, self._context
+        period = HOLD_REPEAT if inputs.phase in _MOVING else HOLD_PERIOD
+        is_up = inputs.phase in _MOVING or context.hovers
+        if context.has_flown and is_up and inputs.now - self._held_at >= period:
+            self._held_at = inputs.now
+            context.give(Order(OrderKind.HOVER))
+
+    def _stay_alive(self) -> None:
+        """Tell a drone that hovers for long to stay."""
+        context = self._context
+        is_ours = context.has_flown and context.hovers
+        if is_ours and context.inputs.now - context.orders.given_at > HOLD_PERIOD:
+            context.give(Order(OrderKind.HOVER))
+
+    def _finish(self, end: _End | None) -> None:
+        assert end is not None
+        self.stage, self.code, self.words = end
+        for tree in (self._tree, self._station, self._closing):
+            if tree is not None and tree.status is Status.RUNNING:
+                tree.stop(Status.INVALID)
+        for note in self._context.notes:
+            if note.state in _UNFINISHED:
+                note.state = TaskStepState.SKIPPED

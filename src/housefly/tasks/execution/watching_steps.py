@@ -1,0 +1,129 @@
+"""Steps that watch: a panorama by turning on the spot, and following a person."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+
+from housefly.config.people import PeopleConfig
+from housefly.errors import HouseflyError
+from housefly.geometry import Vec3, distance, wrap_angle
+from housefly.messages import Order, OrderKind
+from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.execution.flight_steps import (
+    ANYBODY,
+    FACING_TIME,
+    FACING_WITHIN,
+    REGO_PERIOD,
+    FlightStep,
+    has_moved,
+    nearest_person,
+)
+from housefly.tasks.execution.step_behavior import StepFailed
+from housefly.tasks.vantage.viewpoint import Viewpoint
+
+SWEEP_RADIUS = 2.0
+"""The points faced in a panorama lie so far around the drone [m]."""
+COMFORT_DISTANCE = PeopleConfig().comfort_distance + PeopleConfig().body_radius
+"""No step asks to hover nearer to where somebody stands [m]; the pilot keeps its own distance."""
+
+
+class Sweep(FlightStep):
+    """Turns on the spot and takes a picture in each direction."""
+
+    def begin(self) -> None:
+        """Work out the directions and turn to the first."""
+        inputs = self.context.inputs
+        if not self.context.hovers or inputs.position is None or inputs.yaw is None:
+            raise StepFailed("a panorama is taken where the drone hovers; fly there first")
+        count, angle = int(self.number("views")), radians(self.number("angle"))
+        is_whole = angle > 2.0 * pi - 0.01
+        pitch = angle / count if is_whole else angle / (count - 1)
+        first = inputs.yaw if is_whole else inputs.yaw - 0.5 * angle
+        self._left = [wrap_angle(first + index * pitch) for index in range(count)]
+        self._here: Vec3 = inputs.position
+        super().begin()
+
+    def order(self) -> Order:
+        """Return the order to stay here and face the next direction."""
+        x, y, z = self._here
+        yaw = self._left[0]
+        point = (x + SWEEP_RADIUS * cos(yaw), y + SWEEP_RADIUS * sin(yaw), z)
+        return Order(OrderKind.GO, goal=(x, y), look_at=point)
+
+    def send(self) -> None:
+        """Turn."""
+        self._sent = self.context.time
+        super().send()
+
+    def proceed(self) -> bool:
+        """Take a picture when it faces the direction; return whether it was the last."""
+        if not self.is_accepted() or not self._is_turned():
+            return False
+        self.context.actions.append(self.context.snapshot(self.text("subject")))
+        self._left.pop(0)
+        if not self._left:
+            return True
+        self._tries = 0
+        self.send()
+        return False
+
+    def limit(self) -> float:
+        """Return the longest time that it may take [s]."""
+        timeout = self.step.timeout
+        return timeout if isinstance(timeout, float) else 20.0 + 2.0 * FACING_TIME * 36.0
+
+    def _is_turned(self) -> bool:
+        yaw, elapsed = self.context.inputs.yaw, self.context.time - self._sent
+        if yaw is None or not self.context.hovers or elapsed < 0.5:
+            return False
+        return abs(wrap_angle(self._left[0] - yaw)) < FACING_WITHIN or elapsed > 2.0 * FACING_TIME
+
+
+class Follow(FlightStep):
+    """Keeps a person in view: flies anew when where they are seen from moved."""
+
+    def begin(self) -> None:
+        """Set off to where the person is seen from."""
+        self._asked = self._seen = self.context.time
+        self._origin = self.context.inputs.position
+        self._who = self.text("person")
+        if self._who == ANYBODY:
+            self._who = nearest_person(self.context, self._origin)
+            self.context.faced = self._who
+        self._view = self.context.room.viewpoint(self._who, self._origin)
+        super().begin()
+
+    def order(self) -> Order:
+        """Return the order."""
+        return Order(OrderKind.GO, goal=self._view.position, look_at=self._view.look_at)
+
+    def proceed(self) -> bool:
+        """Return whether the time is over; fails when the person is lost."""
+        self.is_accepted()
+        if self.context.time - self._asked >= REGO_PERIOD:
+            self._asked = self.context.time
+            self._keep_up()
+        if self.context.time - self._seen > self.number("lost_after"):
+            words = f"{self.context.title_of(self._who)} is out of sight"
+            raise StepFailed(words, ReasonCode.UNKNOWN_THING)
+        return self.elapsed >= self.number("time")
+
+    def limit(self) -> float:
+        """Return the longest time that it may take [s]."""
+        return self.number("time") + 1.0
+
+    def _keep_up(self) -> None:
+        try:
+            view = self.context.room.viewpoint(self._who, self.context.inputs.position)
+        except HouseflyError:
+            return
+        self._seen = self.context.time
+        if has_moved(self._view, view) and not self._is_too_near(view):
+            self._view, self._tries = view, 0
+            self.send()
+
+    def _is_too_near(self, view: Viewpoint) -> bool:
+        return any(
+            distance(view.position, person.position[:2]) < COMFORT_DISTANCE
+            for person in self.context.room.people()
+        )

@@ -1,0 +1,170 @@
+"""The tasks on the room's MQTT broker: hears triggers and requests, answers, tells devices."""
+
+from __future__ import annotations
+
+import asyncio
+from collections import deque
+from collections.abc import Callable, Iterable
+from contextlib import suppress
+from typing import NoReturn
+
+import aiomqtt
+from paho.mqtt.packettypes import PacketTypes
+from paho.mqtt.properties import Properties
+from paho.mqtt.subscribeoptions import SubscribeOptions
+
+from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem
+from housefly.bus.reconnect import ReconnectingClient
+from housefly.clock import Clock
+from housefly.config.devices import MqttConfig
+from housefly.config.tasks import TasksConfig
+from housefly.errors import ConfigError, LinkError, TaskError, WireError
+from housefly.tasks.api.json import task_question_to_json, task_refusal_to_json
+from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.rules.mqtt_requests import ANSWER, client_of, mqtt_question, request_topics
+from housefly.tasks.rules.rule import MqttPattern, Rule
+from housefly.tasks.rules.trigger import MAX_MQTT_PAYLOAD, MqttTrigger
+from housefly.wires.devices import task_topic
+
+_ENVELOPE = 1024
+"""Room for topic and properties beside the longest payload [bytes]."""
+_REQUESTS_PER_MINUTE = 20
+_MAX_REPLIES = 8
+"""Requests that are worked on at once; what is more is dropped."""
+_PAUSE = 0.1
+"""After a message that could not be published [s]."""
+_MAX_WAITING = 256
+"""Messages for devices that wait while the broker is away; the oldest are dropped."""
+
+MqttSink = Callable[[MqttTrigger], None]
+
+
+class MqttLink(ReconnectingClient[MqttTrigger]):
+    """One connection for all; what we publish ourselves is not heard as a trigger.
+
+    Args:
+        broker: where it is, who we are, the name of the site.
+        tasks: who may ask.
+        rules: whose topics are heard.
+        answer: answers a question to the tasks, JSON in and out; called on a thread of its own.
+        wall: Unix time [s].
+        clock: for the rate of requests.
+    """
+
+    def __init__(
+        self,
+        broker: MqttConfig,
+        tasks: TasksConfig,
+        rules: Iterable[Rule],
+        answer: Callable[[str], str],
+        wall: Callable[[], float],
+        clock: Clock | None = None,
+    ) -> None:
+        super().__init__(f"the MQTT broker at {broker.broker}:{broker.port}", clock)
+        self._broker, self._tasks, self._answer, self._wall = broker, tasks, answer, wall
+        self._triggers = sorted({topic for rule in rules if (topic := _topic_of(rule))})
+        self._requests = request_topics(broker.site, tasks)
+        self._asked: deque[float] = deque(maxlen=_REQUESTS_PER_MINUTE)
+        self._outgoing: asyncio.Queue[tuple[str, str]] = asyncio.Queue(_MAX_WAITING)
+        self._loop: asyncio.AbstractEventLoop | None = None
+
+    async def run(self, sink: MqttSink) -> NoReturn:
+        """Listen, answer and publish for ever; ends only when cancelled."""
+        self._loop = asyncio.get_running_loop()
+        await super().run(sink)
+
+    def publish(self, topic: str, payload: str) -> None:
+        """Publish to a device; returns at once, from any thread."""
+        if self._loop is not None and not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self._enqueue, topic, payload)
+
+    def _enqueue(self, topic: str, payload: str) -> None:
+        if self._outgoing.full():
+            self._outgoing.get_nowait()
+        self._outgoing.put_nowait((topic, payload))
+
+    async def _read_connection(self, sink: MqttSink) -> None:
+        was_connected = False
+        try:
+            async with mqtt_client(self._broker, None, MAX_MQTT_PAYLOAD + _ENVELOPE) as link:
+                options = SubscribeOptions(qos=1, noLocal=True)
+                for topic in (*self._triggers, *self._requests):
+                    await link.subscribe(topic, options=options)
+                was_connected, self._problem = True, ""
+                self._data_arrived(self._clock.now())
+                working = {asyncio.create_task(self._send(link))}
+                try:
+                    async for message in link.messages:
+                        self._take(link, message, sink, working)
+                finally:
+                    for work in working:
+                        work.cancel()
+        except MQTT_ERRORS as error:
+            raise LinkError(mqtt_problem(error, self._broker, was_connected)) from error
+        except ConfigError as error:
+            raise LinkError(str(error)) from error
+
+    async def _send(self, link: aiomqtt.Client) -> None:
+        while True:
+            topic, payload = await self._outgoing.get()
+            try:
+                await link.publish(topic, payload, qos=1)
+            except ValueError:  # a topic with a wildcard: the document was not checked for it
+                continue
+            except aiomqtt.MqttError:  # when the connection is gone, who reads it says so
+                await asyncio.sleep(_PAUSE)
+
+    def _take(
+        self,
+        link: aiomqtt.Client,
+        message: aiomqtt.Message,
+        sink: MqttSink,
+        working: set[asyncio.Task[None]],
+    ) -> None:
+        payload = message.payload if isinstance(message.payload, bytes) else b""
+        topic = message.topic.value
+        if topic not in self._requests:
+            if payload:
+                sink(MqttTrigger(topic, payload, self._wall(), bool(message.retain)))
+        elif payload and not message.retain and len(working) <= _MAX_REPLIES:
+            # What the broker kept would fly again at each start.
+            reply = asyncio.create_task(self._reply(link, message, payload))
+            working.add(reply)
+            reply.add_done_callback(working.discard)
+
+    async def _reply(self, link: aiomqtt.Client, message: aiomqtt.Message, payload: bytes) -> None:
+        topic = message.topic.value
+        try:
+            self._admit()
+            question = mqtt_question(topic, payload, self._tasks)
+            text = await asyncio.to_thread(self._answer, task_question_to_json(question))
+        except (TaskError, WireError) as error:
+            text = task_refusal_to_json(error)
+        name = client_of(topic)
+        where = task_topic(self._broker.site, f"{ANSWER}/{name}" if name else ANSWER)
+        with suppress(*MQTT_ERRORS):  # the connection is gone: so is who asked
+            await link.publish(where, text, qos=1, properties=_correlation(message))
+
+    def _admit(self) -> None:
+        """Count a request; raises TaskError when there were too many in a minute."""
+        now = self._clock.now()
+        if len(self._asked) == _REQUESTS_PER_MINUTE and now - self._asked[0] < 60.0:
+            raise TaskError(
+                f"more than {_REQUESTS_PER_MINUTE} requests in a minute",
+                ReasonCode.RATE_LIMIT.value,
+            )
+        self._asked.append(now)
+
+
+def _topic_of(rule: Rule) -> str:
+    return rule.when.mqtt if rule.enabled and isinstance(rule.when, MqttPattern) else ""
+
+
+def _correlation(message: aiomqtt.Message) -> Properties | None:
+    """Return the asker's own mark, so that they know the answer to their question."""
+    data = getattr(message.properties, "CorrelationData", None)
+    if not data:
+        return None
+    properties = Properties(PacketTypes.PUBLISH)  # type: ignore[no-untyped-call]
+    properties.CorrelationData = data
+    return properties

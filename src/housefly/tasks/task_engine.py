@@ -1,0 +1,259 @@
+"""Runs the tasks of one drone: the queue, and what its decisions mean. Driven by ``tick``.
+
+Nothing here reads a clock or opens a wire: time comes in, orders go out by the outlet.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import deque
+from collections.abc import Callable
+from dataclasses import replace
+
+from housefly.errors import StoreError, TaskError
+from housefly.messages import Order, OrderKind
+from housefly.tasks.api.values import (
+    ReasonCode,
+    RehearsalReport,
+    TaskRequest,
+    TaskStage,
+    TaskStatus,
+)
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.execution.values import GiveOrder, PersonReply
+from housefly.tasks.scheduler.board import board_order, waiting_words
+from housefly.tasks.scheduler.scheduler import Scheduler
+from housefly.tasks.scheduler.task_store import KeptTask, TaskStore
+from housefly.tasks.scheduler.transitions import ACTIVE
+from housefly.tasks.scheduler.values import (
+    CONFIRM,
+    Decision,
+    DroneAvailability,
+    RunReport,
+    ScheduledTask,
+    SchedulerLimits,
+    TaskAdmitted,
+    TaskEnded,
+    TaskMerged,
+    TaskTraits,
+)
+from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_record import task_status
+from housefly.tasks.task_runs import TaskRuns
+
+_log = logging.getLogger(__name__)
+
+_ENDED_SHOWN = 20
+"""So many ended tasks are on the board."""
+
+
+class TaskEngine:
+    """The open tasks of one drone; not thread-safe.
+
+    Attributes:
+        problem: why the queue cannot be kept, in words, or "".
+
+    Args:
+        store: keeps the queue and what ended.
+        limits: of the queue.
+        runs: of the open tasks.
+        actions: does and tells.
+    """
+
+    def __init__(
+        self, store: TaskStore, limits: SchedulerLimits, runs: TaskRuns, actions: TaskActions
+    ) -> None:
+        self.problem = ""
+        self._drone = DroneAvailability(False, "the tasks have just begun")
+        self._store, self._runs, self._actions = store, runs, actions
+        self._scheduler = store.load(limits)
+        self._ended: deque[TaskStatus] = deque(store.newest_ended(_ENDED_SHOWN), _ENDED_SHOWN)
+
+    def restore(self, bind: Callable[[TaskRequest], BoundTask], unix: float) -> None:
+        """Take over the tasks of a program that ended: what flew ends, what waits is asked again.
+
+        Args:
+            bind: binds a request to its document; raises TaskError.
+            unix: Unix time [s].
+        """
+        for task in self._scheduler.tasks:
+            try:
+                self._runs.add(task.id, bind(task.request))
+            except TaskError as error:
+                report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
+                self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
+        self._take(self._scheduler.restarted(unix), unix)
+
+    @property
+    def open(self) -> tuple[TaskStatus, ...]:
+        """The open tasks, as they will fly, each with why it does not yet."""
+        waits = waiting_words(self._scheduler, self._drone)
+        return tuple(
+            task_status(task, self._runs.record(task.id), waits.get(task.id, ""))
+            for task in board_order(self._scheduler)
+        )
+
+    @property
+    def ended(self) -> tuple[TaskStatus, ...]:
+        """The tasks that ended last, the newest first."""
+        return tuple(self._ended)
+
+    def request(self, request: TaskRequest, task: BoundTask, unix: float) -> TaskStatus:
+        """Take a request, its parameters complete; return its task, which may be refused.
+
+        Args:
+            request: who wants what.
+            task: what it is bound to.
+            unix: Unix time [s].
+        """
+        outcome = self._scheduler.requested(request, scheduling_traits(task), unix)
+        told = [
+            one.task
+            for one in outcome[1]
+            if isinstance(one, TaskAdmitted | TaskMerged)
+            or (isinstance(one, TaskEnded) and one.task.request is request)
+        ]
+        for decision in outcome[1]:
+            if isinstance(decision, TaskAdmitted):
+                self._runs.add(decision.task.id, task)
+        self._take(outcome, unix)
+        return self.status(told[0].id)
+
+    def reply(self, number: int, question: str, choice: str, by: str, unix: float) -> TaskStatus:
+        """Answer a question of a task; raises TaskError when there is none, or not this answer."""
+        record, task = self._runs.record(number), self._scheduler.task(number)
+        self._actions.tell("person answered", task, unix, words=choice, by=by)
+        asked = record.question if record is not None and question != CONFIRM else None
+        if asked is None or record is None:
+            if question != CONFIRM:
+                raise _bad(f"task {number} does not ask {question!r} now")
+            self._take(self._scheduler.replied(number, choice, by, unix), unix)
+            return self.status(number)
+        if asked.id != question or choice not in asked.choices:
+            raise _bad(f"{choice!r} is no answer to {asked.words!r}: {' or '.join(asked.choices)}")
+        record.question = None
+        record.replies.append(PersonReply(question, choice, by))
+        return self.status(number)
+
+    def cancel(self, number: int, by: str, unix: float) -> tuple[TaskStatus, ...]:
+        """End a task, or with 0 every open one; return those; raises TaskError."""
+        wanted = [number] if number else [task.id for task in self._scheduler.tasks]
+        self._take(self._scheduler.cancelled(number, by, unix), unix)
+        return tuple(self.status(each) for each in wanted)
+
+    def pause(self, number: int, by: str, unix: float) -> TaskStatus:
+        """Let a task hover, or hold it in the queue; raises TaskError."""
+        self._take(self._scheduler.paused(number, by, unix), unix)
+        return self.status(number)
+
+    def proceed(self, number: int, by: str, unix: float) -> TaskStatus:
+        """Go on with a paused task; raises TaskError."""
+        self._take(self._scheduler.continued(number, by, unix), unix)
+        return self.status(number)
+
+    def tick(self, drone: DroneAvailability, now: float, unix: float) -> None:
+        """Step the runs, take what ended, start what may start.
+
+        Args:
+            drone: whether it may be ordered now.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        self._drone = drone
+        for number, report in tuple(self._runs.rehearsed(unix)):
+            self._take(self._scheduler.rehearsed(number, report, unix), unix)
+        reports = self._runs.step(self._scheduler.tasks, now, unix)
+        self._take(self._scheduler.ticked(unix, reports, drone), unix)
+
+    def close(self, words: str, is_airborne: bool, now: float, unix: float) -> None:
+        """End what runs, because the program ends; what flies is sent home.
+
+        Args:
+            words: why.
+            is_airborne: whether the drone flies.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        active = [task for task in self._scheduler.tasks if task.state in ACTIVE]
+        for task in active:
+            record = self._runs.record(task.id)
+            if record is not None and task.traits.flies and is_airborne:
+                home = (GiveOrder(Order(OrderKind.HOME)),)
+                self._actions.perform(task, record, home, now, unix)
+        reports = [
+            RunReport(task.id, TaskStage.CANCELLED, ReasonCode.CANCELLED, words) for task in active
+        ]
+        self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, words)), unix)
+
+    def keep_clip(self, number: int, clip: str) -> None:
+        """Remember a clip or snapshot of an open task."""
+        record = self._runs.record(number)
+        if record is not None and clip not in record.clips:
+            record.clips.append(clip)
+
+    def status(self, number: int) -> TaskStatus:
+        """Return a task, open or ended lately; raises TaskError."""
+        for task in self._scheduler.tasks:
+            if task.id == number:
+                return task_status(task, self._runs.record(number))
+        for ended in self._ended:
+            if ended.id == number:
+                return ended
+        if (kept := self._store.status(number)) is not None:
+            return kept
+        raise TaskError(f"there is no task {number}", ReasonCode.UNKNOWN_TASK.value)
+
+    def _take(self, outcome: tuple[Scheduler, tuple[Decision, ...]], unix: float) -> None:
+        """Take the next queue: it is kept first, then what it means is done."""
+        before = {task.id: task for task in self._scheduler.tasks}
+        self._scheduler, decisions = outcome
+        changed = [task for task in self._scheduler.tasks if before.get(task.id) is not task]
+        ended = [one.task for one in decisions if isinstance(one, TaskEnded)]
+        statuses = {task.id: self._end_status(task) for task in ended}
+        kept = [KeptTask(task, task_status(task, self._runs.record(task.id))) for task in changed]
+        self._keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
+        for decision in decisions:
+            if isinstance(decision, TaskAdmitted):
+                self._tell_asked(decision.task, unix)
+            elif isinstance(decision, TaskEnded):
+                self._end(decision.task, statuses[decision.task.id], unix)
+            else:
+                self._runs.decide(decision)
+
+    def _keep(self, tasks: list[KeptTask]) -> None:
+        """Keep tasks; a disk that refuses ends no flight, it is told in the log."""
+        try:
+            self._store.save(tasks)
+            self.problem = ""
+        except StoreError as error:
+            if str(error) != self.problem:
+                _log.error("the queue is not kept: %s", error)
+            self.problem = str(error)
+
+    def _tell_asked(self, task: ScheduledTask, unix: float) -> None:
+        request = task.request
+        self._actions.tell(
+            "task asked", task, unix, title=task.traits.title, by=request.asked_by or "somebody"
+        )
+        if task.question is not None:
+            # A millisecond later: the memory sorts what happened at once by other things.
+            self._actions.tell("person asked", task, unix + 0.001, words=task.question.words)
+
+    def _end_status(self, task: ScheduledTask) -> TaskStatus:
+        status = task_status(task, self._runs.record(task.id))
+        return replace(status, words=task.words or task.stage.value)
+
+    def _end(self, task: ScheduledTask, status: TaskStatus, unix: float) -> None:
+        self._runs.remove(task.id)
+        self._ended.appendleft(status)
+        outcome = status.state.value
+        self._actions.tell("task ended", task, unix, outcome=outcome, words=status.words)
+
+
+def scheduling_traits(task: BoundTask) -> TaskTraits:
+    """Return what the scheduler must know of a task."""
+    return TaskTraits(task.title, task.flies, task.confirm, task.on_preempt)
+
+
+def _bad(words: str) -> TaskError:
+    return TaskError(words, ReasonCode.BAD_PARAMETER.value)

@@ -1,0 +1,101 @@
+"""One task as the service holds it: what it is bound to, its run, and what came of it so far."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from dataclasses import dataclass, field
+
+from housefly.tasks.api.values import (
+    ENDED,
+    PersonQuestion,
+    ReasonCode,
+    RehearsalReport,
+    TaskStage,
+    TaskStatus,
+    TaskStepStatus,
+)
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.execution.task_run import TaskRun
+from housefly.tasks.execution.values import PersonReply
+from housefly.tasks.scheduler.values import RunReport, ScheduledTask
+
+
+@dataclass(slots=True)
+class TaskRecord:
+    """What is known of a task besides its place in the queue.
+
+    Attributes:
+        task: bound to its parameters.
+        run: behavior tree; None until it begins.
+        rehearsal: under way; None when there is none.
+        attempts: rehearsals that ended.
+        rehearsed_at: when the newest rehearsal ended [Unix time, s].
+        ending: how it ended when its run cannot say so itself.
+        question: that its run asks people.
+        replies: that its run has not seen yet.
+        clips, report: what came of it.
+        steps: how far they are, or were.
+    """
+
+    task: BoundTask
+    run: TaskRun | None = None
+    rehearsal: Future[RehearsalReport] | None = None
+    attempts: int = 0
+    rehearsed_at: float = float("-inf")
+    ending: RunReport | None = None
+    question: PersonQuestion | None = None
+    replies: list[PersonReply] = field(default_factory=list)
+    clips: list[str] = field(default_factory=list)
+    report: list[str] = field(default_factory=list)
+    steps: tuple[TaskStepStatus, ...] = ()
+
+    def abandon(self, code: ReasonCode, words: str, stage: TaskStage = TaskStage.FAILED) -> None:
+        """End it here, without another step of its run."""
+        self.ending = RunReport(0, stage, code, words)
+
+    def take_replies(self) -> tuple[PersonReply, ...]:
+        """Return the replies that are new, once."""
+        replies, self.replies = tuple(self.replies), []
+        return replies
+
+
+def task_status(task: ScheduledTask, record: TaskRecord | None, waiting: str = "") -> TaskStatus:
+    """Return a task as the board shows it.
+
+    Args:
+        task: in the queue, or as it ended.
+        record: what else is known of it.
+        waiting: why it does not run yet, in words.
+    """
+    request, run = task.request, record.run if record else None
+    is_open = task.stage not in ENDED
+    words, stage = task.words, task.stage
+    if is_open and record is not None:
+        if record.rehearsal is not None:
+            words = words or "it is rehearsed"
+        elif task.stage is TaskStage.QUEUED:
+            words = words or waiting
+        elif run is not None and task.stage is TaskStage.RUNNING:
+            words = run.words or words
+    return TaskStatus(
+        task.id,
+        request.service,
+        task.traits.title,
+        dict(request.parameters),
+        stage,
+        task.code,
+        words,
+        request.asked_by,
+        request.surface,
+        request.cause,
+        request.priority,
+        task.asked_at,
+        task.started_at,
+        task.ended_at,
+        request.deadline,
+        record.steps if record else (),
+        (task.question or (record.question if record else None)) if is_open else None,
+        task.rehearsal,
+        tuple(record.clips) if record else (),
+        tuple(record.report) if record else (),
+    )

@@ -1,0 +1,202 @@
+"""The runs of the tasks: begun after a fresh rehearsal, stepped on fresh news of the pilot only."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+
+from housefly.messages import Order, OrderKind
+from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.task_room import TaskRoom
+from housefly.tasks.execution.task_run import TaskRun
+from housefly.tasks.execution.values import GiveOrder, TaskInputs
+from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
+from housefly.tasks.scheduler.values import (
+    CancelRun,
+    ContinueRun,
+    Decision,
+    PauseRun,
+    PreemptTask,
+    ResumeTask,
+    RunReport,
+    ScheduledTask,
+    StartTask,
+)
+from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_record import TaskRecord
+from housefly.tasks.task_rehearsals import TaskRehearsals
+
+_log = logging.getLogger(__name__)
+
+SILENT_TIME = 1.0
+"""A pilot silent for longer [s] gets no orders: what is known of the flight is old."""
+LOST_TIME = 3.0
+"""A pilot silent for longer [s] ends the task: by then the drone hovers or lands by itself."""
+
+
+class TaskRuns:
+    """The records of the open tasks, and their runs; not thread-safe.
+
+    Args:
+        room: what runs may ask.
+        rehearsals: each flight is rehearsed first.
+        actions: does what runs want done.
+        inbox: the pilot's steps.
+    """
+
+    def __init__(
+        self,
+        room: TaskRoom,
+        rehearsals: TaskRehearsals,
+        actions: TaskActions,
+        inbox: StepInbox,
+    ) -> None:
+        self._room, self._rehearsals = room, rehearsals
+        self._actions, self._inbox = actions, inbox
+        self._records: dict[int, TaskRecord] = {}
+        self._pilot = inbox.run
+        self._steps = -1
+        self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
+            StartTask: _start,
+            PreemptTask: _preempt,
+            ResumeTask: lambda record, _: _resume(record),
+            CancelRun: _cancel,
+            PauseRun: lambda record, _: _pause(record),
+            ContinueRun: lambda record, _: _resume(record),
+        }
+
+    def add(self, number: int, task: BoundTask) -> TaskRecord:
+        """Take a task; one that flies is rehearsed at once, so that people hear early."""
+        record = self._records[number] = TaskRecord(task)
+        if task.flies:
+            self._rehearsals.begin(record)
+        return record
+
+    def record(self, number: int) -> TaskRecord | None:
+        """Return the record of an open task, or None."""
+        return self._records.get(number)
+
+    def remove(self, number: int) -> TaskRecord | None:
+        """Drop a task and its run without another step; return its record."""
+        return self._records.pop(number, None)
+
+    def decide(self, decision: Decision) -> None:
+        """Do what the scheduler decided about a run; other decisions are not for here."""
+        act = self._decided.get(type(decision))
+        record = self._records.get(getattr(decision, "id", 0))
+        if act is not None and record is not None:
+            act(record, decision)
+
+    def rehearsed(self, unix: float) -> Iterable[tuple[int, RehearsalReport]]:
+        """Yield the rehearsals that ended since the last call, by task."""
+        for number, record in self._records.items():
+            report = self._rehearsals.taken(record, unix)
+            if report is not None:
+                yield number, report
+
+    def step(
+        self, tasks: Iterable[ScheduledTask], now: float, unix: float
+    ) -> tuple[RunReport, ...]:
+        """Step every active run once, as far as the pilot's news are fresh; return how far it is.
+
+        Args:
+            tasks: of the queue.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        inputs, age = self._inbox.drain(now, unix), self._inbox.age(now)
+        is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
+        lost = self._lost(age)
+        self._steps, self._pilot = self._inbox.steps, self._inbox.run
+        reports = []
+        for task in tasks:
+            record = self._records.get(task.id)
+            if record is None or task.state not in ACTIVE:
+                continue
+            if record.run is None:
+                if task.state is QueueState.RUNNING:  # not while it is paused
+                    self._begin(task, record, unix)
+            elif task.traits.flies and lost:
+                record.abandon(ReasonCode.NOT_READY, lost)
+            elif is_fresh or not task.traits.flies:
+                self._step_one(task, record, inputs)
+            reports.append(_report_of(task.id, record))
+        return tuple(reports)
+
+    def _lost(self, age: float) -> str:
+        """Return why a flight can no longer be followed, or ""."""
+        if self._inbox.run != self._pilot:
+            return "the pilot was started again; the drone comes home or lands by itself"
+        if age > LOST_TIME:
+            return "the pilot does not answer; the drone lands by itself"
+        return ""
+
+    def _begin(self, task: ScheduledTask, record: TaskRecord, unix: float) -> None:
+        """Begin a run as soon as its rehearsal is fresh and says that it may fly."""
+        if record.ending is not None:
+            return
+        if task.traits.flies and not self._rehearsals.is_fresh(record, unix):
+            self._rehearsals.begin(record)
+            return
+        report = task.rehearsal if task.traits.flies else None
+        if report is not None and not report.may_fly:
+            record.abandon(report.code, report.words, TaskStage.REFUSED)
+            return
+        record.run = TaskRun(record.task, self._room)
+        self._actions.tell("task started", task, unix, title=task.traits.title)
+
+    def _step_one(self, task: ScheduledTask, record: TaskRecord, inputs: TaskInputs) -> None:
+        run = record.run
+        if run is None or record.ending is not None:
+            return
+        try:
+            actions = run.step(replace(inputs, replies=record.take_replies()))
+        except Exception as error:
+            _log.exception("task %d failed", task.id)
+            words = f"a step failed inside ({type(error).__name__}); the log says why"
+            record.abandon(ReasonCode.STEP_FAILED, words)
+            actions = (GiveOrder(Order(OrderKind.HOME)),) if self._inbox.is_airborne else ()
+        record.steps = run.steps
+        self._actions.perform(task, record, actions, inputs.now, inputs.unix)
+
+
+def _report_of(number: int, record: TaskRecord) -> RunReport:
+    if record.ending is not None:
+        return replace(record.ending, id=number)
+    run = record.run
+    if run is None:
+        return RunReport(number, is_safe_point=True)
+    stage = run.stage if run.stage in ENDED else TaskStage.RUNNING
+    return RunReport(number, stage, run.code, run.words, run.is_safe_point)
+
+
+def _start(record: TaskRecord, _: StartTask) -> None:
+    record.run, record.ending = None, None
+
+
+def _preempt(record: TaskRecord, decision: PreemptTask) -> None:
+    if decision.is_kept:
+        _pause(record)
+    else:
+        record.run = None
+
+
+def _pause(record: TaskRecord) -> None:
+    if record.run is not None:
+        record.run.pause()
+
+
+def _resume(record: TaskRecord) -> None:
+    if record.run is not None:
+        record.run.resume()
+
+
+def _cancel(record: TaskRecord, decision: CancelRun) -> None:
+    if record.run is None:
+        record.abandon(ReasonCode.CANCELLED, decision.words, TaskStage.CANCELLED)
+    else:
+        record.run.cancel(decision.words)

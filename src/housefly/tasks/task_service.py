@@ -1,0 +1,299 @@
+"""Answers every question to the tasks, JSON in and out, and drives what flies. Needs no bus.
+
+The parts do the work: library, queue and runs, rules, clips, intents. Here stands who is asked.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from housefly.errors import HouseflyError
+from housefly.messages import Order, OrderKind
+from housefly.tasks.api.answers import (
+    FiringsAnswer,
+    ModeAnswer,
+    RehearsalAnswer,
+    SentenceAnswer,
+    ServicesAnswer,
+    TaskAnswer,
+    TaskBoard,
+    TasksAnswer,
+)
+from housefly.tasks.api.json import (
+    task_answer_to_json,
+    task_question_from_json,
+    task_refusal_to_json,
+)
+from housefly.tasks.api.questions import (
+    BoardQuestion,
+    CancelTask,
+    ClipsQuestion,
+    ContinueTask,
+    DeleteClip,
+    DryRunQuestion,
+    KeepClip,
+    PauseTask,
+    RehearseTask,
+    ReplyToTask,
+    RequestTask,
+    RulesQuestion,
+    Sentence,
+    ServicesQuestion,
+    SetMode,
+    TaskHistoryQuestion,
+    TaskQuestion,
+    Webhook,
+)
+from housefly.tasks.api.values import TaskRequest, TaskStatus
+from housefly.tasks.asked_room import AskedRoom
+from housefly.tasks.document.task_document import BoundTask, TaskDocument
+from housefly.tasks.drone_state import TakeOffReadiness, drone_availability, drone_words
+from housefly.tasks.evidence.clip_recorder import ClipRecorder
+from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.intents.intent_reply import TaskAct
+from housefly.tasks.intents.names import Names
+from housefly.tasks.rules.dry_run import dry_run, stored_events
+from housefly.tasks.rules.room_facts import AskedRoomFacts
+from housefly.tasks.rules.rule_service import RuleService
+from housefly.tasks.rules.trigger import WebhookTrigger
+from housefly.tasks.scheduler.task_store import TaskStore
+from housefly.tasks.sentences import SentenceEffects, Sentences
+from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_desk import TaskDesk
+from housefly.tasks.task_engine import TaskEngine
+from housefly.tasks.task_outlet import TaskOutlet
+from housefly.tasks.task_rehearsals import TaskRehearsals
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceParts:
+    """What the service is made of.
+
+    Attributes:
+        library: task documents by name.
+        engine: queue and runs.
+        store: of the queue and the history.
+        rehearsals: in lock step.
+        actions: does and tells.
+        inbox: the pilot's steps.
+        rules: with the mode of the house.
+        clips: recorder and index.
+        room: the memory.
+        outlet: orders and events go out here.
+        names: of the room, until its memory tells more.
+        own_sentences: folder with sentence files of one's own, or None.
+    """
+
+    library: Mapping[str, TaskDocument]
+    engine: TaskEngine
+    store: TaskStore
+    rehearsals: TaskRehearsals
+    actions: TaskActions
+    inbox: StepInbox
+    rules: RuleService
+    clips: ClipRecorder
+    room: AskedRoom
+    outlet: TaskOutlet
+    names: Names
+    own_sentences: Path | None = None
+
+
+class TaskService:
+    """Answers from any thread; ``tick`` is called by one, at 10 to 20 Hz.
+
+    Args:
+        parts: what it is made of.
+        clock: the pilot's clock [s].
+        wall: Unix time [s].
+
+    Attributes:
+        desk: takes requests; the rules hear of triggers there.
+        readiness: what the pilot's pre-flight list says; whoever asks the pilot sets it.
+    """
+
+    def __init__(
+        self, parts: ServiceParts, clock: Callable[[], float], wall: Callable[[], float]
+    ) -> None:
+        self.readiness = TakeOffReadiness()
+        self._parts, self._clock, self._wall = parts, clock, wall
+        self.desk = TaskDesk(parts.library, parts.engine, parts.rules, parts.outlet, wall)
+        effects = SentenceEffects(
+            self.desk.request,
+            self._order,
+            self._act,
+            self._ask,
+            lambda notice: self.desk.notices.add(notice, wall()),
+        )
+        self._sentences = Sentences(parts.room, effects, wall, parts.names, parts.own_sentences)
+        self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
+            RequestTask: self._request,
+            RehearseTask: self._rehearse,
+            ReplyToTask: self._reply,
+            CancelTask: self._cancel,
+            PauseTask: self._pause,
+            ContinueTask: self._continue,
+            BoardQuestion: lambda _: self.board(),
+            ServicesQuestion: self._services,
+            TaskHistoryQuestion: self._history,
+            Sentence: self._sentence,
+            SetMode: self._set_mode,
+            RulesQuestion: lambda _: parts.rules.rules_answer(),
+            DryRunQuestion: self._dry_run,
+            ClipsQuestion: parts.clips.index.answer,
+            Webhook: self._webhook,
+            KeepClip: parts.clips.index.answer,
+            DeleteClip: parts.clips.index.answer,
+        }
+        parts.engine.restore(self._bound, wall())
+
+    def answer(self, text: str) -> str:
+        """Return the answer to a question, both JSON; a refusal says why. Never raises."""
+        try:
+            return task_answer_to_json(self._ask(task_question_from_json(text)))
+        except HouseflyError as error:
+            return task_refusal_to_json(error)
+        except Exception:
+            _log.exception("a question could not be answered: %s", text[:500])
+            return task_refusal_to_json(
+                HouseflyError("the tasks could not answer that; their log says why")
+            )
+
+    def tick(self) -> None:
+        """Do what is to be done now."""
+        parts, now, unix = self._parts, self._clock(), self._wall()
+        drone = drone_availability(parts.inbox, self.readiness, now)
+        with self.desk.lock:
+            parts.engine.tick(drone, now, unix)
+            for news in parts.clips.tick(now, unix, parts.inbox.status, parts.rules.mode):
+                task = parts.actions.tell_clip(news.clip, news.outcome, unix)
+                parts.engine.keep_clip(task, news.clip)
+
+    def board(self) -> TaskBoard:
+        """Return everything that a screen of the tasks shows."""
+        parts = self._parts
+        with self.desk.lock:
+            return TaskBoard(
+                self._wall(),
+                parts.rules.mode,
+                drone_words(parts.inbox, self.readiness, self._clock()),
+                parts.clips.records,
+                parts.engine.open,
+                parts.engine.ended,
+            )
+
+    def close(self, words: str) -> None:
+        """End what runs, sending home what flies; then close clips and store."""
+        parts = self._parts
+        with self.desk.lock:
+            parts.engine.close(words, parts.inbox.is_airborne, self._clock(), self._wall())
+            parts.clips.close()
+            parts.store.close()
+
+    def _ask(self, question: TaskQuestion) -> TaskAnswer:
+        return self._by[type(question)](question)
+
+    def _bound(self, request: TaskRequest) -> BoundTask:
+        return self.desk.bound(request.service, request.parameters)
+
+    def _request(self, question: RequestTask) -> TasksAnswer:
+        request = TaskRequest(
+            question.service,
+            dict(question.parameters),
+            question.by,
+            question.surface,
+            question.cause,
+            question.confirm,
+            question.priority,
+            question.deadline,
+        )
+        return TasksAnswer((self.desk.request(request),))
+
+    def _rehearse(self, question: RehearseTask) -> RehearsalAnswer:
+        task = self.desk.bound(question.service, question.parameters)
+        return RehearsalAnswer(self._parts.rehearsals.now(task))
+
+    def _reply(self, question: ReplyToTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (
+                    self._parts.engine.reply(
+                        question.task,
+                        question.question,
+                        question.choice,
+                        question.by,
+                        self._wall(),
+                    ),
+                )
+            )
+
+    def _cancel(self, question: CancelTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(self._parts.engine.cancel(question.task, question.by, self._wall()))
+
+    def _pause(self, question: PauseTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (self._parts.engine.pause(question.task, question.by, self._wall()),)
+            )
+
+    def _continue(self, question: ContinueTask) -> TasksAnswer:
+        with self.desk.lock:
+            return TasksAnswer(
+                (self._parts.engine.proceed(question.task, question.by, self._wall()),)
+            )
+
+    def _services(self, _: ServicesQuestion) -> ServicesAnswer:
+        documents = self._parts.library.values()
+        return ServicesAnswer(tuple(document.info() for document in documents))
+
+    def _history(self, question: TaskHistoryQuestion) -> TasksAnswer:
+        with self.desk.lock:
+            kept = self._parts.store.history(question)
+            now = {task.id: task for task in (*self._parts.engine.open, *self._parts.engine.ended)}
+        return TasksAnswer(tuple(now.get(task.id, task) for task in kept))
+
+    def _sentence(self, question: Sentence) -> SentenceAnswer:
+        return self._sentences.answer(question)
+
+    def _set_mode(self, question: SetMode) -> ModeAnswer:
+        change = self._parts.rules.set_mode(question.mode, question.by, self._wall())
+        if change.event is not None:
+            self._parts.outlet.tell(change.event)
+        return change.answer
+
+    def _dry_run(self, question: DryRunQuestion) -> FiringsAnswer:
+        rules, room = self._parts.rules, self._parts.room
+        until = self._wall() if question.until is None else question.until
+        events = stored_events(room.ask, question.since, until)
+        facts = AskedRoomFacts(room.ask, live=False)
+        return dry_run(rules.engine, events, question.since, until, rules.mode, facts)
+
+    def _webhook(self, question: Webhook) -> FiringsAnswer:
+        decisions = self.desk.heard(WebhookTrigger(question.name, self._wall(), question.by))
+        return FiringsAnswer(tuple(decision.firing for decision in decisions))
+
+    def _order(self, kind: OrderKind, by: str) -> None:
+        """Give the pilot an order of a person: the tasks make way for it."""
+        self._parts.outlet.order(Order(kind, issued_at=self._clock(), sender=by[:100]))
+
+    def _act(self, act: TaskAct, by: str) -> TaskStatus | None:
+        """Cancel, pause or continue the task that flies, or is next; None when there is none."""
+        with self.desk.lock:
+            engine = self._parts.engine
+            task = next(iter(engine.open), None)
+            if task is None:
+                return None
+            unix = self._wall()
+            match act:
+                case TaskAct.CANCEL:
+                    return engine.cancel(task.id, by, unix)[0]
+                case TaskAct.PAUSE:
+                    return engine.pause(task.id, by, unix)
+                case TaskAct.CONTINUE:
+                    return engine.proceed(task.id, by, unix)

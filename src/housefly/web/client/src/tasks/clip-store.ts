@@ -1,0 +1,69 @@
+// Which clips there are, and which is open.
+import { signal } from "@preact/signals";
+import { clips as askClips, deleteClip, keepClip } from "./tasks-client";
+import type { ClipInfo } from "../wire/task-messages";
+
+const ADDRESS = /^#clip\/([0-9A-Za-z-]{1,60})$/;
+
+export const found = signal<ClipInfo[]>([]);
+export const trouble = signal("");
+/** Why the open clip was not changed, or "". */
+export const clipTrouble = signal("");
+/** The clip that is open, by id; the address keeps it over a reload. */
+export const opened = signal(ADDRESS.exec(location.hash)?.[1] ?? "");
+/** What is known of it; undefined while that is asked for, null when nothing is. */
+export const openedInfo = signal<ClipInfo | null | undefined>(undefined);
+
+/** Look for clips; empty words mean any. */
+export async function findClips(wanted: Record<string, string>): Promise<void> {
+  const given = Object.entries(wanted).filter(([, value]) => value !== "");
+  try {
+    found.value = (await askClips(Object.fromEntries(given))).clips;
+    trouble.value = "";
+  } catch (error) {
+    found.value = [];
+    trouble.value = (error as Error).message;
+  }
+}
+
+export function openClip(id: string): void {
+  if (opened.value === id) return;
+  opened.value = id;
+  clipTrouble.value = "";
+  history.replaceState(null, "", `#clip/${id}`);
+  void describe(id);
+}
+
+export function closeClip(): void {
+  opened.value = "";
+  history.replaceState(null, "", "#tasks");
+}
+
+/** Keep the open clip until somebody deletes it, or no longer, or delete it. */
+export async function changeClip(what: "keep" | "let go" | "delete"): Promise<void> {
+  const id = opened.value;
+  try {
+    const { clips } =
+      what === "delete" ? await deleteClip(id) : await keepClip(id, what === "keep");
+    clipTrouble.value = "";
+    found.value =
+      what === "delete"
+        ? found.value.filter((one) => one.id !== id)
+        : found.value.map((one) => (one.id === id ? (clips[0] ?? one) : one));
+    if (what === "delete") closeClip();
+    else openedInfo.value = clips[0] ?? openedInfo.value;
+  } catch (error) {
+    clipTrouble.value = (error as Error).message;
+  }
+}
+
+/** Learn what is known of a clip; it plays without. */
+async function describe(id: string): Promise<void> {
+  const known = found.value.find((one) => one.id === id);
+  openedInfo.value = known;
+  if (known) return;
+  const { clips } = await askClips({ limit: "1000" }).catch(() => ({ clips: [] as ClipInfo[] }));
+  if (opened.value === id) openedInfo.value = clips.find((one) => one.id === id) ?? null;
+}
+
+if (opened.value) void describe(opened.value);

@@ -1,0 +1,123 @@
+import { signal } from "@preact/signals";
+import { useEffect, useState } from "preact/hooks";
+import { minutes, sentence } from "../format";
+import { clock } from "../live/words";
+import { board, unixNow } from "./board";
+import { openClip } from "./clip-store";
+import { Steps } from "./open-tasks";
+import { clips, history } from "./tasks-client";
+import { details, MARKS, outcome, why } from "./words";
+import type { ClipInfo, TaskStatus } from "../wire/task-messages";
+
+const MONTH = 30 * 86400;
+
+const older = signal<TaskStatus[]>([]);
+const trouble = signal("");
+
+const unfolded = signal<ReadonlySet<number>>(new Set());
+
+function show(task: number, open: boolean): void {
+  const now = new Set(unfolded.value);
+  if (open) now.add(task);
+  else now.delete(task);
+  unfolded.value = now;
+}
+
+async function askOlder(): Promise<void> {
+  try {
+    const open = new Set((board.value?.tasks ?? []).map((one) => one.id));
+    const { tasks } = await history(Math.max(0, unixNow.value - MONTH));
+    older.value = tasks.filter((one) => !open.has(one.id));
+    trouble.value = tasks.length ? "" : "there is nothing older";
+  } catch (error) {
+    trouble.value = (error as Error).message;
+  }
+}
+
+/** Ended tasks: what caused each, what was decided, how it flew, what is kept, what came of it. */
+export function Ended() {
+  const newest = board.value?.ended ?? [];
+  const known = new Set(newest.map((one) => one.id));
+  const tasks = [...newest, ...older.value.filter((one) => !known.has(one.id))];
+  return (
+    <>
+      {tasks.length === 0 && <p class="quiet">Nothing has been asked for yet.</p>}
+      <ul class="ended">
+        {tasks.map((task) => (
+          <li key={task.id} data-outcome={outcome(task)}>
+            <details onToggle={(event) => show(task.id, event.currentTarget.open)}>
+              <summary>
+                <span class="mark" aria-hidden="true">
+                  {MARKS[outcome(task)]}
+                </span>
+                <span class="what">
+                  <strong>{task.title}</strong>
+                  <span class="quiet">
+                    {" "}
+                    {clock(task.asked_at)} · {task.state}
+                    {task.clips.length > 0 && " · ▣"}
+                  </span>
+                </span>
+              </summary>
+              {unfolded.value.has(task.id) && <Chain task={task} />}
+            </details>
+          </li>
+        ))}
+      </ul>
+      <div class="row">
+        <button type="button" onClick={() => void askOlder()}>
+          The last 30 days
+        </button>
+        <span role="status">{trouble.value && sentence(trouble.value)}</span>
+      </div>
+    </>
+  );
+}
+
+function Chain({ task }: { task: TaskStatus }) {
+  const given = details(task);
+  const [kept, keep] = useState<ClipInfo[]>([]);
+  useEffect(() => {
+    if (task.clips.length > 0)
+      clips({ task: String(task.id) })
+        .then((answer) => keep(answer.clips))
+        .catch(() => undefined);
+  }, [task.clips.length]);
+  const flown = task.started_at !== null && task.ended_at !== null;
+  return (
+    <dl class="chain">
+      <dt>Trigger</dt>
+      <dd>{sentence(why(task) + (given ? `: ${given}` : ""))}</dd>
+      <dt>Decision</dt>
+      <dd>
+        {task.rehearsal ? sentence(task.rehearsal.words) : "It was not rehearsed."}
+        {task.code !== "ok" && <span class="quiet"> ({task.code})</span>}
+      </dd>
+      <dt>Flight</dt>
+      <dd>
+        {flown
+          ? `${clock(task.started_at!)}, for ${minutes(task.ended_at! - task.started_at!)}.`
+          : "It did not begin."}
+        {flown && <Steps steps={task.steps} />}
+      </dd>
+      <dt>Clip</dt>
+      <dd>
+        {kept.length === 0 && (task.clips.length === 0 ? "None." : "None is kept any more.")}
+        <span class="chips">
+          {kept.map((clip) => (
+            <button type="button" key={clip.id} onClick={() => openClip(clip.id)}>
+              {clip.kind === "clip" ? `▣ Show clip, ${minutes(clip.duration)}` : "▢ Show snapshot"}
+            </button>
+          ))}
+        </span>
+      </dd>
+      <dt>Outcome</dt>
+      <dd>
+        {sentence(task.words || task.state)}
+        {task.report.map((line) => (
+          <p key={line}>{sentence(line)}</p>
+        ))}
+      </dd>
+    </dl>
+  );
+}

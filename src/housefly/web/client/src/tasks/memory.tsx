@@ -1,0 +1,36 @@
+import { signal } from "@preact/signals";
+import { Clips } from "./clips";
+import { Ended } from "./ended";
+import { Rules } from "./rules";
+
+const TABS = { history: "History", clips: "Clips", rules: "Rules" };
+type Tab = keyof typeof TABS;
+const tab = signal<Tab>("history");
+const SHOWN = { history: Ended, clips: Clips, rules: Rules };
+
+/** What came of earlier tasks, what was recorded, and which rules ask for tasks. */
+export function Memory() {
+  const Shown = SHOWN[tab.value];
+  return (
+    <section class="card memory" aria-label="What was">
+      <div class="tabs" role="tablist" aria-label="What was">
+        {(Object.keys(TABS) as Tab[]).map((name) => (
+          <button
+            type="button"
+            key={name}
+            role="tab"
+            id={`tab-${name}`}
+            aria-selected={tab.value === name}
+            aria-controls="tab-shown"
+            onClick={() => (tab.value = name)}
+          >
+            {TABS[name]}
+          </button>
+        ))}
+      </div>
+      <div id="tab-shown" role="tabpanel" aria-labelledby={`tab-${tab.value}`}>
+        <Shown />
+      </div>
+    </section>
+  );
+}

@@ -1,0 +1,132 @@
+import { computed, signal } from "@preact/signals";
+import { useMemo } from "preact/hooks";
+import { HoldButton } from "../controls/hold-button";
+import { minutes, sentence } from "../format";
+import { createHold } from "../hold";
+import { open } from "../store";
+import { asked, endedBadly, unixNow, type Asked } from "./board";
+import { reply } from "./tasks-client";
+import { proposal, why } from "./words";
+
+const HOLD = 0.6;
+const SETTLED = 700;
+const SHOWN = 2;
+/** The question whose yes starts a flight; those of a task that flies already do not. */
+const CONFIRMATION = "confirm";
+const HARMLESS = ["no", "ignore", "not now"];
+
+/** Why an answer was not taken, and to the question of which task. */
+const trouble = signal({ task: 0, words: "" });
+/** Ends of tasks that were read. */
+const read = signal<ReadonlySet<number>>(new Set());
+const free = computed(() => "");
+
+/** What waits for a person, and what went wrong, as cards: on every screen, clear of STOP. */
+export function Questions({ over }: { over: boolean }) {
+  const waiting = asked.value;
+  const ended = endedBadly.value.filter((one) => !read.value.has(one.id)).slice(0, SHOWN);
+  const more = over ? waiting.length - SHOWN : 0;
+  if (waiting.length + ended.length === 0) return null;
+  return (
+    <section class={`questions ${over ? "over" : ""}`} aria-label="Questions">
+      {(over ? waiting.slice(0, SHOWN) : waiting).map((one) => (
+        <Card key={`${one.task.id} ${one.question.id}`} one={one} />
+      ))}
+      {ended.map((task) => (
+        <p class="ended-badly" role="alert" key={task.id}>
+          <span>
+            <strong>△ {task.title}:</strong> {sentence(task.words || task.state)}
+          </span>
+          <button type="button" onClick={() => (read.value = new Set([...read.value, task.id]))}>
+            Close
+          </button>
+        </p>
+      ))}
+      {more > 0 && (
+        <button type="button" onClick={() => open("tasks")}>
+          {more} more {more === 1 ? "question" : "questions"}
+        </button>
+      )}
+    </section>
+  );
+}
+
+function Card({ one: { task, question } }: { one: Asked }) {
+  const caused = question.id === CONFIRMATION && task.cause !== "";
+  const left = question.until === null ? null : question.until - unixNow.value;
+  return (
+    <article class="question" aria-label={`Question of task ${task.id}`}>
+      <p class="words" role="alert">
+        {caused ? proposal(task) : sentence(question.words)}
+      </p>
+      <p class="quiet">
+        {caused ? sentence(why(task)) : `${task.title} · ${why(task)}`}
+      </p>
+      {task.rehearsal && question.id === CONFIRMATION && (
+        <p class="rehearsal" data-may={task.rehearsal.may_fly}>
+          {sentence(task.rehearsal.words)}
+        </p>
+      )}
+      <div class="choices">
+        {question.choices.map((choice, k) => (
+          <Choice
+            key={choice}
+            task={task.id}
+            question={question.id}
+            choice={choice}
+            first={k === 0}
+            harmless={
+              question.id !== CONFIRMATION ||
+              choice === question.otherwise ||
+              HARMLESS.includes(choice.toLowerCase())
+            }
+          />
+        ))}
+      </div>
+      {left !== null && (
+        <p class="quiet">
+          Without an answer it counts as “{question.otherwise}” in {minutes(left)}.
+        </p>
+      )}
+      {trouble.value.task === task.id && <p role="alert">△ {sentence(trouble.value.words)}</p>}
+    </article>
+  );
+}
+
+interface Answer {
+  task: number;
+  question: string;
+  choice: string;
+  first: boolean;
+  harmless: boolean;
+}
+
+/** What may start a flight is held, so that no stray touch does. */
+function Choice({ task, question, choice, first, harmless }: Answer) {
+  const shownAt = useMemo(() => performance.now(), [task, question]);
+  const answer = (): void => {
+    trouble.value = { task: 0, words: "" };
+    reply(task, question, choice).catch((error: Error) => {
+      trouble.value = { task, words: error.message };
+    });
+  };
+  const hold = useMemo(() => createHold(HOLD, free, answer), [task, question, choice]);
+  const capital = choice.charAt(0).toUpperCase() + choice.slice(1);
+  if (harmless)
+    return (
+      <button
+        type="button"
+        class="secondary"
+        // Whoever meant what was there before the card meant no answer.
+        onClick={() => performance.now() - shownAt > SETTLED && answer()}
+      >
+        {capital}
+      </button>
+    );
+  return (
+    <HoldButton hold={hold} class={first ? "primary" : "secondary"} label={capital}>
+      <span>{capital}</span>
+      <small>hold</small>
+    </HoldButton>
+  );
+}

@@ -1,0 +1,219 @@
+import { computed, effect, signal } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import { HoldButton } from "../controls/hold-button";
+import { sentence } from "../format";
+import { createHold } from "../hold";
+import { room } from "../store";
+import { catalogue } from "../live/store";
+import { running } from "./board";
+import {
+  rehearse,
+  request,
+  services as askServices,
+  things,
+  type Parameters,
+} from "./tasks-client";
+import type { ParameterInfo, RehearsalReport, ServiceInfo } from "../wire/task-messages";
+
+const HOLD = 0.6;
+
+const offered = signal<ServiceInfo[]>([]);
+const chosen = signal<ServiceInfo | null>(null);
+const given = signal<Parameters>({});
+const rehearsal = signal<RehearsalReport | "…" | null>(null);
+const outcome = signal("");
+
+// Documents may have changed while the services were away.
+effect(() => {
+  if (running.value)
+    askServices()
+      .then((answer) => (offered.value = answer.services))
+      .catch(() => undefined);
+});
+
+/** What somebody may mean by a name; the ROOM screen asks for it, too. */
+function learnNames(): void {
+  if (catalogue.value.length === 0)
+    things()
+      .then((answer) => (catalogue.value = answer.things))
+      .catch(() => undefined);
+}
+
+const missing = computed(() => {
+  const one = chosen.value?.parameters.find(
+    (parameter) => parameter.required && (given.value[parameter.name] ?? "") === "",
+  );
+  return one ? `Say first: ${one.about || one.name}.` : "";
+});
+const objection = computed(() =>
+  running.value ? missing.value : "The services are not running.",
+);
+
+function choose(service: ServiceInfo | null): void {
+  chosen.value = chosen.value === service ? null : service;
+  given.value = {};
+  rehearsal.value = null;
+  outcome.value = "";
+  learnNames();
+  if (chosen.value?.flies && !missing.value) void look();
+}
+
+/** Rehearse what is chosen; an answer that comes after a change of it is not shown. */
+async function look(): Promise<void> {
+  const [service, parameters] = [chosen.value, given.value];
+  if (!service || objection.value) return;
+  rehearsal.value = "…";
+  let found: RehearsalReport | null = null;
+  try {
+    found = (await rehearse(service.name, parameters)).rehearsal;
+  } catch (error) {
+    outcome.value = (error as Error).message;
+  }
+  if (chosen.value === service && given.value === parameters) rehearsal.value = found;
+}
+
+async function start(): Promise<void> {
+  const service = chosen.value;
+  if (!service || objection.value) return;
+  outcome.value = "";
+  try {
+    const { tasks } = await request(service.name, given.value);
+    outcome.value = tasks.map((task) => task.words || task.state).join(", ");
+  } catch (error) {
+    outcome.value = (error as Error).message;
+  }
+}
+
+const fly = createHold(HOLD, objection, () => void start());
+
+/** One tap a service; what it needs is asked in place, and rehearsed before the yes. */
+export function Services() {
+  return (
+    <section class="card services" aria-label="Services">
+      <h2>What can be done</h2>
+      <ul>
+        {offered.value.map((one) => (
+          <li key={one.name}>
+            <button
+              type="button"
+              aria-expanded={chosen.value?.name === one.name}
+              onClick={() => choose(one)}
+            >
+              <strong>{one.title}</strong>
+              <span class="quiet">{one.about}</span>
+            </button>
+            {chosen.value?.name === one.name && <Form service={one} />}
+          </li>
+        ))}
+      </ul>
+      {offered.value.length === 0 && <p class="quiet">Not known yet.</p>}
+    </section>
+  );
+}
+
+function Form({ service }: { service: ServiceInfo }) {
+  const form = useRef<HTMLFormElement>(null);
+  useEffect(() => form.current!.scrollIntoView({ block: "nearest" }), []);
+  return (
+    <form
+      ref={form}
+      aria-label={service.title}
+      onSubmit={(event) => {
+        event.preventDefault();
+        void (service.flies ? look() : start());
+      }}
+    >
+      {service.parameters.map((one) => (
+        <Field key={one.name} parameter={one} />
+      ))}
+      <p role="status" class="rehearsal">
+        <Rehearsed />
+      </p>
+      <div class="row orders">
+        {service.flies ? (
+          <>
+            <HoldButton hold={fly} class="primary" label={`Start: ${service.title}`}>
+              <span>Start</span>
+              <small>hold</small>
+            </HoldButton>
+            <button type="submit" class="secondary" aria-disabled={objection.value !== ""}>
+              Rehearse
+            </button>
+          </>
+        ) : (
+          <button type="submit" class="primary" aria-disabled={objection.value !== ""}>
+            Ask
+          </button>
+        )}
+      </div>
+    </form>
+  );
+}
+
+function Rehearsed() {
+  const found = rehearsal.value;
+  if (outcome.value) return <>{sentence(outcome.value)}</>;
+  if (found === "…") return <span class="quiet">Rehearsing …</span>;
+  if (found) return <span data-may={found.may_fly}>{sentence(found.words)}</span>;
+  return <span class="quiet">{missing.value}</span>;
+}
+
+const NAMES = ["place", "thing", "place_or_thing", "person", "places"];
+
+function put(name: string, value: string | number | boolean): void {
+  const { [name]: _, ...rest } = given.value;
+  given.value = value === "" ? rest : { ...rest, [name]: value };
+  rehearsal.value = null;
+  outcome.value = "";
+}
+
+function Field({ parameter }: { parameter: ParameterInfo }) {
+  const { name, type, unit } = parameter;
+  const label = (parameter.about || name) + (unit ? ` [${unit}]` : "");
+  const value = given.value[name] ?? parameter.default;
+  if (type === "flag")
+    return (
+      <label class="field flag">
+        <input
+          type="checkbox"
+          checked={value === true}
+          onChange={(event) => put(name, event.currentTarget.checked)}
+        />
+        {label}
+      </label>
+    );
+  const isNumber = type === "number";
+  return (
+    <label class="field">
+      {label}
+      <input
+        type={isNumber ? "number" : "text"}
+        step="any"
+        list={NAMES.includes(type) ? "subjects" : undefined}
+        required={parameter.required}
+        maxLength={200}
+        autocomplete="off"
+        value={value === null ? "" : String(value)}
+        onInput={(event) => {
+          const text = event.currentTarget.value;
+          put(name, isNumber && text !== "" ? Number(text) : text);
+        }}
+        onChange={() => void look()}
+      />
+      {NAMES.includes(type) && <Subjects />}
+    </label>
+  );
+}
+
+/** What somebody may mean: places of the map, things of the room. */
+function Subjects() {
+  const places = (room.value?.places ?? []).map((one) => one.title);
+  const things = catalogue.value.map((one) => one.name);
+  return (
+    <datalist id="subjects">
+      {[...new Set([...places, ...things])].map((name) => (
+        <option key={name} value={name} />
+      ))}
+    </datalist>
+  );
+}

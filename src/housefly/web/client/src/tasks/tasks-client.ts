@@ -1,0 +1,81 @@
+// Questions and orders to the tasks, over HTTP.
+import type {
+  ClipsAnswer,
+  FiringsAnswer,
+  ModeAnswer,
+  RehearsalAnswer,
+  RulesAnswer,
+  SentenceAnswer,
+  ServicesAnswer,
+  TaskAnswer,
+  TasksAnswer,
+} from "../wire/task-messages";
+import type { ThingsAnswer } from "../wire/room-messages";
+import { fetchAsSession, proof } from "../wire/session";
+
+const API = "/api/v1";
+
+async function fetched<T extends TaskAnswer | ThingsAnswer>(
+  path: string,
+  init?: RequestInit,
+): Promise<T> {
+  const answer = await fetchAsSession(API + path, init).catch(() => {
+    throw new Error("no contact with the server");
+  });
+  const tree = (await answer.json().catch(() => ({}))) as T & { error?: string };
+  if (!answer.ok) throw new Error(tree.error ?? answer.statusText);
+  return tree;
+}
+
+const post = <T extends TaskAnswer>(path: string, body: object = {}): Promise<T> =>
+  fetched<T>(path, { method: "POST", body: JSON.stringify(body) });
+
+export type Parameters = Record<string, string | number | boolean>;
+
+export const reply = (task: number, question: string, choice: string): Promise<TasksAnswer> =>
+  post(`/tasks/${task}/reply`, { question, choice });
+
+export const change = (
+  task: number,
+  what: "cancel" | "pause" | "continue",
+): Promise<TasksAnswer> => post(`/tasks/${task}/${what}`);
+
+export const request = (service: string, parameters: Parameters): Promise<TasksAnswer> =>
+  post("/tasks", { service, parameters });
+
+export const rehearse = (service: string, parameters: Parameters): Promise<RehearsalAnswer> =>
+  post("/tasks/rehearse", { service, parameters });
+
+/** Say something; what would fly waits for a yes, which shows the rehearsal. */
+export const say = (text: string): Promise<SentenceAnswer> =>
+  post("/sentence", { text, language: language(), confirm: "ask" });
+
+export const setMode = (mode: string): Promise<ModeAnswer> => post("/mode", { mode });
+
+export const services = (): Promise<ServicesAnswer> => fetched("/services");
+export const things = (): Promise<ThingsAnswer> => fetched("/things");
+export const rules = (): Promise<RulesAnswer> => fetched("/rules");
+export const dryRun = (since: number): Promise<FiringsAnswer> =>
+  fetched(`/rules/dry-run?since=${since.toFixed(0)}`);
+export const history = (since: number): Promise<TasksAnswer> =>
+  fetched(`/tasks/history?limit=200&since=${since.toFixed(0)}`);
+
+export const keepClip = (clip: string, keep: boolean): Promise<ClipsAnswer> =>
+  post(`/clips/${encodeURIComponent(clip)}/keep`, { keep });
+export const deleteClip = (clip: string): Promise<ClipsAnswer> =>
+  post(`/clips/${encodeURIComponent(clip)}/delete`);
+export const clips = (wanted: Record<string, string>): Promise<ClipsAnswer> =>
+  fetched(`/clips?${new URLSearchParams(wanted)}`);
+
+/** The address of a clip; elements cannot send a header, so the proof stands in it. */
+export function clipAddress(id: string, download = false): string {
+  const more = download ? "&download=1" : "";
+  return `${API}/clips/${encodeURIComponent(id)}?proof=${proof()}${more}`;
+}
+
+const LANGUAGES = ["en", "de", "ja"];
+
+function language(): string {
+  const wanted = navigator.languages.map((one) => one.slice(0, 2));
+  return wanted.find((one) => LANGUAGES.includes(one)) ?? "en";
+}

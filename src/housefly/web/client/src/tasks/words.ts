@@ -1,0 +1,74 @@
+// Tasks as people say them.
+import type { TaskStage, TaskStatus } from "../wire/task-messages";
+
+const SURFACES: Record<TaskStatus["surface"], string> = {
+  "console": "in the console",
+  "command line": "on the command line",
+  "http": "over HTTP",
+  "mqtt": "over MQTT",
+  "webhook": "by a webhook",
+  "assistant": "by an assistant",
+  "rule": "by a rule",
+};
+
+/** Who wanted a task, where, and what caused it. */
+export function why(task: TaskStatus): string {
+  const who = task.asked_by ? `asked for by ${task.asked_by}` : "asked for";
+  const where = task.surface === "rule" ? "" : ` ${SURFACES[task.surface]}`;
+  return who + where + (task.cause ? `, because of ${happened(task.cause)}` : "");
+}
+
+const SPOKEN: Record<string, string> = {
+  "bell pressed": "The bell rings",
+  "person fallen": "Somebody may have fallen",
+};
+
+/** What has happened and what would be done about it, as a question. */
+export function proposal(task: TaskStatus): string {
+  const cause = happened(task.cause);
+  const spoken = SPOKEN[cause.replace(/ \(.*/, "")] ?? cause;
+  const title = task.title.replace(/\?$/, "");
+  return `${spoken.charAt(0).toUpperCase()}${spoken.slice(1)}. ${title}?`;
+}
+
+/** What an id of an event or rule says: `rule:bell bell pressed/doorbell/…` is "bell pressed". */
+export function happened(cause: string): string {
+  const [kind = "", thing = ""] = cause.replace(/^rule:\S+\s/, "").split("/");
+  return thing && !kind.includes(thing) ? `${kind} (${thing})` : kind;
+}
+
+export type Outcome = "waits" | "runs" | "well" | "badly" | "ended";
+
+const OUTCOMES: Record<TaskStage, Outcome> = {
+  "waiting for a yes": "waits",
+  "queued": "waits",
+  "running": "runs",
+  "paused": "waits",
+  "suspended": "waits",
+  "done": "well",
+  "failed": "badly",
+  "cancelled": "ended",
+  "refused": "ended",
+  "expired": "ended",
+};
+export const outcome = (task: TaskStatus): Outcome => OUTCOMES[task.state];
+
+export const MARKS: Record<Outcome, string> = {
+  waits: "○",
+  runs: "▶",
+  well: "✓",
+  badly: "✕",
+  ended: "–",
+};
+
+/** What a task was asked with, in one line. */
+export function details(task: TaskStatus): string {
+  return Object.entries(task.parameters)
+    .map(([name, value]) => `${name} ${shown(value)}`)
+    .join(", ");
+}
+
+function shown(value: string | number | boolean): string {
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  return typeof value === "number" ? String(Math.round(100 * value) / 100) : value;
+}

@@ -1,0 +1,113 @@
+"""Clips and snapshots over HTTP: ``/api/v1/clips/{id}``, in parts as players ask for them.
+
+Whoever begins to watch one is written down, in the clips' own book and in the audit log.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from pathlib import Path
+from typing import Protocol
+
+from starlette.requests import Request
+from starlette.responses import FileResponse, Response
+from starlette.routing import Route
+
+from housefly.errors import HouseflyError, TaskError
+from housefly.tasks.api.values import ReasonCode
+from housefly.web.audit_log import AuditLog
+from housefly.web.bearer import bears
+from housefly.web.session_auth import SessionAuth
+from housefly.web.tasks_api import task_refusal
+
+_TYPES = {".mp4": "video/mp4", ".jpg": "image/jpeg"}
+
+
+class ClipBook(Protocol):
+    """What the server needs of ``tasks.evidence.clip_index.ClipIndex``."""
+
+    def file(self, name: str) -> Path:
+        """Return the file of a clip; raises TaskError when there is none."""
+        ...
+
+    def watched(self, name: str, who: str, what: str = "watched") -> object:
+        """Write down who saw, copied or exported a clip; raises TaskError, StoreError."""
+        ...
+
+    def close(self) -> None:
+        """Close it."""
+        ...
+
+
+class ClipFiles:
+    """The files of the clips.
+
+    Args:
+        index: knows them; None where there are none.
+        auth: the console's sessions.
+        key: the bearer token of programs; "" lets none in.
+        name_of: the name that others see for a session's owner.
+        audit: where it is written down who watched.
+    """
+
+    def __init__(
+        self,
+        index: ClipBook | None,
+        auth: SessionAuth,
+        key: str,
+        name_of: Callable[[str], str],
+        audit: AuditLog | None = None,
+    ) -> None:
+        self._index, self._auth, self._key = index, auth, key
+        self._name_of, self._audit = name_of, audit
+
+    def routes(self) -> list[Route]:
+        """Return the route, relative to ``API_PREFIX``."""
+        return [Route("/clips/{clip}", self._show, methods=["GET"])]
+
+    async def _show(self, request: Request) -> Response:
+        if (who := self._who(request)) is None:
+            return task_refusal(401, "this browser has no session", ReasonCode.NOT_ALLOWED)
+        name, session = who
+        clip = str(request.path_params["clip"])
+        downloads = "download" in request.query_params
+        try:
+            file = await asyncio.to_thread(self._file, clip, name, _begins(request), downloads)
+        except TaskError as error:
+            return task_refusal(404, str(error))
+        except HouseflyError as error:
+            return task_refusal(503, str(error), ReasonCode.NOT_READY)
+        if not file.is_file():
+            return task_refusal(404, f"the file of the clip {clip!r} is gone")
+        if self._audit is not None and _begins(request):
+            did = "downloaded" if downloads else "watched"
+            self._audit.record(name, session, f"{did} the clip {clip}")
+        return FileResponse(
+            file,
+            media_type=_TYPES[file.suffix],
+            filename=file.name if downloads else None,
+            headers={"cache-control": "no-store"},
+        )
+
+    def _file(self, clip: str, who: str, begins: bool, downloads: bool) -> Path:
+        """Return a clip's file and write down who sees it; raises TaskError, StoreError."""
+        if self._index is None:
+            raise TaskError("no clips are kept here", ReasonCode.BAD_PARAMETER.value)
+        if begins:
+            self._index.watched(clip, who, "exported" if downloads else "watched")
+        return self._index.file(clip)
+
+    def _who(self, request: Request) -> tuple[str, str] | None:
+        """Return who asks, and the name of their session, or None for nobody."""
+        if bears(request, self._key):
+            return "a program", ""
+        if (session := self._auth.session_of(request)) is None:
+            return None
+        return session.user or self._name_of(session.owner), session.name
+
+
+def _begins(request: Request) -> bool:
+    """Return whether a request is for the first part; players then ask for the others."""
+    wanted = request.headers.get("range", "").replace(" ", "")
+    return request.method == "GET" and (not wanted or wanted.startswith("bytes=0-"))

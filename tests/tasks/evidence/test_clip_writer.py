@@ -1,0 +1,57 @@
+"""Whatever a crash leaves of a clip is finished so that it plays, or removed."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import av
+from filming import number_of, video
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from housefly.tasks.evidence.clip_writer import ClipWriter, finish_leftover
+
+
+@cache
+def unfinished() -> bytes:
+    """Return what is on the disk after three seconds of recording."""
+    with TemporaryDirectory() as folder:
+        writer = ClipWriter(Path(folder) / "a.mp4")
+        for frame in video(3.1, group=5):
+            writer.add(frame)
+        written = (Path(folder) / "a.mp4.part").read_bytes()
+        writer.abandon()
+        return written
+
+
+@settings(max_examples=10)
+@given(st.floats(0.0, 1.0), st.binary(max_size=40))
+def test_a_torn_clip_plays_as_far_as_it_is_whole(share: float, garbage: bytes) -> None:
+    whole = unfinished()
+    with TemporaryDirectory() as folder:
+        part = Path(folder) / "a.mp4.part"
+        part.write_bytes(whole[: round(share * len(whole))] + garbage)
+        path = finish_leftover(part)
+        assert not part.exists()
+        if path is None:
+            assert share < 0.6
+            assert not list(Path(folder).iterdir())
+            return
+        with av.open(str(path)) as clip:
+            shown = list(clip.decode(video=0))
+        numbers = [number_of(frame.to_ndarray(format="rgb24")) for frame in shown]
+        assert numbers == list(range(len(numbers)))
+        assert len(numbers) >= 46 * share - 10, "at most two groups are lost"
+
+
+def test_a_clip_has_its_name_only_when_it_is_whole(tmp_path: Path) -> None:
+    writer = ClipWriter(tmp_path / "a.mp4")
+    for frame in video(1.0):
+        writer.add(frame)
+        assert [path.name for path in tmp_path.iterdir()] == ["a.mp4.part"]
+    assert (tmp_path / "a.mp4.part").stat().st_mode & 0o777 == 0o600
+    assert writer.finish() is not None
+    assert [path.name for path in tmp_path.iterdir()] == ["a.mp4"]
+    assert (tmp_path / "a.mp4").stat().st_mode & 0o777 == 0o600

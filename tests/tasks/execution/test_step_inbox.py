@@ -1,0 +1,63 @@
+"""What a tick is told: everything since the last one, once, and only what people ordered."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.messages import (
+    Action,
+    Command,
+    Event,
+    Inputs,
+    Order,
+    OrderKind,
+    Outputs,
+    PilotStep,
+    Severity,
+)
+from housefly.tasks.execution.step_inbox import StepInbox, is_of_task, task_sender
+
+
+def step(sequence: int, sender: str | None = None) -> PilotStep:
+    orders = () if sender is None else (Order(OrderKind.HOVER, sender=sender),)
+    event = Event(float(sequence), Severity.INFO, "x", str(sequence))
+    return PilotStep(
+        sequence,
+        float(sequence),
+        Inputs(orders=orders),
+        Outputs(Command(Action.HOVER), events=(event,)),
+    )
+
+
+@given(st.lists(st.booleans(), max_size=60))
+def test_each_event_is_told_once_whenever_the_ticks_come(ticks: list[bool]) -> None:
+    inbox, told = StepInbox(), []
+    for number, is_tick in enumerate(ticks):
+        inbox.add(step(number))
+        if is_tick:
+            told += [event.text for event in inbox.drain(float(number), 0.0).events]
+    told += [event.text for event in inbox.drain(99.0, 0.0).events]
+    assert told == [str(number) for number in range(len(ticks))]
+
+
+@given(st.integers(1, 10**6), st.text(max_size=200))
+def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(task: int, service: str) -> None:
+    ours = Order(OrderKind.GO, sender=task_sender(task, service))
+    assert is_of_task(ours) and len(ours.sender) <= 100
+    inbox = StepInbox()
+    inbox.add(step(1, ours.sender))
+    assert inbox.is_flown_by_task
+    inbox.add(step(2, "kim"))
+    assert not inbox.is_flown_by_task
+    assert [order.sender for order in inbox.drain(2.0, 0.0).orders] == ["kim"]
+
+
+def test_a_pilot_that_begins_to_count_anew_is_another_run() -> None:
+    inbox = StepInbox()
+    assert inbox.age(5.0) == float("inf")
+    for number in (5, 6, 7):
+        inbox.add(step(number))
+    assert inbox.run == 0
+    inbox.add(step(0))
+    assert (inbox.run, inbox.steps) == (1, 4)

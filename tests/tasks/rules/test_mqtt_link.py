@@ -1,0 +1,143 @@
+"""The tasks on a real broker: triggers, requests, answers."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib.util
+import json
+import sys
+import threading
+import time
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from rule_bench import make_rule
+
+from housefly.config.devices import MqttConfig
+from housefly.config.tasks import TasksConfig
+from housefly.sensors.mqtt import MqttSensors
+from housefly.tasks.rules.mqtt_link import MqttLink
+from housefly.tasks.rules.trigger import MqttTrigger
+
+_FILE = Path(__file__).parents[2] / "sensors" / "conftest.py"
+_spec = importlib.util.spec_from_file_location("sensors_conftest", _FILE)
+assert _spec is not None and _spec.loader is not None
+sensors_conftest: Any = importlib.util.module_from_spec(_spec)
+sys.modules[_spec.name] = sensors_conftest
+_spec.loader.exec_module(sensors_conftest)
+broker, until = sensors_conftest.broker, sensors_conftest.until
+
+pytestmark = pytest.mark.wire
+REQUEST, ANSWER = "housefly/home/task/request", "housefly/home/task/answer"
+
+
+class Asked:
+    """Stands for the tasks: keeps what it was asked."""
+
+    def __init__(self) -> None:
+        self.questions: list[dict[str, Any]] = []
+        self.free = threading.Event()
+        self.free.set()
+
+    def __call__(self, text: str) -> str:
+        assert self.free.wait(20.0)
+        self.questions.append(json.loads(text))
+        return json.dumps({"number": len(self.questions)})
+
+
+@asynccontextmanager
+async def linked(
+    port: int, asked: Asked, heard: list[MqttTrigger], tasks: TasksConfig | None = None
+) -> AsyncIterator[MqttLink]:
+    config = MqttConfig(broker="127.0.0.1", port=port, site="home")
+    rules = [make_rule(when="{mqtt: house/+/button}")]
+    link = MqttLink(config, tasks or TasksConfig(), rules, asked, time.time)
+    running = asyncio.create_task(link.run(heard.append))
+    try:
+        await until(lambda: not link.problem or "silent" in link.problem)
+        yield link
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)
+
+
+async def test_triggers_are_heard_but_not_what_we_publish_ourselves(broker: Any) -> None:
+    heard: list[MqttTrigger] = []
+    async with broker.client() as other:
+        await other.publish("house/old/button", b"kept", retain=True, qos=1)
+        async with linked(broker.port, Asked(), heard) as link:
+            link.publish("house/own/button", "echo")
+            await other.publish("house/hall/lamp", b"on", qos=1)
+            await other.publish("house/hall/button", b"pressed", qos=1)
+            await until(lambda: len(heard) >= 2)
+            await other.subscribe("house/own/button")
+            link.publish("house/own/button", "second")
+            message = await asyncio.wait_for(anext(aiter(other.messages)), 15.0)
+            assert message.payload == b"second"
+    assert {(one.topic, one.payload, one.retained) for one in heard} == {
+        ("house/old/button", b"kept", True),
+        ("house/hall/button", b"pressed", False),
+    }
+
+
+async def test_a_request_is_answered_and_a_kept_one_is_not_even_read(broker: Any) -> None:
+    asked = Asked()
+    async with broker.client() as panel:
+        await panel.publish(REQUEST, b'{"service": "land"}', retain=True, qos=1)
+        await panel.subscribe(f"{ANSWER}/#", qos=1)
+        async with linked(broker.port, asked, []):
+            answers = aiter(panel.messages)
+            for text in (b'{"service": "look"}', b"fly now", b'{"ask": "mode", "mode": "home"}'):
+                await panel.publish(REQUEST, text, qos=1)
+            found = [
+                json.loads((await asyncio.wait_for(anext(answers), 15.0)).payload) for _ in "123"
+            ]
+    assert [one["service"] for one in asked.questions] == ["look"]
+    assert asked.questions[0]["confirm"] == "ask"
+    assert {"number": 1} in found
+    assert {one.get("code") for one in found if "error" in one} == {"bad_parameter", "not_allowed"}
+
+
+async def test_a_flood_of_requests_is_cut_and_triggers_go_on(broker: Any) -> None:
+    asked, heard = Asked(), list[MqttTrigger]()
+    async with broker.client() as panel, linked(broker.port, asked, heard):
+        asked.free.clear()
+        for _ in range(200):
+            await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+        await panel.publish("house/hall/button", b"pressed", qos=1)
+        await until(lambda: heard)  # while answers are still being worked on
+        asked.free.set()
+        for _ in range(40):
+            await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+        await panel.publish("house/hall/button", b"again", qos=1)
+        await until(lambda: len(heard) == 2)
+    assert 1 <= len(asked.questions) <= 20
+
+
+async def test_a_site_that_wants_none_takes_no_requests(broker: Any) -> None:
+    asked, heard = Asked(), list[MqttTrigger]()
+    config = TasksConfig(mqtt_requests="off")
+    async with broker.client() as panel, linked(broker.port, asked, heard, config):
+        await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+        await panel.publish("house/hall/button", b"pressed", qos=1)
+        await until(lambda: heard)
+    assert asked.questions == []
+
+
+async def test_the_driver_of_the_devices_takes_no_notice_of_requests(broker: Any) -> None:
+    config = MqttConfig(broker="127.0.0.1", port=broker.port, site="home")
+    sensors = MqttSensors(config)
+    running = asyncio.create_task(sensors.run(lambda _: None))
+    try:
+        await until(lambda: sensors.connected)
+        async with broker.client() as panel:
+            await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+            await panel.publish("housefly/home/strange", b"1", qos=1)
+            await until(lambda: sensors.counts["strange"])
+        assert sensors.counts["strange"] == 1
+    finally:
+        running.cancel()
+        await asyncio.gather(running, return_exceptions=True)

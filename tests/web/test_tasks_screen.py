@@ -1,0 +1,381 @@
+"""The console's TASKS screen in real Chromium, with tasks that fly nothing behind it."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+import time
+from collections.abc import AsyncIterator, Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+import pytest_asyncio
+from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
+from stand_in_tasks import REHEARSAL, StandInTasks
+
+from housefly.errors import TaskError
+from housefly.tasks.api.answers import ClipInfo
+from housefly.tasks.api.questions import RehearseTask, ReplyToTask, RequestTask, Sentence
+from housefly.tasks.api.values import HouseMode, ReasonCode, TaskStage
+
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+
+DESKTOP: ViewportSize = {"width": 1280, "height": 800}
+PHONE: ViewportSize = {"width": 375, "height": 812}
+CLIP = "20261122-150102-7"
+
+
+class OneClip:
+    """A book of one snapshot, in memory but for its file."""
+
+    def __init__(self, folder: Path) -> None:
+        self.watched_by: list[tuple[str, str]] = []
+        self._file = folder / f"{CLIP}.jpg"
+        self._file.write_bytes(b"\xff\xd8" + bytes(range(256)) * 40)
+
+    def file(self, name: str) -> Path:
+        if name != CLIP:
+            raise TaskError(f"there is no clip {name!r}", ReasonCode.BAD_PARAMETER.value)
+        return self._file
+
+    def watched(self, name: str, who: str, what: str = "watched") -> None:
+        self.file(name)
+        self.watched_by.append((who, what))
+
+    def close(self) -> None:
+        pass
+
+
+@dataclass
+class House:
+    """Tasks, and the console before them."""
+
+    console: Any
+    tasks: StandInTasks
+    book: OneClip
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[House]:
+    book = OneClip(tmp_path)
+    async with serving(loopback, clips=book) as console:
+        found = House(console, StandInTasks(console.bus.join()), book)
+        found.tasks.tell()
+        yield found
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def page(house: House, chromium: Browser) -> AsyncIterator[Page]:
+    """Yield the TASKS screen; fails on any error of the page and any request to another host."""
+    context = await chromium.new_context(viewport=DESKTOP)
+    page = await context.new_page()
+    troubles: list[str] = []
+    own = (house.console.origin + "/", house.console.origin.replace("http", "ws") + "/", "data:")
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    page.on(
+        "request",
+        lambda request: troubles.append(request.url) if not request.url.startswith(own) else None,
+    )
+    await page.goto(house.console.link + "#tasks")
+    await expect(page.get_by_role("region", name="Services").get_by_role("listitem")).to_have_count(
+        4
+    )
+    yield page
+    await context.close()
+    assert troubles == []
+
+
+async def hold(page: Page, button: Locator, seconds: float = 0.9) -> None:
+    await expect(button).to_be_enabled()
+    box = await button.bounding_box()
+    assert box is not None
+    await page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    await page.mouse.down()
+    await asyncio.sleep(seconds)
+    await page.mouse.up()
+
+
+def card(page: Page) -> Locator:
+    return page.get_by_role("article")
+
+
+def replies(house: House) -> list[str]:
+    return [one.choice for one in house.tasks.asked if isinstance(one, ReplyToTask)]
+
+
+def stage_of(house: House) -> TaskStage:
+    return house.tasks.tasks[1].state
+
+
+async def test_a_bell_is_a_card_on_every_screen_and_only_a_hold_flies(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    house.tasks.ring(seconds=90)
+    for screen in ("Room", "Fly", "Tasks"):
+        await page.get_by_role("navigation").get_by_role("button", name=screen).click()
+        await expect(card(page)).to_contain_text("The bell rings. See who is at the door?")
+        await expect(card(page)).to_contain_text(
+            "Asked for by rule bell, because of bell pressed (doorbell)"
+        )
+        await expect(card(page)).to_contain_text(re.compile(r"counts as “ignore” in 1:\d\d"))
+    look = card(page).get_by_role("button", name="Look")
+    await look.click()
+    await hold(page, look, 0.2)
+    assert replies(house) == []
+    await hold(page, look)
+    await until(lambda: replies(house) == ["look"])
+    await expect(card(page)).to_have_count(0)
+    task = house.tasks.tasks[1]
+    assert (task.state, task.words) == (TaskStage.QUEUED, "Viewer 1 said look")
+
+
+async def test_a_bell_is_ignored_by_one_press_but_not_by_one_meant_for_what_was_there(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    await page.get_by_role("navigation").get_by_role("button", name="Fly").click()
+    house.tasks.ring()
+    ignore = card(page).get_by_role("button", name="Ignore")
+    await ignore.click()
+    assert replies(house) == []
+    await asyncio.sleep(0.8)
+    await ignore.click()
+    await until(lambda: replies(house) == ["ignore"])
+    await page.get_by_role("navigation").get_by_role("button", name="Tasks").click()
+    await page.get_by_text("See who is at the door").last.click()
+    await expect(page.get_by_role("listitem").filter(has_text="Trigger")).to_contain_text(
+        "Viewer 1 said ignore"
+    )
+
+
+async def test_the_keyboard_answers_too_and_space_is_still_stop(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    house.tasks.ring()
+    look = card(page).get_by_role("button", name="Look")
+    await look.focus()
+    await page.keyboard.down("Enter")
+    await asyncio.sleep(0.9)
+    await page.keyboard.up("Enter")
+    await until(lambda: replies(house) == ["look"])
+    await page.keyboard.press("Space")
+    await expect(page.locator(".stop")).to_contain_text("STOPPED")
+    assert not [order for order in house.console.pilot.orders if order.kind.value == "go"]
+
+
+async def test_a_sentence_is_answered_and_what_flies_waits_for_a_yes(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    field = page.get_by_role("searchbox", name="Ask for something")
+    answer = page.get_by_role("region", name="Ask").get_by_role("status")
+    await field.fill("where is the cup")
+    await page.keyboard.press("Enter")
+    await expect(answer).to_contain_text("The cup is in the cabinet")
+    await field.fill("fly me to the moon")
+    await page.get_by_role("button", name="Ask", exact=True).click()
+    await expect(answer).to_contain_text("I do not understand that.")
+    await answer.get_by_role("button", name="look at the entrance").click()
+    await expect(card(page)).to_contain_text("keeps 0.42 m away from everything")
+    said = [one for one in house.tasks.asked if isinstance(one, Sentence)][-1]
+    assert (said.text, said.by, said.language) == ("look at the entrance", "Viewer 1", "en")
+    assert stage_of(house) is TaskStage.WAITING
+    await hold(page, card(page).get_by_role("button", name="Yes"))
+    await until(lambda: stage_of(house) is TaskStage.QUEUED)
+
+
+async def test_a_service_asks_for_what_it_needs_and_is_rehearsed_before_the_yes(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    services = page.get_by_role("region", name="Services")
+    await services.get_by_role("button", name="See who is at the door").click()
+    await expect(services).to_contain_text("It flies 7.2 m in 41 s")
+    await services.get_by_role("button", name="Look at a place or a thing").first.click()
+    start = services.get_by_role("button", name="Start")
+    await expect(services).to_contain_text("Say first: what to look at.")
+    await expect(start).to_be_disabled()
+    what = services.get_by_label("what to look at")
+    await what.fill("the moon")
+    await what.press("Enter")
+    await expect(services).to_contain_text("There is no place 'the moon'.")
+    await what.fill("refrigerator")
+    await services.get_by_label("how long to look [s]").fill("8")
+    await services.get_by_role("button", name="Rehearse").click()
+    await expect(services).to_contain_text("It flies 7.2 m in 41 s")
+    rehearsed = [one for one in house.tasks.asked if isinstance(one, RehearseTask)][-1]
+    assert rehearsed.parameters == {"what": "refrigerator", "dwell": 8.0}
+    await hold(page, start)
+    await until(lambda: 1 in house.tasks.tasks)
+    assert house.tasks.tasks[1].parameters == rehearsed.parameters
+    await expect(page.get_by_role("listitem", name="Task 1")).to_contain_text("what refrigerator")
+
+
+async def test_a_task_is_followed_paused_continued_and_ended(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    house.tasks._request(RequestTask("patrol", {}, "Anna"))
+    house.tasks.advance(1, 2, records=True)
+    task = page.get_by_role("listitem", name="Task 1")
+    await expect(task).to_contain_text("asked for by Anna")
+    await expect(task.locator("[aria-current=step]")).to_contain_text("Look at the visitor")
+    for screen in ("Fly", "Room", "Tasks"):
+        await page.get_by_role("navigation").get_by_role("button", name=screen).click()
+        await expect(page.get_by_role("banner")).to_contain_text("● recording")
+        await expect(page.get_by_role("banner")).to_contain_text("Mode of the house: home")
+    await task.get_by_role("button", name="Pause").click()
+    await expect(task).to_contain_text("paused")
+    await task.get_by_role("button", name="Go on").click()
+    await expect(task).to_contain_text("running")
+    await task.get_by_role("button", name="Cancel").click()
+    await until(lambda: house.tasks.tasks[1].state is TaskStage.CANCELLED)
+    await expect(task).to_have_count(0)
+    house.tasks.records = False
+    house.tasks.tell()
+    await expect(page.get_by_role("banner")).not_to_contain_text("recording")
+
+
+async def test_history_leads_from_the_trigger_to_the_clip_and_who_watched_is_known(
+    page: Page, house: House, until: Callable[..., Any]
+) -> None:
+    begun = time.time() - 60
+    house.tasks.keep_clip(
+        ClipInfo(
+            CLIP, "snapshot", 1, "visitor", "entrance", "", ("guest",), "bell", begun, 0.0, 10242
+        )
+    )
+    task = house.tasks.ring()
+    house.tasks.advance(task.id, 4)
+    house.tasks.finish(task.id, "the visitor was seen", (CLIP,))
+    await page.get_by_role("tabpanel").get_by_text("See who is at the door").click()
+    chain = page.get_by_role("tabpanel")
+    for words in (
+        "Asked for by rule bell, because of bell pressed (doorbell).",
+        REHEARSAL.words,
+        "✓",
+        "The visitor was seen.",
+        "The visitor was in view for 9 s.",
+    ):
+        await expect(chain).to_contain_text(words)
+    await chain.get_by_role("button", name="Show snapshot").click()
+    sheet = page.get_by_role("dialog", name="Clip: guest, entrance")
+    await expect(sheet).to_contain_text("until somebody deletes it")
+    await until(lambda: ("Viewer 1", "watched") in house.book.watched_by)
+    assert page.url.endswith(f"#clip/{CLIP}")
+    await page.reload()
+    await expect(page.get_by_role("dialog", name="Clip: guest, entrance")).to_be_visible()
+    await page.get_by_role("dialog").get_by_role("button", name="Close").click()
+    await page.get_by_role("tab", name="Clips").click()
+    await page.get_by_role("tabpanel").get_by_label("person").fill("guest")
+    await page.keyboard.press("Enter")
+    await expect(page.get_by_role("tabpanel").get_by_role("listitem")).to_have_count(1)
+    await page.get_by_role("tab", name="Rules").click()
+    await page.get_by_role("button", name="What would have happened").click()
+    await expect(page.get_by_role("tabpanel")).to_contain_text("doorbell rang")
+
+
+async def test_a_clip_comes_in_parts_and_only_to_who_is_in(house: House, page: Page) -> None:
+    path = f"/api/v1/clips/{CLIP}"
+    proof = await page.evaluate("localStorage.getItem('housefly proof')")
+    proved = {"x-housefly-proof": proof}
+    whole = await page.request.head(house.console.origin + path, headers=proved)
+    assert (whole.status, whole.headers["content-type"]) == (200, "image/jpeg")
+    assert whole.headers["accept-ranges"] == "bytes"
+    assert whole.headers["cache-control"] == "no-store"
+    part = await page.request.get(
+        f"{house.console.origin}{path}?proof={proof}", headers={"Range": "bytes=2-5"}
+    )
+    assert (part.status, await part.body()) == (206, bytes(range(4)))
+    assert house.book.watched_by == [], "a later part is no new look"
+    saved = await page.request.get(f"{house.console.origin}{path}?proof={proof}&download=1")
+    assert saved.headers["content-disposition"] == f'attachment; filename="{CLIP}.jpg"'
+    assert house.book.watched_by == [("Viewer 1", "exported")]
+    for wrong in ("none", "..%2Fusers.json"):
+        answer = await page.request.get(
+            f"{house.console.origin}/api/v1/clips/{wrong}", headers=proved
+        )
+        assert answer.status == 404
+    assert (await page.request.get(house.console.origin + path)).status == 401, "no proof"
+
+
+async def test_who_said_yes_hears_on_every_screen_why_nothing_flies(
+    page: Page, house: House
+) -> None:
+    await page.get_by_role("navigation").get_by_role("button", name="Fly").click()
+    task = house.tasks.ring()
+    await expect(card(page)).to_be_visible()
+    house.tasks.refuse(task.id, "no free way leads to the entrance")
+    told = page.get_by_role("alert").filter(has_text="No free way leads to the entrance.")
+    await expect(told).to_contain_text("See who is at the door:")
+    await expect(card(page)).to_have_count(0)
+    await told.get_by_role("button", name="Close").click()
+    await expect(told).to_have_count(0)
+
+
+async def test_the_mode_is_set_and_shown(page: Page, house: House) -> None:
+    modes = page.get_by_role("group", name="Mode")
+    await modes.get_by_role("button", name="privacy").click()
+    await expect(page.get_by_role("banner")).to_contain_text("privacy")
+    await expect(modes.get_by_role("button", name="privacy")).to_have_attribute(
+        "aria-pressed", "true"
+    )
+    assert house.tasks.mode is HouseMode.PRIVACY
+
+
+async def test_nothing_is_shown_as_now_when_nobody_keeps_the_board(
+    page: Page, house: House, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("housefly.web.task_feed.SILENCE", 1.5)
+    house.tasks.ring()
+    house.tasks.records = True
+    house.tasks.tell()
+    await expect(page.get_by_role("banner")).to_contain_text("● recording")
+    house.tasks.close()
+    silence = page.get_by_role("alert").filter(has_text="The services are not running")
+    await expect(silence).to_contain_text("what was known", timeout=10_000)
+    await expect(page.get_by_role("banner")).to_contain_text("services not running")
+    await expect(page.get_by_role("banner")).not_to_contain_text("recording")
+    await expect(card(page)).to_have_count(0)
+    await expect(page.get_by_role("listitem", name="Task 1")).to_have_css("opacity", "1")
+    await expect(page.locator(".now [data-old=true]")).to_have_css("opacity", "0.5")
+
+
+async def test_on_a_phone_nothing_is_wider_than_the_screen_and_stop_is_free(
+    page: Page, house: House
+) -> None:
+    house.tasks.ring()
+    house.tasks._request(RequestTask("look", {"what": "the small refrigerator"}, "Anna"))
+    house.tasks.advance(2, 1, records=True)
+    await page.set_viewport_size(PHONE)
+    for screen in ("Fly", "Room", "Tasks"):
+        await page.get_by_role("navigation").get_by_role("button", name=screen).click()
+        await expect(card(page)).to_be_visible()
+        assert await page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+        stop = await page.locator(".stop").bounding_box()
+        question = await card(page).bounding_box()
+        assert stop is not None and question is not None
+        assert question["y"] + question["height"] <= stop["y"], screen
+        small = await page.evaluate(
+            """() => [...document.querySelectorAll('.question button, .tasks-deck button')]
+                .filter((one) => one.getBoundingClientRect().height < 43.5)
+                .map((one) => one.textContent)"""
+        )
+        assert small == []
+
+
+async def test_everything_that_can_be_used_has_a_name(page: Page, house: House) -> None:
+    house.tasks.ring()
+    await page.get_by_role("button", name="Look at a place or a thing").first.click()
+    for tab in ("Clips", "Rules", "History"):
+        await page.get_by_role("tab", name=tab).click()
+        nameless = await page.evaluate(
+            """() => [...document.querySelectorAll('button, input, select, a, video, section')]
+                .filter((one) => !(one.getAttribute('aria-label') || one.textContent.trim()
+                    || one.labels?.length))
+                .map((one) => one.outerHTML)"""
+        )
+        assert nameless == []
+        repeated = await page.evaluate(
+            """() => { const ids = [...document.querySelectorAll('[id]')].map((one) => one.id);
+                return ids.filter((id, k) => ids.indexOf(id) !== k); }"""
+        )
+        assert repeated == []

@@ -1,0 +1,109 @@
+"""Privacy zones are blank in the live picture of every browser."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+import av
+import numpy as np
+import pytest
+from filming import SIZE, number_of, video
+from numpy.typing import NDArray
+
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import STEP_TOPIC, VIDEO_TOPIC
+from housefly.config.tasks import PrivacyZone, TasksConfig
+from housefly.messages import (
+    LEVEL,
+    Action,
+    Command,
+    DroneStatus,
+    Estimate,
+    Inputs,
+    Outputs,
+    PilotStep,
+    Telemetry,
+    VideoFrame,
+)
+from housefly.tasks.api.values import HouseMode
+from housefly.tasks.evidence.frame_blanker import BLANK
+from housefly.tasks.evidence.live_blanker import LiveBlanker
+from housefly.web.video import FRAME_HEADER, VideoRelay
+
+ZONE = PrivacyZone(name="bed", polygon=((5, -2), (7, -2), (7, 2), (5, 2)), z_min=0.0, z_max=1.0)
+IN_ZONE = (slice(100, 125), slice(80, 240))
+
+
+def step_at(at: float, pose_age: float = 0.0) -> PilotStep:
+    estimate = Estimate(at, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 0.0, pose_age, 0.01)
+    report = Telemetry(at, DroneStatus.FLYING, 0.9)
+    outputs = Outputs(Command(Action.HOVER, LEVEL), estimate=estimate)
+    return PilotStep(1, at, Inputs(telemetry=report), outputs)
+
+
+async def watched(
+    zones: tuple[PrivacyZone, ...],
+    mode: Callable[[], HouseMode | None] = lambda: None,
+    pose_age: float = 0.0,
+    frames: tuple[VideoFrame, ...] = tuple(video(2.0)),
+) -> list[NDArray[np.uint8]]:
+    """Return what a browser sees of two seconds of video."""
+    bus = LocalBus()
+    relay = VideoRelay(bus, LiveBlanker(TasksConfig(privacy_zones=zones)), mode)
+    relay.listen(asyncio.get_running_loop())
+    messages: list[bytes] = []
+    with relay.subscribed() as queue:
+        for frame in frames:
+            bus.publish(STEP_TOPIC, step_at(frame.received_at, pose_age))
+            bus.publish(VIDEO_TOPIC, frame)
+            await asyncio.sleep(0)
+            while (message := queue.next()) is not None:
+                queue.acknowledge()
+                messages.append(message)
+    decoder = av.CodecContext.create("h264", "r")
+    decoder.thread_count = 1
+    packets = [av.Packet(message[FRAME_HEADER.size :]) for message in messages] + [None]
+    shown = [frame for packet in packets for frame in decoder.decode(packet)]
+    return [frame.to_ndarray(format="rgb24") for frame in shown]
+
+
+def is_blank(part: NDArray[np.uint8]) -> bool:
+    return bool(np.abs(part.astype(int) - BLANK).max() < 25)
+
+
+async def test_a_zone_is_blank_as_soon_as_the_pose_is_known_and_before_everything_is() -> None:
+    shown = await watched((ZONE,))
+    assert len(shown) == 30
+    assert is_blank(shown[0])
+    assert all(is_blank(picture[IN_ZONE]) for picture in shown)
+    assert all(not is_blank(picture[:60]) for picture in shown[10:])
+
+
+async def test_while_tracking_is_lost_everything_is_blank() -> None:
+    assert all(is_blank(picture) for picture in await watched((ZONE,), pose_age=1.0))
+
+
+async def test_without_zones_the_picture_is_the_drones_own() -> None:
+    shown = await watched(())
+    assert [number_of(picture) for picture in shown] == list(range(30))
+
+
+@pytest.mark.parametrize(
+    ("mode", "blank"), [(HouseMode.HOME, False), (HouseMode.NIGHT, True), (None, True)]
+)
+async def test_a_zone_of_one_mode_counts_then_and_while_the_mode_is_unknown(
+    mode: HouseMode | None, blank: bool
+) -> None:
+    zone = ZONE.model_copy(update={"modes": ("night",)})
+    shown = await watched((zone,), lambda: mode)
+    assert len(shown) == 30
+    assert all(is_blank(picture[IN_ZONE]) is blank for picture in shown)
+
+
+async def test_after_a_lost_frame_nothing_is_shown_until_the_next_key_frame() -> None:
+    """What is decoded after a gap shows parts of an older picture, where no zone was."""
+    frames = tuple(frame for frame in video(2.0) if frame.sequence != 4)
+    shown = await watched((ZONE,), frames=frames)
+    assert len(shown) == 4 + 15
+    assert shown[0].shape == (*SIZE[::-1], 3)
