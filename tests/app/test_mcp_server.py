@@ -276,7 +276,7 @@ async def test_a_sentence_is_answered_and_a_wish_waits_for_a_yes(room: BenchRoom
         look = await told(client, "say", text="look at the sofa")
     assert room.tasks.tasks[look["task"]].state is TaskStage.WAITING
     sentence = room.tasks.asked[-1]
-    assert isinstance(sentence, Sentence)
+    assert isinstance(sentence, Sentence) and not sentence.may_fly
     assert (sentence.confirm, sentence.surface) == (Confirm.ASK, RequestSurface.ASSISTANT)
 
 

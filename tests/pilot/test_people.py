@@ -275,6 +275,9 @@ def test_an_order_to_land_onto_somebody_waits_and_a_second_one_does_not(fly: Fly
     outputs = flight.step(flight.order(OrderKind.LAND))
     assert outputs.command.action is not Action.LAND
     flight.run(0.1)
+    by_task = replace(flight.order(OrderKind.LAND), sender="task 1: look")
+    assert flight.step(by_task).command.action is not Action.LAND  # a task never insists
+    flight.run(0.1)
     assert flight.step(flight.order(OrderKind.LAND)).command.action is Action.LAND
 
 

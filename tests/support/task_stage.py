@@ -28,6 +28,7 @@ from housefly.messages import (
     Inputs,
     Order,
     Outputs,
+    Phase,
     PilotStep,
     RoomEvent,
     Telemetry,
@@ -107,10 +108,17 @@ class TaskStage:
     def told(self, *kinds: str) -> list[RoomEvent]:
         return [event for event in self.events if not kinds or event.kind in kinds]
 
-    def stand(self, seconds: float = 1.0, status: DroneStatus = DroneStatus.LANDED) -> None:
-        """Let time pass beside a pilot that only says how the drone is."""
-        for _ in range(round(seconds / _TICK)):
-            self.heard(self._step(status))
+    def stand(
+        self,
+        seconds: float = 1.0,
+        status: DroneStatus = DroneStatus.LANDED,
+        phase: Phase = Phase.IDLE,
+        orders: tuple[Order, ...] = (),
+    ) -> None:
+        """Let time pass beside a pilot that only says how the drone is; it hears orders once."""
+        for _ in range(max(1, round(seconds / _TICK))):
+            self.heard(self._step(status, phase, orders))
+            orders = ()
             self.tick()
 
     def tick(self) -> None:
@@ -159,11 +167,13 @@ class TaskStage:
         if self.hub is not None:
             self.hub.close()
 
-    def _step(self, status: DroneStatus) -> PilotStep:
+    def _step(
+        self, status: DroneStatus, phase: Phase = Phase.IDLE, orders: tuple[Order, ...] = ()
+    ) -> PilotStep:
         self._sequence += 1
         now = self.clock.now()
-        inputs = Inputs(telemetry=Telemetry(now, status, 0.9))
-        return PilotStep(self._sequence, now, inputs, Outputs(Command(Action.LAND)))
+        inputs = Inputs(telemetry=Telemetry(now, status, 0.9), orders=orders)
+        return PilotStep(self._sequence, now, inputs, Outputs(Command(Action.LAND), phase=phase))
 
     def _told(self, news: EventNews) -> None:
         self.events.append(told_event_of(news, self.wall()))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from task_stage import GOOD, TaskStage
 
 from housefly.errors import TaskError
-from housefly.messages import DroneStatus, OrderKind, Phase, RoomEvent
+from housefly.messages import DroneStatus, Order, OrderKind, Phase, RoomEvent
 from housefly.tasks.api.answers import TASK_ANSWER_TYPES
 from housefly.tasks.api.questions import (
     BoardQuestion,
@@ -411,6 +411,80 @@ def test_a_step_that_breaks_ends_the_task_and_sends_the_drone_home(
     stage.stand(1.0, DroneStatus.FLYING)
     assert [order.kind for order in stage.new_orders()] == [OrderKind.HOME]
     assert (stage.task().state, stage.task().code) == (Stage.FAILED, ReasonCode.STEP_FAILED)
+
+
+def test_a_person_who_takes_off_before_a_task_begins_keeps_the_drone(stage: TaskStage) -> None:
+    stage.rehearsals.is_slow = True
+    stage.stand()
+    stage.ask(LOOK)
+    stage.stand()
+    by_hand = Order(OrderKind.TAKE_OFF, issued_at=stage.clock.now(), sender="kim")
+    stage.stand(1.0, DroneStatus.FLYING, Phase.HOLDING, (by_hand,))
+    assert (stage.task().state, stage.task().code) == (
+        Stage.CANCELLED,
+        ReasonCode.PERSON_TOOK_OVER,
+    )
+    assert stage.orders == []
+
+
+def test_after_a_person_landed_the_next_flight_asks_before_it_takes_off(stage: TaskStage) -> None:
+    stage.stand()
+    stage.ask(LOOK)
+    stage.stand()
+    stage.ask(RequestTask("look", {"subject": "sofa"}, by="ann"))
+    flown = Order(OrderKind.GO, sender="task 1: look")
+    stage.stand(2.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
+    stage.stand(1.0, DroneStatus.FLYING, Phase.LANDING, (Order(OrderKind.LAND, sender="kim"),))
+    assert stage.task(1).code is ReasonCode.PERSON_TOOK_OVER
+    stage.new_orders()
+    stage.stand(5.0)
+    assert stage.new_orders() == []
+    assert stage.task(2).state is Stage.WAITING
+
+
+@pytest.mark.parametrize("mode", [HouseMode.MAINTENANCE])
+def test_a_mode_in_which_no_task_flies_ends_what_waits_to_fly(
+    stage: TaskStage, mode: HouseMode
+) -> None:
+    stage.service.readiness = TakeOffReadiness(False, "the battery is empty")
+    stage.stand()
+    stage.ask(LOOK)
+    stage.ask(SetMode(mode, "kim"))
+    stage.service.readiness = TakeOffReadiness(True, "")
+    stage.stand(2.0)
+    assert stage.task().state is Stage.CANCELLED and stage.orders == []
+
+
+def test_a_second_click_is_no_second_flight(stage: TaskStage) -> None:
+    stage.rehearsals.is_slow = True
+    stage.stand()
+    first = stage.ask(LOOK).tasks[0]
+    stage.stand(0.5)
+    assert stage.ask(LOOK).tasks[0].id == first.id
+    assert len(stage.ask(BoardQuestion()).tasks) == 1
+
+
+def test_a_drone_that_a_called_off_task_left_in_the_air_is_sent_home(stage: TaskStage) -> None:
+    stage.stand()
+    stage.ask(LOOK)
+    stage.stand()
+    flown = Order(OrderKind.GO, sender="task 1: look")
+    stage.stand(1.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
+    stage.rehearsals.is_slow = True
+    stage.ask(RequestTask("look", {"subject": "tv"}, by="rule", priority=Priority.ALARM))
+    stage.stand(1.0, DroneStatus.FLYING, Phase.HOLDING)
+    assert stage.task(1).state is Stage.SUSPENDED
+    stage.new_orders()
+    stage.ask(CancelTask(0, "kim"))
+    stage.stand(1.0, DroneStatus.FLYING, Phase.HOLDING)
+    assert [order.kind for order in stage.new_orders()] == [OrderKind.HOME]
+
+
+def test_a_refused_answer_is_no_answer_in_the_memory(stage: TaskStage) -> None:
+    stage.stand()
+    stage.ask(LOOK)
+    assert refused(stage, ReplyToTask(1, "nonsense", "yes", "kim"))[0] == "bad_parameter"
+    assert stage.told("person answered") == []
 
 
 def test_who_wants_to_be_called_is_told_once(stage: TaskStage) -> None:

@@ -1,10 +1,19 @@
 from __future__ import annotations
 
-import pytest
+from queue import Queue
 
-from housefly.messages import OrderKind
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from housefly.bus.local import LocalBus
+from housefly.bus.topics import ORDER_TOPIC
+from housefly.clock import RealClock
+from housefly.messages import Order, OrderKind
+from housefly.tasks.execution.step_inbox import is_of_task
 from housefly.web.fake_room import example_room
 from housefly.web.orders import ORDER_WORDS, order_in_words, order_objection, to_order
+from housefly.web.pilot_link import PilotLink
 from housefly.web.protocol import OrderRequest
 
 ROOM = example_room()
@@ -55,3 +64,19 @@ def test_the_order_carries_who_asked_and_when() -> None:
         "Anna",
     )
     assert order_in_words(request) == "look at entrance and come back"
+
+
+@given(st.text(max_size=24))
+def test_no_name_makes_a_persons_order_one_of_a_task(name: str) -> None:
+    request = OrderRequest("order", 1, OrderKind.HOVER)
+    assert not is_of_task(to_order(request, name, 0.0))
+    assert not is_of_task(to_order(request, f"task {name}", 0.0))
+
+
+def test_no_name_makes_a_persons_stop_one_of_a_task() -> None:
+    bus, heard = LocalBus(), Queue[Order]()
+    bus.join().subscribe(ORDER_TOPIC, heard.put)
+    link = PilotLink(bus.join(), lambda: None, RealClock())
+    link.stop("task 12: look")
+    assert not is_of_task(heard.get(timeout=20.0))
+    link.close()

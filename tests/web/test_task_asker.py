@@ -26,13 +26,14 @@ _askers = st.builds(
 def test_whoever_may_not_fly_needs_a_yes_whatever_is_asked(
     asker: TaskAsker, confirm: Confirm, priority: Priority, surface: RequestSurface
 ) -> None:
-    asked = RequestTask("look", {}, "somebody else", surface, "", confirm, priority)
+    asked = RequestTask("look", {}, "somebody else", surface, "rule:bell", confirm, priority)
     told = filled_in(asked, asker)
     assert isinstance(told, RequestTask)
-    assert (told.by, told.surface) == (asker.name, asker.surface)
+    assert (told.by, told.surface, told.cause) == (asker.name, asker.surface, asker.cause)
     may_fly = asker.role.includes(Role.FLY) and asker.surface is not RequestSurface.ASSISTANT
     assert told.confirm is (confirm if may_fly else Confirm.ASK)
     assert may_fly or told.priority is not Priority.ALARM
     said = filled_in(Sentence("look", confirm=confirm), asker)
     assert isinstance(said, Sentence) and (may_fly or said.confirm is Confirm.ASK)
+    assert said.may_fly is may_fly
     assert set(OWN_SURFACES).isdisjoint({RequestSurface.CONSOLE, RequestSurface.RULE})

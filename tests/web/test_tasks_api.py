@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import asyncio
 import http.client
 import json
-from collections.abc import AsyncIterator, Callable
+import threading
+from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,13 +14,19 @@ from typing import Any
 import pytest
 import pytest_asyncio
 from stand_in_tasks import StandInTasks
+from starlette.applications import Starlette
+from starlette.requests import HTTPConnection
+from starlette.routing import Mount
 
+from housefly.bus.local import LocalBus
+from housefly.clock import RealClock
 from housefly.tasks.api.questions import BoardQuestion
 from housefly.tasks.api.values import ReasonCode, TaskStage
 from housefly.web.audit_log import AuditLog
 from housefly.web.roles import Role, role_for_path
-from housefly.web.session_auth import api_key
-from housefly.web.tasks_api import MAX_TASK_BODY
+from housefly.web.session import Session
+from housefly.web.session_auth import PROOF_HEADER, SessionAuth, api_key
+from housefly.web.tasks_api import MAX_TASK_BODY, TasksApi
 from housefly.web.tasks_endpoints import TASK_ENDPOINTS, status_of_reason
 from housefly.web.users import UserBook
 from housefly.web.webhook_key import webhook_key
@@ -91,8 +99,15 @@ async def test_a_request_becomes_a_task_of_the_one_who_asked(home: Home) -> None
 
 
 async def test_nobody_says_for_somebody_else_that_he_asked(home: Home) -> None:
-    for name, value in (("by", "user-admin"), ("surface", "rule"), ("ask", "mode")):
-        status, answer = await home.ask("POST", "/tasks", {"service": "look", name: value})
+    look, words = ("/tasks", {"service": "look"}), ("/sentence", {"text": "look at the door"})
+    for (path, body), name, value in (
+        (look, "by", "user-admin"),
+        (look, "surface", "rule"),
+        (look, "cause", "rule:bell"),
+        (look, "ask", "mode"),
+        (words, "may_fly", True),
+    ):
+        status, answer = await home.ask("POST", path, {**body, name: value})
         assert status == 422 and answer["error"].startswith(f"{name}: no such parameter")
     assert not home.tasks.tasks
 
@@ -195,16 +210,97 @@ async def test_nobody_is_answered_without_session_or_key(home: Home) -> None:
 
 
 async def test_a_program_with_the_key_says_what_it_is(home: Home) -> None:
-    body = {"service": "look", "by": "anna's shell", "surface": "command line"}
+    body = {"service": "look", "by": "anna's shell", "surface": "command line", "cause": "cron"}
     status, answer = await home.ask("POST", "/tasks", body, role=None, **KEY)
     (task,) = answer["tasks"]
     assert status == 200 and task["state"] == "queued"
-    assert (task["asked_by"], task["surface"]) == ("anna's shell", "command line")
+    told = (task["asked_by"], task["surface"], task["cause"])
+    assert told == ("anna's shell", "command line", "cron")
+    assert (await home.ask("POST", "/tasks", {**body, "cause": 3}, role=None, **KEY))[0] == 422
     status, answer = await home.ask("POST", "/tasks", {"service": "look"}, role=None, **KEY)
     assert (answer["tasks"][0]["asked_by"], answer["tasks"][0]["surface"]) == ("a program", "http")
     for surface in ("console", "rule", "webhook", 3):
         wrong = {"service": "look", "surface": surface}
         assert (await home.ask("POST", "/tasks", wrong, role=None, **KEY))[0] == 422
+
+
+@dataclass
+class Alone:
+    """The API without its server: something can happen before a body comes."""
+
+    book: UserBook
+    tasks: StandInTasks
+    auth: SessionAuth
+    api: TasksApi
+
+    async def post(self, path: str, body: bytes, before: Callable[[Session], object]) -> int:
+        """Return the status of a change by the user anna."""
+        user = self.book.find("anna")
+        assert user is not None
+        cookie = self.auth.log_in(user)
+        headers = {
+            "host": "here",
+            "origin": "http://here",
+            "cookie": f"housefly_default={cookie}",
+            PROOF_HEADER: self.auth.proof(cookie.partition(".")[0]),
+        }
+        scope = {
+            "type": "http",
+            "method": "POST",
+            "scheme": "http",
+            "server": ("here", 80),
+            "path": f"/api/v1{path}",
+            "query_string": b"",
+            "headers": [(key.encode(), value.encode()) for key, value in headers.items()],
+        }
+        sent: list[Any] = []
+
+        async def receive() -> Any:
+            session = self.auth.session_of(HTTPConnection(scope))
+            assert session is not None
+            before(session)
+            return {"type": "http.request", "body": body, "more_body": False}
+
+        async def send(message: Any) -> None:
+            sent.append(message)
+
+        await Starlette(routes=[Mount("/api/v1", routes=self.api.routes())])(scope, receive, send)
+        return int(sent[0]["status"])
+
+
+@pytest.fixture
+def alone(tmp_path: Path, cheap_passwords: None) -> Iterator[Alone]:
+    book, bus = UserBook(tmp_path / "users.json"), LocalBus()
+    book.put("anna", FLY, PASSWORD)
+    auth = SessionAuth("first", "secret", book)
+    api = TasksApi(bus.join(), auth, RealClock(), key="key")
+    yield Alone(book, StandInTasks(bus.join()), auth, api)
+    api.close()
+
+
+async def test_whose_session_ends_before_the_body_comes_asks_for_nothing(alone: Alone) -> None:
+    body = b'{"service": "look", "by": "somebody else"}'
+    assert await alone.post("/tasks", b'{"service": "look"}', lambda _: None) == 200
+    alone.tasks.asked.clear()
+    assert await alone.post("/tasks", body, alone.auth.log_out) == 401
+    watching = alone.post("/tasks", body, lambda _: alone.book.set_role("anna", WATCH))
+    assert await watching == 403
+    alone.book.set_role("anna", FLY)
+    assert await alone.post("/tasks", body, lambda _: alone.book.remove("anna")) == 401
+    assert not alone.tasks.asked
+
+
+async def test_who_may_only_ask_ends_his_own_task_while_all_else_is_busy(alone: Alone) -> None:
+    alone.book.set_role("anna", ASK)
+    assert await alone.post("/tasks", b'{"service": "look"}', lambda _: None) == 200
+    done = threading.Event()
+    for _ in range(4):
+        alone.api._threads.submit(done.wait, 20.0)
+    try:
+        async with asyncio.timeout(10.0):
+            assert await alone.post("/tasks/1/cancel", b"", lambda _: None) == 200
+    finally:
+        done.set()
 
 
 async def test_an_assistant_never_flies_without_a_yes(home: Home) -> None:

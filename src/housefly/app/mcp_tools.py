@@ -214,7 +214,9 @@ def add_task_tools(server: MCPServer, room: AssistantRoom, approvals: ApprovalBo
 
         A flight waits for a yes in the console.
         """
-        sentence = Sentence(text, language, ASSISTANT, RequestSurface.ASSISTANT, Confirm.ASK)
+        sentence = Sentence(
+            text, language, ASSISTANT, RequestSurface.ASSISTANT, Confirm.ASK, may_fly=False
+        )
         answer = room.ask_tasks(sentence)
         task = answer.task.id if answer.task is not None else None
         return marked_reply(answer, understood=answer.understood, task=task)

@@ -20,7 +20,7 @@ from housefly.app.room_now import RoomNow
 from housefly.app.task_flight import TaskFlight, TaskScript
 from housefly.app.task_lockstep import fly_task_lockstep
 from housefly.config.site import changed
-from housefly.errors import TaskError
+from housefly.errors import HouseflyError, TaskError
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.questions import Question
 from housefly.messages import Obstacle, ObstacleKind
@@ -102,6 +102,8 @@ class RehearsedSite:
             report = self._checked(task, now, ask) or self._flown(task, now, ask, began + limit)
         except TaskError as error:
             report = RehearsalReport(False, ReasonCode(error.code), str(error))
+        except HouseflyError as error:
+            report = RehearsalReport(False, ReasonCode.STEP_FAILED, str(error))
         except RehearsalTimeout:
             report = RehearsalReport(
                 False,

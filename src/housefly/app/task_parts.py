@@ -73,7 +73,7 @@ def task_service(
     actions = TaskActions(outlet, clips, site.tracking.body)
     runs = TaskRuns(room, rehearsals, actions, inbox)
     limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
-    engine = TaskEngine(store, limits, runs, actions)
+    engine = TaskEngine(store, limits, runs, actions, inbox)
 
     def ask(question: Question) -> object:
         return room.ask(question, _ASKING_PATIENCE)

@@ -10,6 +10,9 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Estimate, Sighting, Telemetry
 from housefly.messages.steering import Behavior, Command, Path, Reference, SafetyMode
 
+TASK_SENDER = "task "
+"""How the sender of a task's order begins; no person's does."""
+
 
 class OrderKind(Enum):
     """What people and tasks may ask of the pilot."""

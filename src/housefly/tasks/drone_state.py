@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 from housefly.messages import DroneStatus, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
 from housefly.tasks.scheduler.values import DroneAvailability
-from housefly.tasks.task_runs import SILENT_TIME
 
 
 @dataclass(frozen=True, slots=True)

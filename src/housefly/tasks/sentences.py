@@ -11,7 +11,13 @@ from typing import Any
 from housefly.errors import HouseflyError
 from housefly.messages import OrderKind
 from housefly.tasks.api.answers import SentenceAnswer
-from housefly.tasks.api.questions import Sentence, SetMode, TaskQuestion
+from housefly.tasks.api.questions import (
+    BoardQuestion,
+    CancelTask,
+    Sentence,
+    SetMode,
+    TaskQuestion,
+)
 from housefly.tasks.api.values import RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.intents.answer_tasks import words_of_answer
@@ -21,6 +27,7 @@ from housefly.tasks.intents.intent_reply import IntentReply, Notice, TaskAct
 from housefly.tasks.intents.names import Names, names_of
 from housefly.tasks.intents.not_understood import NotUnderstood
 from housefly.tasks.intents.recognizer import recognize
+from housefly.tasks.person_sender import person_sender
 
 _NAMES_AGE = 5.0
 """Names of the room are asked for again after this [s]."""
@@ -28,6 +35,8 @@ _PEOPLE = frozenset({RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, Reques
 """Where people ask."""
 _ALWAYS = frozenset({OrderKind.STOP})
 """Orders that a sentence gives even where it may start nothing."""
+_SAFER = frozenset({OrderKind.STOP, OrderKind.LAND})
+"""Orders of people who may not fly."""
 
 
 class SentenceEffects:
@@ -91,8 +100,10 @@ class Sentences:
     ) -> SentenceAnswer:
         by = sentence.by or sentence.surface.value
         is_person = sentence.surface in _PEOPLE
+        if not sentence.may_fly and sentence.fly and _needs_who_may_fly(reply):
+            return self._ended_own(answer, reply, sentence.by)
         if reply.order is not None and (reply.order in _ALWAYS or (sentence.fly and is_person)):
-            self._do.order(reply.order, by)
+            self._do.order(reply.order, person_sender(by))
         if not sentence.fly:
             return answer
         if reply.request is not None:
@@ -115,6 +126,14 @@ class Sentences:
             return replace(answer, words=words)
         return answer
 
+    def _ended_own(self, answer: SentenceAnswer, reply: IntentReply, by: str) -> SentenceAnswer:
+        """Let somebody who may not fly end a task that he asked for, and nothing else."""
+        tasks = self._do.ask(BoardQuestion()).tasks if reply.act is TaskAct.CANCEL and by else ()
+        own = next((task.id for task in tasks if task.asked_by == by), None)
+        if own is None:
+            return replace(answer, words=_ONLY_WHO_MAY_FLY)
+        return replace(answer, task=self._do.ask(CancelTask(own, by)).tasks[0])
+
     def _names_now(self) -> Names:
         """Return the names of the room; old ones where nobody answers."""
         with self._lock:
@@ -129,6 +148,13 @@ class Sentences:
 
 _NO_TASK = "no task is open"
 _ONLY_PEOPLE = "only a person may do that"
+_ONLY_WHO_MAY_FLY = "ask somebody who may fly, or press cancel at your own task"
+
+
+def _needs_who_may_fly(reply: IntentReply) -> bool:
+    """Return whether a reply acts on what flies, or on the house."""
+    orders = reply.order is not None and reply.order not in _SAFER
+    return orders or reply.act is not None or isinstance(reply.question, SetMode)
 
 
 def _of(request: TaskRequest, sentence: Sentence) -> TaskRequest:

@@ -8,12 +8,14 @@ from typing import Any
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
+from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ParameterValue, PersonQuestion
 from housefly.tasks.evidence.clip_news import ClipOrigin, ClipOutcome
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import task_sender
 from housefly.tasks.execution.values import (
     AskPerson,
+    CloseQuestion,
     GiveOrder,
     PublishMqtt,
     Report,
@@ -44,13 +46,15 @@ class TaskActions:
 
     def __init__(self, outlet: TaskOutlet, clips: ClipRecorder, drone: str) -> None:
         self._outlet, self._clips, self._drone = outlet, clips, drone
+        self._films = 0  # id of the task whose clip is recorded
         self._by: dict[type[TaskAction], Callable[[_Doing, Any], None]] = {
             GiveOrder: self._order,
             StartClip: self._start_clip,
-            StopClip: lambda doing, _: self._clips.stop(),
+            StopClip: lambda doing, _: self._stop_clip(doing.task.id),
             TakeSnapshot: self._snapshot,
             Say: self._say,
             AskPerson: self._ask,
+            CloseQuestion: self._close_question,
             PublishMqtt: lambda _, wanted: self._outlet.publish_mqtt(wanted.topic, wanted.payload),
             Report: self._report,
         }
@@ -102,11 +106,26 @@ class TaskActions:
             self._outlet.tell(event)
         return info.task
 
+    def send_home(self, now: float) -> None:
+        """Send home a drone that no task flies any more; ``now`` stamps the order [s]."""
+        self._outlet.order(Order(OrderKind.HOME, issued_at=now, sender=task_sender(0, "home")))
+
+    def end_clip(self, number: int) -> None:
+        """End the clip of a task that ends, however it ended."""
+        if number == self._films:
+            self._stop_clip(number)
+
+    def _stop_clip(self, number: int) -> None:
+        if number == self._films:
+            self._films = 0
+            self._clips.stop()
+
     def _order(self, doing: _Doing, wanted: GiveOrder) -> None:
         sender = task_sender(doing.task.id, doing.task.request.service)
         self._outlet.order(replace(wanted.order, issued_at=doing.now, sender=sender))
 
     def _start_clip(self, doing: _Doing, wanted: StartClip) -> None:
+        self._films = doing.task.id
         doing.keep(lambda: self._clips.start(wanted, doing.origin))
 
     def _snapshot(self, doing: _Doing, wanted: TakeSnapshot) -> None:
@@ -121,6 +140,11 @@ class TaskActions:
         question = PersonQuestion(wanted.id, wanted.words, wanted.choices, until, wanted.otherwise)
         doing.record.question = question
         self.tell("person asked", doing.task, doing.unix, words=wanted.words)
+
+    def _close_question(self, doing: _Doing, wanted: CloseQuestion) -> None:
+        question = doing.record.question
+        if question is not None and question.id == wanted.id:
+            doing.record.question = None
 
     def _report(self, doing: _Doing, wanted: Report) -> None:
         doing.report(wanted.words)

@@ -11,20 +11,25 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from housefly.errors import StoreError, TaskError
-from housefly.messages import Order, OrderKind
+from housefly.messages import Order, OrderKind, Phase
 from housefly.tasks.api.values import (
+    ENDED,
+    HouseMode,
     ReasonCode,
     RehearsalReport,
+    RequestSurface,
     TaskRequest,
     TaskStage,
     TaskStatus,
 )
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.values import GiveOrder, PersonReply
+from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.scheduler.board import board_order, waiting_words
 from housefly.tasks.scheduler.scheduler import Scheduler
 from housefly.tasks.scheduler.task_store import KeptTask, TaskStore
-from housefly.tasks.scheduler.transitions import ACTIVE
+from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
 from housefly.tasks.scheduler.values import (
     CONFIRM,
     Decision,
@@ -43,6 +48,12 @@ from housefly.tasks.task_runs import TaskRuns
 
 _log = logging.getLogger(__name__)
 
+_LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
+"""Phases from which nobody would bring a drone home for a long time."""
+_HOME_REPEAT = 3.0
+"""A drone that was left in the air is sent home again after this [s]."""
+_CLICK_TIME = 5.0
+"""The same wish of the same asker within this is one wish [s]."""
 _ENDED_SHOWN = 20
 """So many ended tasks are on the board."""
 
@@ -58,14 +69,23 @@ class TaskEngine:
         limits: of the queue.
         runs: of the open tasks.
         actions: does and tells.
+        inbox: the pilot's steps.
     """
 
     def __init__(
-        self, store: TaskStore, limits: SchedulerLimits, runs: TaskRuns, actions: TaskActions
+        self,
+        store: TaskStore,
+        limits: SchedulerLimits,
+        runs: TaskRuns,
+        actions: TaskActions,
+        inbox: StepInbox,
     ) -> None:
         self.problem = ""
+        self._sent_home_at = float("-inf")
+        self._unsaved: dict[int, KeptTask] = {}
         self._drone = DroneAvailability(False, "the tasks have just begun")
         self._store, self._runs, self._actions = store, runs, actions
+        self._inbox = inbox
         self._scheduler = store.load(limits)
         self._ended: deque[TaskStatus] = deque(store.newest_ended(_ENDED_SHOWN), _ENDED_SHOWN)
 
@@ -78,7 +98,13 @@ class TaskEngine:
         """
         for task in self._scheduler.tasks:
             try:
-                self._runs.add(task.id, bind(task.request))
+                bound = bind(task.request)
+                if scheduling_traits(bound) != task.traits:
+                    raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
+                record = self._runs.add(task.id, bound)
+                if (before := self._store.status(task.id)) is not None:
+                    record.clips, record.report = list(before.clips), list(before.report)
+                    record.steps = before.steps
             except TaskError as error:
                 report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
                 self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
@@ -106,6 +132,8 @@ class TaskEngine:
             task: what it is bound to.
             unix: Unix time [s].
         """
+        if (same := self._asked_just_now(request, unix)) is not None:
+            return self.status(same.id)
         outcome = self._scheduler.requested(request, scheduling_traits(task), unix)
         told = [
             one.task
@@ -119,20 +147,31 @@ class TaskEngine:
         self._take(outcome, unix)
         return self.status(told[0].id)
 
+    def _asked_just_now(self, request: TaskRequest, unix: float) -> ScheduledTask | None:
+        """Return the same running task of the same asker: a second click wants no second flight."""
+        wanted = (request.service, request.parameters, request.asked_by)
+        for task in self._scheduler.tasks:
+            given = (task.request.service, task.request.parameters, task.request.asked_by)
+            is_new = 0.0 <= unix - task.asked_at <= _CLICK_TIME
+            if task.state is QueueState.RUNNING and is_new and given == wanted:
+                return task
+        return None
+
     def reply(self, number: int, question: str, choice: str, by: str, unix: float) -> TaskStatus:
         """Answer a question of a task; raises TaskError when there is none, or not this answer."""
         record, task = self._runs.record(number), self._scheduler.task(number)
-        self._actions.tell("person answered", task, unix, words=choice, by=by)
         asked = record.question if record is not None and question != CONFIRM else None
         if asked is None or record is None:
             if question != CONFIRM:
                 raise _bad(f"task {number} does not ask {question!r} now")
             self._take(self._scheduler.replied(number, choice, by, unix), unix)
+            self._actions.tell("person answered", task, unix, words=choice, by=by)
             return self.status(number)
         if asked.id != question or choice not in asked.choices:
             raise _bad(f"{choice!r} is no answer to {asked.words!r}: {' or '.join(asked.choices)}")
         record.question = None
         record.replies.append(PersonReply(question, choice, by))
+        self._actions.tell("person answered", task, unix, words=choice, by=by)
         return self.status(number)
 
     def cancel(self, number: int, by: str, unix: float) -> tuple[TaskStatus, ...]:
@@ -160,10 +199,65 @@ class TaskEngine:
             unix: the same moment as Unix time [s].
         """
         self._drone = drone
+        if self._unsaved:
+            self._keep([])
         for number, report in tuple(self._runs.rehearsed(unix)):
             self._take(self._scheduler.rehearsed(number, report, unix), unix)
-        reports = self._runs.step(self._scheduler.tasks, now, unix)
+        reports = self._runs.step(self._scheduler.tasks, drone, now, unix)
+        if self._runs.person_ordered:
+            self._take(self._scheduler.taken_over(unix), unix)
+        self._give_up_drone(reports)
         self._take(self._scheduler.ticked(unix, reports, drone), unix)
+        self._bring_home(now)
+
+    def _give_up_drone(self, reports: tuple[RunReport, ...]) -> None:
+        """After a flight that ended in the air the pilot has the drone, and no other task."""
+        for report in reports:
+            record = self._runs.record(report.id)
+            has_run = record is not None and record.run is not None and record.task.flies
+            if report.stage in ENDED and has_run:
+                self._inbox.give_up()
+
+    def _bring_home(self, now: float) -> None:
+        """Send home a drone that a task left in the air, as when the next one was called off."""
+        has_pilot = any(
+            task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks
+        )
+        is_left = self._inbox.is_airborne and self._inbox.is_flown_by_task and not has_pilot
+        step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
+        if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
+            self._sent_home_at = now
+            self._actions.send_home(now)
+
+    def change_mode(self, mode: HouseMode, unix: float) -> None:
+        """End the flights that may not be asked for in the new mode of the house.
+
+        Args:
+            mode: of the house.
+            unix: Unix time [s].
+        """
+        for task in self._scheduler.tasks:
+            request = task.request
+            permit = launch_permit(
+                mode,
+                request.surface,
+                confirm=request.confirm,
+                priority=request.priority,
+                names_mode=request.surface is RequestSurface.RULE,
+                flies=task.traits.flies,
+            )
+            if not permit.is_given:
+                by = f"mode {mode.value} of the house"
+                self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+
+    @property
+    def foremost(self) -> int | None:
+        """The task that people mean when they name none: what flies, or flies next, or is open."""
+        tasks = sorted(
+            board_order(self._scheduler),
+            key=lambda task: (not task.traits.flies, task.state not in ACTIVE),
+        )
+        return tasks[0].id if tasks else None
 
     def close(self, words: str, is_airborne: bool, now: float, unix: float) -> None:
         """End what runs, because the program ends; what flies is sent home.
@@ -177,7 +271,8 @@ class TaskEngine:
         active = [task for task in self._scheduler.tasks if task.state in ACTIVE]
         for task in active:
             record = self._runs.record(task.id)
-            if record is not None and task.traits.flies and is_airborne:
+            has_run = record is not None and record.run is not None
+            if has_run and record is not None and task.traits.flies and is_airborne:
                 home = (GiveOrder(Order(OrderKind.HOME)),)
                 self._actions.perform(task, record, home, now, unix)
         reports = [
@@ -190,6 +285,10 @@ class TaskEngine:
         record = self._runs.record(number)
         if record is not None and clip not in record.clips:
             record.clips.append(clip)
+
+    def drop_clip(self, clip: str, words: str) -> None:
+        """Forget a clip or snapshot that could not be kept, and report why."""
+        self._runs.drop_clip(clip, words)
 
     def status(self, number: int) -> TaskStatus:
         """Return a task, open or ended lately; raises TaskError."""
@@ -222,9 +321,11 @@ class TaskEngine:
 
     def _keep(self, tasks: list[KeptTask]) -> None:
         """Keep tasks; a disk that refuses ends no flight, it is told in the log."""
+        # What a full disk refused is kept with the next change, or as soon as there is room.
+        self._unsaved |= {kept.task.id: kept for kept in tasks}
         try:
-            self._store.save(tasks)
-            self.problem = ""
+            self._store.save(list(self._unsaved.values()))
+            self.problem, self._unsaved = "", {}
         except StoreError as error:
             if str(error) != self.problem:
                 _log.error("the queue is not kept: %s", error)
@@ -245,6 +346,7 @@ class TaskEngine:
 
     def _end(self, task: ScheduledTask, status: TaskStatus, unix: float) -> None:
         self._runs.remove(task.id)
+        self._actions.end_clip(task.id)
         self._ended.appendleft(status)
         outcome = status.state.value
         self._actions.tell("task ended", task, unix, outcome=outcome, words=status.words)

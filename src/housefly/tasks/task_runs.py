@@ -10,7 +10,7 @@ from typing import Any
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ENDED, ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import GiveOrder, TaskInputs
@@ -19,6 +19,7 @@ from housefly.tasks.scheduler.values import (
     CancelRun,
     ContinueRun,
     Decision,
+    DroneAvailability,
     PauseRun,
     PreemptTask,
     ResumeTask,
@@ -32,14 +33,17 @@ from housefly.tasks.task_rehearsals import TaskRehearsals
 
 _log = logging.getLogger(__name__)
 
-SILENT_TIME = 1.0
-"""A pilot silent for longer [s] gets no orders: what is known of the flight is old."""
+READY_TIME = 60.0
+"""A drone that is not ready so long after its task's turn ends the task [s]."""
 LOST_TIME = 3.0
 """A pilot silent for longer [s] ends the task: by then the drone hovers or lands by itself."""
 
 
 class TaskRuns:
     """The records of the open tasks, and their runs; not thread-safe.
+
+    Attributes:
+        person_ordered: whether a person ordered the drone since the step before the last.
 
     Args:
         room: what runs may ask.
@@ -60,10 +64,11 @@ class TaskRuns:
         self._records: dict[int, TaskRecord] = {}
         self._pilot = inbox.run
         self._steps = -1
+        self.person_ordered = False
         self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
             StartTask: _start,
             PreemptTask: _preempt,
-            ResumeTask: lambda record, _: _resume(record),
+            ResumeTask: lambda record, _: self._resume_task(record),
             CancelRun: _cancel,
             PauseRun: lambda record, _: _pause(record),
             ContinueRun: lambda record, _: _resume(record),
@@ -84,6 +89,13 @@ class TaskRuns:
         """Drop a task and its run without another step; return its record."""
         return self._records.pop(number, None)
 
+    def drop_clip(self, clip: str, words: str) -> None:
+        """Forget a clip that could not be kept, and say so in the report of its task."""
+        for record in self._records.values():
+            if clip in record.clips:
+                record.clips.remove(clip)
+                record.report.append(words)
+
     def decide(self, decision: Decision) -> None:
         """Do what the scheduler decided about a run; other decisions are not for here."""
         act = self._decided.get(type(decision))
@@ -99,33 +111,47 @@ class TaskRuns:
                 yield number, report
 
     def step(
-        self, tasks: Iterable[ScheduledTask], now: float, unix: float
+        self, tasks: Iterable[ScheduledTask], drone: DroneAvailability, now: float, unix: float
     ) -> tuple[RunReport, ...]:
         """Step every active run once, as far as the pilot's news are fresh; return how far it is.
 
         Args:
             tasks: of the queue.
+            drone: whether it may be ordered now.
             now: the pilot's clock [s].
             unix: the same moment as Unix time [s].
         """
-        inputs, age = self._inbox.drain(now, unix), self._inbox.age(now)
+        age = self._inbox.age(now)
         is_fresh = self._inbox.steps != self._steps and age <= SILENT_TIME
+        inputs = self._inbox.drain(now, unix, keep=not is_fresh)
         lost = self._lost(age)
         self._steps, self._pilot = self._inbox.steps, self._inbox.run
+        self.person_ordered = bool(inputs.orders)
         reports = []
         for task in tasks:
             record = self._records.get(task.id)
             if record is None or task.state not in ACTIVE:
                 continue
-            if record.run is None:
-                if task.state is QueueState.RUNNING:  # not while it is paused
-                    self._begin(task, record, unix)
+            if record.run is None or record.resumes:
+                if task.traits.flies and self.person_ordered:
+                    words = "a person ordered the drone before it began"
+                    record.abandon(ReasonCode.PERSON_TOOK_OVER, words, TaskStage.CANCELLED)
+                elif task.state is QueueState.RUNNING:  # not while it is paused
+                    self._begin(task, record, drone, unix)
             elif task.traits.flies and lost:
                 record.abandon(ReasonCode.NOT_READY, lost)
             elif is_fresh or not task.traits.flies:
                 self._step_one(task, record, inputs)
             reports.append(_report_of(task.id, record))
         return tuple(reports)
+
+    def _resume_task(self, record: TaskRecord) -> None:
+        """Go on with a run that was set aside; from the ground only after another rehearsal."""
+        if self._inbox.is_airborne or not record.task.flies:
+            _resume(record)
+        else:
+            record.resumes = True
+            self._rehearsals.begin(record)
 
     def _lost(self, age: float) -> str:
         """Return why a flight can no longer be followed, or ""."""
@@ -135,7 +161,9 @@ class TaskRuns:
             return "the pilot does not answer; the drone lands by itself"
         return ""
 
-    def _begin(self, task: ScheduledTask, record: TaskRecord, unix: float) -> None:
+    def _begin(
+        self, task: ScheduledTask, record: TaskRecord, drone: DroneAvailability, unix: float
+    ) -> None:
         """Begin a run as soon as its rehearsal is fresh and says that it may fly."""
         if record.ending is not None:
             return
@@ -145,6 +173,14 @@ class TaskRuns:
         report = task.rehearsal if task.traits.flies else None
         if report is not None and not report.may_fly:
             record.abandon(report.code, report.words, TaskStage.REFUSED)
+            return
+        if task.traits.flies and not drone.is_ready:
+            if task.started_at is not None and unix - task.started_at > READY_TIME:
+                record.abandon(ReasonCode.NOT_READY, drone.words)
+            return
+        if record.run is not None:
+            record.resumes = False
+            record.run.resume()
             return
         record.run = TaskRun(record.task, self._room)
         self._actions.tell("task started", task, unix, title=task.traits.title)
@@ -159,7 +195,8 @@ class TaskRuns:
             _log.exception("task %d failed", task.id)
             words = f"a step failed inside ({type(error).__name__}); the log says why"
             record.abandon(ReasonCode.STEP_FAILED, words)
-            actions = (GiveOrder(Order(OrderKind.HOME)),) if self._inbox.is_airborne else ()
+            is_up = task.traits.flies and self._inbox.is_airborne
+            actions = (GiveOrder(Order(OrderKind.HOME)),) if is_up else ()
         record.steps = run.steps
         self._actions.perform(task, record, actions, inputs.now, inputs.unix)
 
@@ -175,7 +212,7 @@ def _report_of(number: int, record: TaskRecord) -> RunReport:
 
 
 def _start(record: TaskRecord, _: StartTask) -> None:
-    record.run, record.ending = None, None
+    record.run, record.ending, record.resumes = None, None, False
 
 
 def _preempt(record: TaskRecord, decision: PreemptTask) -> None:

@@ -52,6 +52,7 @@ from housefly.tasks.api.values import TaskRequest, TaskStatus
 from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.task_document import BoundTask, TaskDocument
 from housefly.tasks.drone_state import TakeOffReadiness, drone_availability, drone_words
+from housefly.tasks.evidence.clip_news import ClipOutcome
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.intents.intent_reply import TaskAct
@@ -170,7 +171,12 @@ class TaskService:
         drone = drone_availability(parts.inbox, self.readiness, now)
         with self.desk.lock:
             parts.engine.tick(drone, now, unix)
-            for news in parts.clips.tick(now, unix, parts.inbox.status, parts.rules.mode):
+            for news in parts.clips.tick(
+                now, unix, parts.inbox.fresh_status(now), parts.rules.mode
+            ):
+                if news.outcome is not ClipOutcome.WHOLE:
+                    parts.engine.drop_clip(news.clip, news.words)
+                    continue
                 task = parts.actions.tell_clip(news.clip, news.outcome, unix)
                 parts.engine.keep_clip(task, news.clip)
 
@@ -263,6 +269,8 @@ class TaskService:
 
     def _set_mode(self, question: SetMode) -> ModeAnswer:
         change = self._parts.rules.set_mode(question.mode, question.by, self._wall())
+        with self.desk.lock:
+            self._parts.engine.change_mode(question.mode, self._wall())
         if change.event is not None:
             self._parts.outlet.tell(change.event)
         return change.answer
@@ -286,14 +294,14 @@ class TaskService:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""
         with self.desk.lock:
             engine = self._parts.engine
-            task = next(iter(engine.open), None)
+            task = engine.foremost
             if task is None:
                 return None
             unix = self._wall()
             match act:
                 case TaskAct.CANCEL:
-                    return engine.cancel(task.id, by, unix)[0]
+                    return engine.cancel(task, by, unix)[0]
                 case TaskAct.PAUSE:
-                    return engine.pause(task.id, by, unix)
+                    return engine.pause(task, by, unix)
                 case TaskAct.CONTINUE:
-                    return engine.proceed(task.id, by, unix)
+                    return engine.proceed(task, by, unix)

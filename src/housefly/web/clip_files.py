@@ -1,11 +1,14 @@
 """Clips and snapshots over HTTP: ``/api/v1/clips/{id}``, in parts as players ask for them.
 
-Whoever begins to watch one is written down, in the clips' own book and in the audit log.
+Whoever watches one is written down, in the clips' own book and in the audit log: the first
+request of a session for a clip, whatever part it asks for, and then again after ten minutes.
 """
 
 from __future__ import annotations
 
 import asyncio
+import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol
@@ -21,6 +24,8 @@ from housefly.web.bearer import bears
 from housefly.web.session_auth import SessionAuth
 from housefly.web.tasks_api import task_refusal
 
+_WATCH_PERIOD = 600.0
+"""Requests of one session for one clip within it are one watching [s]."""
 _TYPES = {".mp4": "video/mp4", ".jpg": "image/jpeg"}
 
 
@@ -49,6 +54,7 @@ class ClipFiles:
         key: the bearer token of programs; "" lets none in.
         name_of: the name that others see for a session's owner.
         audit: where it is written down who watched.
+        clock: monotonic [s].
     """
 
     def __init__(
@@ -58,9 +64,12 @@ class ClipFiles:
         key: str,
         name_of: Callable[[str], str],
         audit: AuditLog | None = None,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._index, self._auth, self._key = index, auth, key
-        self._name_of, self._audit = name_of, audit
+        self._name_of, self._audit, self._clock = name_of, audit, clock
+        self._lock = threading.Lock()
+        self._written: dict[tuple[str, ...], float] = {}
 
     def routes(self) -> list[Route]:
         """Return the route, relative to ``API_PREFIX``."""
@@ -72,15 +81,19 @@ class ClipFiles:
         name, session = who
         clip = str(request.path_params["clip"])
         downloads = "download" in request.query_params
+        shows = request.method == "GET"
         try:
-            file = await asyncio.to_thread(self._file, clip, name, _begins(request), downloads)
+            file = await asyncio.to_thread(self._file, clip)
+            begins = shows and await asyncio.to_thread(
+                self._write_down, clip, name, session, "exported" if downloads else "watched"
+            )
         except TaskError as error:
             return task_refusal(404, str(error))
         except HouseflyError as error:
             return task_refusal(503, str(error), ReasonCode.NOT_READY)
         if not file.is_file():
             return task_refusal(404, f"the file of the clip {clip!r} is gone")
-        if self._audit is not None and _begins(request):
+        if self._audit is not None and begins:
             did = "downloaded" if downloads else "watched"
             self._audit.record(name, session, f"{did} the clip {clip}")
         return FileResponse(
@@ -90,13 +103,24 @@ class ClipFiles:
             headers={"cache-control": "no-store"},
         )
 
-    def _file(self, clip: str, who: str, begins: bool, downloads: bool) -> Path:
-        """Return a clip's file and write down who sees it; raises TaskError, StoreError."""
+    def _file(self, clip: str) -> Path:
+        """Return a clip's file; raises TaskError, StoreError."""
         if self._index is None:
             raise TaskError("no clips are kept here", ReasonCode.BAD_PARAMETER.value)
-        if begins:
-            self._index.watched(clip, who, "exported" if downloads else "watched")
         return self._index.file(clip)
+
+    def _write_down(self, clip: str, who: str, session: str, what: str) -> bool:
+        """Write down who sees a clip, unless that was done lately; raises TaskError, StoreError."""
+        key, now = (clip, who, session, what), self._clock()
+        with self._lock:
+            self._written = {
+                one: at for one, at in self._written.items() if now - at < _WATCH_PERIOD
+            }
+            if self._index is None or key in self._written:
+                return False
+            self._index.watched(clip, who, what)
+            self._written[key] = now
+        return True
 
     def _who(self, request: Request) -> tuple[str, str] | None:
         """Return who asks, and the name of their session, or None for nobody."""
@@ -105,9 +129,3 @@ class ClipFiles:
         if (session := self._auth.session_of(request)) is None:
             return None
         return session.user or self._name_of(session.owner), session.name
-
-
-def _begins(request: Request) -> bool:
-    """Return whether a request is for the first part; players then ask for the others."""
-    wanted = request.headers.get("range", "").replace(" ", "")
-    return request.method == "GET" and (not wanted or wanted.startswith("bytes=0-"))

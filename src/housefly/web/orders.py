@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.hub.api.pilot_queries import RoomView
 from housefly.messages import Order, OrderKind
+from housefly.tasks.person_sender import person_sender
 from housefly.web.protocol import OrderRequest
 
 ORDERS_WITHOUT_CONTROL = frozenset({OrderKind.STOP, OrderKind.LAND})
@@ -46,7 +47,8 @@ def order_objection(request: OrderRequest, room: RoomView | None) -> str:
 def to_order(request: OrderRequest, sender: str, now: float) -> Order:
     """Return the order that goes on the bus."""
     place, goal, look_s = request.place, request.goal, request.look_s
-    return Order(request.order, place, goal, look_s=look_s, issued_at=now, sender=sender)
+    by = person_sender(sender)
+    return Order(request.order, place, goal, look_s=look_s, issued_at=now, sender=by)
 
 
 def order_in_words(request: OrderRequest) -> str:

@@ -14,6 +14,7 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
 from housefly.messages import Order, OrderKind, PlanAnswer
+from housefly.tasks.person_sender import person_sender
 
 _LOG = logging.getLogger(__name__)
 
@@ -40,7 +41,8 @@ class PilotLink:
         except (OSError, HouseflyError):
             _LOG.exception("the STOP path failed; STOP goes over the bus alone")
         if self._stopping is None or self._stopping.done():  # a key held down fills no queue
-            order = Order(OrderKind.STOP, issued_at=self._clock.now(), sender=sender)
+            by = person_sender(sender)
+            order = Order(OrderKind.STOP, issued_at=self._clock.now(), sender=by)
             self._stopping = self._orders.submit(self._publish, order)
 
     def send(self, order: Order) -> asyncio.Future[str]:

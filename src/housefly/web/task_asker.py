@@ -9,7 +9,7 @@ from housefly.tasks.api.questions import RequestTask, Sentence, TaskQuestion
 from housefly.tasks.api.values import Confirm, Priority, RequestSurface
 from housefly.web.roles import Role
 
-FILLED_IN = ("by", "surface")
+FILLED_IN = ("by", "surface", "cause", "may_fly")
 """What a browser never says itself."""
 OWN_SURFACES = (RequestSurface.HTTP, RequestSurface.COMMAND_LINE, RequestSurface.ASSISTANT)
 """What a program with the key of the run may say that it is; without a word it is the first."""
@@ -26,6 +26,7 @@ class TaskAsker:
         surface: where they ask.
         session: name of their session, for the audit log; "" for a program.
         counted_as: whose requests are counted together.
+        cause: what made them ask, where a program says so.
     """
 
     name: str
@@ -33,6 +34,7 @@ class TaskAsker:
     surface: RequestSurface
     session: str
     counted_as: str
+    cause: str = ""
 
 
 def program_asking(given: dict[str, Any]) -> TaskAsker:
@@ -42,17 +44,24 @@ def program_asking(given: dict[str, Any]) -> TaskAsker:
         ValueError: it says what no program is.
     """
     name, surface = given.pop("by", ""), given.pop("surface", OWN_SURFACES[0].value)
-    if not isinstance(name, str) or len(name) > MAX_NAME or not (name.isprintable() or not name):
-        raise ValueError(f"by: who asks, as text of up to {MAX_NAME} letters")
+    cause = given.pop("cause", "")
+    for field, what, text in (("by", "who asks", name), ("cause", "what made it ask", cause)):
+        if not isinstance(text, str) or len(text) > MAX_NAME or not text.isprintable():
+            raise ValueError(f"{field}: {what}, as text of up to {MAX_NAME} letters")
     own = {one.value: one for one in OWN_SURFACES}
     if surface not in own:
         raise ValueError(f"surface: one of {', '.join(own)}")
-    return TaskAsker(name or "a program", Role.ADMIN, own[surface], "", "")
+    return TaskAsker(name or "a program", Role.ADMIN, own[surface], "", "", cause)
 
 
 def filled_in(question: TaskQuestion, asker: TaskAsker) -> TaskQuestion:
     """Return a question with who asks; whoever may not fly, and every assistant, needs a yes."""
-    known: dict[str, Any] = {"by": asker.name, "surface": asker.surface}
+    known: dict[str, Any] = {
+        "by": asker.name,
+        "surface": asker.surface,
+        "cause": asker.cause,
+        "may_fly": not needs_a_yes(asker),
+    }
     fields = {name: value for name, value in known.items() if hasattr(question, name)}
     told = replace(question, **fields) if fields else question
     if isinstance(told, RequestTask | Sentence) and needs_a_yes(asker):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Executor, ThreadPoolExecutor
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
@@ -36,7 +36,7 @@ from housefly.web.audit_log import AuditLog
 from housefly.web.bearer import bears
 from housefly.web.request_bodies import bounded_body, json_object
 from housefly.web.responses import json_response
-from housefly.web.roles import Role
+from housefly.web.roles import Role, role_for_path, role_objection
 from housefly.web.session_auth import SessionAuth
 from housefly.web.task_asker import FILLED_IN, TaskAsker, filled_in, program_asking
 from housefly.web.task_limits import TaskLimits
@@ -102,6 +102,10 @@ class TasksApi:
             try:
                 given = json_object(body) if endpoint.method == "POST" else _query(request)
                 asker = self._asker(request, endpoint, given)
+                if asker is None:  # the session ended before the body came
+                    return self._who_are_you(request, endpoint)
+                if objection := _objection(request, endpoint, asker):
+                    return task_refusal(403, objection, ReasonCode.NOT_ALLOWED)
                 question = filled_in(_question(reader, request, given), asker)
             except ValidationError as error:
                 return task_refusal(422, _first_fault(error))
@@ -137,8 +141,9 @@ class TasksApi:
             return JSONResponse(tree, status_of_reason(str(tree.get("code", ""))))
         return json_response(text)
 
-    async def _text(self, question: TaskQuestion) -> str:
-        threads = self._safer_threads if isinstance(question, _SAFER) else self._threads
+    async def _text(self, question: TaskQuestion, threads: Executor | None = None) -> str:
+        if threads is None:
+            threads = self._safer_threads if isinstance(question, _SAFER) else self._threads
         return await asyncio.get_running_loop().run_in_executor(
             threads, self._bus.ask, TASKS_QUERY, task_question_to_json(question), ANSWER_TIMEOUT
         )
@@ -148,7 +153,7 @@ class TasksApi:
         if asker.role.includes(Role.FLY):
             return True
         try:
-            board = json.loads(await self._text(BoardQuestion()))
+            board = json.loads(await self._text(BoardQuestion(), self._safer_threads))
         except (HouseflyError, ValueError):
             return False
         return any(
@@ -173,12 +178,17 @@ class TasksApi:
         headers = {"www-authenticate": "Bearer"}
         return task_refusal(401, words, ReasonCode.NOT_ALLOWED, headers)
 
-    def _asker(self, request: Request, endpoint: TaskEndpoint, given: dict[str, Any]) -> TaskAsker:
+    def _asker(
+        self, request: Request, endpoint: TaskEndpoint, given: dict[str, Any]
+    ) -> TaskAsker | None:
+        """Return who asks now, or None for nobody that we know."""
         if endpoint.question is Webhook:
             return TaskAsker("a webhook", Role.ASK, RequestSurface.WEBHOOK, "", "webhook")
-        session = self._auth.session_of(request)
-        if session is None or bears(request, self._key):
+        if bears(request, self._key):
             return program_asking(given if endpoint.method == "POST" else {})
+        session = self._auth.session_of(request)
+        if session is None:
+            return None
         name = session.user or self._name_of(session.owner)
         surface = RequestSurface.CONSOLE
         return TaskAsker(name, session.role, surface, session.name, session.owner)
@@ -197,6 +207,14 @@ def task_refusal(
 def _first_fault(error: ValidationError) -> str:
     first = error.errors()[0]
     return f"{dotted(first['loc'])}: {words_of(first)}"
+
+
+def _objection(request: Request, endpoint: TaskEndpoint, asker: TaskAsker) -> str:
+    """Return why a role is not enough, in words, or ""; it may have changed since the headers."""
+    if endpoint.question is Webhook:
+        return ""
+    needed = role_for_path(request.scope["path"], changes=endpoint.method == "POST")
+    return role_objection(asker.role, needed or Role.WATCH)
 
 
 def _query(request: Request) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -46,6 +47,11 @@ def test_without_estimate_report_or_tracking_the_pose_is_not_known() -> None:
     lost = Estimate(10.0, (1.0, 2.0, 3.0), (0.0, 0.0, 0.0), 0.5, 0.6, 0.02)
     for one in (step(None), step(report=None), step(lost)):
         assert camera_pose_of(one) is None
+
+
+def test_a_tilt_that_was_reported_too_long_ago_leaves_the_pose_unknown() -> None:
+    assert camera_pose_of(step(report=replace(REPORT, received_at=9.85))) is not None
+    assert camera_pose_of(step(report=replace(REPORT, received_at=9.75))) is None
 
 
 @given(st.lists(st.floats(0.001, 0.3), max_size=60), st.floats(0.0, 5.0))

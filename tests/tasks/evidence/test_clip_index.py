@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import tempfile
 import zipfile
@@ -96,7 +97,7 @@ def test_of_too_much_the_oldest_go_first_until_it_fits(sizes: list[tuple[int, bo
         index = ClipIndex(folder, config, lambda: NOW)
         names = []
         for n, (size, kept) in enumerate(sizes):
-            names.append(added(index, folder, clip(NOW - 1000 + n), size))
+            names.append(added(index, folder, clip(NOW - 2 * DAY + n), size))
             if kept:
                 index.keep(names[-1], "anna")
         gone = list(index.expire(NOW))
@@ -108,6 +109,29 @@ def test_of_too_much_the_oldest_go_first_until_it_fits(sizes: list[tuple[int, bo
             last = sizes[names.index(gone[-1])][0]
             assert left + last > 10_000, "no more than needed"
         index.close()
+
+
+def test_kept_clips_that_take_all_the_space_do_not_push_out_those_of_the_last_day(
+    index: ClipIndex, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    kept = added(index, tmp_path, clip(NOW - 9 * DAY), 11_000_000)
+    index.keep(kept, "anna")
+    old = added(index, tmp_path, clip(NOW - 2 * DAY), 10)
+    first = added(index, tmp_path, clip(NOW - 100), 6_000_000)
+    assert index.expire(NOW) == (old,)
+    assert "delete some of those that are kept" in caplog.text
+    second = added(index, tmp_path, clip(NOW), 6_000_000)
+    assert index.expire(NOW) == (first,), "among themselves they stay within the space"
+    assert found(index) == [second, kept]
+
+
+def test_one_file_that_cannot_be_deleted_keeps_no_other(index: ClipIndex, tmp_path: Path) -> None:
+    stuck = added(index, tmp_path, clip(NOW - 50 * DAY))
+    old = added(index, tmp_path, clip(NOW - 40 * DAY))
+    (tmp_path / f"{stuck}.mp4").unlink()
+    (tmp_path / f"{stuck}.mp4").mkdir()
+    assert index.expire(NOW) == (old,)
+    assert found(index) == [stuck], "it is tried again"
 
 
 def test_who_watched_kept_and_deleted_a_clip_is_known_even_after_it_is_gone(
@@ -171,6 +195,34 @@ def test_a_broken_index_is_put_aside_and_its_clips_are_taken_up_again(tmp_path: 
     (info,) = index.find(ClipsQuestion()).clips
     assert (info.kind, info.duration) == ("clip", pytest.approx(2.0, abs=0.1))
     assert info.keep_until is not None, "it does not lie there for ever"
+    assert (tmp_path / "index.broken").exists()
+    index.close()
+
+
+def test_a_clip_whose_row_was_lost_is_kept_for_its_days_from_then_on(
+    index: ClipIndex, tmp_path: Path
+) -> None:
+    file = tmp_path / "20260101-141504-ce1aa0c5.mp4"
+    file.write_bytes(b"a clip that somebody kept")
+    os.utime(file, (NOW - 200 * DAY, NOW - 200 * DAY))
+    index.recover()
+    assert index.info(file.stem).keep_until == pytest.approx(NOW + 30 * DAY)
+    assert index.expire(NOW + 29 * DAY) == ()
+    index.recover()
+    assert index.expire(NOW + 31 * DAY) == (file.stem,)
+
+
+def test_an_index_with_damaged_pages_is_put_aside_too(tmp_path: Path) -> None:
+    index = ClipIndex(tmp_path, CONFIG, lambda: NOW)
+    for n in range(200):
+        index.finish(clip(NOW - n, place="entrance" * 20))
+    index.close()
+    file = tmp_path / "index.db"
+    pages = bytearray(file.read_bytes())
+    pages[5 * 4096 : 9 * 4096] = b"?" * 4 * 4096
+    file.write_bytes(pages)
+    index = ClipIndex(tmp_path, CONFIG, lambda: NOW)
+    assert found(index) == []
     assert (tmp_path / "index.broken").exists()
     index.close()
 

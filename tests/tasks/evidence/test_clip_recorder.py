@@ -142,7 +142,7 @@ def test_only_what_was_filmed_in_flight_for_a_task_is_ever_on_the_disk(
     """Whatever happens in whatever order: each picture on the disk had a reason to be kept."""
     allowed: set[int] = set()
     filmed: list[int] = []
-    frames = iter(film())
+    frames, may_film = iter(film()), False
     with tempfile.TemporaryDirectory() as folder:
         recorder = ClipRecorder(Path(folder), TasksConfig(clip_before=1.0))
         for count, status, mode, action in events:
@@ -150,10 +150,11 @@ def test_only_what_was_filmed_in_flight_for_a_task_is_ever_on_the_disk(
                 at = frame.received_at
                 if action != "no news":
                     recorder.tick(at, UNIX + at, status, mode)
-                    if status not in AIRBORNE_STATUSES or mode not in RECORDING_MODES:
+                    may_film = status in AIRBORNE_STATUSES and mode in RECORDING_MODES
+                    if not may_film:
                         filmed.clear()
                 recorder.add(frame, None)
-                if status in AIRBORNE_STATUSES and mode in RECORDING_MODES:
+                if may_film:
                     filmed.append(frame.sequence)
                 if recorder.records:
                     allowed.add(frame.sequence)
@@ -451,7 +452,7 @@ def test_a_full_disk_ends_the_clip_is_told_and_nothing_else_fails(tmp_path: Path
     """A limit on the size of files stands for a full disk: the same call fails."""
     told = record_elsewhere(
         tmp_path,
-        "recorder.stop(); recorder.flush(); print(tick(109.0), recorder.records)",
+        "print(tick(109.0), recorder.records)",
         limit=150_000,
     )
     assert told.returncode == 0, told.stderr

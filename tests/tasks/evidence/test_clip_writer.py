@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import resource
 from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,7 +12,7 @@ from filming import number_of, video
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.tasks.evidence.clip_writer import ClipWriter, finish_leftover
+from housefly.tasks.evidence.clip_writer import ClipWriter, duration_of, finish_leftover
 
 
 @cache
@@ -44,6 +45,24 @@ def test_a_torn_clip_plays_as_far_as_it_is_whole(share: float, garbage: bytes) -
         numbers = [number_of(frame.to_ndarray(format="rgb24")) for frame in shown]
         assert numbers == list(range(len(numbers)))
         assert len(numbers) >= 46 * share - 10, "at most two groups are lost"
+
+
+def test_a_disk_without_room_for_a_copy_loses_nothing_of_a_clip(tmp_path: Path) -> None:
+    """A limit on the size of files stands for a full disk: the same call fails."""
+    part = tmp_path / "a.mp4.part"
+    part.write_bytes(unfinished())
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(unfinished()) // 2, limits[1]))
+    try:
+        path = finish_leftover(part)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert path is not None
+    assert list(tmp_path.iterdir()) == [path]
+    assert path.read_bytes() == unfinished()
+    with av.open(str(path)) as clip:
+        assert sum(1 for _ in clip.decode(video=0)) >= 35
+    assert 2.3 < duration_of(path) < 3.2
 
 
 def test_a_clip_has_its_name_only_when_it_is_whole(tmp_path: Path) -> None:

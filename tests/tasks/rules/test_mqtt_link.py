@@ -117,6 +117,39 @@ async def test_a_flood_of_requests_is_cut_and_triggers_go_on(broker: Any) -> Non
     assert 1 <= len(asked.questions) <= 20
 
 
+async def test_requests_and_the_rest_of_the_process_do_not_wait_for_each_other(
+    broker: Any,
+) -> None:
+    asked, busy, loop = Asked(), threading.Event(), asyncio.get_running_loop()
+    async with broker.client() as panel, linked(broker.port, asked, []):
+        rest = [loop.run_in_executor(None, busy.wait, 20.0) for _ in range(40)]
+        await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+        await until(lambda: asked.questions)
+        busy.set()
+        await asyncio.gather(*rest)
+
+
+async def test_one_rehearsal_at_a_time(broker: Any) -> None:
+    asked, text = Asked(), b'{"ask": "rehearse", "service": "look"}'
+    async with broker.client() as panel, linked(broker.port, asked, []):
+        await panel.subscribe(f"{ANSWER}/#", qos=1)
+        answers = aiter(panel.messages)
+
+        async def heard() -> Any:
+            return json.loads((await asyncio.wait_for(anext(answers), 15.0)).payload)
+
+        asked.free.clear()
+        try:
+            for _ in range(2):
+                await panel.publish(REQUEST, text, qos=1)
+            assert (await heard())["code"] == "rate_limit"
+        finally:
+            asked.free.set()
+        assert await heard() == {"number": 1}
+        await panel.publish(REQUEST, text, qos=1)
+        assert await heard() == {"number": 2}
+
+
 async def test_a_site_that_wants_none_takes_no_requests(broker: Any) -> None:
     asked, heard = Asked(), list[MqttTrigger]()
     config = TasksConfig(mqtt_requests="off")

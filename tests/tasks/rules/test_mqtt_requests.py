@@ -57,8 +57,9 @@ def test_trust_needs_names() -> None:
 
 
 def test_a_sentence_and_a_cancellation_come_in_the_name_of_the_client() -> None:
-    said = question('{"ask": "sentence", "text": "fly now", "by": "me", "confirm": "auto"}')
-    assert isinstance(said, Sentence)
+    told = {"ask": "sentence", "text": "fly now", "by": "me", "confirm": "auto", "may_fly": True}
+    said = question(json.dumps(told))
+    assert isinstance(said, Sentence) and not said.may_fly
     assert (said.by, said.confirm, said.surface) == (
         "somebody on MQTT",
         Confirm.ASK,

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2
-from housefly.messages.flight import Event, Order, OrderKind, Phase, Severity
+from housefly.messages.flight import TASK_SENDER, Event, Order, OrderKind, Phase, Severity
 from housefly.messages.order_fault import shown_name
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
@@ -267,16 +267,20 @@ class Commander:
             self.stay(vehicle)
 
     def _land(self, order: Order, vehicle: VehicleStatus) -> None:
-        if self._must_wait_to_land(vehicle):
+        if self._must_wait_to_land(order, vehicle):
             here = Mission(OrderKind.HOME, LANDING_PLACE, vehicle.place)
             self._task = _hold_here(vehicle)
             self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
         elif self._state.phase is not Phase.LANDING:
             self.land_here(vehicle)
 
-    def _must_wait_to_land(self, vehicle: VehicleStatus) -> bool:
-        """Return whether somebody is below the drone; a second order lands all the same."""
-        is_second = self._state.mission.name == LANDING_PLACE
+    def _must_wait_to_land(self, order: Order, vehicle: VehicleStatus) -> bool:
+        """Return whether somebody is below the drone; a person's second order lands all the same.
+
+        A task cannot see who is below: it never insists.
+        """
+        is_insisted = not order.sender.startswith(TASK_SENDER)
+        is_second = is_insisted and self._state.mission.name == LANDING_PLACE
         if self._state.phase not in AIRBORNE_PHASES or self._state.stopped or is_second:
             return False
         return vehicle.place is not None and bool(

@@ -112,7 +112,10 @@ class TaskHistoryQuestion:
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """Something a person said or typed; ``fly`` False never starts a task."""
+    """Something a person said or typed; ``fly`` False never starts a task.
+
+    ``may_fly`` False is for whoever may only ask; the edge that knows the person fills it in.
+    """
 
     text: _Sentence
     language: Literal["en", "de", "ja"] = "en"
@@ -120,6 +123,7 @@ class Sentence:
     surface: RequestSurface = RequestSurface.CONSOLE
     confirm: Confirm = Confirm.AUTO
     fly: bool = True
+    may_fly: bool = True
     ask: Literal["sentence"] = "sentence"
 
 

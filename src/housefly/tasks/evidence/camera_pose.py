@@ -13,6 +13,8 @@ PICTURE_LATENCY_MAX = 0.35
 """From the moment a picture shows to the arrival of its last byte, at most [s]."""
 _POSE_AGE_MAX = 0.5
 """An estimate that tracking has not confirmed for longer says nothing [s]."""
+_ATTITUDE_AGE_MAX = 0.2
+"""An older report of the drone says nothing about its tilt [s]."""
 _GAP_MAX = 0.2
 """Poses further apart leave the time between them unknown [s]."""
 _KEPT = 2.0
@@ -40,6 +42,8 @@ def camera_pose_of(step: PilotStep) -> CameraPose | None:
     """Return the pose that a step of the pilot believes in, or None when it knows too little."""
     estimate, report = step.outputs.estimate, step.inputs.telemetry
     if estimate is None or report is None or estimate.pose_age > _POSE_AGE_MAX:
+        return None
+    if step.now - report.received_at > _ATTITUDE_AGE_MAX:
         return None
     return CameraPose(
         step.now,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import re
 import time
 from collections.abc import Callable
@@ -13,7 +14,7 @@ from housefly.errors import StoreError, TaskError
 from housefly.tasks.api.answers import ClipInfo, ClipsAnswer
 from housefly.tasks.api.questions import ClipsQuestion, DeleteClip, KeepClip
 from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.evidence.clip_store import ClipRow, ClipTable, ClipView
+from housefly.tasks.evidence.clip_store import ADOPTED, ClipRow, ClipTable, ClipView
 from housefly.tasks.evidence.clip_writer import (
     CLIP_SUFFIX,
     PART_SUFFIX,
@@ -22,6 +23,7 @@ from housefly.tasks.evidence.clip_writer import (
 )
 from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX
 
+_LOG = logging.getLogger(__name__)
 SUFFIXES = {"clip": CLIP_SUFFIX, "snapshot": SNAPSHOT_SUFFIX}
 """Kinds of evidence and how their files end."""
 _NAME = re.compile(r"[0-9a-zA-Z-]{1,60}")
@@ -125,7 +127,9 @@ class ClipIndex:
     def expire(self, now: float) -> tuple[str, ...]:
         """Delete what is too old, then the oldest of what is too much; return their ids.
 
-        Kept ones stay, and count as space. May raise StoreError and OSError.
+        Kept ones stay, and count as space, but not against those of the last day: else each new
+        one would go as soon as it is whole. What cannot be deleted is tried again the next time.
+        May raise StoreError.
 
         Args:
             now: [Unix time, s].
@@ -133,13 +137,25 @@ class ClipIndex:
         gone = []
         rows = self._table.rows("whole")  # the newest first
         space = sum(row.size for row in rows) - self._config.clip_space_gb * _GIGABYTE
+        kept = sum(row.size for row in rows if row.kept)
         for row in reversed(rows):
             until = self._keep_until(row)
-            if until is not None and (until <= now or space > 0):
+            excess = space - kept if row.began_at + row.duration > now - _DAY else space
+            if until is None or (until > now and excess <= 0):
+                continue
+            try:
                 self._remove(row)
-                self._table.saw(row.id, ClipView(now, "housefly", "expired"))
-                space -= row.size
-                gone.append(row.id)
+            except OSError as error:
+                _LOG.error("the clip %s cannot be deleted: %s", row.id, error)
+                continue
+            self._table.saw(row.id, ClipView(now, "housefly", "expired"))
+            space -= row.size
+            gone.append(row.id)
+        if space > 0:
+            _LOG.warning(
+                "clips take more than tasks.clip_space_gb = %g: delete some of those that are kept",
+                self._config.clip_space_gb,
+            )
         return tuple(gone)
 
     def recover(self) -> tuple[str, ...]:
@@ -151,8 +167,12 @@ class ClipIndex:
         for row in self._table.rows("NOT whole"):
             path = self._path(row)
             part = path.with_name(row.id + PART_SUFFIX)
-            if part.exists():
-                finish_leftover(part)
+            try:
+                if part.exists():
+                    finish_leftover(part)
+            except OSError as error:
+                _LOG.error("the clip %s is tried again at the next start: %s", row.id, error)
+                continue
             if path.exists() and path.stat().st_size:
                 self._table.put(_measured(row, path))
                 finished.append(row.id)
@@ -176,6 +196,8 @@ class ClipIndex:
             if kind := kinds.get(dot + suffix):
                 row = ClipRow(name, kind, 0, "", "", "", (), "", path.stat().st_mtime)
                 self._table.put(_measured(row, path))
+                # Whether somebody wanted it kept is lost: its days begin anew.
+                self._table.saw(name, ClipView(self._wall(), "housefly", ADOPTED))
             elif suffix.startswith(("mp4.", "jpg.")):
                 path.unlink(missing_ok=True)
 
@@ -194,7 +216,8 @@ class ClipIndex:
 
     def _keep_until(self, row: ClipRow) -> float | None:
         days = self._config.clip_days if row.kind == "clip" else self._config.snapshot_days
-        return None if row.kept else row.began_at + row.duration + days * _DAY
+        since = max(row.began_at + row.duration, self._table.adopted_at(row.id))
+        return None if row.kept else since + days * _DAY
 
     def _info(self, row: ClipRow) -> ClipInfo:
         return ClipInfo(

@@ -85,7 +85,7 @@ class ClipRecorder:
     @property
     def records(self) -> bool:
         """Whether a clip is being recorded."""
-        return self._take is not None
+        return self._take is not None and not self._take.has_failed
 
     def tick(
         self, now: float, unix: float, status: DroneStatus | None, mode: HouseMode

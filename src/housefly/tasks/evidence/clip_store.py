@@ -18,6 +18,8 @@ from housefly.tasks.evidence.clip_news import ClipOrigin
 
 _DATABASE = "index.db"
 _BUSY_TIMEOUT = 5.0
+ADOPTED = "taken up again"
+"""What is written down of a clip whose row was lost."""
 _SCHEMA = """
 CREATE TABLE IF NOT EXISTS clips (
   id TEXT PRIMARY KEY, kind TEXT NOT NULL, task INTEGER NOT NULL, service TEXT NOT NULL,
@@ -150,6 +152,17 @@ class ClipTable:
             )
             return tuple(ClipView(*columns) for columns in found.fetchall())
 
+    def adopted_at(self, name: str) -> float:
+        """Return when a clip was last taken up again [Unix time, s], 0 if never.
+
+        Raises StoreError.
+        """
+        with self._read() as database:
+            found = database.execute(
+                "SELECT max(at) FROM views WHERE clip = ? AND what = ?", (name, ADOPTED)
+            ).fetchone()
+        return float(found[0] or 0.0)
+
     @contextmanager
     def _read(self) -> Iterator[sqlite3.Connection]:
         try:
@@ -172,6 +185,8 @@ def _opened(file: Path) -> sqlite3.Connection:
             raise
         # The files of the clips are still there and are taken up again.
         file.replace(file.with_suffix(".broken"))
+        for suffix in ("-wal", "-shm"):  # a journal of the old one would break the new one
+            file.with_name(file.name + suffix).unlink(missing_ok=True)
         os.close(os.open(file, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600))
         return _connected(file)
 
@@ -179,9 +194,26 @@ def _opened(file: Path) -> sqlite3.Connection:
 def _connected(file: Path) -> sqlite3.Connection:
     database = sqlite3.connect(file, timeout=_BUSY_TIMEOUT, check_same_thread=False)
     database.row_factory = sqlite3.Row
-    database.execute("PRAGMA journal_mode = WAL")
-    database.executescript(_SCHEMA)
+    try:
+        database.execute("PRAGMA journal_mode = WAL")
+        database.executescript(_SCHEMA)
+        _check(database)
+    except sqlite3.Error:
+        database.close()
+        raise
     return database
+
+
+def _check(database: sqlite3.Connection) -> None:
+    """Read every page and row; raises sqlite3.DatabaseError for what cannot be read."""
+    (found,) = database.execute("PRAGMA quick_check(1)").fetchone()
+    if found != "ok":
+        raise sqlite3.DatabaseError(found)
+    try:
+        for columns in database.execute("SELECT * FROM clips"):
+            _row(columns)
+    except (TypeError, ValueError) as error:
+        raise sqlite3.DatabaseError(f"a row cannot be read: {error}") from error
 
 
 def _row(columns: sqlite3.Row) -> ClipRow:

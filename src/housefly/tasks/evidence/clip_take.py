@@ -68,6 +68,11 @@ class ClipTake:
         """The id of the clip."""
         return self._row.id
 
+    @property
+    def has_failed(self) -> bool:
+        """Whether it writes nothing any more."""
+        return self._has_failed
+
     def add(self, filmed: FilmedFrame) -> None:
         """Write a picture."""
         if self._has_failed:

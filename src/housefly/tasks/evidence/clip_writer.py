@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Iterator
 from contextlib import suppress
@@ -15,6 +16,7 @@ from av.container import InputContainer
 from housefly.messages import VideoFrame
 from housefly.record.movie import Movie
 
+_LOG = logging.getLogger(__name__)
 CLIP_SUFFIX, PART_SUFFIX = ".mp4", ".mp4.part"
 _MENDED_SUFFIX = ".mp4.mended"
 
@@ -84,27 +86,34 @@ class ClipWriter:
 def finish_leftover(part: Path) -> Path | None:
     """Make a whole clip of what a crash left; None, and no file, when it shows nothing.
 
-    May raise OSError.
+    Where an ordinary file cannot be written, say on a full disk, the fragmented one gets the name:
+    it plays too. May raise OSError; then the part is still there.
     """
+    if not _shows_something(part):
+        part.unlink(missing_ok=True)
+        return None
     path = part.with_name(part.name.removesuffix(PART_SUFFIX) + CLIP_SUFFIX)
     mended = part.with_name(part.name.removesuffix(PART_SUFFIX) + _MENDED_SUFFIX)
-    make_private(mended)
     try:
-        written = _copied(part, mended)
-    except (av.FFmpegError, IndexError, ValueError):
-        written = 0
-    if written:
+        make_private(mended)
+        _copy(part, mended)
         _name_it(mended, path)
-    mended.unlink(missing_ok=True)
+    except (OSError, av.FFmpegError, IndexError, ValueError) as error:
+        _LOG.warning("%s cannot be copied and stays in fragments: %s", part, error)
+        mended.unlink(missing_ok=True)
+        part.replace(path)
     part.unlink(missing_ok=True)
-    return path if written else None
+    return path
 
 
 def duration_of(path: Path) -> float:
     """Return how long a clip is [s]; 0 when it cannot be read."""
     try:
         with av.open(str(path)) as clip:
-            return float((clip.duration or 0) / av.time_base)
+            if clip.duration:
+                return float(clip.duration / av.time_base)
+            packets = tuple(_whole_packets(clip))  # fragments do not say it
+            return float((packets[-1].pts or 0) * packets[-1].time_base) if packets else 0.0
     except (OSError, av.FFmpegError):
         return 0.0
 
@@ -115,16 +124,24 @@ def make_private(path: Path) -> None:
     os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o600))
 
 
-def _copied(part: Path, path: Path) -> int:
-    """Copy every whole picture into an ordinary MP4 file and return how many there are."""
-    count = 0
+def _shows_something(part: Path) -> bool:
+    """Return whether a file has a picture; raises OSError when it cannot be read."""
+    try:
+        with av.open(str(part)) as source:
+            return next(_whole_packets(source), None) is not None
+    except (av.FFmpegError, IndexError, ValueError) as error:
+        if isinstance(error, OSError):
+            raise
+        return False
+
+
+def _copy(part: Path, path: Path) -> None:
+    """Copy every whole picture into an ordinary MP4 file."""
     with av.open(str(part)) as source, av.open(str(path), "w", format="mp4") as target:
         stream = target.add_stream_from_template(source.streams.video[0])
         for packet in _whole_packets(source):
             packet.stream = stream
             target.mux(packet)
-            count += 1
-    return count
 
 
 def _whole_packets(source: InputContainer) -> Iterator[Any]:

@@ -9,6 +9,7 @@ from py_trees.common import Status
 from py_trees.composites import Composite
 from py_trees.decorators import Decorator
 
+from housefly.errors import HouseflyError
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.document.step_parser import EACH
 from housefly.tasks.document.steps import TaskCondition
@@ -137,7 +138,12 @@ class ForEach(Decorator):
 
     def initialise(self) -> None:
         """Ask for the names."""
-        self._left = every_name(self._every, self._context)
+        self._failed = False
+        try:
+            self._left = every_name(self._every, self._context)
+        except HouseflyError as error:
+            self._left, self._failed = [], True
+            self._context.failure = (ReasonCode.STEP_FAILED, str(error))
         self._context.results[EACH] = self._left[0] if self._left else ""
 
     def tick(self) -> Iterator[Behaviour]:
@@ -146,7 +152,7 @@ class ForEach(Decorator):
             self.initialise()
             self.status = Status.RUNNING
         if not self._left:
-            self.stop(Status.SUCCESS)
+            self.stop(Status.FAILURE if self._failed else Status.SUCCESS)
             yield self
             return
         yield from super().tick()

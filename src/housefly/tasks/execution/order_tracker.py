@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.messages import Event, Order, OrderKind, Phase, SafetyMode
+from housefly.messages.flight import TASK_SENDER
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.values import TaskInputs
 
@@ -12,8 +13,6 @@ ANSWER_TIME = 1.5
 """The pilot answers an order within this [s], or never."""
 SETTLING_TIME = 1.5
 """A phase that no order explains must last so long before it counts [s]: events come first."""
-TASK_SENDER = "task "
-"""How the sender of a task's order begins."""
 
 _I, _T, _O, _L, _H, _R, _D = tuple(Phase)
 EXPECTED: dict[OrderKind, frozenset[Phase]] = {

@@ -8,6 +8,7 @@ from housefly.tasks.execution.conditions import holds
 from housefly.tasks.execution.step_behavior import StepBehavior, StepFailed
 from housefly.tasks.execution.values import (
     AskPerson,
+    CloseQuestion,
     PublishMqtt,
     Report,
     Say,
@@ -126,6 +127,10 @@ class Ask(StepBehavior):
             return False
         self.context.results[self._id] = self._otherwise
         return True
+
+    def end(self) -> None:
+        """Nobody waits for a reply any more."""
+        self.context.actions.append(CloseQuestion(self._id))
 
     def limit(self) -> float:
         """Return the longest time that it may take [s]."""

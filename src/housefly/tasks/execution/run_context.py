@@ -7,10 +7,11 @@ from dataclasses import dataclass, field, replace
 from housefly.errors import HouseflyError
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
+from housefly.messages.flight import TASK_SENDER
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.tasks.api.values import ReasonCode, TaskStepState
 from housefly.tasks.document.templates import plain_text
-from housefly.tasks.execution.order_tracker import TASK_SENDER, OrderTracker
+from housefly.tasks.execution.order_tracker import OrderTracker
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.values import (
     GiveOrder,

@@ -6,13 +6,15 @@ import threading
 from collections import deque
 
 from housefly.messages import DroneStatus, Event, Order, PilotStep
+from housefly.messages.flight import TASK_SENDER
 from housefly.messages.order_fault import NAME_LENGTH_MAX
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.tasks.execution.order_tracker import TASK_SENDER
 from housefly.tasks.execution.values import PersonReply, TaskInputs
 
 _MAX_KEPT = 200
 """At most this many events and orders between two ticks are told, the newest."""
+SILENT_TIME = 1.0
+"""A pilot silent for longer [s] gets no orders: what is known of the flight is old."""
 
 
 def task_sender(task: int, service: str) -> str:
@@ -47,6 +49,7 @@ class StepInbox:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self.run += 1
+                self.is_flown_by_task = False  # a new pilot knows of no task
             self.steps += 1
             self._step = step
             self._events.extend(step.outputs.events)
@@ -76,18 +79,38 @@ class StepInbox:
         telemetry = None if step is None else step.inputs.telemetry
         return None if telemetry is None else telemetry.status
 
-    def drain(self, now: float, unix: float, replies: tuple[PersonReply, ...] = ()) -> TaskInputs:
+    def fresh_status(self, now: float) -> DroneStatus | None:
+        """Return what the drone says that it does; None when that is old."""
+        telemetry = None if self._step is None else self._step.inputs.telemetry
+        if telemetry is None or now - telemetry.received_at > SILENT_TIME:
+            return None
+        return telemetry.status
+
+    def give_up(self) -> None:
+        """No task has the drone any more, though it flies."""
+        self.is_flown_by_task = False
+
+    def drain(
+        self,
+        now: float,
+        unix: float,
+        replies: tuple[PersonReply, ...] = (),
+        *,
+        keep: bool = False,
+    ) -> TaskInputs:
         """Return the inputs of a tick; each event and order is told once.
 
         Args:
             now: the pilot's clock [s].
             unix: the same moment as Unix time [s].
             replies: of people, since the last tick.
+            keep: whether events and orders are told again at the next tick.
         """
         with self._lock:
             step, events, orders = self._step, tuple(self._events), tuple(self._orders)
-            self._events.clear()
-            self._orders.clear()
+            if not keep:
+                self._events.clear()
+                self._orders.clear()
         if step is None:
             return TaskInputs(now, unix, replies=replies)
         outputs, telemetry = step.outputs, step.inputs.telemetry

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
@@ -13,12 +15,14 @@ from housefly.tasks.execution.run_context import RunContext
 from housefly.tasks.execution.station import way_to_station
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.tree import tree_of
-from housefly.tasks.execution.values import TaskAction, TaskInputs
+from housefly.tasks.execution.values import PersonReply, TaskAction, TaskInputs
 
 TASK_TIME_MAX = 3600.0
 """No task takes longer than this [s], whatever its document says."""
 HOLD_PERIOD = 30.0
 """A hovering drone is told to stay this often [s]: the pilot brings home one that hears nothing."""
+PAUSE_TIME_MAX = 600.0
+"""A drone whose task is paused for longer [s] is left to the pilot, which brings it home."""
 HOLD_REPEAT = 1.0
 """A paused drone that still moves is told to hover again after this [s]."""
 LAND = (TaskStep(StepKind.LAND),)
@@ -49,6 +53,8 @@ class TaskRun:
         self._station: Behaviour | None = None
         self._station_time, self._was_paused = 0.0, False
         self._last: float | None = None
+        self._held_since: float | None = None
+        self._unheard: tuple[PersonReply, ...] = ()
         self._held_at = 0.0
 
     @property
@@ -88,6 +94,7 @@ class TaskRun:
         """Hover where the drone is, until ``resume``; the times of its steps stand still."""
         if self.stage is TaskStage.RUNNING:
             self.stage, self._held_at = TaskStage.PAUSED, float("-inf")
+            self._held_since = None
 
     def resume(self) -> None:
         """Go on with the same step, which gives its order again."""
@@ -104,7 +111,9 @@ class TaskRun:
         if self.is_over:
             return ()
         context = self._context
-        context.inputs = inputs
+        # A reply that comes while the tree stands still is heard when it goes on.
+        self._unheard += inputs.replies
+        context.inputs = replace(inputs, replies=())
         interference = context.orders.update(inputs) if self.task.flies else None
         if interference is not None:
             taken = interference.code is ReasonCode.PERSON_TOOK_OVER
@@ -132,13 +141,18 @@ class TaskRun:
         elif self._wants_station() and self._station is not None:
             self._return_to_station(self._station)
         else:
-            self._tree.tick_once()
+            self._tick(self._tree)
             if self._tree.status is Status.SUCCESS:
                 self._conclude((TaskStage.DONE, ReasonCode.OK, "done"))
             elif self._tree.status is Status.FAILURE:
                 self._conclude((TaskStage.FAILED, *self._context.failure))
             else:
                 self._stay_alive()
+
+    def _tick(self, tree: Behaviour) -> None:
+        self._context.inputs = replace(self._context.inputs, replies=self._unheard)
+        self._unheard = ()
+        tree.tick_once()
 
     def _is_late(self) -> bool:
         limit = min(self.task.time_limit or TASK_TIME_MAX, TASK_TIME_MAX)
@@ -175,10 +189,10 @@ class TaskRun:
         if self._closing is None and self._must_come_down():
             self._closings = self._ways_down()
         elif self._closing is not None:
-            self._closing.tick_once()
+            self._tick(self._closing)
         while self._must_come_down() and self._closings and not self._is_closing():
             self._closing = tree_of(self._closings.pop(0), self._context)
-            self._closing.tick_once()
+            self._tick(self._closing)
         if self._is_closing():
             self._stay_alive()
         else:
@@ -210,7 +224,10 @@ class TaskRun:
         inputs, context = self._context.inputs, self._context
         period = HOLD_REPEAT if inputs.phase in _MOVING else HOLD_PERIOD
         is_up = inputs.phase in _MOVING or context.hovers
-        if context.has_flown and is_up and inputs.now - self._held_at >= period:
+        if self._held_since is None:
+            self._held_since = inputs.now
+        is_short = inputs.now - self._held_since < PAUSE_TIME_MAX
+        if is_short and context.has_flown and is_up and inputs.now - self._held_at >= period:
             self._held_at = inputs.now
             context.give(Order(OrderKind.HOVER))
 

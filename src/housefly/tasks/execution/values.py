@@ -103,6 +103,13 @@ class AskPerson:
 
 
 @dataclass(frozen=True, slots=True)
+class CloseQuestion:
+    """A question is over, answered or not: a later reply finds nobody who waits for it."""
+
+    id: str
+
+
+@dataclass(frozen=True, slots=True)
 class PublishMqtt:
     """Publish to a device of the room."""
 
@@ -118,5 +125,13 @@ class Report:
 
 
 TaskAction = (
-    GiveOrder | StartClip | StopClip | TakeSnapshot | Say | AskPerson | PublishMqtt | Report
+    GiveOrder
+    | StartClip
+    | StopClip
+    | TakeSnapshot
+    | Say
+    | AskPerson
+    | CloseQuestion
+    | PublishMqtt
+    | Report
 )

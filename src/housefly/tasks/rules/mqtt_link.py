@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from collections.abc import Callable, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from typing import NoReturn
 
@@ -20,6 +21,7 @@ from housefly.config.devices import MqttConfig
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, LinkError, TaskError, WireError
 from housefly.tasks.api.json import task_question_to_json, task_refusal_to_json
+from housefly.tasks.api.questions import RehearseTask, TaskQuestion
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.rules.mqtt_requests import ANSWER, client_of, mqtt_question, request_topics
 from housefly.tasks.rules.rule import MqttPattern, Rule
@@ -31,6 +33,8 @@ _ENVELOPE = 1024
 _REQUESTS_PER_MINUTE = 20
 _MAX_REPLIES = 8
 """Requests that are worked on at once; what is more is dropped."""
+_THREADS = 2
+"""One for what takes seconds, and one for what does not."""
 _PAUSE = 0.1
 """After a message that could not be published [s]."""
 _MAX_WAITING = 256
@@ -46,7 +50,7 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         broker: where it is, who we are, the name of the site.
         tasks: who may ask.
         rules: whose topics are heard.
-        answer: answers a question to the tasks, JSON in and out; called on a thread of its own.
+        answer: answers a question to the tasks, JSON in and out; called on threads of our own.
         wall: Unix time [s].
         clock: for the rate of requests.
     """
@@ -67,11 +71,16 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         self._asked: deque[float] = deque(maxlen=_REQUESTS_PER_MINUTE)
         self._outgoing: asyncio.Queue[tuple[str, str]] = asyncio.Queue(_MAX_WAITING)
         self._loop: asyncio.AbstractEventLoop | None = None
+        self._threads = ThreadPoolExecutor(_THREADS, "mqtt-requests")
+        self._rehearsal: Future[str] | None = None
 
     async def run(self, sink: MqttSink) -> NoReturn:
         """Listen, answer and publish for ever; ends only when cancelled."""
         self._loop = asyncio.get_running_loop()
-        await super().run(sink)
+        try:
+            await super().run(sink)
+        finally:
+            self._threads.shutdown(wait=False, cancel_futures=True)
 
     def publish(self, topic: str, payload: str) -> None:
         """Publish to a device; returns at once, from any thread."""
@@ -137,13 +146,24 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         try:
             self._admit()
             question = mqtt_question(topic, payload, self._tasks)
-            text = await asyncio.to_thread(self._answer, task_question_to_json(question))
+            text = await asyncio.wrap_future(self._asked_of_tasks(question))
         except (TaskError, WireError) as error:
             text = task_refusal_to_json(error)
         name = client_of(topic)
         where = task_topic(self._broker.site, f"{ANSWER}/{name}" if name else ANSWER)
         with suppress(*MQTT_ERRORS):  # the connection is gone: so is who asked
             await link.publish(where, text, qos=1, properties=_correlation(message))
+
+    def _asked_of_tasks(self, question: TaskQuestion) -> Future[str]:
+        """Ask on a thread; raises TaskError for a rehearsal while another is under way."""
+        rehearses = isinstance(question, RehearseTask)
+        if rehearses and self._rehearsal is not None and not self._rehearsal.done():
+            words = "a rehearsal is under way: ask again when it is answered"
+            raise TaskError(words, ReasonCode.RATE_LIMIT.value)
+        asked = self._threads.submit(self._answer, task_question_to_json(question))
+        if rehearses:
+            self._rehearsal = asked
+        return asked
 
     def _admit(self) -> None:
         """Count a request; raises TaskError when there were too many in a minute."""

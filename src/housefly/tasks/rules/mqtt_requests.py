@@ -75,7 +75,8 @@ def mqtt_question(topic: str, payload: bytes, config: TasksConfig) -> TaskQuesti
             )
         case Sentence():
             assert confirm is not None
-            return replace(question, by=by, surface=RequestSurface.MQTT, confirm=confirm)
+            mqtt = RequestSurface.MQTT
+            return replace(question, by=by, surface=mqtt, confirm=confirm, may_fly=False)
         case CancelTask():
             return replace(question, by=by)
     return question

@@ -157,6 +157,14 @@ class Scheduler:
             self._fly_next(changes, {run.id for run in runs if run.is_safe_point}, now)
         return self._after(changes)
 
+    def taken_over(self, now: float) -> tuple[Scheduler, tuple[Decision, ...]]:
+        """A person flies by hand: what waits for the drone asks again before it takes off."""
+        changes = QueueChanges(self.limits, self.tasks)
+        for task in self.tasks:
+            if task.traits.flies and task.state in (QueueState.QUEUED, QueueState.SUSPENDED):
+                changes.signal(task.id, TaskSignal.STALE, now)
+        return self._after(changes)
+
     def restarted(self, now: float) -> tuple[Scheduler, tuple[Decision, ...]]:
         """Take over the open tasks of a program that ended: nothing flies without a fresh yes."""
         changes = QueueChanges(self.limits, self.tasks)
