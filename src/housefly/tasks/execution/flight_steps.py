@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import replace
 
 from housefly.errors import HouseflyError
@@ -70,9 +71,9 @@ class FlightStep(StepBehavior):
         """Return whether nothing has to be ordered."""
         return False
 
+    @abstractmethod
     def order(self) -> Order:
         """Return the order."""
-        raise NotImplementedError
 
     def send(self) -> None:
         """Give the order, now."""
