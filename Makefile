@@ -7,14 +7,17 @@ PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
 CODE := src tests benchmarks examples scripts
-PYTEST := $(BIN)/python -m pytest -q -n 2 --dist worksteal --durations=10 --durations-min=1
+PYTEST := $(BIN)/python -m pytest -q --dist worksteal --durations=10 --durations-min=1
+REALTIME := $(PYTEST) -n 2
+# Tests start hundreds of processes: what they import is compiled once.
+unexport PYTHONDONTWRITEBYTECODE
 
 .PHONY: help setup setup-dev demo test interop safety fuzz test-fast check format bench client lock audit clean
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
 	@echo "make test       set everything up and run every test"
-	@echo "make interop    long flights over real wires, by every tracking rate and system"
+	@echo "make interop    more flights over real wires: tracking rates and systems, endings, tasks, console"
 	@echo "make safety     fly every fault in every phase, with and without guards; writes docs/safety-case.html"
 	@echo "make fuzz       fuzz every parser, FUZZ_SECONDS (30) each; keeps what it finds"
 	@echo "make test-fast  only the tests that need no wire and no browser"
@@ -38,24 +41,25 @@ $(VENV)/ready-dev: pyproject.toml requirements/build.txt requirements/dev.txt $(
 demo: setup
 	@$(BIN)/housefly demo
 
+# What waits for clocks shares two cores with what computes; whole processes have them alone.
 test: setup-dev
-	$(PYTEST) -m 'not wire and not browser and not safety'
-	$(PYTEST) -m '(wire or browser) and not interop and not safety'
+	$(PYTEST) -n 3 -m 'not realtime and not interop and not safety'
+	$(REALTIME) -m 'realtime and not interop and not safety'
 
 interop: setup-dev
-	$(PYTEST) -m interop
+	$(REALTIME) -m interop
 
 safety: setup-dev
 	-$(BIN)/housefly safety --wires 1 --out safety-case
 	cp safety-case/safety-case.html docs/safety-case.html
-	$(PYTEST) -m safety
+	$(REALTIME) -m safety
 
 fuzz: setup-dev
 	@$(BIN)/python -m pip install -q --disable-pip-version-check --require-hashes -r requirements/fuzz.txt
 	$(BIN)/python tests/fuzz/run.py --seconds $(FUZZ_SECONDS)
 
 test-fast: setup-dev
-	$(PYTEST) -m 'not wire and not browser and not slow and not safety'
+	$(PYTEST) -n 3 -m 'not wire and not browser and not slow and not safety'
 
 check: setup-dev
 	$(BIN)/ruff format --check $(CODE)

@@ -3,15 +3,22 @@
     python benchmarks/lively_services.py        100 services, about 20 minutes on a core
     python benchmarks/lively_services.py 4      four rooms of five services
 
+Each room's day is kept in lively-services.jsonl; the same command goes on, at the lowest priority.
 Judged on the truth of the simulated room, not on what the pilot believed.
 """
 
 from __future__ import annotations
 
+import argparse
+import json
+import os
 import sys
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 
@@ -95,15 +102,42 @@ def spend_day(seed: int) -> RoomDay:
     return day
 
 
+def days_kept(path: Path) -> dict[int, RoomDay]:
+    """Return the days that a file holds, by seed; a line cut short at the end is left out."""
+    days = {}
+    for line in path.read_text("utf-8").splitlines() if path.exists() else []:
+        with suppress(ValueError):
+            kept = json.loads(line)
+            day = RoomDay(**kept["day"])
+            day.refused, day.told = Counter(day.refused), Counter(day.told)
+            days[kept["seed"]] = day
+    return days
+
+
+def days_spent(rooms: int, path: Path, workers: int) -> list[RoomDay]:
+    """Return the days of so many rooms; those that the file lacks are spent now."""
+    days = days_kept(path)
+    with ProcessPoolExecutor(workers, initializer=partial(os.nice, 19)) as pool:
+        under_way = {pool.submit(spend_day, n): n for n in range(rooms) if n not in days}
+        for done in as_completed(under_way):
+            seed, day = under_way[done], done.result()
+            days[seed] = day
+            with path.open("a", encoding="utf-8") as file:
+                file.write("\n" * bool(file.tell()) + json.dumps({"seed": seed, "day": vars(day)}))
+            words = "; ".join(day.violations) or "nothing broken"
+            print(f"room {seed}: {words}; {len(days)} of {rooms}", file=sys.stderr, flush=True)
+    return [days[seed] for seed in range(rooms)]
+
+
 def main() -> None:
     """Spend the days, and print what came of them."""
-    rooms = int(sys.argv[1]) if len(sys.argv) > 1 else ROOMS
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("rooms", type=int, nargs="?", default=ROOMS)
+    parser.add_argument("--out", type=Path, default=Path("lively-services.jsonl"))
+    parser.add_argument("--workers", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    days = days_spent(options.rooms, options.out, options.workers)
     print("## A hundred services among people\n")
-    with ProcessPoolExecutor() as pool:
-        days = []
-        for day in pool.map(spend_day, range(rooms)):
-            days.append(day)
-            print(f"room {len(days)} of {rooms}", file=sys.stderr, flush=True)
     durations = sorted(t for day in days for t in day.durations)
     refused = sum((day.refused for day in days), Counter())
     touched = [words for day in days for words in day.violations]

@@ -1,11 +1,10 @@
-"""Takes the pictures of the README: flies services in a simulated room; console, tasks, report.
+"""Takes the pictures of the README: plays the story of the demo; console, tasks, clip, report.
 
 ``python scripts/screenshots.py`` writes docs/images/*.png.
 """
 
 from __future__ import annotations
 
-import json
 import re
 import shutil
 import signal
@@ -16,8 +15,9 @@ import tempfile
 import time
 from pathlib import Path
 
-from paho.mqtt import publish
 from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+
+from housefly import sites
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
 DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
@@ -29,43 +29,17 @@ FLAGS = [
     "--no-first-run",
 ]
 
-SCENE = """
-name = "Somebody stands at the door"
-seed = 1
-loop = false
-
-[[people]]
-name = "visitor"
-visitor = true
-steps = [
-    { do = "wait", seconds = 0.2 },
-    { do = "appear", at = [0.85, 4.20] },
-    { do = "wait", seconds = 900.0 },
-]
-"""
-SITE = """
-name = "Home"
+MORE = """
 [drone]
 address = "127.30.1.2"
-has_video = true
 [tracking]
-kind = "vicon"
 address = "127.30.1.2"
 [hub]
 store = "{folder}/room.db"
 [web]
-port = 8091
-[twin]
-seed = 1
-video = true
-scene = "{folder}/scene.toml"
-[mqtt]
-broker = "127.0.0.1"
 port = {port}
-start = true
-site = "home"
 """
-BELL = "housefly/home/doorbell/doorbell/event"
+"""What the demo's own site gets for a run beside others, with an empty memory."""
 
 
 def housefly(*arguments: str, **options: object) -> subprocess.Popen[str]:
@@ -77,7 +51,7 @@ def housefly(*arguments: str, **options: object) -> subprocess.Popen[str]:
 
 def address_in(log: Path) -> str:
     """Wait until the demo is ready and return the console's address."""
-    for _ in range(600):
+    for _ in range(1800):
         text = log.read_text()
         if "ready after" in text:
             return re.findall(r"http://\S+", text)[0]
@@ -93,8 +67,9 @@ def state(page: Page, words: str) -> Locator:
 def photograph(pages: dict[str, Page], moment: str) -> None:
     """Save a picture of each page."""
     for name, page in pages.items():
-        page.screenshot(path=IMAGES / f"{name}-{moment}.png")
-        print(f"{name}-{moment}.png")
+        file = "-".join(part for part in (name, moment) if part) + ".png"
+        page.screenshot(path=IMAGES / file)
+        print(file, flush=True)
 
 
 def hold(page: Page, button: Locator) -> None:
@@ -107,89 +82,114 @@ def hold(page: Page, button: Locator) -> None:
     page.mouse.up()
 
 
-def fly(browser: Browser, address: str) -> None:
-    """Fly the service and photograph it on its way."""
+def begin(browser: Browser, address: str) -> dict[str, Page]:
+    """Open the demo as its address says, photograph what can be asked, and return the pages."""
     context = browser.new_context(viewport=DESKTOP, color_scheme="light")
-    desktop = context.new_page()
-    desktop.goto(address)
-    phone = context.new_page()
+    desktop, phone, dark = (context.new_page() for _ in range(3))
     phone.set_viewport_size(PHONE)
-    phone.goto(address.split("?")[0])
-    dark = context.new_page()
     dark.emulate_media(color_scheme="dark")
+    desktop.goto(address)
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=60_000)
+    phone.goto(address.split("?")[0] + "#tasks")
     dark.goto(address.split("?")[0])
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=15_000)
+    pages = {"tasks": desktop, "phone-tasks": phone}
+    for page in pages.values():
+        services = page.get_by_role("region", name="Services")
+        expect(services.get_by_role("listitem").first).to_be_visible(timeout=30_000)
+    desktop.get_by_role("button", name="Who is at the door?").click()
+    expect(desktop.get_by_role("region", name="Ask").get_by_role("status")).to_contain_text(".")
+    photograph(pages, "first")
+    return {"console": desktop, "phone": phone, "console-dark": dark}
+
+
+def show(page: Page, screen: str) -> None:
+    """Go to a screen; on a phone the open one has no button."""
+    button = page.get_by_role("navigation").get_by_role("button", name=screen)
+    if button.is_visible():
+        button.click()
+
+
+def choose(pages: dict[str, Page]) -> None:
+    """Choose where to fly, by hand, and photograph the way."""
+    desktop, phone = pages["console"], pages["phone"]
+    for page in (desktop, phone):
+        if page.get_by_role("button", name="Close").is_visible():
+            page.get_by_role("button", name="Close").click()
+        show(page, "Fly")
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
     photograph({"console": desktop, "phone": phone}, "ready")
+
+
+def fly(pages: dict[str, Page]) -> None:
+    """Fly to the chosen place by hand and photograph the service on its way."""
+    desktop, phone = pages["console"], pages["phone"]
+    both = {"console": desktop, "phone": phone}
     hold(desktop, desktop.get_by_role("button", name="Send to look and come back"))
-    expect(state(desktop, "Flying to Entrance")).to_be_visible(timeout=30_000)
+    expect(state(desktop, "Flying to Entrance")).to_be_visible(timeout=60_000)
     desktop.wait_for_timeout(7500)
-    photograph({"console": desktop, "phone": phone}, "flying")
-    expect(state(desktop, "Looking at Entrance")).to_be_visible(timeout=60_000)
+    photograph(both, "flying")
+    expect(state(desktop, "Looking at Entrance")).to_be_visible(timeout=120_000)
     desktop.wait_for_timeout(1500)
-    photograph({"console": desktop, "phone": phone, "console-dark": dark}, "arrived")
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=90_000)
+    photograph(pages, "arrived")
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=180_000)
 
 
-def ring(port: int) -> None:
-    """Press the bell at the door, as a device does."""
-    publish.single(BELL, json.dumps({"event": "pressed"}), hostname="127.0.0.1", port=port)
+def ring(page: Page) -> None:
+    """Press the bell of the simulated room, and wait for what the house does."""
+    bell = page.get_by_role("region", name="Simulated doorbell")
+    bell.get_by_role("button").click()
+    expect(bell.get_by_role("status")).to_contain_text("a person must say yes", timeout=30_000)
 
 
-def look_who_rings(browser: Browser, address: str, port: int) -> None:
+def look_who_rings(pages: dict[str, Page]) -> None:
     """Let the bell ring, say yes, and photograph question, tasks and clip."""
-    context = browser.new_context(viewport=DESKTOP, color_scheme="light")
-    desktop = context.new_page()
-    desktop.goto(address)
-    phone = context.new_page()
-    phone.set_viewport_size(PHONE)
-    phone.goto(address.split("?")[0] + "#tasks")
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=30_000)
-    expect(
-        phone.get_by_role("region", name="Services").get_by_role("listitem").first
-    ).to_be_visible(timeout=30_000)
-    ring(port)
+    desktop, phone = pages["console"], pages["phone"]
+    show(phone, "Tasks")
+    ring(phone)
     question = desktop.get_by_role("article")
-    expect(question.locator(".rehearsal")).to_be_visible(timeout=60_000)
+    expect(question.locator(".rehearsal")).to_be_visible(timeout=120_000)
     photograph({"console": desktop, "phone": phone}, "question")
     hold(desktop, question.get_by_role("button").first)
-    desktop.get_by_role("navigation").get_by_role("button", name="Tasks").click()
-    expect(desktop.get_by_role("banner")).to_contain_text("recording", timeout=120_000)
-    desktop.wait_for_timeout(6000)
-    desktop.screenshot(path=IMAGES / "tasks.png")
-    phone.screenshot(path=IMAGES / "phone-tasks.png")
+    show(desktop, "Tasks")
+    expect(desktop.get_by_role("banner")).to_contain_text("recording", timeout=180_000)
+    expect(desktop.get_by_role("button", name="Come home")).to_be_visible(timeout=60_000)
+    desktop.wait_for_timeout(2500)
+    photograph({"": desktop, "phone": phone}, "tasks")
     desktop.get_by_role("button", name="Come home").click(timeout=60_000)
-    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=120_000)
+    expect(state(desktop, "Ready on the pad")).to_be_visible(timeout=180_000)
     expect(desktop.get_by_role("region", name="Now").get_by_role("listitem")).to_have_count(
-        0, timeout=30_000
+        0, timeout=60_000
     )
     for page in (desktop, phone):
         page.get_by_role("tabpanel").locator("summary").first.click()
     desktop.wait_for_timeout(1000)
-    desktop.screenshot(path=IMAGES / "tasks-history.png")
-    for page, name in ((desktop, "tasks-clip.png"), (phone, "phone-tasks-clip.png")):
+    photograph({"tasks": desktop}, "history")
+    for page, name in ((desktop, "tasks"), (phone, "phone-tasks")):
         page.get_by_role("button", name="Show clip").click()
         page.wait_for_timeout(8000)
-        page.screenshot(path=IMAGES / name)
-        print(name)
+        photograph({name: page}, "clip")
 
 
-def photograph_tasks(browser: Browser, folder: Path) -> None:
-    """Run a site with a bell at the door, and photograph what is asked for there."""
+def photograph_demo(browser: Browser, folder: Path) -> None:
+    """Run the demo with a store of its own, and photograph its story."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = int(probe.getsockname()[1])
-    (folder / "scene.toml").write_text(SCENE)
-    (folder / "site.toml").write_text(SITE.format(folder=folder, port=port))
-    log = folder / "tasks.log"
-    command = ("run", "--site", str(folder / "site.toml"))
-    home = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
+    shipped = (Path(sites.__file__).parent / "bsen.toml").read_text()
+    (folder / "site.toml").write_text(shipped + MORE.format(folder=folder, port=port))
+    log = folder / "demo.log"
+    command = ("demo", "--site", str(folder / "site.toml"))
+    demo = housefly(*command, stdout=log.open("w"), stderr=subprocess.STDOUT)
     try:
-        look_who_rings(browser, address_in(log), port)
+        pages = begin(browser, address_in(log))
+        choose(pages)
+        look_who_rings(pages)
+        choose(pages)
+        fly(pages)
     finally:
-        home.send_signal(signal.SIGINT)
-        home.wait(60)
+        demo.send_signal(signal.SIGINT)
+        demo.wait(60)
 
 
 def photograph_report(browser: Browser, folder: Path) -> None:
@@ -213,15 +213,8 @@ def main() -> None:
     """Take all pictures."""
     IMAGES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as play:
-        log = Path(folder) / "demo.log"
         browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-        demo = housefly("demo", "--port", "8090", stdout=log.open("w"), stderr=subprocess.STDOUT)
-        try:
-            fly(browser, address_in(log))
-        finally:
-            demo.send_signal(signal.SIGINT)
-            demo.wait(60)
-        photograph_tasks(browser, Path(folder))
+        photograph_demo(browser, Path(folder))
         photograph_report(browser, Path(folder) / "flight")
         browser.close()
     housefly(

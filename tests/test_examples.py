@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.timeout(300)
+
 FOLDER = Path(__file__).resolve().parents[1] / "examples"
 SCRIPTS = sorted(path.name for path in FOLDER.glob("*.py"))
 
@@ -19,7 +21,7 @@ def own_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
 
 
-def run(name: str, *arguments: str, timeout: float = 100.0) -> str:
+def run(name: str, *arguments: str, timeout: float = 280.0) -> str:
     done = subprocess.run(
         [sys.executable, str(FOLDER / name), *arguments],
         capture_output=True,

@@ -235,6 +235,7 @@ def wired(loopback: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> hou
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.interop
 @pytest.mark.slow
 def test_a_flight_over_real_wires_is_recorded(wired: housefly.LoadedSite) -> None:
@@ -245,6 +246,7 @@ def test_a_flight_over_real_wires_is_recorded(wired: housefly.LoadedSite) -> Non
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
 def test_the_room_that_was_launched_is_found_and_asked(wired: housefly.LoadedSite) -> None:
     with housefly.launch(wired) as bus, housefly.connect("B-sen") as room:

@@ -13,6 +13,7 @@ from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_CO
 from housefly.app.commands.ask_state import IS_COMMAND, NIGHTS_COMMAND, WHO_COMMAND
 from housefly.app.commands.campaign import CAMPAIGN_COMMAND
 from housefly.app.commands.cert import CERT_COMMAND
+from housefly.app.commands.clips import CLIPS_COMMANDS
 from housefly.app.commands.doctor import DOCTOR_COMMAND
 from housefly.app.commands.fly import FLY_COMMAND
 from housefly.app.commands.gains import GAINS_COMMAND
@@ -50,6 +51,7 @@ _COMMANDS = (
     CANCEL_COMMAND,
     TASK_COMMANDS,
     RULES_COMMANDS,
+    CLIPS_COMMANDS,
     MCP_COMMAND,
     WHERE_COMMAND,
     IS_COMMAND,
@@ -68,7 +70,7 @@ _COMMANDS = (
 )
 
 EPILOG = """examples:
-  housefly demo                            fly the simulated room, with a console in the browser
+  housefly demo                            somebody lives there: ask, ring and fly in the browser
   housefly new mylab                       describe a room of your own; writes its site file
   housefly fly entrance --headless         fly the whole service over real wires, \
 record it, write a report

@@ -68,6 +68,7 @@ def test_the_disks_of_a_run_are_there() -> None:
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 async def test_with_a_full_disk_nothing_takes_off_and_a_flight_goes_on(write_site: Any) -> None:
     loaded = open_site(read_site(str(write_site()), hub__enabled=False))
     steps: list[PilotStep] = []

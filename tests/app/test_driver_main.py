@@ -22,7 +22,7 @@ from housefly.bus.zenoh_bus import ZenohBus
 from housefly.messages import Order, OrderKind
 from housefly.twin.contracts import FlightState
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]
 
 STOPPING_DISTANCE_MAX = 0.6
 """From 0.5 m/s [m]."""

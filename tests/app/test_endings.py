@@ -23,7 +23,7 @@ import psutil
 import pytest
 from outside_room import OutsideRoom, Run, running_outside, wait_for
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(240)]
 
 _LANDING = 90.0
 _DRIVER, _PILOT = "housefly.app.driver_main", "housefly.app.pilot_main"
@@ -97,6 +97,7 @@ def test_a_killed_launcher_leaves_a_drone_that_lands_and_no_process(
         assert_landed_and_gone(room, run)
 
 
+@pytest.mark.interop
 def test_a_closed_terminal_lands_first(tmp_path: Path, write_site: Any) -> None:
     terminal = Terminal(tmp_path / "log")
     with running_outside(write_site(), tmp_path / "log", **terminal.popen) as (room, run):
@@ -123,6 +124,7 @@ def test_a_second_typed_ctrl_c_does_not_wait_and_the_drone_is_landed_all_the_sam
     terminal.hang_up()
 
 
+@pytest.mark.interop
 def test_signals_to_everybody_twice_after_the_pilot_was_killed_land_the_drone(
     tmp_path: Path, write_site: Any
 ) -> None:

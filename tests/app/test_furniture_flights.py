@@ -84,12 +84,17 @@ def on_the_way() -> Vec2:
     return min(way, key=lambda p: abs(p[0] - 7.0))
 
 
+@pytest.fixture(scope="module")
+def around(on_the_way: Vec2) -> Story:
+    """Return the flight with the tracked chair on the way from the start."""
+    return fly(Story(on_the_way))
+
+
 @pytest.mark.slow
-def test_a_tracked_chair_on_the_way_is_gone_around(on_the_way: Vec2) -> None:
-    story = fly(Story(on_the_way))
+def test_a_tracked_chair_on_the_way_is_gone_around(around: Story) -> None:
     entrance = loaded().room.place("entrance").viewpoint
-    assert story.closest > HULL and story.contacts == 0
-    assert hypot(story.way[-1][0] - entrance[0], story.way[-1][1] - entrance[1]) < 0.3
+    assert around.closest > HULL and around.contacts == 0
+    assert hypot(around.way[-1][0] - entrance[0], around.way[-1][1] - entrance[1]) < 0.3
 
 
 @pytest.mark.slow
@@ -100,11 +105,11 @@ def test_without_markers_the_drone_flies_into_the_chair(on_the_way: Vec2) -> Non
 
 @pytest.mark.slow
 def test_a_chair_that_was_carried_away_before_the_order_leaves_its_place_free(
-    on_the_way: Vec2,
+    on_the_way: Vec2, around: Story
 ) -> None:
     free = fly(Story(ASIDE)).paths()
     assert fly(Story(on_the_way, moved_at=0.3, moved_to=ASIDE)).paths() == free
-    assert fly(Story(on_the_way)).paths() != free
+    assert around.paths() != free
 
 
 @pytest.mark.slow
@@ -118,10 +123,10 @@ def test_a_chair_that_is_put_in_the_way_in_flight_is_told_by_its_name_and_not_to
 
 
 @pytest.mark.slow
-def test_another_pilot_with_the_same_inputs_decides_the_same(on_the_way: Vec2) -> None:
+def test_another_pilot_with_the_same_inputs_decides_the_same(around: Story) -> None:
     here = loaded()
     pilot = make_pilot(here.site, here.room, here.grid)
-    for step in fly(Story(on_the_way), until=15.0).steps:
+    for step in around.steps[:1500]:
         assert pilot.step(step.now, step.inputs) == step.outputs
 
 

@@ -33,7 +33,7 @@ from housefly.hub.store.run_length import STILL_DISTANCE
 from housefly.messages import Order, OrderKind, Phase, PilotStep
 from housefly.room.files import load_room
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow, pytest.mark.timeout(180)]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow, pytest.mark.timeout(180)]
 
 DRONE = "ardrone"
 PLACE = "tv"

@@ -68,7 +68,7 @@ def test_a_drone_that_hovers_in_the_box_but_not_in_its_middle_goes_there_first()
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.safety)])
 def test_what_a_profile_says_of_a_simulated_drone_is_found_in_its_flight(
     seed: int, tmp_path: Path
 ) -> None:
@@ -239,6 +239,7 @@ def test_a_bad_profile_is_named(text: str, words: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.interop
 @pytest.mark.timeout(240)
@@ -257,7 +258,9 @@ def test_it_flies_over_real_wires(tmp_path: Path, write_site: Callable[..., Path
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
+@pytest.mark.interop
 def test_ctrl_c_lands_the_drone(tmp_path: Path, write_site: Callable[..., Path]) -> None:
     out = tmp_path / "o"
     process = subprocess.Popen(

@@ -31,7 +31,7 @@ from housefly.hub.client.discovery import announced
 from housefly.record.truth import TrueFlight, read_truth
 from housefly.tasks.api.values import ENDED, TaskStage
 
-pytestmark = [pytest.mark.wire, pytest.mark.interop, pytest.mark.timeout(400)]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.interop, pytest.mark.timeout(400)]
 
 _FILE = Path(__file__).with_name("test_task_wires.py")
 _spec = importlib.util.spec_from_file_location("task_wires", _FILE)

@@ -90,7 +90,7 @@ def fly() -> Fly:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ahead", [1.1, 2.0])
+@pytest.mark.parametrize("ahead", [1.1, pytest.param(2.0, marks=pytest.mark.safety)])
 def test_a_chair_put_before_the_drone_is_seen_avoided_and_the_service_completed(
     fly: Fly, ahead: float
 ) -> None:

@@ -53,6 +53,7 @@ async def until(done: Callable[[], bool], limit: float = 10.0) -> None:
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_is_taken_away(
     loopback: str,
 ) -> None:
@@ -94,6 +95,7 @@ DEPTH_CAMERA = {"name": "eye", "x": 4.0, "y": 4.2, "z": 1.1, "yaw": 3.14}
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("sensors", "title"),

@@ -17,7 +17,7 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import new_runtime
 from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, RECORDING_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
@@ -30,13 +30,14 @@ from housefly.messages import (
     Outputs,
     PilotStep,
     PreflightCheck,
+    RecordingNews,
     Severity,
     Sighting,
     TrackedFrame,
 )
 from housefly.pilot.assembly import warm_up
 
-pytestmark = pytest.mark.wire
+pytestmark = [pytest.mark.wire, pytest.mark.realtime]
 
 
 def test_frames_are_told_as_they_come_and_not_at_the_next_step(
@@ -111,6 +112,32 @@ async def flying_shell(room: RoomHere, steps: list[PilotStep], links: list[LinkS
     bus.publish(ORDER_TOPIC, Order(OrderKind.TAKE_OFF, issued_at=clock.now()))
     await room.until(lambda: room.world.onboard().flight.name == "HOVERING", 20.0)
     return shell, failing, bus, running
+
+
+async def test_the_drones_light_shows_that_its_camera_is_recorded_until_the_recorder_falls_silent(
+    write_site: Any,
+) -> None:
+    loaded = open_site(read_site(str(write_site()), hub__enabled=False))
+    bus, clock = LocalBus(), RealClock()
+    async with RoomHere(loaded) as room:
+        drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+        shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
+        running = asyncio.create_task(shell.run())
+        await room.until(lambda: drone.telemetry is not None and drone.telemetry.configured)
+        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now() - 10.0, records=True))
+        await asyncio.sleep(0.5)
+        assert room.world.truth().leds == 6, "an old message says nothing about now"
+        for _ in range(3):
+            bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=True))
+            await room.until(lambda: room.world.truth().leds == 2)
+            await asyncio.sleep(0.5)
+        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=False))
+        await room.until(lambda: room.world.truth().leds == 6)
+        bus.publish(RECORDING_TOPIC, RecordingNews(clock.now(), records=True))
+        await room.until(lambda: room.world.truth().leds == 2)
+        await room.until(lambda: room.world.truth().leds == 6)
+        shell.leave()
+        await asyncio.wait_for(running, 30.0)
 
 
 async def test_an_exception_in_the_step_lands_the_drone_and_ends_the_process(

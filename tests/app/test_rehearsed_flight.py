@@ -17,6 +17,7 @@ from housefly.hub.api.questions import Question
 from housefly.messages import Obstacle
 from housefly.record.truth import ContactRecord
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
+from housefly.tasks.document.library import bind, read_task
 from housefly.tasks.execution.task_room import SeenPerson
 
 VISITOR = SeenPerson("visitor", (0.85, 4.2, 0.0), (0.0, 0.0), 0.1)
@@ -48,8 +49,11 @@ def test_the_visitor_service_may_fly_and_says_what_to_expect() -> None:
     assert report.may_fly and report.code is ReasonCode.OK
     planned = premises().plan("entrance").duration
     assert planned is not None and report.duration is not None and report.charge is not None
-    assert 2.0 * planned < report.duration < 2.0 * planned + 30.0
+    stay = 45.0
+    assert 2.0 * planned < report.duration - stay < 2.0 * planned + 30.0
     assert report.charge == pytest.approx(report.duration / 600.0, rel=0.4)
+    assert report.shortest == pytest.approx(report.duration - stay)
+    assert f"takes {report.shortest:.0f} s to " in report.words
     assert report.clearance is not None and 0.2 < report.clearance < 0.5
     assert report.first_look is not None and planned < report.first_look < 1.3 * planned + 8.0
     assert min(x for x, _ in report.way) < 3.3 and len(report.way) > 50
@@ -91,6 +95,99 @@ def test_hovering_too_long_for_the_battery_is_refused() -> None:
     assert (report.may_fly, report.code) == (False, ReasonCode.BATTERY)
 
 
+def of_text(steps: str, now: RoomNow | None = None) -> RehearsalReport:
+    task = bind(read_task(f"name: t\nsteps:\n{steps}\n"), {})
+    return rehearsed().rehearse(task, now or RoomNow(), nobody)
+
+
+def test_a_question_may_take_all_its_time_and_that_is_counted_before_take_off() -> None:
+    """Answered at once it would fly; nobody says that it is."""
+    report = rehearse("visitor", RoomNow(people=(VISITOR,), battery=0.5), stay=300.0)
+    assert (report.may_fly, report.code) == (False, ReasonCode.BATTERY)
+    assert report.duration is not None and report.duration > 300.0
+
+
+def test_what_is_waited_for_may_never_come() -> None:
+    """The room says at once that it is so; in the flight it may be otherwise."""
+    free = of_text(
+        "  - take_off\n  - wait: {time: 90 s, until: {not: {set: reply}}}\n  - ask: well"
+    )
+    assert free.may_fly and free.duration is not None and free.duration > 150.0
+
+
+ASKS = (
+    "  - take_off\n  - ask: {question: More, choices: [table, moon, no, never], wait: 5 s}\n"
+    "  - if: {reply: {equals: table}}\n    then: [{go_to: {point: [9.55, 1.65]}}]\n"
+    "  - if: {reply: {equals: never}}\n    then: [fail: Never]\n"
+)
+"""Nobody answers, and it never ends well; three other answers lead to three ways more."""
+
+
+def test_every_answers_way_is_rehearsed() -> None:
+    """Nobody answers, and it comes home; the way that another answer leads to counts as well."""
+    report = of_text(ASKS)
+    assert report.may_fly and "3 ways" in report.words, report.words
+    assert max(abs(x - 10.55) for x, _ in report.way) > 0.8
+
+
+def test_an_answer_that_leads_nowhere_is_refused_and_named() -> None:
+    refused = of_text(ASKS + "  - if: {reply: {equals: moon}}\n    then: [look_at: the moon]")
+    assert (refused.may_fly, refused.code) == (False, ReasonCode.UNKNOWN_THING)
+    assert "if 'moon' is answered to 'More'" in refused.words
+
+
+def test_a_task_that_only_ever_fails_does_not_fly() -> None:
+    never = of_text("  - take_off\n  - fail: never")
+    assert (never.may_fly, never.code, never.words) == (False, ReasonCode.STEP_FAILED, "never")
+
+
+def test_a_step_that_fails_is_not_taken_for_the_documents_own_end() -> None:
+    report = of_text(
+        "  - take_off\n  - ask: {question: Milk, wait: 2 s}\n"
+        "  - if: {reply: {equals: yes}}\n    then: [{find: milk}]\n"
+        "  - if: {set: other}\n    then: [{fail: $other}]\n"
+        "  - return_home\n  - ask: {question: Else, wait: 1 s, as: other}"
+    )
+    assert (report.may_fly, report.code) == (False, ReasonCode.STEP_FAILED), report.words
+    assert "nobody remembers" in report.words
+
+
+def test_more_answers_than_can_be_rehearsed_are_refused() -> None:
+    """Nothing flies here, so the ways are many but short."""
+    many = "".join(
+        f"  - ask: {{question: q, wait: 1 s, as: q{n}}}\n"
+        f"  - if: {{reply: {{to: q{n}, equals: yes}}}}\n    then: [report: y]\n"
+        for n in range(4)
+    )
+    report = of_text(many + "  - if: {set: q0}\n    then: [report: z]\n    else: [take_off]")
+    assert (report.may_fly, report.code) == (False, ReasonCode.TOO_LONG)
+
+
+@pytest.mark.parametrize(
+    "steps",
+    [
+        "  - ask: {question: Where, choices: [moon, tv], wait: 5 s}\n  - look_at: $reply",
+        "  - timeout: 4 s\n    do:\n      - ask: {question: Moon, wait: 30 s}\n"
+        "      - {if: {reply: {equals: yes}}, then: [{look_at: moon}]}\n"
+        "    otherwise: [{say: too late}]",
+    ],
+    ids=["the answer is where it goes", "the question is given up before its time"],
+)
+def test_an_answers_way_that_only_an_early_one_or_a_name_leads_to_is_rehearsed(steps: str) -> None:
+    report = of_text(f"  - take_off\n{steps}")
+    assert (report.may_fly, report.code) == (False, ReasonCode.UNKNOWN_THING), report.words
+
+
+def test_a_drone_in_the_air_is_rehearsed_from_where_it_hovers() -> None:
+    height = premises().site.map.flight_height
+    there = RoomNow(drone=(8.5, 1.7, height), yaw=0.0, is_airborne=True)
+    report = of_text("  - snapshot\n  - go_to: {point: [8.0, 2.0]}\n  - return_home", there)
+    assert report.may_fly, report.words
+    x, y = report.way[0]
+    assert abs(x - 8.5) < 0.2 and abs(y - 1.7) < 0.2
+    assert report.first_look == 0.0  # no take-off before it
+
+
 def test_live_obstacles_are_flown_around() -> None:
     box = Obstacle("box", (9.0, 1.9), 0.3, source="laser-1", top=1.6)
     free = rehearse("look", subject="table", time=1.0)
@@ -101,8 +198,6 @@ def test_live_obstacles_are_flown_around() -> None:
 
 
 def test_a_task_that_flies_nothing_may_always_run() -> None:
-    from housefly.tasks.document.library import bind, read_task
-
     text = "name: hello\ntitle: Hello\nabout: Says hello.\nsteps:\n  - say: hello\n"
     report = rehearsed().rehearse(bind(read_task(text, "hello.yaml"), {}), RoomNow(), nobody)
     assert report.may_fly and report.duration == 0.0

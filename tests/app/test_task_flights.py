@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from math import hypot, inf
 
 import pytest
@@ -120,6 +121,17 @@ def test_a_patrol_shows_each_place_and_says_which_it_could_not() -> None:
     assert sum("nowhere" in line for line in words(flight, Report)) == 1
 
 
+@pytest.mark.safety
+def test_a_room_without_named_places_is_gone_round_by_its_floor() -> None:
+    loaded = premises()
+    room = replace(loaded.room, places=(loaded.room.place("home"),))
+    quick = {"hover_max": 1.0, "pictures": False}
+    flight = flown("patrol", loaded=replace(loaded, room=room), options=quick, dwell=1.0)
+    assert flight.stage is TaskStage.DONE, flight.words
+    assert_home_and_clean(flight)
+    assert len(flight.actions_of(TakeSnapshot)) > 4
+
+
 def test_come_flies_to_a_person_and_keeps_its_distance() -> None:
     scene = scene_of(person("anna", STANDS, start=(8.6, 3.6)))
     flight = flown("come", scene=scene, person="anna", stay=8.0)
@@ -144,6 +156,20 @@ def test_follow_keeps_a_walking_person_in_view_and_never_overhead() -> None:
     start = next(at for at, name in flight.began if name == "follow")
     assert flight.seen_between("anna", start, start + 20.0) > 0.6
     assert min(one.person for one in flight.samples) > 0.4
+
+
+@pytest.mark.safety
+def test_who_vanishes_is_missed_though_the_memory_keeps_their_place() -> None:
+    steps: list[dict[str, object]] = [{"do": "wait", "seconds": 18.0}, {"do": "vanish"}]
+    scene = scene_of(person("anna", *steps, start=(8.6, 3.6)))
+    flight = flown("follow", scene=scene, memory=True, person="anna", time=60.0)
+    assert flight.stage is TaskStage.DONE, flight.words
+    assert_home_and_clean(flight)
+    assert [line.partition(":")[0] for line in words(flight, Say)] == [
+        "Anna was not seen for 3 s", "Anna is lost", "Lost sight of them",
+    ]  # fmt: skip
+    waits, looks, comes_home = (one.at for one in flight.actions_of(Say))
+    assert 19.0 < waits < 24.0 and 6.0 < looks - waits < 9.0 and 9.0 < comes_home - looks < 12.0
 
 
 def test_an_inventory_lists_what_is_inside_with_a_picture() -> None:

@@ -11,6 +11,8 @@ from housefly.app.launcher import processes_of
 from housefly.app.loaded_site import read_site
 from housefly.app.runtime import new_runtime
 from housefly.errors import TaskError
+from housefly.messages import OrderKind
+from housefly.tasks.api.questions import RequestTask, RulesQuestion, Sentence, ServicesQuestion
 
 
 @pytest.mark.parametrize("hub", [True, False])
@@ -44,16 +46,67 @@ def test_a_pilot_that_brings_home_too_early_is_told(tmp_path: Path) -> None:
     stage.close()
 
 
-def test_a_wrong_document_is_refused_with_its_line_and_a_wrong_rule_is_told(
-    tmp_path: Path,
-) -> None:
-    mine = tmp_path / "mine"
-    mine.mkdir()
-    (mine / "round.yaml").write_text("name: round\ntitle: x\nsteps:\n  - fly_about\n")
-    with pytest.raises(TaskError, match=r"round\.yaml, line 4"):
-        TaskStage(tmp_path, tasks__documents=str(mine))
+WRONG = "name: round\ntitle: x\nsteps:\n  - fly_about\n"
+
+
+@pytest.fixture
+def mine(tmp_path: Path) -> Path:
+    folder = tmp_path / "mine"
+    folder.mkdir()
+    return folder
+
+
+def test_a_wrong_document_or_rule_is_told_and_all_others_go_on(tmp_path: Path, mine: Path) -> None:
+    (mine / "round.yaml").write_text(WRONG)
     rules = tmp_path / "rules.yaml"
     rules.write_text("rules:\n  - {name: x, when: {webhook: x}, then: {service: dance}}\n")
-    stage = TaskStage(tmp_path, tasks__rules=str(rules))
+    stage = TaskStage(tmp_path, tasks__documents=str(mine), tasks__rules=str(rules))
+    assert any("round.yaml, line 4" in problem for problem in stage.problems)
     assert any("dance" in problem for problem in stage.problems)
+    services = {one.name: one for one in stage.ask(ServicesQuestion()).services}
+    assert "round.yaml, line 4" in services["round"].problem
+    assert services["round"].problem in services["round"].about, "pages show it, too"
+    assert not services["look"].problem
+    with pytest.raises(TaskError, match=r"round\.yaml, line 4") as caught:
+        stage.ask(RequestTask("round"))
+    assert caught.value.code == "unknown_service"
+    assert stage.ask(RequestTask("look", {"subject": "sofa"})).tasks
+    stage.close()
+
+
+def test_a_document_that_was_mended_is_a_service_at_the_next_look(
+    tmp_path: Path, mine: Path
+) -> None:
+    (mine / "round.yaml").write_text(WRONG)
+    stage = TaskStage(tmp_path, tasks__documents=str(mine))
+    (mine / "round.yaml").write_text("name: round\ntitle: My round\nsteps:\n  - land\n")
+    assert stage.ask(RequestTask("round")).tasks[0].title == "My round"
+    (mine / "round.yaml").unlink()
+    assert "round" not in {one.name for one in stage.ask(ServicesQuestion()).services}
+    stage.close()
+
+
+@pytest.mark.parametrize("text", ["rules: [", "rules: 7", "rules:\n  - {name: x}\n", "\x00"])
+def test_a_wrong_file_of_rules_leaves_the_shipped_ones(tmp_path: Path, text: str) -> None:
+    rules = tmp_path / "rules.yaml"
+    rules.write_text(text)
+    stage = TaskStage(tmp_path, tasks__rules=str(rules))
+    first, *others = stage.ask(RulesQuestion()).rules
+    assert first.name == "own rules" and "rules.yaml" in first.words and not first.enabled
+    assert {"bell", "person-fallen"} <= {one.name for one in others if one.enabled}
+    assert any("rules.yaml" in problem for problem in stage.problems)
+    stage.close()
+
+
+@pytest.mark.parametrize("text", ["language: en\nintents: 7\n", "language: ["])
+def test_wrong_sentences_of_ones_own_take_nobody_the_shipped_ones(
+    tmp_path: Path, mine: Path, text: str
+) -> None:
+    (mine / "sentences").mkdir()
+    (mine / "sentences" / "own.yaml").write_text(text)
+    stage = TaskStage(tmp_path, tasks__documents=str(mine))
+    stage.stand()
+    stage.ask(Sentence("stop"))
+    assert [order.kind for order in stage.orders] == [OrderKind.STOP]
+    assert stage.ask(Sentence("where is the sofa")).understood
     stage.close()

@@ -15,7 +15,7 @@ from typing import Any
 import av
 import pytest
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 
 def start(site: Path, out: Path, *arguments: str) -> subprocess.Popen[str]:
@@ -122,9 +122,11 @@ def test_the_drone_flies_by_other_tracking_systems(
 @pytest.mark.timeout(300)
 def test_ctrl_c_in_flight_lands_first(tmp_path: Path, write_site: Any) -> None:
     flight = start(write_site(), tmp_path / "out", "entrance")
-    time.sleep(18.0)
+    assert flight.stdout is not None
+    assert any("in the air" in line for line in flight.stdout), "it never took off"
+    time.sleep(3.0)
     os.kill(flight.pid, signal.SIGINT)
-    flight.communicate(timeout=90)
+    flight.communicate(timeout=120)
     summary = summary_of(tmp_path / "out")
     assert flight.returncode == 1
     assert summary["outcome"] == "interrupted"

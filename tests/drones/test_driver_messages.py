@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from housefly.drones.driver_messages import (
     DriverMessage,
     DriverStatus,
+    LightOrder,
     MessageReader,
     TimedCommand,
     encode_driver_message,
@@ -43,7 +44,10 @@ reports = st.builds(
     configured=st.booleans(),
     notes=words,
 )
-states = st.builds(DriverStatus, st.booleans(), st.booleans(), numbers, st.text(max_size=50))
+states = st.builds(
+    DriverStatus, st.booleans(), st.booleans(), numbers, st.text(max_size=50), st.booleans()
+)
+lights = st.builds(LightOrder, st.booleans())
 pictures = st.builds(
     VideoFrame,
     data=st.binary(max_size=500),
@@ -57,7 +61,7 @@ pictures = st.builds(
 
 
 @given(
-    st.lists(st.one_of(commands, reports, states, pictures), min_size=1, max_size=5),
+    st.lists(st.one_of(commands, reports, states, pictures, lights), min_size=1, max_size=5),
     st.lists(st.integers(1, 60), min_size=1, max_size=40),
 )
 def test_messages_arrive_as_they_were_however_the_stream_is_cut(
@@ -81,7 +85,7 @@ def test_no_bytes_make_the_reader_raise_anything_else(parts: list[bytes]) -> Non
         pass
 
 
-@given(st.integers(0, 3), st.binary(max_size=120))
+@given(st.integers(0, 4), st.binary(max_size=120))
 def test_no_body_makes_the_reader_raise_anything_else(kind: int, body: bytes) -> None:
     data = b"HFd1" + bytes([kind]) + len(body).to_bytes(4, "little") + body
     with contextlib.suppress(WireError):

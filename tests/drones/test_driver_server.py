@@ -114,6 +114,17 @@ async def test_a_flight_through_the_socket(bench: Bench) -> None:
     await bench.until(lambda: bench.pilot.telemetry_rate_hz > 50)
 
 
+async def test_the_light_is_lit_through_the_socket_and_goes_out_when_nobody_says_so(
+    bench: Bench,
+) -> None:
+    await bench.pilot.connect()
+    await bench.until(lambda: bench.pilot.has_light, Action.IDLE)
+    for _ in range(4):
+        bench.pilot.show_recording(True)
+        await bench.until(lambda: bench.world.truth().leds == 2, Action.IDLE)
+    await bench.until(lambda: bench.world.truth().leds == 6, Action.IDLE)
+
+
 async def test_pictures_come_through_and_a_pilot_that_does_not_read_delays_no_command(
     bench: Bench,
 ) -> None:

@@ -8,7 +8,7 @@ import pytest
 
 from housefly.twin.contracts import FlightState
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 
 async def test_ar_drone_takes_off_moves_and_lands_the_twin(twin, run_node):

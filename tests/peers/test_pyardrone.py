@@ -11,7 +11,7 @@ from pyardrone import ARDrone, at
 
 from housefly.twin.contracts import FlightState
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 
 def wait_until(

@@ -134,6 +134,36 @@ def test_somebody_who_crosses_is_waited_for(fly: Fly, later: float) -> None:
     assert walker.closest > 0.4
 
 
+def corridor(flight: Any) -> tuple[Obstacle, ...]:
+    """Things that leave a way of 1.6 m from x = 6.5 m to the wall at 12.5 m."""
+    if round(flight.now * 100) % 20:
+        return ()
+    sides = (("right", 0.85), ("left", 4.15))
+    return tuple(
+        Obstacle(name, (9.5, y), size=(6.0, 1.7), seen_at=flight.now, kind=ObstacleKind.THING)
+        for name, y in sides
+    )
+
+
+@pytest.mark.parametrize("ahead", [8.0, 9.0])
+def test_who_walks_after_the_drone_into_a_dead_end_finds_it_on_the_floor(
+    fly: Fly, ahead: float
+) -> None:
+    """Nobody is made way for there, so it lands while there is time."""
+    flight = fly()
+    flight.around = corridor
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.GO, goal=(11.0, 2.5)))
+    while flight.body.x < ahead and flight.now < 90.0:
+        flight.step()
+    walker = Person((flight.body.x - 6.5, 2.5), (1.2, 0.0), flight.now)
+    flight.around = lambda f: (*corridor(f), *walker.seen(f))
+    flight.run(8.0)
+    assert flight.told("cornered_landing")
+    assert flight.outputs.phase is Phase.IDLE
+    assert walker.closest > 0.0
+
+
 def test_paths_keep_the_comfort_distance_where_there_is_room(fly: Fly) -> None:
     flight = fly()
     person = Person((8.8, 2.7))

@@ -7,9 +7,16 @@ tasks is next; it says whether the one that was taken was allowed to be.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from housefly.tasks.api.values import Confirm, OnPreempt, Priority, TaskRequest, TaskStage
+from housefly.tasks.api.values import (
+    Confirm,
+    OnPreempt,
+    Priority,
+    RequestSurface,
+    TaskRequest,
+    TaskStage,
+)
 from housefly.tasks.scheduler.transitions import QueueState
 from housefly.tasks.scheduler.values import RunReport, SchedulerLimits, TaskTraits
 
@@ -39,6 +46,14 @@ class Row:
     @property
     def waits(self) -> bool:
         return self.end is None and not self.runs
+
+    @property
+    def by_person(self) -> bool:
+        return self.request.surface not in (RequestSurface.MQTT, RequestSurface.RULE)
+
+    @property
+    def counted_with(self) -> tuple[object, ...]:
+        return (self.request.asked_by,) if self.by_person else (self.request.surface, "machine")
 
     @property
     def could_start(self) -> bool:
@@ -115,19 +130,38 @@ class NaiveQueue:
                 row.deadline = None
             else:
                 row.deadline = max(row.deadline, newer.deadline)
+            if newer.by_person and not row.by_person:
+                who = {"asked_by": newer.request.asked_by, "surface": newer.request.surface}
+                row.request = replace(row.request, **who)
 
     def _find_room(self, row: Row) -> None:
         waiting = [other for other in self.open() if other.waits]
-        if len(waiting) < self.limits.queue:
+        same = [other for other in waiting if other.counted_with == row.counted_with]
+        if row.by_person:
+            same = [other for other in same if other.asks_until is not None]
+        asks = row.asks_until is not None
+        if len(same) >= self.limits.per_source and (asks or not row.by_person):
+            waiting = same
+        elif len(waiting) < self.limits.queue:
             return
-        lesser = [other for other in waiting if not other.began and other.urgency < row.urgency]
-        if not lesser:
+        lesser = [other for other in waiting if not other.began and self._is_lesser(other, row)]
+        machines = [other for other in lesser if not other.by_person]
+        lesser = machines or lesser
+        alarms = [other for other in waiting if other.urgency == row.urgency == 3]
+        is_spare = waiting is not same and row.urgency == 3 and len(alarms) < self.limits.alarms
+        if not lesser and not is_spare:
             row.end = TaskStage.REFUSED
         self.may_go = {
             other.number
             for other in lesser
             if other.urgency == min(each.urgency for each in lesser)
         }
+
+    def _is_lesser(self, other: Row, row: Row) -> bool:
+        """Whether one makes way for another: no person's for a machine's."""
+        if row.by_person and not other.by_person:
+            return other.urgency <= row.urgency
+        return other.urgency < row.urgency and (row.by_person or not other.by_person)
 
     def reply(self, number: int, choice: str, now: float) -> bool:
         """Return whether there was something to reply to."""

@@ -6,12 +6,14 @@ from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
+from housefly.errors import HouseflyError
 from housefly.hub.api.answers import SituationAnswer
 from housefly.hub.api.json import (
     answer_from_json,
     answer_to_json,
     question_from_json,
     question_to_json,
+    refusal_to_json,
 )
 from housefly.hub.api.questions import Question
 from housefly.hub.client.room_queries import RoomQueries
@@ -67,6 +69,13 @@ class RememberedRoom(RoomQueries):
         self.asked.append(question)
         asked = question_from_json(question_to_json(question))
         return answer_from_json(question, answer_to_json(self._answers.answer(asked)))
+
+    def answer(self, text: str) -> str:
+        """Answer over the bus, as the hub does."""
+        try:
+            return answer_to_json(self._answers.answer(question_from_json(text)))
+        except HouseflyError as error:
+            return refusal_to_json(error)
 
     def see(self, thing: str, at: float, position: Any = None, inside: str = "") -> None:
         """Have a sensor see a thing."""

@@ -173,6 +173,9 @@ class ScriptedRoom:
             raise TaskError(f"there is no {subject} here", "unknown_thing")
         return self.views[subject]
 
+    def round_names(self) -> tuple[str, ...]:
+        return tuple(name for name in self.views if name.startswith("floor"))
+
 
 def view(subject: str, x: float, y: float, ahead: float = 2.0) -> Viewpoint:
     """Return a viewpoint that looks along +x."""

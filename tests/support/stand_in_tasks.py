@@ -69,6 +69,7 @@ from housefly.tasks.api.values import (
     TaskStepState,
     TaskStepStatus,
 )
+from housefly.tasks.evidence.clip_index import ClipIndex
 
 SERVICES = (
     ServiceInfo(
@@ -98,6 +99,7 @@ REHEARSAL = RehearsalReport(
     11.0,
     0.6,
 )
+_ENDED_SHOWN = 20
 STEPS = ("Take off", "Fly to the entrance", "Look at the visitor", "Record", "Come home")
 
 
@@ -106,14 +108,19 @@ class StandInTasks:
 
     Attributes:
         asked: every question it was asked, oldest first.
+        rehearses: not set, rehearsals take long.
     """
 
     def __init__(self, bus: Bus) -> None:
         self._bus, self._lock = bus, threading.RLock()
         self.asked: list[TaskQuestion] = []
+        self.rehearses = threading.Event()
+        self.rehearses.set()
         self.tasks: dict[int, TaskStatus] = {}
+        self.owners: dict[int, str] = {}
         self.mode, self.records = HouseMode.HOME, False
         self.clips: tuple[ClipInfo, ...] = ()
+        self.notices: tuple[str, ...] = ()
         self._answers: dict[type, Callable[[Any], TaskAnswer]] = {
             BoardQuestion: lambda _: self.board(),
             ServicesQuestion: lambda _: ServicesAnswer(SERVICES),
@@ -123,7 +130,7 @@ class StandInTasks:
             CancelTask: self._cancel,
             PauseTask: lambda one: self._turned(one.task, TaskStage.PAUSED),
             ContinueTask: lambda one: self._turned(one.task, TaskStage.RUNNING),
-            TaskHistoryQuestion: lambda _: TasksAnswer(tuple(self.tasks.values())[::-1]),
+            TaskHistoryQuestion: self._history,
             Sentence: self._sentence,
             SetMode: self._set_mode,
             RulesQuestion: lambda _: RulesAnswer(
@@ -132,12 +139,12 @@ class StandInTasks:
             DryRunQuestion: lambda one: FiringsAnswer(
                 (RuleFiring("bell", one.since, "doorbell rang", "visitor", ReasonCode.OK, "asked"),)
             ),
-            ClipsQuestion: lambda _: ClipsAnswer(self.clips),
+            ClipsQuestion: self._find_clips,
             Webhook: lambda _: FiringsAnswer(()),
             KeepClip: lambda one: self._clip(one.clip),
             DeleteClip: lambda one: self._clip(one.clip, gone=True),
         }
-        self._answering = bus.answer(TASKS_QUERY, self.answer)
+        self._answering = bus.answer(TASKS_QUERY, self.answer, 6)
 
     def close(self) -> None:
         """Fall silent."""
@@ -147,8 +154,10 @@ class StandInTasks:
         """Answer a question as JSON."""
         try:
             question = task_question_from_json(text)
+            self.asked.append(question)
+            if isinstance(question, RehearseTask):
+                self.rehearses.wait(20.0)
             with self._lock:
-                self.asked.append(question)
                 answer = self._answers[type(question)](question)
         except HouseflyError as error:
             return task_refusal_to_json(error)
@@ -170,7 +179,8 @@ class StandInTasks:
                 "on the pad",
                 self.records,
                 tuple(one for one in every if one.state not in ENDED),
-                tuple(one for one in every if one.state in ENDED)[::-1],
+                tuple(one for one in every if one.state in ENDED)[::-1][:_ENDED_SHOWN],
+                self.notices,
             )
 
     def ring(self, seconds: float = 60.0) -> TaskStatus:
@@ -214,8 +224,10 @@ class StandInTasks:
             self._put(replace(one, state=TaskStage.RUNNING, steps=steps, started_at=time.time()))
         self.tell()
 
-    def finish(self, task: int, words: str, clips: tuple[str, ...] = ()) -> None:
-        """End a task well."""
+    def finish(
+        self, task: int, words: str, clips: tuple[str, ...] = (), flown: float = 0.0
+    ) -> None:
+        """End a task well, after it was in the air for some time [s]."""
         with self._lock:
             one, self.records = self.tasks[task], False
             steps = tuple(replace(step, state=TaskStepState.DONE) for step in one.steps)
@@ -228,6 +240,9 @@ class StandInTasks:
                     ended_at=time.time(),
                     clips=clips,
                     report=("The visitor was in view for 9 s.",),
+                    took_off_at=one.started_at if flown else None,
+                    flown=flown,
+                    recording="/home/kim/flight 1" if flown else "",
                     rehearsal=REHEARSAL,
                 )
             )
@@ -247,6 +262,18 @@ class StandInTasks:
                 )
             )
         self.tell()
+
+    def _history(self, asked: TaskHistoryQuestion) -> TasksAnswer:
+        older = [one for one in self.tasks.values() if not asked.before or one.id < asked.before]
+        return TasksAnswer(tuple(older[::-1][: asked.limit]))
+
+    def _find_clips(self, asked: ClipsQuestion) -> ClipsAnswer:
+        of_task = [one for one in self.clips if asked.task in (0, one.task)]
+        return ClipsAnswer(tuple(of_task[: asked.limit]))
+
+    def keep_evidence(self, index: ClipIndex) -> None:
+        """Answer about clips as their real index does."""
+        self._answers |= dict.fromkeys((ClipsQuestion, KeepClip, DeleteClip), index.answer)
 
     def keep_clip(self, info: ClipInfo) -> None:
         """Add a clip, the newest."""
@@ -309,6 +336,7 @@ class StandInTasks:
         if asked.confirm is Confirm.ASK:
             question = PersonQuestion("confirm", f"{asked.by} asks: {task.title}. Fly?")
             task = replace(task, state=TaskStage.WAITING, question=question, rehearsal=REHEARSAL)
+        self.owners[task.id] = asked.owner
         return TasksAnswer((self._put(task),))
 
     def _rehearse(self, asked: RehearseTask) -> RehearsalAnswer:
@@ -340,6 +368,11 @@ class StandInTasks:
 
     def _cancel(self, asked: CancelTask) -> TasksAnswer:
         ids = [asked.task] if asked.task else [one.id for one in self.board().tasks]
+        if asked.only_of:
+            ids = [one for one in ids if self.owners.get(one) == asked.only_of]
+            if not ids:
+                words = "you can end only what you asked for; STOP is for all"
+                raise TaskError(words, ReasonCode.NOT_ALLOWED.value)
         ended = [
             self._put(
                 replace(

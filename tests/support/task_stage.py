@@ -9,6 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from remembered_room import RememberedRoom
+
 from housefly.app.live_obstacles import LiveObstacles
 from housefly.app.live_task_room import LiveTaskRoom
 from housefly.app.loaded_site import LoadedSite, load_site
@@ -16,7 +18,7 @@ from housefly.app.lockstep_loop import LockstepLoop
 from housefly.app.task_outlet_bus import BusTaskOutlet
 from housefly.app.task_parts import task_service
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import ORDER_TOPIC, ROOM_EVENT_TOPIC
+from housefly.bus.topics import HUB_QUERY, ORDER_TOPIC, ROOM_EVENT_TOPIC
 from housefly.clock import SteppedClock
 from housefly.hub.api.told_events import told_event_of
 from housefly.hub.hub import Hub
@@ -51,6 +53,7 @@ class Rehearsals:
         self.report: RehearsalReport | Exception = GOOD
         self.asked: list[BoundTask] = []
         self.is_slow = False
+        self.waiting: list[Future[RehearsalReport]] = []
 
     def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
         self.asked.append(task)
@@ -59,21 +62,36 @@ class Rehearsals:
             found.set_exception(self.report)
         elif not self.is_slow:
             found.set_result(self.report)
+        else:
+            self.waiting.append(found)
         return found
+
+    def finish(self) -> None:
+        """End what goes on slowly."""
+        for found in self.waiting:
+            if not found.done() and isinstance(self.report, RehearsalReport):
+                found.set_result(self.report)
 
 
 class TaskStage:
     """A site's tasks on a stepped clock. ``tick`` goes on without a pilot's step, ``fly`` with."""
 
-    def __init__(self, folder: Path, begin: float = 10.0, **changes: Any) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        begin: float = 10.0,
+        memory: RememberedRoom | None = None,
+        **changes: Any,
+    ) -> None:
         changes.setdefault("drone__has_video", False)
         self.loaded: LoadedSite = load_site("bsen", hub__store=str(folder / "room.db"), **changes)
         self.clock = SteppedClock(begin)
-        self._unix = time.time() - begin
+        self._unix = (memory.now if memory else time.time()) - begin
         self.bus = LocalBus()
-        self.hub = (
-            Hub(self.loaded.site, folder, self.bus.join()) if self.loaded.site.hub.enabled else None
-        )
+        has_hub = self.loaded.site.hub.enabled and memory is None
+        self.hub = Hub(self.loaded.site, folder, self.bus.join()) if has_hub else None
+        if memory is not None:
+            self.bus.answer(HUB_QUERY, memory.answer)
         self.orders: list[Order] = []
         self.events: list[RoomEvent] = []
         self.bus.subscribe(ORDER_TOPIC, self.orders.append)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,8 @@ from housefly.tasks.api.values import (
     TaskStage as Stage,
 )
 from housefly.tasks.drone_state import TakeOffReadiness
+from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
+from housefly.tasks.evidence.clip_store import new_clip_row
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import TaskInputs
 from housefly.tasks.rules.trigger import EventTrigger
@@ -88,6 +91,9 @@ def test_what_a_sentence_asks_for_is_rehearsed_flown_and_told_with_its_causes(
     done = stage.task()
     assert (done.state, done.code) == (Stage.DONE, ReasonCode.OK), done
     assert done.rehearsal == GOOD and done.asked_by == "kim"
+    assert done.started_at is not None and done.ended_at is not None
+    assert done.took_off_at is not None and done.started_at <= done.took_off_at
+    assert 5.0 < done.flown <= done.ended_at - done.took_off_at + 0.2
     assert stage.stands_on_pad()
     assert stage.loop is not None and not stage.loop.contacts()
     kinds = [event.kind for event in stage.told("task asked", "task started", "task ended")]
@@ -260,6 +266,33 @@ def test_what_a_person_flies_is_left_to_the_person(stage: TaskStage) -> None:
     assert "a person flies" in stage.ask(BoardQuestion()).tasks[0].words
 
 
+def test_a_clip_that_was_cut_off_and_saved_stays_with_its_task(stage: TaskStage) -> None:
+    stage.ask(LOOK)
+    stage.stand()
+    clips = stage.parts.clips
+    assert clips.flush(), "what a crash left is seen to"
+    for outcome in (ClipOutcome.CUT_OFF, ClipOutcome.FAILED):
+        row = new_clip_row("clip", 1_790_000_000.0, ClipOrigin(1, "look"))
+        clips.index.finish(row)
+        stage.parts.engine.keep_clip(1, row.id)
+        clips._tell(ClipNews(row.id, outcome, f"{outcome.value}: the disk is full"))
+        stage.stand()
+        assert (row.id in stage.task().clips) is (outcome is ClipOutcome.CUT_OFF)
+        assert f"{outcome.value}: the disk is full" in stage.task().report
+    assert [event.kind for event in stage.told("clip kept")] == ["clip kept"]
+
+
+def test_what_people_should_know_is_on_the_board(stage: TaskStage) -> None:
+    assert stage.ask(BoardQuestion()).notices == ()
+    index = stage.parts.clips.index
+    assert stage.parts.clips.flush(), "what a crash left is seen to"
+    row = replace(new_clip_row("clip", 1_790_000_000.0, ClipOrigin()), size=3 * 10**9)
+    index.finish(row)
+    index.keep(row.id, "kim")
+    (notice,) = stage.ask(BoardQuestion()).notices
+    assert "clips take 3 GB, more than tasks.clip_space_gb = 2" in notice
+
+
 def test_an_assistant_only_proposes(stage: TaskStage) -> None:
     stage.stand()
     answer = stage.ask(
@@ -425,6 +458,23 @@ def test_a_person_who_takes_off_before_a_task_begins_keeps_the_drone(stage: Task
         ReasonCode.PERSON_TOOK_OVER,
     )
     assert stage.orders == []
+    assert (stage.task().took_off_at, stage.task().flown) == (None, 0.0), "it did not fly"
+
+
+def test_what_flew_while_the_tasks_died_is_not_said_to_have_stayed_on_the_ground(
+    tmp_path: Path,
+) -> None:
+    crashed = TaskStage(tmp_path)
+    crashed.stand()
+    crashed.ask(LOOK)
+    crashed.stand()
+    flown = Order(OrderKind.GO, sender="task 1: look")
+    crashed.stand(2.0, DroneStatus.FLYING, Phase.OUTBOUND, (flown,))
+    assert crashed.task().took_off_at is not None
+    crashed.close()
+    stage = TaskStage(tmp_path)
+    assert (stage.task().code, stage.task().flown) == (ReasonCode.RESTARTED, None)
+    stage.close()
 
 
 def test_after_a_person_landed_the_next_flight_asks_before_it_takes_off(stage: TaskStage) -> None:

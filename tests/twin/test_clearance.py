@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.room.model import Room, Solid
+from housefly.twin.clearance import Clearance
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
 from housefly.twin.world import SimulatedWorld
@@ -74,6 +75,21 @@ def test_it_is_measured_once_per_control_period(world: SimulatedWorld) -> None:
     assert world.clearance() is first
     world.advance(0.005)
     assert world.clearance() is not first
+
+
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(st.floats(0.5, 3.8), st.floats(0.3, 2.2), st.floats(0.0, 3.0), st.floats(0.0, 3.0))
+def test_a_look_no_farther_than_asked_finds_the_same_or_that(
+    world: SimulatedWorld, x: float, z: float, solid: float, person: float
+) -> None:
+    world.put_person("child", (1.5, 2.5))
+    all_of_it = at(world, x, z=z).clearance()
+    nearest = world.clearance(Clearance(solid, person))
+    assert nearest.solid == min(solid, all_of_it.solid)
+    assert nearest.person == min(person, all_of_it.person)
+    assert world.clearance() == all_of_it
 
 
 def test_who_is_not_there_cannot_be_put(world: SimulatedWorld) -> None:

@@ -23,7 +23,7 @@ from housefly.tracking.vrpn import VrpnTracker
 from housefly.wires.ardrone.navdata import NAVDATA_PORT, decode_navdata
 from housefly.wires.ardrone.pave import VIDEO_PORT, PaveFrame, VideoReassembler
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 Start = Callable[..., Awaitable[Process]]
 

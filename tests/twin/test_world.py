@@ -210,6 +210,20 @@ def test_putting_down_turned_keeps_the_heading(make_world: MakeWorld) -> None:
     assert world.truth().pose.orientation == pytest.approx(quaternion_from_euler(0.0, 0.0, 1.0))
 
 
+def test_a_drone_put_into_the_air_hovers_there_and_lands(make_world: MakeWorld, hand: type) -> None:
+    world = make_world()
+    world.hover_drone((3.0, 3.0, 1.2), yaw=1.0)
+    hand(world).wait(5.0)
+    truth = world.truth()
+    assert world.onboard().flight is FlightState.HOVERING
+    assert distance(truth.pose.position, (3.0, 3.0, 1.2)) < 0.15
+    assert truth.pose.orientation == pytest.approx(quaternion_from_euler(0.0, 0.0, 1.0), abs=0.05)
+    world.request_land()
+    hand(world).wait(8.0)
+    assert world.onboard().flight is FlightState.LANDED
+    assert distance(world.truth().pose.position[:2], (3.0, 3.0)) < 0.3
+
+
 def test_a_drone_without_its_client_flies_on_for_two_seconds_then_brakes_and_lands(
     make_world: MakeWorld, hand: type
 ) -> None:

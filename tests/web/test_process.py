@@ -27,7 +27,7 @@ from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
 from housefly.web.process import main, run_web
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 SECRET = "00112233445566778899aabbccddeeff"
 TIMEOUT = 20.0
 

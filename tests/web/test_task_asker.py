@@ -5,10 +5,10 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.tasks.api.questions import RequestTask, Sentence
+from housefly.tasks.api.questions import CancelTask, RehearseTask, RequestTask, Sentence
 from housefly.tasks.api.values import Confirm, Priority, RequestSurface
 from housefly.web.roles import Role
-from housefly.web.task_asker import OWN_SURFACES, TaskAsker, filled_in
+from housefly.web.task_asker import OWN_SURFACES, TaskAsker, filled_in, program_asking
 
 _askers = st.builds(
     TaskAsker,
@@ -37,3 +37,26 @@ def test_whoever_may_not_fly_needs_a_yes_whatever_is_asked(
     assert isinstance(said, Sentence) and (may_fly or said.confirm is Confirm.ASK)
     assert said.may_fly is may_fly
     assert set(OWN_SURFACES).isdisjoint({RequestSurface.CONSOLE, RequestSurface.RULE})
+
+
+@given(st.sampled_from(Role), st.text(max_size=10), st.text(max_size=10))
+def test_two_people_of_one_name_are_two_whatever_they_say(
+    role: Role, name: str, claimed: str
+) -> None:
+    console = RequestSurface.CONSOLE
+    for owner in ("~kim", "a browser's session"):
+        asker = TaskAsker(name, role, console, "", owner)
+        for asked in (RequestTask("look", owner=claimed), Sentence("look", owner=claimed)):
+            told = filled_in(asked, asker)
+            assert isinstance(told, RequestTask | Sentence)
+            assert (told.by, told.owner) == (name, owner)
+        ended = filled_in(CancelTask(0, only_of=claimed), asker)
+        assert isinstance(ended, CancelTask)
+        assert role.includes(Role.FLY) or ended.only_of == owner
+        rehearsed = filled_in(RehearseTask("look", surface=RequestSurface.RULE), asker)
+        assert isinstance(rehearsed, RehearseTask) and rehearsed.surface is console
+
+
+def test_what_a_program_says_of_itself_is_no_id() -> None:
+    owners = {program_asking({"by": name}).counted_as for name in ("kim", "~kim", "")}
+    assert len(owners) == 1 and not owners & {"", "kim", "~kim"}

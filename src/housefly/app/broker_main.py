@@ -8,17 +8,15 @@ from __future__ import annotations
 
 import ctypes
 import os
-import shutil
 import signal
 import sys
 import tempfile
 import time
 from pathlib import Path
 
+from housefly.app.mosquitto import find_mosquitto
 from housefly.app.runtime import runtime_from_environment
 
-_SEARCH_PATH = os.pathsep.join((os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"))
-"""Debian installs mosquitto outside the PATH of ordinary users."""
 _RETRY_PAUSE = 60.0
 """Pause before the process ends where mosquitto is not installed [s]; the launcher tries again."""
 _PR_SET_PDEATHSIG = 1
@@ -27,15 +25,10 @@ _MAX_CLIENTS, _MAX_PACKET = 512, 65536
 _REMEDY = "mosquitto is not installed, so no devices are heard: apt-get install mosquitto"
 
 
-def _find_mosquitto() -> str | None:
-    """Return the path of mosquitto, or None."""
-    return shutil.which("mosquitto", path=_SEARCH_PATH)
-
-
 def main() -> int:
     """Become the broker."""
     site = runtime_from_environment().site()
-    found = _find_mosquitto()
+    found = find_mosquitto()
     if found is None:
         print(_REMEDY, file=sys.stderr, flush=True)
         time.sleep(_RETRY_PAUSE)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable
 from contextlib import ExitStack, suppress
+from dataclasses import replace
+from enum import Enum
 from pathlib import Path
 
 from housefly.app.end_signals import EndSignals
@@ -26,6 +29,20 @@ _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""
 
 
+class Screen(Enum):
+    """With which screen the console begins; the value is what stands behind its address."""
+
+    FLY = ""
+    TASKS = "#tasks"
+
+
+_NEXT = {
+    Screen.FLY: "Open the address, choose a place, hold Send.",
+    Screen.TASKS: "Open the address and ask for something, or ring the doorbell there.",
+}
+"""What to do first."""
+
+
 class _DeathTeller:
     """Prints each death of a process once."""
 
@@ -44,13 +61,22 @@ class _DeathTeller:
             time.sleep(0.5)
 
 
-def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> int:
-    """Start everything, print the console's address, and stay until Ctrl-C."""
+def run_interactively(
+    loaded: LoadedSite, folder: Path, record: Path | None, first: Screen = Screen.FLY
+) -> int:
+    """Start everything, print the console's address, and stay until Ctrl-C.
+
+    Args:
+        loaded: what to start.
+        folder: for the output of the processes.
+        record: folder for a recording; None records nothing.
+        first: screen with which the console begins.
+    """
     started = time.monotonic()
     checked_exposure(loaded.site)
     refuse_taken_ports(loaded.site, web=True)
     refuse_shared_store(loaded.site)
-    runtime = new_runtime(loaded.site, folder)
+    runtime = replace(new_runtime(loaded.site, folder), recording=record)
     with ExitStack() as stack:
         signals = stack.enter_context(EndSignals())
         stack.enter_context(announced(discovery_entry(runtime)))
@@ -60,7 +86,7 @@ def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> 
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         teller = _DeathTeller(launcher)
         try:
-            _introduce(runtime, bus, teller, started)
+            _introduce(runtime, bus, teller, started, first)
             if record is not None:
                 stack.callback(_record(loaded, record, bus))
                 console.print(f"recording to {record}")
@@ -71,17 +97,24 @@ def run_interactively(loaded: LoadedSite, folder: Path, record: Path | None) -> 
     return 0
 
 
-def _introduce(runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float) -> None:
+def _introduce(
+    runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float, first: Screen
+) -> None:
     site = runtime.site()
     console.print(
         f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
         f" {'simulated room' if site.twin.enabled else 'real hardware'}"
     )
     console.print(
-        f"console:  [bold]{console_address(site)}/?token={runtime.token}[/bold]",
+        f"console:  [bold]{console_address(site)}/?token={runtime.token}{first.value}[/bold]",
         soft_wrap=True,
     )
-    console.print(f"bus:      {runtime.bus}  (who may run programs here may listen and order)")
+    if site.tasks.enabled:
+        console.print(f'ask:      {_command()} ask "who is at the door"', markup=False)
+    console.print(
+        f"bus:      {runtime.bus}  (who may run programs here may listen and order)",
+        soft_wrap=True,
+    )
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
 
@@ -99,9 +132,14 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float)
         )
         return
     console.print(
-        f"ready after {time.monotonic() - started:.1f} s. Open the address, choose a place, hold"
-        " Send. Ctrl-C lands and ends."
+        f"ready after {time.monotonic() - started:.1f} s. {_NEXT[first]} Ctrl-C lands and ends.",
+        soft_wrap=True,
     )
+
+
+def _command() -> str:
+    """Return what to type for this command, as somebody has typed it here."""
+    return sys.argv[0] if sys.argv[0].endswith("/housefly") else "housefly"
 
 
 def _land_and_leave(launcher: Launcher) -> None:

@@ -64,9 +64,8 @@ def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ..
     if site.mqtt.broker and site.mqtt.start:
         processes.append(ProcessSpec("broker", "housefly.app.broker_main", niceness=5))
     if site.twin.enabled:
-        twin_arguments = (
-            (*site_argument, "--bus", runtime.bus) if site.depth_cameras else site_argument
-        )
+        has_bus = web or site.depth_cameras
+        twin_arguments = (*site_argument, "--bus", runtime.bus) if has_bus else site_argument
         processes.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         asked_at = ("--bus", runtime.bus, "--socket", str(runtime.room_socket))

@@ -15,7 +15,7 @@ from housefly.geometry import Vec3
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.named_subject import viewpoint_of
+from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
@@ -67,12 +67,19 @@ class LiveTaskRoom:
     def viewpoint(self, subject: str, drone: Vec3 | None = None) -> Viewpoint:
         """Return where to hover to see a place, a thing or a person; raises TaskError."""
         now = self._clock()
+        # Whom only a scanner sees is an obstacle already; as a subject they are a person.
+        scanned = (one for one in self._live.people(now) if one.id == subject)
+        people = {one.id: one for one in (*self._live.tracked_people(now), *scanned)}
         return viewpoint_of(
             subject,
             self._viewing,
             self.ask,
-            self._live.tracked_people(now),
+            people.values(),
             drone,
             self._live.obstacles(now),
             now,
         )
+
+    def round_names(self) -> tuple[str, ...]:
+        """Return what a round looks at: named places, or else viewpoints that see the floor."""
+        return round_names(self._viewing)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from housefly.errors import ConfigError
-
 if TYPE_CHECKING:
     from housefly.config.site import Site
 
-_SCENE = _ROOM = "bsen"
+_SCENE, _ROOM = "demo", "bsen"
 """The shipped scene, and the room in which its people do not walk through walls."""
 
 
@@ -33,21 +31,26 @@ def lively_changes() -> dict[str, Any]:
     }
 
 
-def lively_site(site: Site) -> tuple[Site, str]:
+def lively_site(site: Site, has_broker: bool) -> tuple[Site, str]:
     """Return a site with what makes it lively beside what it has, and words that say what is whose.
 
-    Raises:
-        ConfigError: the shipped scene does not fit the site; the message says what to do.
+    A site into which the shipped scene does not fit stays as it is.
+
+    Args:
+        site: of the demo.
+        has_broker: whether this machine can start a broker for the devices.
     """
     from housefly.config.site import changed
 
-    _check(site)
+    if words := _objection(site):
+        return site, words
     added, kept = lively_changes(), []
     if site.twin.scene:
         del added["twin__scene"]
         kept.append(f"the scene {site.twin.scene}")
-    if site.mqtt.broker:
+    if site.mqtt.broker or not has_broker:
         added = {key: value for key, value in added.items() if not key.startswith("mqtt__")}
+    if site.mqtt.broker:
         kept.append(f"the broker {site.mqtt.broker}")
     if site.lasers:
         del added["lasers"]
@@ -55,23 +58,21 @@ def lively_site(site: Site) -> tuple[Site, str]:
     if site.hub.things:
         kept.append(f"the things of {site.hub.things}")
     added |= _tags(site)
-    return changed(site, **added), _words(added, kept)
+    is_mute = not site.mqtt.broker and not has_broker
+    return changed(site, **added), _words(added, kept) + (_MUTE if is_mute else "")
 
 
-def _check(site: Site) -> None:
+def _objection(site: Site) -> str:
+    """Return why nobody is added to a site, or ""."""
     if not site.twin.enabled:
-        raise ConfigError(
-            "--lively",
-            "needs the simulated room, and this site has [twin] enabled = false: leave --lively"
-            " away, or enable the twin",
-        )
+        return "nothing added: this room is real"
     if site.room.model != _ROOM and not site.twin.scene:
-        raise ConfigError(
-            "--lively",
-            f"brings people who live in the room {_ROOM!r}, and this site's room is"
-            f" {site.room.model!r}: write a scene for it and name it, [twin] scene ="
-            ' "my_scene.toml" (sites/bsen_scene.toml shows how), or leave --lively away',
+        return (
+            f"nothing added: the people who ship live in the room {_ROOM!r}, and this one is"
+            f" {site.room.model!r}; [twin] scene names people of your own"
+            " (sites/demo_scene.toml shows how)"
         )
+    return ""
 
 
 def _tags(site: Site) -> dict[str, Any]:
@@ -94,8 +95,12 @@ def _words(added: dict[str, Any], kept: list[str]) -> str:
 
 
 _WORDS = {
-    "twin__scene": f"the people and things of the scene {_SCENE}",
-    "mqtt__broker": "a broker for its devices",
-    "lasers": "three scanners",
+    "twin__scene": "people, their things",
+    "mqtt__broker": "devices on MQTT",
+    "lasers": "three scanners that see people",
     "mqtt__tags": "tags",
 }
+_MUTE = (
+    "; mosquitto is not installed, so no cabinet, bed or floor is heard (apt-get install"
+    " mosquitto); the doorbell rings by a webhook"
+)

@@ -11,7 +11,7 @@ from housefly.geometry import Vec3, rotate
 from housefly.hub.api.questions import Question
 from housefly.messages import Obstacle, Pose
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.named_subject import viewpoint_of
+from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 from housefly.twin.contracts import AWAY_Z
@@ -79,6 +79,10 @@ class LockstepTaskRoom:
         """Return where to hover to see a place, a thing or a person; raises TaskError."""
         now, people = self._world.now, self.people()
         return viewpoint_of(subject, self._viewing, self.ask, people, drone, self.obstacles, now)
+
+    def round_names(self) -> tuple[str, ...]:
+        """Return what a round looks at: named places, or else viewpoints that see the floor."""
+        return round_names(self._viewing)
 
     def _places(self) -> dict[str, Vec3]:
         """Return where everybody stands, world [m]; feet at height 0."""

@@ -52,6 +52,8 @@ from housefly.tasks.api.values import (
 
 ASSISTANT = "an assistant"
 """Who asks, on the board; a name that the client gives itself proves nothing."""
+_OWNER = "assistant"
+"""Id of whose tasks these are: no assistant proves that it is another one."""
 _PERSON = "a person, through an assistant"
 _CONFIRM, _YES = "confirm", "yes"
 _LOOKS = ToolAnnotations(read_only_hint=True, open_world_hint=False)
@@ -157,7 +159,8 @@ def add_task_tools(server: MCPServer, room: AssistantRoom, approvals: ApprovalBo
     @_telling
     def rehearse(service: Service, parameters: Parameters | None = None) -> Json:
         """Fly a service in simulation on the room as it is now; nothing really flies."""
-        found = room.ask_tasks(RehearseTask(service, _given(parameters))).rehearsal
+        question = RehearseTask(service, _given(parameters), surface=RequestSurface.ASSISTANT)
+        found = room.ask_tasks(question).rehearsal
         return marked_reply(
             found,
             may_fly=found.may_fly,
@@ -214,12 +217,12 @@ def add_task_tools(server: MCPServer, room: AssistantRoom, approvals: ApprovalBo
 
         A flight waits for a yes in the console.
         """
-        sentence = Sentence(
-            text, language, ASSISTANT, RequestSurface.ASSISTANT, Confirm.ASK, may_fly=False
-        )
+        surface, ask = RequestSurface.ASSISTANT, Confirm.ASK
+        sentence = Sentence(text, language, ASSISTANT, surface, ask, may_fly=False, owner=_OWNER)
         answer = room.ask_tasks(sentence)
         task = answer.task.id if answer.task is not None else None
-        return marked_reply(answer, understood=answer.understood, task=task)
+        code = answer.code.value
+        return marked_reply(answer, understood=answer.understood, code=code, task=task)
 
     @server.tool(annotations=_LOOKS)
     @_telling
@@ -310,6 +313,7 @@ def _requested(room: AssistantRoom, flight: CheckedFlight) -> Json:
         "assistant",
         Confirm.ASK,
         Priority.PERSON,
+        owner=_OWNER,
     )
     return task_reply(room.ask_tasks(question).tasks[0])
 

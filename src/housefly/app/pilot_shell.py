@@ -23,12 +23,14 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.pilot_queries import PilotQueryServer
+from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     FRAME_TOPIC,
     LINK_TOPIC,
     OBSTACLE_TOPIC,
     ORDER_TOPIC,
+    RECORDING_TOPIC,
     STEP_TOPIC,
     VIDEO_TOPIC,
 )
@@ -95,6 +97,7 @@ class PilotShell:
         self._rate_hz = loaded.site.control.rate_hz
         self._bus, self._tracker, self._drone = bus, tracker, drone
         self._clock = RealClock()
+        self._recording = RecordingWatch(drone, self._clock.now)
         self._sightings: list[Sighting] = []
         self._orders: list[Order] = []
         self._obstacles = ObstacleInbox(extent_of(loaded.grid), self._clock)
@@ -122,6 +125,9 @@ class PilotShell:
         obstacles = self._bus.subscribe(
             OBSTACLE_TOPIC, lambda seen: _soon(loop, lambda: self._obstacles.add(seen))
         )
+        recording = self._bus.subscribe(
+            RECORDING_TOPIC, lambda news: _soon(loop, lambda: self._recording.heard(news))
+        )
         self._drone.on_video(self._on_video)
         tasks = [
             asyncio.create_task(self._tracker.run(self._on_sightings)),
@@ -129,11 +135,13 @@ class PilotShell:
         ]
         tasks.append(asyncio.create_task(self._report_links()))
         tasks.append(asyncio.create_task(self._watch_disks()))
+        tasks.append(asyncio.create_task(self._show_recording()))
         try:
             await self._fly()
         finally:
             orders.close()
             obstacles.close()
+            recording.close()
             self._queries.close()
             for task in tasks:
                 task.cancel()
@@ -248,6 +256,12 @@ class PilotShell:
             self._bus.publish(LINK_TOPIC, self._link_status())
             self._look_at_preflight()
 
+    async def _show_recording(self) -> None:
+        """Keep the drone's light as it should be, beside the steps and never within one."""
+        while True:
+            self._recording.refresh()
+            await asyncio.sleep(REFRESH_PERIOD)
+
     async def _watch_disks(self) -> None:
         """Look on a thread: a disk may take its time to answer."""
         while True:
@@ -285,6 +299,7 @@ class PilotShell:
                     self._drone_problem or self._drone.problem,
                     self._obstacles.problem,
                     self._untold,
+                    self._recording.note,
                     self._people_note,
                 )
                 if note

@@ -10,13 +10,15 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from typing import Any
 
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.rehearsal_ahead import RENEW_TIME, RehearsedAhead, is_same_room
 from housefly.app.rehearsal_link import (
     MemoryQuestion,
     MemoryReply,
@@ -66,6 +68,9 @@ class Rehearser:
         self._thread = ThreadPoolExecutor(1, "rehearsal")
         self._worker: _Worker | None = None
         self._closed = False
+        self._ahead: dict[int, RehearsedAhead] = {}
+        self._room = self._seen = RoomNow()
+        self._last: Future[RehearsalReport] | None = None
         self._thread.submit(self._start)
 
     @property
@@ -74,8 +79,35 @@ class Rehearser:
         return None if self._worker is None else self._worker.process_id
 
     def rehearse(self, task: BoundTask) -> Future[RehearsalReport]:
-        """Begin a rehearsal on the room as it is now; one after the other."""
-        return self._thread.submit(self._rehearsed, task)
+        """Begin a rehearsal on the room as it is now; one after the other.
+
+        One that was rehearsed ahead, in the same room, is answered at once.
+        """
+        known = self._known(task)
+        if known is not None:
+            told: Future[RehearsalReport] = Future()
+            told.set_result(known)
+            return told
+        # By its turn the one ahead that was under way may have been the same.
+        self._last = self._thread.submit(lambda: self._known(task) or self._rehearsed(task))
+        return self._last
+
+    def rehearse_ahead(self, tasks: Sequence[BoundTask]) -> None:
+        """Rehearse what may be asked for at any moment; to be called about once a second.
+
+        Nothing is begun while anything moves in the room or another rehearsal is under way. What
+        is refused is not tried again before the room changes or its time is over.
+        """
+        before, room = self._seen, self._look()
+        self._seen = room
+        is_busy = self._last is not None and not self._last.done()
+        if self._closed or is_busy or not is_same_room(before, room):
+            return
+        for number, task in enumerate(tasks):
+            kept = self._ahead.get(number)
+            if kept is None or not kept.holds(task, room, RENEW_TIME):
+                self._last = self._thread.submit(self._kept, number, task)
+                return
 
     def close(self) -> None:
         """End the worker; a rehearsal under way is refused."""
@@ -91,6 +123,12 @@ class Rehearser:
         if self._closed and self._worker is not None:
             self._worker.end()
 
+    def _known(self, task: BoundTask) -> RehearsalReport | None:
+        """Return what was found ahead, in the room as it is now."""
+        room = self._look()
+        held = (one for one in tuple(self._ahead.values()) if one.counts(task, room))
+        return next((replace(one.report, took=0.0) for one in held), None)
+
     def _rehearsed(self, task: BoundTask) -> RehearsalReport:
         began = time.monotonic()
         try:
@@ -103,6 +141,11 @@ class Rehearser:
         except (OSError, EOFError) as error:
             _log.warning("the rehearsal failed: %s", error)
             return self._failed("the rehearsal failed; its log says why")
+
+    def _kept(self, number: int, task: BoundTask) -> RehearsalReport:
+        report = self._rehearsed(task)
+        self._ahead[number] = RehearsedAhead(task, self._room, report)
+        return report
 
     def _ready_worker(self, until: float) -> _Worker | None:
         """Return the worker when it is ready by then; a worker that is gone is replaced."""
@@ -117,7 +160,8 @@ class Rehearser:
     def _answered(self, worker: _Worker, task: BoundTask) -> RehearsalReport:
         """Return what the worker finds; its questions are answered meanwhile."""
         until = time.monotonic() + self.limit
-        worker.send(RehearsalOrder(task, self._look(), _OWN_SHARE * self.limit))
+        self._room = self._look()
+        worker.send(RehearsalOrder(task, self._room, _OWN_SHARE * self.limit))
         while True:
             message = worker.receive(until)
             if isinstance(message, RehearsalReport):

@@ -2,8 +2,8 @@
 
 First what costs nothing: does everything that the task looks at exist, is there a way, does the
 charge suffice for the way alone. Then the whole flight in the simulated room, with live obstacles
-as solid bodies. Whoever is asked gives the likeliest answer; hovering is shortened, its time and
-charge are added.
+as solid bodies: once for each way that answers of people lead to, and as long as its questions and
+waits may last. Hovering is shortened, its time and charge are added.
 """
 
 from __future__ import annotations
@@ -16,6 +16,13 @@ from math import inf, isfinite
 from typing import Any
 
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.rehearsed_branches import (
+    BRANCHES_MAX,
+    RehearsedBranch,
+    fly_branches,
+    longest,
+)
+from housefly.app.rehearsed_stage import RehearsedStage
 from housefly.app.room_now import RoomNow
 from housefly.app.task_flight import TaskFlight, TaskScript
 from housefly.app.task_lockstep import fly_task_lockstep
@@ -23,35 +30,28 @@ from housefly.config.site import changed
 from housefly.errors import HouseflyError, TaskError
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.questions import Question
-from housefly.messages import Obstacle, ObstacleKind
 from housefly.pilot.behavior.way_home import RETURN_RESERVE
-from housefly.pilot.planning.furniture import FURNITURE_SOURCE
-from housefly.room.tracked import body_pose_of
 from housefly.tasks.api.values import ReasonCode, RehearsalReport, TaskStage
 from housefly.tasks.document.steps import StepKind, TaskStep
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.document.templates import names_in, plain_text
-from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.execution.values import StartClip, TakeSnapshot
 from housefly.tasks.vantage.named_subject import viewpoint_of
 from housefly.tasks.vantage.viewing_room import ViewingRoom
-from housefly.twin.movable import Movable
-from housefly.twin.people.script import PersonScript
 from housefly.twin.world import SimulatedWorld
 
-_RATE_HZ, _TRACKING_RATE_HZ = 50.0, 25.0
-"""Steps of the rehearsed pilot and its tracking: half and a quarter of the usual, for speed; way,
-time and clearance stay the same within a percent (``benchmarks/rehearsal.py``).
+_RATE_HZ, _TRACKING_RATE_HZ = 25.0, 12.5
+"""Steps of the rehearsed pilot and its tracking: a quarter and an eighth of the usual, for speed;
+clearances stay the same within 2 cm and times within 4 % (``benchmarks/rehearsal.py``).
 """
 _HOVER_MAX = 1.0
 """Hovering longer than this is not flown [s]."""
-_REPLY_TIME = 0.5
-"""Who is asked answers after this [s]."""
+_RANGE_MIN = 2.0
+"""A flight whose length depends on people by less than this [s] is told with one time."""
 _LONGEST = 600.0
 """A task that is not done after so long is not rehearsed to its end [s]."""
 _UP_AND_DOWN = 8.0
 """Taking off and landing take about so long [s]."""
-_PERSON_HEIGHT = 1.7
 _STANDING_HEIGHT = 0.05
 """Of the drone's middle on the floor [m]."""
 
@@ -108,7 +108,8 @@ class RehearsedSite:
             report = RehearsalReport(
                 False,
                 ReasonCode.NOT_READY,
-                f"the rehearsal was not done after {limit:.0f} s: this machine is busy",
+                f"the rehearsal was not done after {limit:.0f} s: this machine is busy, or the task"
+                " has many ways",
             )
         return replace(report, took=time.monotonic() - began)
 
@@ -148,23 +149,64 @@ class RehearsedSite:
         return RehearsalReport(False, ReasonCode.BATTERY, words, way, duration, charge)
 
     def _flown(self, task: BoundTask, now: RoomNow, ask: AskRoom, until: float) -> RehearsalReport:
-        stage = _Stage(self._loaded, now)
+        """Return what to expect of the worst of the ways that answers lead to."""
+        whole = longest(task)
+        branches: list[RehearsedBranch] = []
+        for branch in fly_branches(
+            whole, lambda script: self._fly_once(whole, script, now, ask, until)
+        ):
+            report = self._judged(branch.flight, now, branch.fails_by_itself)
+            if not report.may_fly:
+                is_only = not branch.words or not branches
+                words = report.words if is_only else f"{branch.words}: {report.words}"
+                return replace(report, words=words)
+            branches.append(branch)
+        if len(branches) > BRANCHES_MAX:
+            words = f"its answers lead to more than {BRANCHES_MAX} ways: too many to rehearse"
+            return RehearsalReport(False, ReasonCode.TOO_LONG, words)
+        if all(branch.fails_by_itself for branch in branches):
+            return self._judged(branches[0].flight, now)
+        return self._worst(branches, now)
+
+    def _worst(self, branches: list[RehearsedBranch], now: RoomNow) -> RehearsalReport:
+        reports = [self._judged(one.flight, now, one.fails_by_itself) for one in branches]
+        slowest = max(reports, key=lambda one: one.duration or 0.0)
+        shortest = min(
+            (one.duration or 0.0) - branch.waited
+            for one, branch in zip(reports, branches, strict=True)
+        )
+        clearances = [one.clearance for one in reports if one.clearance is not None]
+        report = replace(
+            slowest,
+            charge=max(one.charge or 0.0 for one in reports),
+            clearance=min(clearances, default=None),
+            first_look=reports[0].first_look,
+            shortest=max(0.0, shortest),
+        )
+        return replace(report, words=_expectation(report, branches))
+
+    def _fly_once(
+        self, task: BoundTask, script: TaskScript, now: RoomNow, ask: AskRoom, until: float
+    ) -> TaskFlight:
+        stage = RehearsedStage(self._loaded, now)
         site = changed(self._site, twin__battery=_known(now.battery))
+        height = self._site.map.flight_height if now.is_airborne else _STANDING_HEIGHT
 
         def watch(world: SimulatedWorld) -> None:
             stage.set(world)
             if time.monotonic() > until:
                 raise RehearsalTimeout
 
-        flight = fly_task_lockstep(
+        return fly_task_lockstep(
             LoadedSite(site, self._loaded.room, self._loaded.grid),
             task,
-            TaskScript(reply_time=_REPLY_TIME),
+            script,
             people=stage.people,
             ids=stage.ids,
             movables=stage.movables,
             obstacles=stage.told,
-            drone=None if now.drone is None else ((*now.drone[:2], _STANDING_HEIGHT), now.yaw),
+            drone=None if now.drone is None else ((*now.drone[:2], height), now.yaw),
+            airborne=now.drone is not None and now.is_airborne,
             ask=ask,
             viewing=self._viewing,
             give_up_after=_LONGEST,
@@ -173,9 +215,9 @@ class RehearsedSite:
             unix=now.unix,
             on_world=watch,
         )
-        return self._judged(flight, now)
 
-    def _judged(self, flight: TaskFlight, now: RoomNow) -> RehearsalReport:
+    def _judged(self, flight: TaskFlight, now: RoomNow, may_fail: bool = False) -> RehearsalReport:
+        """Return what one flight says; ``may_fail``: its document wants it to end as failed."""
         looks = flight.actions_of(StartClip, TakeSnapshot)
         report = RehearsalReport(
             may_fly=False,
@@ -184,13 +226,14 @@ class RehearsedSite:
             way=tuple(one.place for one in flight.samples),
             duration=flight.landed_at or flight.ended_at,
             charge=flight.charge,
+            shortest=flight.landed_at or flight.ended_at,
             clearance=flight.clearance if isfinite(flight.clearance) else None,
             first_look=looks[0].at if looks else None,
         )
         if flight.contacts:
             words = f"the drone would touch {flight.contacts[0].name}"
             return replace(report, code=ReasonCode.SAFETY, words=words)
-        if flight.stage is not TaskStage.DONE:
+        if flight.stage is not TaskStage.DONE and not may_fail:
             code = ReasonCode.TOO_LONG if flight.code is ReasonCode.OK else flight.code
             words = flight.words or f"not done after {_minutes(_LONGEST)}"
             return replace(report, code=code, words=words)
@@ -200,69 +243,7 @@ class RehearsedSite:
         refused = self._too_long(now, report.duration or 0.0, flight.charge, report.way)
         if refused is not None:
             return replace(report, code=refused.code, words=refused.words)
-        return replace(report, may_fly=True, code=ReasonCode.OK, words=_expectation(flight))
-
-
-class _Stage:
-    """People and things of the room as it is now, as bodies of the simulated one."""
-
-    def __init__(self, loaded: LoadedSite, now: RoomNow) -> None:
-        site = loaded.site
-        self._visitor = any(person.id == site.tracking.visitor for person in now.people)
-        self._people = {
-            f"person-{number}": person
-            for number, person in enumerate(now.people)
-            if person.id != site.tracking.visitor
-        }
-        self.people = tuple(
-            PersonScript(name=name, height=_PERSON_HEIGHT, steps=()) for name in self._people
-        )
-        self.ids = {name: person.id for name, person in self._people.items()}
-        pieces = {piece.name: piece for piece in site.furniture if piece.model}
-        self._furniture = {
-            pieces[one.id].body: body_pose_of(pieces[one.id], one.position, one.yaw)
-            for one in now.obstacles
-            if one.source == FURNITURE_SOURCE and one.id in pieces
-        }
-        self._things = {
-            f"{number} {one.source} {one.id}"[:100]: one
-            for number, one in enumerate(now.obstacles)
-            if not (one.source == FURNITURE_SOURCE and one.id in pieces)
-            and not _is_one_of(one, now.people)
-        }
-        self.movables = tuple(
-            Movable(name, max(0.05, one.radius + max(one.size) / 2), max(0.1, one.top))
-            for name, one in self._things.items()
-        )
-        self.told = (
-            *(replace(one, velocity=(0.0, 0.0), confidence=1.0) for one in self._things.values()),
-            *(
-                _obstacle_of(name, one, site.people.body_radius)
-                for name, one in self._people.items()
-            ),
-        )
-        self._is_set = False
-
-    def set(self, world: SimulatedWorld) -> None:
-        """Put everybody and everything where they are, once."""
-        if self._is_set:
-            return
-        self._is_set = True
-        world.set_visitor(self._visitor)
-        for name, person in self._people.items():
-            world.put_person(name, person.position[:2])
-        for body, pose in self._furniture.items():
-            world.put(body, pose.position[:2], pose.yaw)
-        for name, one in self._things.items():
-            world.put(name, one.position, one.yaw)
-
-
-def _is_one_of(obstacle: Obstacle, people: tuple[SeenPerson, ...]) -> bool:
-    return any(distance(obstacle.position, person.position[:2]) < 0.5 for person in people)
-
-
-def _obstacle_of(name: str, person: SeenPerson, radius: float) -> Obstacle:
-    return Obstacle(name, person.position[:2], radius, source="people", kind=ObstacleKind.PERSON)
+        return replace(report, may_fly=True, code=ReasonCode.OK)
 
 
 def _subjects(steps: tuple[TaskStep, ...]) -> Iterator[str]:
@@ -282,14 +263,22 @@ def _known(battery: float | None) -> float:
     return 1.0 if battery is None or not isfinite(battery) else min(1.0, max(0.0, battery))
 
 
-def _expectation(flight: TaskFlight) -> str:
+def _expectation(report: RehearsalReport, branches: list[RehearsedBranch]) -> str:
     """Return what to expect, in one sentence."""
-    if flight.airborne_at is None:
+    if all(branch.flight.airborne_at is None for branch in branches):
         return "nothing flies"
-    duration = flight.landed_at or flight.ended_at
-    added = f", {_minutes(flight.skipped)} of it hovering that was added" if flight.skipped else ""
-    clear = f", {flight.clearance:.2f} m from the nearest thing" if flight.clearance < inf else ""
-    return f"takes {_minutes(duration)}{added} and {100 * flight.charge:.0f} % of the charge{clear}"
+    least, most = report.shortest or 0.0, report.duration or 0.0
+    is_range = most - least > _RANGE_MIN
+    takes = f"{_minutes(least)} to {_minutes(most)}" if is_range else _minutes(most)
+    skipped = max(branch.flight.skipped for branch in branches)
+    added = f", up to {_minutes(skipped)} of it hovering that was added" if skipped else ""
+    charge = (
+        f" and {'up to ' if is_range else ''}{100 * (report.charge or 0.0):.0f} % of the charge"
+    )
+    ways = f", by {len(branches)} ways that answers lead to" if len(branches) > 1 else ""
+    near = report.clearance
+    clear = f", {near:.2f} m from the nearest thing" if near is not None else ""
+    return f"takes {takes}{added}{charge}{clear}{ways}"
 
 
 def _minutes(seconds: float) -> str:

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 
 from housefly.app.live_obstacles import LiveObstacles
 from housefly.geometry import Vec3
-from housefly.messages import Obstacle, PilotStep
+from housefly.messages import Obstacle, Phase, PilotStep
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.tasks.execution.task_room import SeenPerson
+
+_COMING_DOWN = frozenset({Phase.RETURNING, Phase.LANDING})
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,11 +20,13 @@ class RoomNow:
     Attributes:
         at: on the pilot's clock [s].
         unix: the same moment as Unix time [s].
-        drone: where the drone stands, world [m]; None while it flies or is not tracked.
+        drone: where the drone stands or hovers, world [m]; None where that is not known, or while
+            it comes down anyway: it begins on its pad then.
         yaw: where it faces [rad].
         battery: its charge, 0 to 1; None when unknown.
         people: who is seen.
         obstacles: what no map shows, tracked furniture included.
+        is_airborne: whether it hovers or flies there.
     """
 
     at: float = 0.0
@@ -32,6 +36,7 @@ class RoomNow:
     battery: float | None = None
     people: tuple[SeenPerson, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
+    is_airborne: bool = False
 
 
 def room_now(live: LiveObstacles, step: PilotStep | None, now: float, unix: float) -> RoomNow:
@@ -47,13 +52,15 @@ def room_now(live: LiveObstacles, step: PilotStep | None, now: float, unix: floa
     if step is None:
         return RoomNow(now, unix, people=people, obstacles=obstacles)
     estimate, told = step.outputs.estimate, step.inputs.telemetry
-    stands = told is not None and told.status not in AIRBORNE_STATUSES
+    is_airborne = told is not None and told.status in AIRBORNE_STATUSES
+    is_there = told is not None and step.outputs.phase not in _COMING_DOWN
     return RoomNow(
         at=now,
         unix=unix,
-        drone=estimate.position if estimate is not None and stands else None,
+        drone=estimate.position if estimate is not None and is_there else None,
         yaw=0.0 if estimate is None else estimate.yaw,
         battery=None if told is None else told.battery,
         people=people,
         obstacles=obstacles,
+        is_airborne=is_airborne and is_there,
     )

@@ -16,6 +16,7 @@ from housefly.bus.endpoint import endpoint_in
 from housefly.config.environment import (
     BUS_VARIABLE,
     DRIVER_SOCKET_VARIABLE,
+    RECORDING_VARIABLE,
     ROOM_SOCKET_VARIABLE,
     SECRET_VARIABLE,
     SITE_VARIABLE,
@@ -41,6 +42,7 @@ class Runtime:
         token: one-time token of the console's address.
         room_socket: Unix socket on which the hub answers programs of this user.
         driver_socket: Unix socket on which the driver waits for its pilot.
+        recording: folder into which the whole run is recorded, or None.
     """
 
     site_file: Path
@@ -50,6 +52,7 @@ class Runtime:
     token: str
     room_socket: Path
     driver_socket: Path
+    recording: Path | None = None
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
@@ -62,7 +65,8 @@ class Runtime:
             DRIVER_SOCKET_VARIABLE: str(self.driver_socket),
         }
         room = {ROOM_SOCKET_VARIABLE: str(self.room_socket), ROOM_KEY: api_key(self.secret)}
-        return {**os.environ, **mine, **room}
+        recording = {RECORDING_VARIABLE: str(self.recording.absolute())} if self.recording else {}
+        return {**os.environ, **mine, **room, **recording}
 
     def site(self) -> Site:
         """Return the site."""
@@ -119,6 +123,7 @@ def runtime_from_environment() -> Runtime:
             os.environ[TOKEN_VARIABLE],
             room_socket,
             Path(os.environ[DRIVER_SOCKET_VARIABLE]),
+            Path(recording) if (recording := os.environ.get(RECORDING_VARIABLE)) else None,
         )
     except (KeyError, ValueError) as error:
         raise ConfigError(

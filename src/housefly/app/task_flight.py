@@ -21,7 +21,9 @@ class TaskScript:
         replies: choice by question; other questions are answered with their first choice.
         silent: nobody answers other questions.
         reply_time: a person thinks so long before they answer [s].
+        late: they answer at the last moment instead.
         cancel_at, pause_at, resume_at: when somebody does that; infinity for never.
+        cancel_again_at: when somebody cancels it a second time.
         orders: when a person orders the pilot something, past the task, and what.
     """
 
@@ -31,6 +33,8 @@ class TaskScript:
     cancel_at: float = inf
     pause_at: float = inf
     resume_at: float = inf
+    cancel_again_at: float = inf
+    late: bool = False
     orders: tuple[tuple[float, Order], ...] = ()
 
 
@@ -88,6 +92,7 @@ class TaskFlight:
         airborne_at, landed_at: of the first and last time in the air; None when it never flew.
         skipped: time of hovering that was not flown but added [s].
         charge: that it took, 0 to 1.
+        moved_after: how far it moved while it was watched after the end [m].
     """
 
     stage: TaskStage
@@ -105,6 +110,7 @@ class TaskFlight:
     landed_at: float | None
     skipped: float
     charge: float
+    moved_after: float = 0.0
 
     @property
     def is_on_pad(self) -> bool:

@@ -42,6 +42,8 @@ _SAMPLE_PERIOD = 0.5
 """The truth is looked at this often [s]."""
 _TELL_PERIOD = 0.2
 """Obstacles told from outside are told again this often [s]."""
+_HOVERING_TIME = 2.0
+"""World time at which a flight that begins in the air begins, at least [s]."""
 _AFTERWARDS = 200.0
 """A drone that a task leaves in the air is followed so long [s]: the pilot brings it home."""
 _SKIPPED_SHARE, _SKIPPED_AT_ONCE = 0.25, 20.0
@@ -60,12 +62,14 @@ def fly_task_lockstep(
     movables: tuple[Movable, ...] = (),
     obstacles: tuple[Obstacle, ...] = (),
     drone: tuple[Vec3, float] | None = None,
+    airborne: bool = False,
     ask: Callable[[Question], Any] | None = None,
     viewing: ViewingRoom | None = None,
     begin_at: float = SETTLING_TIME,
     give_up_after: float = 900.0,
     hover_max: float = inf,
     pictures: bool = True,
+    watch_after: float = 0.0,
     unix: float = UNIX_BEGIN,
     on_world: Callable[[SimulatedWorld], None] = lambda world: None,
     on_step: Callable[[PilotStep], None] = lambda step: None,
@@ -82,12 +86,14 @@ def fly_task_lockstep(
         movables: things that no map shows, which ``on_world`` may put.
         obstacles: told to pilot and task, as sensors of the room would.
         drone: where it stands at first, world [m], and its heading [rad]; None on its pad.
+        airborne: it hovers there instead.
         ask: of the room's memory; None remembers nothing.
         viewing: the same room, when it was prepared before.
         begin_at: world time at which the task begins [s].
         give_up_after: longest time of task and landing [s].
         hover_max: hovering beyond this time is not flown, its time is added [s].
         pictures: False leaves out what the camera shows, which takes a tenth of the time.
+        watch_after: after the end it is watched for so long, whether anything moves [s].
         unix: Unix time at the world's time 0 [s].
         on_world: called before every step of the pilot; may place people and movables.
         on_step: called with every step of the pilot.
@@ -96,15 +102,20 @@ def fly_task_lockstep(
         ConfigError: a fault of the site that cannot be made in lock step.
     """
     loop = LockstepLoop(loaded, movables, people, scene)
+    hovering = drone if airborne else None
     if drone is not None:
         loop.world.put_drone(*drone)
+    if airborne:
+        begin_at = max(begin_at, _HOVERING_TIME)
     names = tuple(ids.get(name, name) for name in loop.people)
     room = LockstepTaskRoom(loaded, loop.world, names, ask, viewing)
     room.obstacles = obstacles
     flown = _FlownTask(loop, task, script, room, hover_max)
     flown.begins_at, flown.shows_pictures, flown.unix = begin_at, pictures, unix
     told_at, orders = -inf, tuple[Order, ...]()
-    while not flown.is_done(begin_at + give_up_after):
+    while not flown.is_done(begin_at + give_up_after, watch_after):
+        if hovering is not None:
+            hovering = _held(loop, hovering)
         loop.advance()
         on_world(loop.world)
         now = loop.now
@@ -116,6 +127,15 @@ def fly_task_lockstep(
         on_step(step)
         orders = flown.heard(step)
     return flown.result(distance(loop.world.truth().pose.position[:2], loaded.room.home))
+
+
+def _held(loop: LockstepLoop, hovering: tuple[Vec3, float]) -> tuple[Vec3, float] | None:
+    """Keep the drone in the air until its pilot knows where it is; None once it hovers."""
+    if loop.now < SETTLING_TIME:
+        loop.world.put_drone(*hovering)
+        return hovering
+    loop.world.hover_drone(*hovering)
+    return None
 
 
 class _FlownTask:
@@ -145,18 +165,33 @@ class _FlownTask:
         self._charge: float | None = None
         self._airborne_at: float | None = None
         self._landed_at: float | None = None
+        self._rest: tuple[float, Vec3] | None = None
+        self._moved = 0.0
 
     @property
     def _at(self) -> float:
         """Time since the task began, skipped hovering included [s]."""
         return self._loop.now - self._begin + self._skipped
 
-    def is_done(self, give_up_at: float) -> bool:
-        """Return whether the task is over and the drone stands, or it is given up."""
+    def is_done(self, give_up_at: float, watch_after: float) -> bool:
+        """Return whether the task is over and the drone stands for a time, or it is given up."""
         if self._run is None:
             return False
         followed = self._loop.now - self._ended > _AFTERWARDS
-        return self._loop.now > give_up_at or followed or (self._run.is_over and self._stands())
+        if self._loop.now > give_up_at or followed:
+            return True
+        return self._run.is_over and self._has_rested(watch_after)
+
+    def _has_rested(self, time: float) -> bool:
+        """Return whether the drone stood for a time since the end [s]; note how far it moved."""
+        place = self._loop.world.truth().pose.position
+        if self._rest is None:
+            self._rest = (self._loop.now, place) if self._stands() else None
+        if self._rest is None:
+            return False
+        since, first = self._rest
+        self._moved = max(self._moved, distance(first, place))
+        return self._loop.now - since >= time
 
     def heard(self, step: PilotStep) -> tuple[Order, ...]:
         """Take a step of the pilot; return the orders that are given now."""
@@ -197,6 +232,7 @@ class _FlownTask:
             landed_at=self._landed_at,
             skipped=self._skipped,
             charge=self._charge_taken(left),
+            moved_after=self._moved,
         )
 
     def _charge_taken(self, left: float) -> float:
@@ -236,10 +272,13 @@ class _FlownTask:
         return ()
 
     def _answer(self, asked: AskPerson) -> None:
-        choice = self._script.replies.get(asked.id, "" if self._script.silent else asked.choices[0])
+        script = self._script
+        choice = script.replies.get(asked.id, "" if script.silent else asked.choices[0])
         if choice:
             reply = PersonReply(asked.id, choice, "somebody")
-            self._replies.append((self._at + self._script.reply_time, reply))
+            last = (asked.timeout or 0.0) - _TICK_PERIOD
+            time = last if script.late else script.reply_time
+            self._replies.append((self._at + time, reply))
 
     def _people_order(self) -> tuple[Order, ...]:
         """Return what people order the pilot now."""
@@ -257,6 +296,7 @@ class _FlownTask:
             ("pause", script.pause_at, run.pause),
             ("resume", script.resume_at, run.resume),
             ("cancel", script.cancel_at, lambda: run.cancel("somebody cancelled it")),
+            ("cancel again", script.cancel_again_at, lambda: run.cancel("cancelled again")),
         ):
             if self._at >= at and word not in self._interrupted:
                 self._interrupted.add(word)
@@ -272,7 +312,10 @@ class _FlownTask:
         self._hovers_since = min(self._hovers_since, self._at)
         hovered = self._at - self._hovers_since
         if hovered > self._hover_max:
-            self._skipped += min(_SKIPPED_SHARE * hovered, _SKIPPED_AT_ONCE)
+            # What is given up before an answer would come is given up first here, too.
+            left = min((at for at, _ in self._replies), default=inf) - self._at - 2 * _TICK_PERIOD
+            skipped = min(_SKIPPED_SHARE * hovered, _SKIPPED_AT_ONCE, left)
+            self._skipped += max(0.0, skipped)
 
     def _note_flight(self, step: PilotStep) -> None:
         """Note the truth of the flight."""

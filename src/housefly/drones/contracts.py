@@ -52,6 +52,18 @@ class Drone(Protocol):
         """What is wrong with drone or link, in words, or ""."""
         ...
 
+    @property
+    def has_light(self) -> bool:
+        """Whether it can show the people around it that its camera is recorded."""
+        ...
+
+    def show_recording(self, records: bool) -> None:
+        """Blink while the camera is recorded, where the drone can.
+
+        To be said again every second: the light goes out by itself 1.5 s after the last time.
+        """
+        ...
+
     def on_video(self, handler: Callable[[VideoFrame], None]) -> None:
         """Call the handler with each picture from the first key frame on."""
         ...

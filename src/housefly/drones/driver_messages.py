@@ -19,7 +19,8 @@ _MAGIC = b"HFd1"
 _HEADER = struct.Struct("<4sBI")
 _COMMAND = struct.Struct("<B5d")
 _TELEMETRY = struct.Struct("<Bdd4d3d??3d")
-_LINK = struct.Struct("<??d")
+_LINK = struct.Struct("<???d")
+_LIGHT = struct.Struct("<?")
 _VIDEO = struct.Struct("<?HHIdd")
 _BODY_MAX = 1_100_000
 """Longest body accepted [bytes]: a picture of the largest size (``pave.MAX_PAYLOAD``)."""
@@ -35,6 +36,13 @@ class TimedCommand:
 
 
 @dataclass(frozen=True, slots=True)
+class LightOrder:
+    """Whether the drone's lights should say that its camera is recorded."""
+
+    records: bool
+
+
+@dataclass(frozen=True, slots=True)
 class DriverStatus:
     """Health of the driver's wires.
 
@@ -42,15 +50,17 @@ class DriverStatus:
         connected, video_connected: whether reports arrive, and pictures.
         telemetry_rate_hz: reports per second.
         problem: what is wrong, in words, or "".
+        has_light: whether the drone can show that its camera is recorded.
     """
 
     connected: bool = False
     video_connected: bool = False
     telemetry_rate_hz: float = 0.0
     problem: str = ""
+    has_light: bool = False
 
 
-DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame
+DriverMessage = TimedCommand | Telemetry | DriverStatus | VideoFrame | LightOrder
 
 
 def encode_driver_message(message: DriverMessage) -> bytes:
@@ -145,13 +155,14 @@ def _telemetry(body: bytes) -> Telemetry:
 
 
 def _status_bytes(status: DriverStatus) -> bytes:
-    flags = _LINK.pack(status.connected, status.video_connected, status.telemetry_rate_hz)
-    return flags + status.problem.encode()
+    flags = status.connected, status.video_connected, status.has_light
+    return _LINK.pack(*flags, status.telemetry_rate_hz) + status.problem.encode()
 
 
 def _status(body: bytes) -> DriverStatus:
-    connected, video_connected, rate_hz = _LINK.unpack_from(body)
-    return DriverStatus(connected, video_connected, rate_hz, body[_LINK.size :].decode())
+    connected, video_connected, has_light, rate_hz = _LINK.unpack_from(body)
+    problem = body[_LINK.size :].decode()
+    return DriverStatus(connected, video_connected, rate_hz, problem, has_light)
 
 
 def _video_bytes(frame: VideoFrame) -> bytes:
@@ -168,11 +179,32 @@ def _video(body: bytes) -> VideoFrame:
     return VideoFrame(body[_VIDEO.size :], *_VIDEO.unpack_from(body))
 
 
-_KINDS: tuple[type[DriverMessage], ...] = (TimedCommand, Telemetry, DriverStatus, VideoFrame)
+def _light_bytes(order: LightOrder) -> bytes:
+    return _LIGHT.pack(order.records)
+
+
+def _light(body: bytes) -> LightOrder:
+    return LightOrder(*_LIGHT.unpack(body))
+
+
+_KINDS: tuple[type[DriverMessage], ...] = (
+    TimedCommand,
+    Telemetry,
+    DriverStatus,
+    VideoFrame,
+    LightOrder,
+)
 _ENCODE: tuple[Callable[..., bytes], ...] = (
     _command_bytes,
     _telemetry_bytes,
     _status_bytes,
     _video_bytes,
+    _light_bytes,
 )
-_DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (_command, _telemetry, _status, _video)
+_DECODE: tuple[Callable[[bytes], DriverMessage], ...] = (
+    _command,
+    _telemetry,
+    _status,
+    _video,
+    _light,
+)

@@ -17,6 +17,7 @@ from housefly.drones.ardrone.driver import ArDrone
 from housefly.drones.driver_messages import (
     DriverMessage,
     DriverStatus,
+    LightOrder,
     MessageReader,
     TimedCommand,
     encode_driver_message,
@@ -105,9 +106,14 @@ class DriverServer:
             self._drone.abandon()
 
     def hear(self, pilot: _PilotLink, messages: list[DriverMessage]) -> None:
-        """Obey the newest of some commands."""
+        """Obey the newest of some commands, and show whether the camera is recorded."""
+        if pilot is not self._pilot:
+            return
+        for message in messages:
+            if isinstance(message, LightOrder):
+                self._drone.show_recording(message.records)
         commands = [message for message in messages if isinstance(message, TimedCommand)]
-        if pilot is not self._pilot or not commands:
+        if not commands:
             return
         pilot.heard_at = self._clock.now()
         newest = max(commands, key=lambda timed: timed.issued_at)
@@ -147,7 +153,11 @@ class DriverServer:
     def _status(self) -> DriverStatus:
         drone = self._drone
         return DriverStatus(
-            drone.connected, drone.video_connected, drone.telemetry_rate_hz, drone.problem
+            drone.connected,
+            drone.video_connected,
+            drone.telemetry_rate_hz,
+            drone.problem,
+            drone.has_light,
         )
 
     def _on_report(self) -> None:

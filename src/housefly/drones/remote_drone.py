@@ -14,6 +14,7 @@ from pathlib import Path
 from housefly.clock import Clock, RealClock
 from housefly.drones.driver_messages import (
     DriverStatus,
+    LightOrder,
     MessageReader,
     TimedCommand,
     encode_driver_message,
@@ -75,9 +76,16 @@ class RemoteDrone(asyncio.Protocol):
 
     def send(self, command: Command) -> None:
         """Hand over the command in force from now on; returns at once."""
-        link = self._transport
-        if link is not None and link.get_write_buffer_size() <= _BACKLOG_MAX:
-            link.write(encode_driver_message(TimedCommand(command, self._clock.now())))
+        self._write(TimedCommand(command, self._clock.now()))
+
+    @property
+    def has_light(self) -> bool:
+        """Whether it can show that its camera is recorded, as far as the driver is reached."""
+        return self._status.has_light
+
+    def show_recording(self, records: bool) -> None:
+        """Blink while the camera is recorded, where the drone can; to be said again and again."""
+        self._write(LightOrder(records))
 
     @property
     def telemetry(self) -> Telemetry | None:
@@ -144,6 +152,11 @@ class RemoteDrone(asyncio.Protocol):
                 case VideoFrame():
                     for handler in self._handlers:
                         handler(message)
+
+    def _write(self, message: TimedCommand | LightOrder) -> None:
+        link = self._transport
+        if link is not None and link.get_write_buffer_size() <= _BACKLOG_MAX:
+            link.write(encode_driver_message(message))
 
     async def _keep_connected(self) -> None:
         loop = asyncio.get_running_loop()

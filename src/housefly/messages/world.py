@@ -83,6 +83,19 @@ class TaskNews:
 
 
 @dataclass(frozen=True, slots=True)
+class RecordingNews:
+    """Whether the drone's camera is recorded; said again twice a second while it is.
+
+    Attributes:
+        at: when, by the monotonic clock of this machine [s].
+        records: whether it is.
+    """
+
+    at: float
+    records: bool
+
+
+@dataclass(frozen=True, slots=True)
 class EventNews:
     """What a process other than the hub says has happened: one ``RoomEvent`` as JSON."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import hypot, isfinite, isnan
+from math import hypot, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -103,10 +103,11 @@ class LaserTracker:
             now: time [s].
             own: where the drone is, None if it is on the ground or unknown.
         """
-        problem = self._fault(scan, now)
+        ranges = np.array(scan.ranges[: _MAX_BEAMS + 1], np.float64)
+        problem = self._fault(scan, ranges, now)
         if problem:
             return TrackingResult(problem=f"{scan.source}: {problem}")
-        laser, ranges = self._lasers[scan.source], np.array(scan.ranges)
+        laser = self._lasers[scan.source]
         hit = foreground(ranges, self._background(scan, laser))
         angles = laser.yaw + scan.first_angle + np.arange(len(ranges)) * scan.step
         ends = np.stack(
@@ -139,10 +140,10 @@ class LaserTracker:
             self._backgrounds[key] = expected_ranges(self._room.solids, laser, *key[1:])
         return self._backgrounds[key]
 
-    def _fault(self, scan: Scan, now: float) -> str:
+    def _fault(self, scan: Scan, ranges: FloatArray, now: float) -> str:
         """Return why a scan is refused, in words, or ""."""
         last = self._last.get(scan.source)
-        problem = self._nonsense(scan, now)
+        problem = self._nonsense(scan, ranges, now)
         if problem:
             return problem
         if last is not None and scan.captured_at <= last.captured_at:
@@ -152,13 +153,11 @@ class LaserTracker:
         self._alike[scan.source] = self._alike.get(scan.source, 0) + 1 if is_alike else 0
         if self._alike[scan.source] >= _FROZEN_SCANS:
             return "the same distances to the last bit again and again: it stands still"
-        if sum(distance < _COVERED_DISTANCE for distance in scan.ranges) > _COVERED_SHARE * len(
-            scan.ranges
-        ):
+        if np.count_nonzero(ranges < _COVERED_DISTANCE) > _COVERED_SHARE * len(ranges):
             return "something covers it"
         return ""
 
-    def _nonsense(self, scan: Scan, now: float) -> str:
+    def _nonsense(self, scan: Scan, ranges: FloatArray, now: float) -> str:
         if scan.source not in self._lasers:
             return "not a scanner of this site"
         if (
@@ -166,7 +165,7 @@ class LaserTracker:
             or scan.step <= 0.0
         ):
             return "not all its numbers are finite"
-        if not 0 < len(scan.ranges) <= _MAX_BEAMS or any(isnan(r) or r < 0.0 for r in scan.ranges):
+        if not 0 < len(ranges) <= _MAX_BEAMS or not (ranges >= 0.0).all():
             return "distances that are none"
         if scan.captured_at > now + _MAX_AHEAD:
             return "a scan from the future"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from housefly.messages import DroneStatus, Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES
@@ -38,6 +39,23 @@ def drone_availability(
     if inbox.status is not DroneStatus.LANDED:
         return DroneAvailability(False, "the drone does not say that it stands")
     return DroneAvailability(readiness.is_ready, readiness.words)
+
+
+class DronePlace(Enum):
+    """Where the drone is, as far as its pilot tells."""
+
+    AIR = "in the air"
+    GROUND = "on the ground"
+    UNKNOWN = "nobody knows"
+
+
+def drone_place(inbox: StepInbox, now: float) -> DronePlace:
+    """Return where the drone is; arguments as above."""
+    if inbox.age(now) > SILENT_TIME:
+        return DronePlace.UNKNOWN
+    if inbox.status in AIRBORNE_STATUSES:
+        return DronePlace.AIR
+    return DronePlace.GROUND if inbox.status is DroneStatus.LANDED else DronePlace.UNKNOWN
 
 
 def drone_words(inbox: StepInbox, readiness: TakeOffReadiness, now: float) -> str:

@@ -10,7 +10,7 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.told_events import ToldEventKind
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ParameterValue, PersonQuestion
-from housefly.tasks.evidence.clip_news import ClipOrigin, ClipOutcome
+from housefly.tasks.evidence.clip_news import ClipOrigin
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import task_sender
 from housefly.tasks.execution.values import (
@@ -92,18 +92,15 @@ class TaskActions:
         }
         self._outlet.tell(task_event(kind, self._drone, unix, cause, known | facts))
 
-    def tell_clip(self, clip: str, outcome: ClipOutcome, unix: float) -> int:
-        """Tell that a clip is whole; return the number of its task, 0 when nobody knows."""
+    def tell_clip(self, clip: str, unix: float) -> int:
+        """Tell that a clip is kept; return the number of its task, 0 when nobody knows."""
         try:
             info = self._clips.index.info(clip)
         except HouseflyError:
             return 0
-        if outcome is ClipOutcome.WHOLE:
-            facts = {"clip": clip, "place": info.place, "thing": info.thing}
-            event = task_event(
-                _KEPT[info.kind], self._drone, unix, task_name(info.task), dict(facts)
-            )
-            self._outlet.tell(event)
+        facts = {"clip": clip, "place": info.place, "thing": info.thing}
+        event = task_event(_KEPT[info.kind], self._drone, unix, task_name(info.task), dict(facts))
+        self._outlet.tell(event)
         return info.task
 
     def send_home(self, now: float) -> None:

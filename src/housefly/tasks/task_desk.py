@@ -5,7 +5,6 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from threading import RLock
 
 from housefly.errors import HouseflyError, TaskError
@@ -20,13 +19,15 @@ from housefly.tasks.api.values import (
     TaskStatus,
 )
 from housefly.tasks.document.library import bind
-from housefly.tasks.document.task_document import BoundTask, TaskDocument
+from housefly.tasks.document.open_library import OpenLibrary
+from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.notices import Notices
 from housefly.tasks.room_events import task_event
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.rules.rule_engine import RuleDecision
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import EventTrigger, Trigger
+from housefly.tasks.scheduler.task_store import TaskStore
 from housefly.tasks.task_engine import TaskEngine
 from housefly.tasks.task_outlet import TaskOutlet
 
@@ -44,28 +45,31 @@ class TaskDesk:
         engine: queue and runs.
         rules: with the mode of the house.
         outlet: hears of events.
+        store: keeps what people want to be told.
         wall: Unix time [s].
 
     Attributes:
-        lock: guards the engine.
+        lock: guards the engine and the store.
         notices: what people want to be told.
     """
 
     def __init__(
         self,
-        library: Mapping[str, TaskDocument],
+        library: OpenLibrary,
         engine: TaskEngine,
         rules: RuleService,
         outlet: TaskOutlet,
+        store: TaskStore,
         wall: Callable[[], float],
     ) -> None:
-        self.lock, self.notices = RLock(), Notices()
+        self.lock = RLock()
+        self.notices = Notices(store, self.lock, wall)
         self._library, self._engine, self._rules = library, engine, rules
         self._outlet, self._wall = outlet, wall
 
     def bound(self, service: str, parameters: Mapping[str, ParameterValue]) -> BoundTask:
         """Return a task; raises TaskError UNKNOWN_SERVICE or BAD_PARAMETER."""
-        return bind(document_of(self._library, service), parameters)
+        return bind(self._library.document(service), parameters)
 
     def request(self, request: TaskRequest) -> TaskStatus:
         """Queue a task.
@@ -102,7 +106,7 @@ class TaskDesk:
 
     def looked_at_clock(self) -> None:
         """Let the rules and the notices look at the time; to be called about once a second."""
-        for words in self.notices.due_at(self._wall()):
+        for words in self.notices.due_by_time():
             self.say(words, "time")
         self._decided(self._rules.ticked(self._wall()))
 
@@ -143,12 +147,3 @@ class TaskDesk:
         except HouseflyError as error:
             _log.error("rule %s: %s", decision.firing.rule, error)
         return decision
-
-
-def document_of(library: Mapping[str, TaskDocument], service: str) -> TaskDocument:
-    """Return a service's document; raises TaskError UNKNOWN_SERVICE that says what there is."""
-    if service in library:
-        return library[service]
-    near = get_close_matches(service, library, 1)
-    hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(library)}"
-    raise TaskError(f"there is no service {service!r}: {hint}", ReasonCode.UNKNOWN_SERVICE.value)

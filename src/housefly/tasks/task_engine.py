@@ -5,15 +5,13 @@ Nothing here reads a clock or opens a wire: time comes in, orders go out by the 
 
 from __future__ import annotations
 
-import logging
-from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
 
-from housefly.errors import StoreError, TaskError
-from housefly.messages import Order, OrderKind, Phase
+from housefly.errors import TaskError
+from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import (
-    ENDED,
+    ATTENDED,
     HouseMode,
     ReasonCode,
     RehearsalReport,
@@ -25,6 +23,7 @@ from housefly.tasks.api.values import (
 from housefly.tasks.document.task_document import BoundTask
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.execution.values import GiveOrder, PersonReply
+from housefly.tasks.queue_keeper import QueueKeeper
 from housefly.tasks.rules.mode_table import launch_permit
 from housefly.tasks.scheduler.board import board_order, waiting_words
 from housefly.tasks.scheduler.scheduler import Scheduler
@@ -42,27 +41,19 @@ from housefly.tasks.scheduler.values import (
     TaskMerged,
     TaskTraits,
 )
+from housefly.tasks.stranded_drone import StrandedDrone
 from housefly.tasks.task_actions import TaskActions
+from housefly.tasks.task_chronicle import TaskChronicle
 from housefly.tasks.task_record import task_status
 from housefly.tasks.task_runs import TaskRuns
 
-_log = logging.getLogger(__name__)
-
-_LEFT_IN = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING})
-"""Phases from which nobody would bring a drone home for a long time."""
-_HOME_REPEAT = 3.0
-"""A drone that was left in the air is sent home again after this [s]."""
 _CLICK_TIME = 5.0
 """The same wish of the same asker within this is one wish [s]."""
-_ENDED_SHOWN = 20
-"""So many ended tasks are on the board."""
+_ONLY_OWN = "you can end only what you asked for; STOP is for all"
 
 
 class TaskEngine:
     """The open tasks of one drone; not thread-safe.
-
-    Attributes:
-        problem: why the queue cannot be kept, in words, or "".
 
     Args:
         store: keeps the queue and what ended.
@@ -80,14 +71,11 @@ class TaskEngine:
         actions: TaskActions,
         inbox: StepInbox,
     ) -> None:
-        self.problem = ""
-        self._sent_home_at = float("-inf")
-        self._unsaved: dict[int, KeptTask] = {}
         self._drone = DroneAvailability(False, "the tasks have just begun")
-        self._store, self._runs, self._actions = store, runs, actions
-        self._inbox = inbox
+        self._runs, self._actions = runs, actions
+        self._keeper, self._stranded = QueueKeeper(store), StrandedDrone(inbox, actions)
         self._scheduler = store.load(limits)
-        self._ended: deque[TaskStatus] = deque(store.newest_ended(_ENDED_SHOWN), _ENDED_SHOWN)
+        self._chronicle = TaskChronicle(store, actions)
 
     def restore(self, bind: Callable[[TaskRequest], BoundTask], unix: float) -> None:
         """Take over the tasks of a program that ended: what flew ends, what waits is asked again.
@@ -101,14 +89,22 @@ class TaskEngine:
                 bound = bind(task.request)
                 if scheduling_traits(bound) != task.traits:
                     raise _bad(f"'{task.traits.title}' was changed meanwhile; ask again")
-                record = self._runs.add(task.id, bound)
-                if (before := self._store.status(task.id)) is not None:
+                record = self._runs.add(task.id, bound, is_urgent=task.is_attended)
+                if (before := self._chronicle.known(task.id)) is not None:
                     record.clips, record.report = list(before.clips), list(before.report)
                     record.steps = before.steps
+                    record.took_off_at, record.flown = before.took_off_at, before.flown
+                    if task.started_at is not None and before.took_off_at is None:
+                        record.flown = None  # it may have flown since it was kept
             except TaskError as error:
                 report = RehearsalReport(False, ReasonCode.BAD_PARAMETER, str(error))
                 self._take(self._scheduler.rehearsed(task.id, report, unix), unix)
         self._take(self._scheduler.restarted(unix), unix)
+
+    @property
+    def problem(self) -> str:
+        """Why the queue cannot be kept, in words, or ""."""
+        return self._keeper.problem
 
     @property
     def open(self) -> tuple[TaskStatus, ...]:
@@ -122,7 +118,7 @@ class TaskEngine:
     @property
     def ended(self) -> tuple[TaskStatus, ...]:
         """The tasks that ended last, the newest first."""
-        return tuple(self._ended)
+        return self._chronicle.ended
 
     def request(self, request: TaskRequest, task: BoundTask, unix: float) -> TaskStatus:
         """Take a request, its parameters complete; return its task, which may be refused.
@@ -143,15 +139,16 @@ class TaskEngine:
         ]
         for decision in outcome[1]:
             if isinstance(decision, TaskAdmitted):
-                self._runs.add(decision.task.id, task)
+                self._runs.add(decision.task.id, task, is_urgent=request.surface in ATTENDED)
         self._take(outcome, unix)
         return self.status(told[0].id)
 
     def _asked_just_now(self, request: TaskRequest, unix: float) -> ScheduledTask | None:
         """Return the same running task of the same asker: a second click wants no second flight."""
-        wanted = (request.service, request.parameters, request.asked_by)
+        wanted = (request.service, request.parameters, request.asked_by, request.owner)
         for task in self._scheduler.tasks:
-            given = (task.request.service, task.request.parameters, task.request.asked_by)
+            one = task.request
+            given = (one.service, one.parameters, one.asked_by, one.owner)
             is_new = 0.0 <= unix - task.asked_at <= _CLICK_TIME
             if task.state is QueueState.RUNNING and is_new and given == wanted:
                 return task
@@ -174,11 +171,28 @@ class TaskEngine:
         self._actions.tell("person answered", task, unix, words=choice, by=by)
         return self.status(number)
 
-    def cancel(self, number: int, by: str, unix: float) -> tuple[TaskStatus, ...]:
-        """End a task, or with 0 every open one; return those; raises TaskError."""
-        wanted = [number] if number else [task.id for task in self._scheduler.tasks]
-        self._take(self._scheduler.cancelled(number, by, unix), unix)
-        return tuple(self.status(each) for each in wanted)
+    def cancel(
+        self, number: int, by: str, unix: float, only_of: str = ""
+    ) -> tuple[TaskStatus, ...]:
+        """End a task, or with 0 every open one, and return those.
+
+        Args:
+            number: of the task.
+            by: who ends it, for people.
+            unix: Unix time [s].
+            only_of: id of whose tasks may be ended; "" for all.
+
+        Raises:
+            TaskError: there is no such task, or it is of somebody else.
+        """
+        wanted = [self._scheduler.task(number)] if number else list(self._scheduler.tasks)
+        if only_of:
+            wanted = [task for task in wanted if task.request.owner == only_of]
+            if not wanted:
+                raise TaskError(_ONLY_OWN, ReasonCode.NOT_ALLOWED.value)
+        for task in wanted:
+            self._take(self._scheduler.cancelled(task.id, by, unix), unix)
+        return tuple(self.status(task.id) for task in wanted)
 
     def pause(self, number: int, by: str, unix: float) -> TaskStatus:
         """Let a task hover, or hold it in the queue; raises TaskError."""
@@ -199,35 +213,16 @@ class TaskEngine:
             unix: the same moment as Unix time [s].
         """
         self._drone = drone
-        if self._unsaved:
-            self._keep([])
+        self._keeper.retry()
         for number, report in tuple(self._runs.rehearsed(unix)):
             self._take(self._scheduler.rehearsed(number, report, unix), unix)
         reports = self._runs.step(self._scheduler.tasks, drone, now, unix)
         if self._runs.person_ordered:
             self._take(self._scheduler.taken_over(unix), unix)
-        self._give_up_drone(reports)
+        self._stranded.let_go(reports, self._runs)
         self._take(self._scheduler.ticked(unix, reports, drone), unix)
-        self._bring_home(now)
-
-    def _give_up_drone(self, reports: tuple[RunReport, ...]) -> None:
-        """After a flight that ended in the air the pilot has the drone, and no other task."""
-        for report in reports:
-            record = self._runs.record(report.id)
-            has_run = record is not None and record.run is not None and record.task.flies
-            if report.stage in ENDED and has_run:
-                self._inbox.give_up()
-
-    def _bring_home(self, now: float) -> None:
-        """Send home a drone that a task left in the air, as when the next one was called off."""
-        has_pilot = any(
-            task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks
-        )
-        is_left = self._inbox.is_airborne and self._inbox.is_flown_by_task and not has_pilot
-        step, is_due = self._inbox.newest, now - self._sent_home_at > _HOME_REPEAT
-        if is_left and is_due and step is not None and step.outputs.phase in _LEFT_IN:
-            self._sent_home_at = now
-            self._actions.send_home(now)
+        if not any(task.traits.flies and task.state in ACTIVE for task in self._scheduler.tasks):
+            self._stranded.bring_home(now)
 
     def change_mode(self, mode: HouseMode, unix: float) -> None:
         """End the flights that may not be asked for in the new mode of the house.
@@ -238,6 +233,8 @@ class TaskEngine:
         """
         for task in self._scheduler.tasks:
             request = task.request
+            if task.state is QueueState.ENDING:
+                continue  # a second cancel would leave out what it does on the first
             permit = launch_permit(
                 mode,
                 request.surface,
@@ -250,11 +247,14 @@ class TaskEngine:
                 by = f"mode {mode.value} of the house"
                 self._take(self._scheduler.cancelled(task.id, by, unix), unix)
 
-    @property
-    def foremost(self) -> int | None:
-        """The task that people mean when they name none: what flies, or flies next, or is open."""
+    def foremost(self, only_of: str = "") -> int | None:
+        """Return the task that people mean when they name none: what flies, flies next, is open.
+
+        Args:
+            only_of: id of whose tasks count; "" for all.
+        """
         tasks = sorted(
-            board_order(self._scheduler),
+            (one for one in board_order(self._scheduler) if only_of in ("", one.request.owner)),
             key=lambda task: (not task.traits.flies, task.state not in ACTIVE),
         )
         return tasks[0].id if tasks else None
@@ -280,11 +280,15 @@ class TaskEngine:
         ]
         self._take(self._scheduler.ticked(unix, reports, DroneAvailability(False, words)), unix)
 
-    def keep_clip(self, number: int, clip: str) -> None:
-        """Remember a clip or snapshot of an open task."""
+    def keep_clip(self, number: int, clip: str, words: str = "") -> None:
+        """Remember a clip or snapshot of an open task, and report what is wrong with it."""
         record = self._runs.record(number)
-        if record is not None and clip not in record.clips:
+        if record is None:
+            return
+        if clip not in record.clips:
             record.clips.append(clip)
+        if words:
+            record.report.append(words)
 
     def drop_clip(self, clip: str, words: str) -> None:
         """Forget a clip or snapshot that could not be kept, and report why."""
@@ -295,11 +299,8 @@ class TaskEngine:
         for task in self._scheduler.tasks:
             if task.id == number:
                 return task_status(task, self._runs.record(number))
-        for ended in self._ended:
-            if ended.id == number:
-                return ended
-        if (kept := self._store.status(number)) is not None:
-            return kept
+        if (known := self._chronicle.known(number)) is not None:
+            return known
         raise TaskError(f"there is no task {number}", ReasonCode.UNKNOWN_TASK.value)
 
     def _take(self, outcome: tuple[Scheduler, tuple[Decision, ...]], unix: float) -> None:
@@ -310,46 +311,19 @@ class TaskEngine:
         ended = [one.task for one in decisions if isinstance(one, TaskEnded)]
         statuses = {task.id: self._end_status(task) for task in ended}
         kept = [KeptTask(task, task_status(task, self._runs.record(task.id))) for task in changed]
-        self._keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
+        self._keeper.keep([*kept, *(KeptTask(task, statuses[task.id]) for task in ended)])
         for decision in decisions:
             if isinstance(decision, TaskAdmitted):
-                self._tell_asked(decision.task, unix)
+                self._chronicle.was_asked(decision.task, unix)
             elif isinstance(decision, TaskEnded):
-                self._end(decision.task, statuses[decision.task.id], unix)
+                self._runs.remove(decision.task.id)
+                self._chronicle.has_ended(decision.task, statuses[decision.task.id], unix)
             else:
                 self._runs.decide(decision)
-
-    def _keep(self, tasks: list[KeptTask]) -> None:
-        """Keep tasks; a disk that refuses ends no flight, it is told in the log."""
-        # What a full disk refused is kept with the next change, or as soon as there is room.
-        self._unsaved |= {kept.task.id: kept for kept in tasks}
-        try:
-            self._store.save(list(self._unsaved.values()))
-            self.problem, self._unsaved = "", {}
-        except StoreError as error:
-            if str(error) != self.problem:
-                _log.error("the queue is not kept: %s", error)
-            self.problem = str(error)
-
-    def _tell_asked(self, task: ScheduledTask, unix: float) -> None:
-        request = task.request
-        self._actions.tell(
-            "task asked", task, unix, title=task.traits.title, by=request.asked_by or "somebody"
-        )
-        if task.question is not None:
-            # A millisecond later: the memory sorts what happened at once by other things.
-            self._actions.tell("person asked", task, unix + 0.001, words=task.question.words)
 
     def _end_status(self, task: ScheduledTask) -> TaskStatus:
         status = task_status(task, self._runs.record(task.id))
         return replace(status, words=task.words or task.stage.value)
-
-    def _end(self, task: ScheduledTask, status: TaskStatus, unix: float) -> None:
-        self._runs.remove(task.id)
-        self._actions.end_clip(task.id)
-        self._ended.appendleft(status)
-        outcome = status.state.value
-        self._actions.tell("task ended", task, unix, outcome=outcome, words=status.words)
 
 
 def scheduling_traits(task: BoundTask) -> TaskTraits:

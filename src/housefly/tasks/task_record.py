@@ -36,6 +36,10 @@ class TaskRecord:
         replies: that its run has not seen yet.
         clips, report: what came of it.
         steps: how far they are, or were.
+        took_off_at: when the drone was first in the air for it [Unix time, s].
+        flown: how long it was in the air for it [s]; None where nobody knows whether it was.
+        airborne_at: when it was last seen in the air, by the pilot's clock [s].
+        recording: folder into which the whole run is recorded, or "".
     """
 
     task: BoundTask
@@ -50,6 +54,24 @@ class TaskRecord:
     clips: list[str] = field(default_factory=list)
     report: list[str] = field(default_factory=list)
     steps: tuple[TaskStepStatus, ...] = ()
+    took_off_at: float | None = None
+    flown: float | None = 0.0
+    airborne_at: float | None = None
+    recording: str = ""
+
+    def watch_flight(self, is_airborne: bool, now: float, unix: float) -> None:
+        """Count the time in the air.
+
+        Args:
+            is_airborne: whether the drone flies now.
+            now: the pilot's clock [s].
+            unix: the same moment as Unix time [s].
+        """
+        if is_airborne and self.took_off_at is None:
+            self.took_off_at = unix
+        if is_airborne and self.airborne_at is not None:
+            self.flown = (self.flown or 0.0) + max(0.0, now - self.airborne_at)
+        self.airborne_at = now if is_airborne else None
 
     def abandon(self, code: ReasonCode, words: str, stage: TaskStage = TaskStage.FAILED) -> None:
         """End it here, without another step of its run."""
@@ -100,4 +122,7 @@ def task_status(task: ScheduledTask, record: TaskRecord | None, waiting: str = "
         task.rehearsal,
         tuple(record.clips) if record else (),
         tuple(record.report) if record else (),
+        record.took_off_at if record else None,
+        record.flown if record else 0.0,
+        record.recording if record and record.took_off_at is not None else "",
     )

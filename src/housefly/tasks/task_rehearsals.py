@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import logging
-from concurrent.futures import Future
+from concurrent.futures import CancelledError, Future
+from threading import Lock
 
 from housefly.errors import HouseflyError, TaskError
-from housefly.tasks.api.values import ReasonCode, RehearsalReport
+from housefly.tasks.api.values import ATTENDED, ReasonCode, RehearsalReport, RequestSurface
 from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.rehearsal_turns import RehearsalTurns, RehearsalUrgency
 from housefly.tasks.task_outlet import TaskRehearser
 from housefly.tasks.task_record import TaskRecord
 
@@ -21,6 +23,10 @@ to wait until everything is loaded.
 """
 _PATIENCE = 30.0
 """Longest wait for a rehearsal that somebody asked for by itself [s]."""
+MOST_ASKED, MOST_OF_MACHINES = 3, 1
+"""So many rehearsals asked for by themselves wait or go on at once, and of those so many that no
+person asked for.
+"""
 
 
 class TaskRehearsals:
@@ -31,12 +37,23 @@ class TaskRehearsals:
     """
 
     def __init__(self, rehearser: TaskRehearser) -> None:
-        self._rehearser = rehearser
+        self._turns, self._lock = RehearsalTurns(rehearser), Lock()
+        self._asked: list[RehearsalUrgency] = []
 
-    def begin(self, record: TaskRecord) -> None:
-        """Begin the rehearsal of a task, unless one is under way."""
+    @property
+    def asked(self) -> int:
+        """How many that were asked for by themselves wait or go on."""
+        with self._lock:
+            return len(self._asked)
+
+    def begin(
+        self, record: TaskRecord, urgency: RehearsalUrgency = RehearsalUrgency.FLIGHT
+    ) -> None:
+        """Begin the rehearsal of a task; one that waits already may become the next."""
         if record.rehearsal is None:
-            record.rehearsal = self._begun(record.task)
+            record.rehearsal = self._turns.begin(record.task, urgency)
+        elif urgency is RehearsalUrgency.FLIGHT:
+            self._turns.hurry(record.task, record.rehearsal)
 
     def taken(self, record: TaskRecord, unix: float) -> RehearsalReport | None:
         """Return what a rehearsal found, once; None while it goes on.
@@ -61,30 +78,54 @@ class TaskRehearsals:
         """Return whether the newest rehearsal still counts."""
         return 0.0 <= unix - record.rehearsed_at <= FRESH_TIME
 
-    def now(self, task: BoundTask) -> RehearsalReport:
-        """Rehearse and wait; raises TaskError when it takes too long."""
-        future = self._begun(task)
+    def now(
+        self, task: BoundTask, surface: RequestSurface = RequestSurface.CONSOLE
+    ) -> RehearsalReport:
+        """Rehearse and wait.
+
+        Args:
+            task: which.
+            surface: where it was asked for.
+
+        Raises:
+            TaskError: too many are under way, or it takes too long.
+        """
+        is_person = surface in ATTENDED
+        urgency = RehearsalUrgency.PERSON if is_person else RehearsalUrgency.MACHINE
+        self._admit(urgency)
+        future = self._turns.begin(task, urgency)
         try:
             future.exception(_PATIENCE)
         except TimeoutError as error:
+            future.cancel()
             raise TaskError(
                 f"the rehearsal takes longer than {_PATIENCE:.0f} s; ask again later",
                 ReasonCode.NOT_READY.value,
             ) from error
+        finally:
+            with self._lock:
+                self._asked.remove(urgency)
         return report_of(future)
 
-    def _begun(self, task: BoundTask) -> Future[RehearsalReport]:
-        try:
-            return self._rehearser.rehearse(task)
-        except Exception as error:
-            failed: Future[RehearsalReport] = Future()
-            failed.set_exception(error)
-            return failed
+    def _admit(self, urgency: RehearsalUrgency) -> None:
+        """Count one more that was asked for by itself; raises TaskError where that is too many."""
+        with self._lock:
+            machines = self._asked.count(RehearsalUrgency.MACHINE)
+            is_machine = urgency is RehearsalUrgency.MACHINE
+            if len(self._asked) >= MOST_ASKED or (is_machine and machines >= MOST_OF_MACHINES):
+                raise TaskError(
+                    f"{len(self._asked)} rehearsals are under way; ask again in a few seconds",
+                    ReasonCode.RATE_LIMIT.value,
+                )
+            self._asked.append(urgency)
 
 
 def report_of(future: Future[RehearsalReport]) -> RehearsalReport:
     """Return what a finished rehearsal found; one that failed lets nothing fly."""
-    error = future.exception()
+    try:
+        error = future.exception()
+    except CancelledError as cancelled:
+        error = cancelled
     if error is None:
         return future.result()
     if isinstance(error, TaskError):

@@ -14,6 +14,7 @@ from housefly.tasks.execution.step_inbox import SILENT_TIME, StepInbox
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import GiveOrder, TaskInputs
+from housefly.tasks.rehearsal_turns import RehearsalUrgency
 from housefly.tasks.scheduler.transitions import ACTIVE, QueueState
 from housefly.tasks.scheduler.values import (
     CancelRun,
@@ -44,6 +45,7 @@ class TaskRuns:
 
     Attributes:
         person_ordered: whether a person ordered the drone since the step before the last.
+        recording: folder into which the whole run is recorded, or "".
 
     Args:
         room: what runs may ask.
@@ -65,6 +67,7 @@ class TaskRuns:
         self._pilot = inbox.run
         self._steps = -1
         self.person_ordered = False
+        self.recording = ""
         self._decided: dict[type[Decision], Callable[[TaskRecord, Any], None]] = {
             StartTask: _start,
             PreemptTask: _preempt,
@@ -74,11 +77,18 @@ class TaskRuns:
             ContinueRun: lambda record, _: _resume(record),
         }
 
-    def add(self, number: int, task: BoundTask) -> TaskRecord:
-        """Take a task; one that flies is rehearsed at once, so that people hear early."""
-        record = self._records[number] = TaskRecord(task)
+    def add(self, number: int, task: BoundTask, *, is_urgent: bool = True) -> TaskRecord:
+        """Take a task; one that flies is rehearsed soon, so that people hear early.
+
+        Args:
+            number: of the task.
+            task: bound to its parameters.
+            is_urgent: whether a person waits for it.
+        """
+        record = self._records[number] = TaskRecord(task, recording=self.recording)
         if task.flies:
-            self._rehearsals.begin(record)
+            urgency = RehearsalUrgency.FLIGHT if is_urgent else RehearsalUrgency.MACHINE
+            self._rehearsals.begin(record, urgency)
         return record
 
     def record(self, number: int) -> TaskRecord | None:
@@ -87,7 +97,10 @@ class TaskRuns:
 
     def remove(self, number: int) -> TaskRecord | None:
         """Drop a task and its run without another step; return its record."""
-        return self._records.pop(number, None)
+        record = self._records.pop(number, None)
+        if record is not None and record.rehearsal is not None:
+            record.rehearsal.cancel()
+        return record
 
     def drop_clip(self, clip: str, words: str) -> None:
         """Forget a clip that could not be kept, and say so in the report of its task."""
@@ -140,8 +153,11 @@ class TaskRuns:
                     self._begin(task, record, drone, unix)
             elif task.traits.flies and lost:
                 record.abandon(ReasonCode.NOT_READY, lost)
-            elif is_fresh or not task.traits.flies:
+            # What begins now gives its first order now: no tick is lost on the way into the air.
+            if not record.resumes and (not task.traits.flies or (is_fresh and not lost)):
                 self._step_one(task, record, inputs)
+            if task.traits.flies and record.run is not None:
+                record.watch_flight(self._inbox.is_airborne, now, unix)
             reports.append(_report_of(task.id, record))
         return tuple(reports)
 

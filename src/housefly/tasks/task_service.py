@@ -6,7 +6,7 @@ The parts do the work: library, queue and runs, rules, clips, intents. Here stan
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -48,21 +48,30 @@ from housefly.tasks.api.questions import (
     TaskQuestion,
     Webhook,
 )
-from housefly.tasks.api.values import TaskRequest, TaskStatus
+from housefly.tasks.api.values import RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.asked_room import AskedRoom
-from housefly.tasks.document.task_document import BoundTask, TaskDocument
-from housefly.tasks.drone_state import TakeOffReadiness, drone_availability, drone_words
-from housefly.tasks.evidence.clip_news import ClipOutcome
+from housefly.tasks.document.open_library import OpenLibrary
+from housefly.tasks.document.task_document import BoundTask
+from housefly.tasks.drone_state import (
+    DronePlace,
+    TakeOffReadiness,
+    drone_availability,
+    drone_place,
+    drone_words,
+)
+from housefly.tasks.evidence.clip_news import KEPT, ClipOutcome
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
 from housefly.tasks.intents.intent_reply import TaskAct
 from housefly.tasks.intents.names import Names
+from housefly.tasks.intents.stop_words import says_stop
 from housefly.tasks.rules.dry_run import dry_run, stored_events
 from housefly.tasks.rules.room_facts import AskedRoomFacts
 from housefly.tasks.rules.rule_service import RuleService
 from housefly.tasks.rules.trigger import WebhookTrigger
 from housefly.tasks.scheduler.task_store import TaskStore
 from housefly.tasks.sentences import SentenceEffects, Sentences
+from housefly.tasks.source_pace import SourcePace
 from housefly.tasks.task_actions import TaskActions
 from housefly.tasks.task_desk import TaskDesk
 from housefly.tasks.task_engine import TaskEngine
@@ -77,7 +86,7 @@ class ServiceParts:
     """What the service is made of.
 
     Attributes:
-        library: task documents by name.
+        library: task documents by name, and what is wrong with one's own.
         engine: queue and runs.
         store: of the queue and the history.
         rehearsals: in lock step.
@@ -91,7 +100,7 @@ class ServiceParts:
         own_sentences: folder with sentence files of one's own, or None.
     """
 
-    library: Mapping[str, TaskDocument]
+    library: OpenLibrary
     engine: TaskEngine
     store: TaskStore
     rehearsals: TaskRehearsals
@@ -123,13 +132,16 @@ class TaskService:
     ) -> None:
         self.readiness = TakeOffReadiness()
         self._parts, self._clock, self._wall = parts, clock, wall
-        self.desk = TaskDesk(parts.library, parts.engine, parts.rules, parts.outlet, wall)
+        self._pace = SourcePace(clock)
+        self.desk = TaskDesk(
+            parts.library, parts.engine, parts.rules, parts.outlet, parts.store, wall
+        )
         effects = SentenceEffects(
             self.desk.request,
             self._order,
             self._act,
             self._ask,
-            lambda notice: self.desk.notices.add(notice, wall()),
+            self.desk.notices.add,
         )
         self._sentences = Sentences(parts.room, effects, wall, parts.names, parts.own_sentences)
         self._by: dict[type[TaskQuestion], Callable[[Any], TaskAnswer]] = {
@@ -174,11 +186,12 @@ class TaskService:
             for news in parts.clips.tick(
                 now, unix, parts.inbox.fresh_status(now), parts.rules.mode
             ):
-                if news.outcome is not ClipOutcome.WHOLE:
+                if news.outcome not in KEPT:
                     parts.engine.drop_clip(news.clip, news.words)
                     continue
-                task = parts.actions.tell_clip(news.clip, news.outcome, unix)
-                parts.engine.keep_clip(task, news.clip)
+                task = parts.actions.tell_clip(news.clip, unix)
+                words = news.words if news.outcome is ClipOutcome.CUT_OFF else ""
+                parts.engine.keep_clip(task, news.clip, words)
 
     def board(self) -> TaskBoard:
         """Return everything that a screen of the tasks shows."""
@@ -191,6 +204,7 @@ class TaskService:
                 parts.clips.records,
                 parts.engine.open,
                 parts.engine.ended,
+                self._notices(),
             )
 
     def close(self, words: str) -> None:
@@ -201,7 +215,16 @@ class TaskService:
             parts.clips.close()
             parts.store.close()
 
+    def _notices(self) -> tuple[str, ...]:
+        clips, engine = self._parts.clips, self._parts.engine
+        unkept = f"the queue is not kept: {engine.problem}" if engine.problem else ""
+        found = (*clips.index.notices, clips.problem, unkept)
+        return tuple(words for words in found if words)
+
     def _ask(self, question: TaskQuestion) -> TaskAnswer:
+        # STOP never waits for anything, whoever says it.
+        if not (isinstance(question, Sentence) and says_stop(question.text)):
+            self._pace.spend(getattr(question, "surface", RequestSurface.CONSOLE))
         return self._by[type(question)](question)
 
     def _bound(self, request: TaskRequest) -> BoundTask:
@@ -217,12 +240,13 @@ class TaskService:
             question.confirm,
             question.priority,
             question.deadline,
+            question.owner,
         )
         return TasksAnswer((self.desk.request(request),))
 
     def _rehearse(self, question: RehearseTask) -> RehearsalAnswer:
         task = self.desk.bound(question.service, question.parameters)
-        return RehearsalAnswer(self._parts.rehearsals.now(task))
+        return RehearsalAnswer(self._parts.rehearsals.now(task, question.surface))
 
     def _reply(self, question: ReplyToTask) -> TasksAnswer:
         with self.desk.lock:
@@ -240,7 +264,10 @@ class TaskService:
 
     def _cancel(self, question: CancelTask) -> TasksAnswer:
         with self.desk.lock:
-            return TasksAnswer(self._parts.engine.cancel(question.task, question.by, self._wall()))
+            ended = self._parts.engine.cancel(
+                question.task, question.by, self._wall(), question.only_of
+            )
+        return TasksAnswer(ended)
 
     def _pause(self, question: PauseTask) -> TasksAnswer:
         with self.desk.lock:
@@ -255,8 +282,7 @@ class TaskService:
             )
 
     def _services(self, _: ServicesQuestion) -> ServicesAnswer:
-        documents = self._parts.library.values()
-        return ServicesAnswer(tuple(document.info() for document in documents))
+        return ServicesAnswer(self._parts.library.services())
 
     def _history(self, question: TaskHistoryQuestion) -> TasksAnswer:
         with self.desk.lock:
@@ -286,15 +312,20 @@ class TaskService:
         decisions = self.desk.heard(WebhookTrigger(question.name, self._wall(), question.by))
         return FiringsAnswer(tuple(decision.firing for decision in decisions))
 
-    def _order(self, kind: OrderKind, by: str) -> None:
-        """Give the pilot an order of a person: the tasks make way for it."""
-        self._parts.outlet.order(Order(kind, issued_at=self._clock(), sender=by[:100]))
+    def _order(self, kind: OrderKind, by: str) -> DronePlace:
+        """Give the pilot an order of a person, for which the tasks make way; return what is true.
 
-    def _act(self, act: TaskAct, by: str) -> TaskStatus | None:
+        The order is not done yet then: the pilot tells what became of it.
+        """
+        now = self._clock()
+        self._parts.outlet.order(Order(kind, issued_at=now, sender=by[:100]))
+        return drone_place(self._parts.inbox, now)
+
+    def _act(self, act: TaskAct, by: str, only_of: str = "") -> TaskStatus | None:
         """Cancel, pause or continue the task that flies, or is next; None when there is none."""
         with self.desk.lock:
             engine = self._parts.engine
-            task = engine.foremost
+            task = engine.foremost(only_of)
             if task is None:
                 return None
             unix = self._wall()

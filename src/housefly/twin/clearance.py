@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from housefly.numeric import FloatArray
 from housefly.twin.contracts import AWAY_Z
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
@@ -33,6 +35,10 @@ class Clearance:
     person: float
 
 
+UNBOUNDED = Clearance(inf, inf)
+"""Whatever the distances are, they are wanted."""
+
+
 class ClearanceMeter:
     """Measures between the hull's shapes and those of the room.
 
@@ -46,35 +52,37 @@ class ClearanceMeter:
         self._hull = np.flatnonzero(
             (model.geom_bodyid == physics.drone_id) & (model.geom_contype != 0)
         ).tolist()
-        self._solids = _geoms(owners, lambda kind: kind is not SolidKind.PERSON)
-        self._people = _geoms(owners, lambda kind: kind is SolidKind.PERSON)
+        self._solids = _boxes(model, owners, lambda kind: kind is not SolidKind.PERSON)
+        self._people = _boxes(model, owners, lambda kind: kind is SolidKind.PERSON)
 
-    def measure(self) -> Clearance:
-        """Return the distances now."""
-        return Clearance(self._nearest(self._solids), self._nearest(self._people))
+    def measure(self, within: Clearance = UNBOUNDED) -> Clearance:
+        """Return the distances now; where nothing is nearer than ``within``, that."""
+        return Clearance(
+            self._nearest(self._solids, within.solid), self._nearest(self._people, within.person)
+        )
 
-    def _nearest(self, geoms: NDArray[np.intp]) -> float:
+    def _nearest(self, boxes: _Boxes, within: float) -> float:
         """Return the distance to the nearest of some geoms [m]; those that may be come first."""
-        bounds = self._lower_bounds(geoms)
-        nearest = inf
-        for place in np.argsort(bounds).tolist():
+        bounds = self._lower_bounds(boxes)
+        candidates = np.flatnonzero(bounds < within)
+        nearest = within
+        for place in candidates[np.argsort(bounds[candidates])].tolist():
             if bounds[place] >= nearest:
                 break
-            nearest = min(nearest, self._gap(int(geoms[place]), min(nearest, _FAR)))
+            nearest = min(nearest, self._gap(int(boxes.geoms[place]), min(nearest, _FAR)))
         return max(0.0, nearest)
 
-    def _lower_bounds(self, geoms: NDArray[np.intp]) -> NDArray[np.float64]:
+    def _lower_bounds(self, boxes: _Boxes) -> FloatArray:
         """Return what no distance to some geoms falls below [m]; infinite for those put away."""
-        model, data = self._physics.model, self._physics.data
-        offsets = data.xpos[self._physics.drone_id] - data.geom_xpos[geoms]
+        data, geoms = self._physics.data, boxes.geoms
+        places = data.geom_xpos[geoms]
+        offsets = data.xpos[self._physics.drone_id] - places
         axes = data.geom_xmat[geoms].reshape(-1, 3, 3)
         local = np.einsum("gk,gka->ga", offsets, axes)
-        # The box around a geom in its own frame; a plane has none, and no end.
-        centres, halves = model.geom_aabb[geoms, :3], model.geom_aabb[geoms, 3:]
-        outside = np.maximum(np.abs(local - centres) - halves, 0.0)
+        outside = np.maximum(np.abs(local - boxes.centres) - boxes.halves, 0.0)
         bounds = np.linalg.norm(outside, axis=1) - _HULL_RADIUS
-        bounds[model.geom_rbound[geoms] <= 0.0] = -inf
-        bounds[data.geom_xpos[geoms, 2] < AWAY_Z / 2] = inf
+        bounds[boxes.endless] = -inf
+        bounds[places[:, 2] < AWAY_Z / 2] = inf
         return np.asarray(bounds, np.float64)
 
     def _gap(self, geom: int, bound: float) -> float:
@@ -86,10 +94,22 @@ class ClearanceMeter:
         return gap
 
 
-def _geoms(
-    owners: tuple[SolidOwner | None, ...], wanted: Callable[[SolidKind], bool]
-) -> NDArray[np.intp]:
-    """Return the ids of the geoms whose owners are wanted."""
-    return np.array(
+@dataclass(frozen=True, slots=True)
+class _Boxes:
+    """Some geoms, each with the box around it in its own frame [m]; a plane has no end."""
+
+    geoms: NDArray[np.intp]
+    centres: FloatArray
+    halves: FloatArray
+    endless: NDArray[np.bool_]
+
+
+def _boxes(
+    model: Any, owners: tuple[SolidOwner | None, ...], wanted: Callable[[SolidKind], bool]
+) -> _Boxes:
+    """Return the geoms whose owners are wanted."""
+    geoms = np.array(
         [n for n, owner in enumerate(owners) if owner is not None and wanted(owner.kind)], np.intp
     )
+    box = model.geom_aabb[geoms]
+    return _Boxes(geoms, box[:, :3], box[:, 3:], model.geom_rbound[geoms] <= 0.0)

@@ -96,12 +96,16 @@ class OnboardState:
 
 @dataclass(frozen=True, slots=True)
 class GroundTruth:
-    """The true state: for pictures, scores and tests, never for the pilot."""
+    """The true state: for pictures, scores and tests, never for the pilot.
+
+    ``leds`` is the animation that the drone's lights play; 6 is the one of every day.
+    """
 
     at: float
     pose: Pose
     velocity: Vec3
     contacts: int
+    leds: int = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -179,6 +183,10 @@ class TwinWorld(Protocol):
 
     def set_limits(self, limits: OnboardLimits) -> None:
         """Configuration changed the maxima."""
+        ...
+
+    def play_leds(self, animation: int, frequency_hz: float, seconds: float) -> None:
+        """Play an animation on the lights for some time [s]; 0 is for ever."""
         ...
 
     def onboard(self) -> OnboardState:

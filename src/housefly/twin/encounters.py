@@ -5,7 +5,7 @@ from __future__ import annotations
 from housefly.config.site import Site
 from housefly.room.model import Room
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, BodyState
-from housefly.twin.clearance import Clearance, ClearanceMeter
+from housefly.twin.clearance import UNBOUNDED, Clearance, ClearanceMeter
 from housefly.twin.contact_log import Contact, ContactLog
 from housefly.twin.people.motion import PersonMotion
 from housefly.twin.physics import Physics
@@ -31,7 +31,7 @@ class Encounters:
         self._log = ContactLog(motion)
         self._meter = ClearanceMeter(physics, self._owners)
         self._segments = PictureSegments(physics, self._owners)
-        self._measured: tuple[int, Clearance] | None = None
+        self._measured: tuple[tuple[int, Clearance], Clearance] | None = None
 
     def in_picture(self) -> dict[str, float]:
         """Return the share of the front camera's picture that each thing and person takes."""
@@ -54,8 +54,11 @@ class Encounters:
         if points:
             self._log.add(points, tick * CONTROL_PERIOD, before, motors_turn)
 
-    def clearance(self, tick: int) -> Clearance:
-        """Return the true distances from the hull, measured once per control period."""
-        if self._measured is None or self._measured[0] != tick:
-            self._measured = tick, self._meter.measure()
+    def clearance(self, tick: int, within: Clearance = UNBOUNDED) -> Clearance:
+        """Return the true distances from the hull, measured once per control period.
+
+        Where nothing is nearer than ``within``, that is returned: looking no farther is cheaper.
+        """
+        if self._measured is None or self._measured[0] != (tick, within):
+            self._measured = (tick, within), self._meter.measure(within)
         return self._measured[1]

@@ -11,6 +11,7 @@ from math import cos, sin, tan
 
 from housefly.geometry import GRAVITY, Vec3, quaternion_from_euler, wrap_angle
 from housefly.messages import Pose
+from housefly.twin.ardrone.leds import Leds
 from housefly.twin.contracts import (
     FlightState,
     GroundTruth,
@@ -54,6 +55,7 @@ class KinematicWorld:
         self._speed = [0.0, 0.0]
         self._climb = 0.0
         self._tilt = (0.0, 0.0)
+        self._leds = Leds()
         self._psi = 0.0
 
     @property
@@ -127,13 +129,17 @@ class KinematicWorld:
         x, y, z = self._position
         theta, phi = self._tilt
         pose = Pose((x, y, z), quaternion_from_euler(phi, theta, self._psi))
-        return GroundTruth(
-            self._now, pose, (self._speed[0], self._speed[1], self._climb), 0 if z > 0.0 else 1
-        )
+        velocity = (self._speed[0], self._speed[1], self._climb)
+        leds = self._leds.animation(self._now)
+        return GroundTruth(self._now, pose, velocity, 0 if z > 0.0 else 1, leds)
 
     def mocap_frames(self) -> tuple[MocapFrame, ...]:
         """Return nothing: this room has no cameras."""
         return ()
+
+    def play_leds(self, animation: int, frequency_hz: float, seconds: float) -> None:
+        """Play an animation on the lights."""
+        self._leds.play(animation, frequency_hz, seconds, self._now)
 
     def set_visitor(self, present: bool) -> None:
         """Record whether someone is at the door."""

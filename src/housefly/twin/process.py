@@ -11,10 +11,13 @@ import asyncio
 import contextlib
 import signal
 import sys
+import time
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from housefly.bus.bus import Bus
+from housefly.bus.simulated_bell import BELL_QUERY, BellPress, press_to_json
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Rate, RealClock
 from housefly.config.site import Site, site_from_file
@@ -24,6 +27,7 @@ from housefly.room.model import Room
 from housefly.twin.address import check_address
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.camera.process import CameraProcess
+from housefly.twin.doorbell import BellWire, Doorbell
 from housefly.twin.faults.faulty_devices import FaultyDevices
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
@@ -38,6 +42,9 @@ from housefly.twin.sensors.mqtt_publisher import MqttPublisher
 from housefly.twin.truth_log import TruthLog
 from housefly.twin.world import SimulatedWorld
 
+_RING_TIMEOUT = 1.5
+"""How long the room may take to let somebody ring [s]."""
+
 
 class Twin:
     """Wires the parts of the twin together.
@@ -47,7 +54,8 @@ class Twin:
         room: what the drone flies in.
         beyond_loopback: allow addresses that other machines can reach.
         scene: the people and things that move; its devices speak when the site names a broker.
-        bus: where the site's depth cameras send their images; None sends none.
+        bus: where the site's depth cameras send their images and somebody asks for a ring of the
+            bell; None for neither.
         truth_file: where the true course of the flight goes; None writes none.
         hands: socket on which orders to carry the drone arrive; None takes none.
 
@@ -84,6 +92,7 @@ class Twin:
         )
         self._tracking = tracking_servers(site)
         self._lasers = LaserFeed(site, self._world, beyond_loopback, self._faults)
+        self._bus = bus
         self._depth = DepthFeed(site, self._world, bus, clock, self._faults) if bus else None
         self._camera = (
             CameraProcess(
@@ -94,6 +103,7 @@ class Twin:
         )
         self._camera_state = (0, "")
         self._devices = self._device_link(scene) if scene is not None and site.mqtt.broker else None
+        self._bell = Doorbell(self._world, self._bell_wire(scene))
 
     async def run(self) -> None:
         """Serve until cancelled; raises LinkError when a port cannot be had."""
@@ -111,6 +121,10 @@ class Twin:
                 open_parts.callback(self._hands.stop)
                 self._hands.start()
             work = [self._time.run(self._after_step)]
+            if self._bus is not None:
+                loop = asyncio.get_running_loop()
+                answering = self._bus.answer(BELL_QUERY, lambda _: self._rung(loop))
+                open_parts.callback(answering.close)
             if self._camera is not None:
                 open_parts.callback(self._camera.close)
                 self._camera.on_picture(
@@ -165,11 +179,28 @@ class Twin:
             lambda line: print(f"twin: {line}", flush=True),
         )
 
+    def _bell_wire(self, scene: Scene | None) -> BellWire | None:
+        """Return what the scene's first doorbell speaks with, or None without one."""
+        if scene is None or self._devices is None:
+            return None
+        link = self._devices
+        bells = (device.id for device in scene.script.devices if device.kind == "doorbell")
+        return next((BellWire(partial(link.press, bell), link.trouble) for bell in bells), None)
+
+    def _rung(self, loop: asyncio.AbstractEventLoop) -> str:
+        """Let somebody ring; asked on a thread of the bus, done on the loop of the room."""
+
+        async def ring() -> BellPress:
+            return self._bell.ring(self._world.now, time.time())
+
+        return press_to_json(asyncio.run_coroutine_threadsafe(ring(), loop).result(_RING_TIMEOUT))
+
     def _now(self) -> float:
         return self._world.now
 
     def _after_step(self) -> None:
         self._faults.act_on(self._world)
+        self._bell.advance(self._world.now)
         if self._truth is not None:
             self._truth.sample()
         for frame in self._faults.frames(self._world.mocap_frames(), self._world.now):
@@ -249,7 +280,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--bus",
         default="",
-        help="zenoh endpoint that depth images are sent to, unixsock-stream/PATH",
+        help="zenoh endpoint for depth images and the bell's button, unixsock-stream/PATH",
     )
     parser.add_argument(
         "--truth", type=Path, help="file for the true course of the flight, for its summary"

@@ -53,6 +53,7 @@ class TruthLog:
                 "airborne": self._world.onboard().flight.airborne,
                 "solid": _finite(clearance.solid),
                 "person": _finite(clearance.person),
+                "leds": truth.leds,
             }
         )
         for contact in self._world.contact_log[self._told :]:

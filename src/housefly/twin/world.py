@@ -22,9 +22,10 @@ from housefly.twin.ardrone.battery import Battery, BatteryGauge
 from housefly.twin.ardrone.body import DRONE_MASS, STANDING_HEIGHT
 from housefly.twin.ardrone.firmware import WATCHDOG_AFTER, Firmware
 from housefly.twin.ardrone.inner_loops import MOTORS_OFF, Wrench
+from housefly.twin.ardrone.leds import Leds
 from housefly.twin.ardrone.motors import motor_duties
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, OnboardSensors
-from housefly.twin.clearance import Clearance
+from housefly.twin.clearance import UNBOUNDED, Clearance
 from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import (
     FlightState,
@@ -89,7 +90,7 @@ class SimulatedWorld:
             movables,
         )
         self._sensors = OnboardSensors(sensing, SonarBeam(self._physics).height)
-        self._firmware = Firmware(site.drone)
+        self._firmware, self._leds = Firmware(site.drone), Leds()
         self._battery = Battery(site.twin.battery)
         self._gauge = BatteryGauge(self._battery)
         cameras = MocapCameras(room.cameras, self._physics.model, self._physics.data)
@@ -159,6 +160,10 @@ class SimulatedWorld:
         """Configuration changed the maxima."""
         self._firmware.limits = limits
 
+    def play_leds(self, animation: int, frequency_hz: float, seconds: float) -> None:
+        """Play an animation on the lights for some time [s]; 0 is for ever."""
+        self._leds.play(animation, frequency_hz, seconds, self._now)
+
     def set_visitor(self, present: bool) -> None:
         """A visitor comes to the door or leaves."""
         self._visitor.set_present(present)
@@ -218,9 +223,9 @@ class SimulatedWorld:
         """What the drone touched so far, other than the floor, in order of time."""
         return self._encounters.contacts
 
-    def clearance(self) -> Clearance:
-        """Return how far the hull is now from solids and people [m]."""
-        return self._encounters.clearance(self._ticks)
+    def clearance(self, within: Clearance = UNBOUNDED) -> Clearance:
+        """Return how far the hull is now from solids and people [m]; at most ``within``."""
+        return self._encounters.clearance(self._ticks, within)
 
     def in_picture(self) -> dict[str, float]:
         """Return the share of the front camera's picture that each thing and person takes, 0 to 1.
@@ -249,6 +254,7 @@ class SimulatedWorld:
             Pose(body.position, body.orientation),
             body.velocity,
             self._physics.contacts(),
+            self._leds.animation(self._now),
         )
 
     def onboard(self) -> OnboardState:
@@ -281,6 +287,12 @@ class SimulatedWorld:
         heading = self._room.home_yaw if yaw is None else yaw
         self._physics.place(position or home, quaternion_from_euler(0.0, 0.0, heading))
         self._body = self._physics.state()
+
+    def hover_drone(self, position: Vec3, yaw: float) -> None:
+        """Put the drone into the air, hovering [m], [rad]; commands under way are lost."""
+        self._delayed.clear()
+        self.put_drone(position, yaw)
+        self._firmware.begin_hovering(position[2])
 
     def carry_drone(self, order: CarryOrder) -> None:
         """Have somebody take the drone up and carry it; held in the air it stays in their hands.

@@ -1,5 +1,6 @@
 """Clips and snapshots over HTTP: ``/api/v1/clips/{id}``, in parts as players ask for them.
 
+``/api/v1/clips.zip?clip=...&clip=...`` is several of them with all that is known, to take away.
 Whoever watches one is written down, in the clips' own book and in the audit log: the first
 request of a session for a clip, whatever part it asks for, and then again after ten minutes.
 """
@@ -9,16 +10,17 @@ from __future__ import annotations
 import asyncio
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
 from starlette.requests import Request
-from starlette.responses import FileResponse, Response
+from starlette.responses import FileResponse, Response, StreamingResponse
 from starlette.routing import Route
 
 from housefly.errors import HouseflyError, TaskError
 from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.evidence.clip_export import ClipExport, zipped
 from housefly.web.audit_log import AuditLog
 from housefly.web.bearer import bears
 from housefly.web.session_auth import SessionAuth
@@ -26,6 +28,7 @@ from housefly.web.tasks_api import task_refusal
 
 _WATCH_PERIOD = 600.0
 """Requests of one session for one clip within it are one watching [s]."""
+_ZIP = "application/zip"
 _TYPES = {".mp4": "video/mp4", ".jpg": "image/jpeg"}
 
 
@@ -38,6 +41,10 @@ class ClipBook(Protocol):
 
     def watched(self, name: str, who: str, what: str = "watched") -> object:
         """Write down who saw, copied or exported a clip; raises TaskError, StoreError."""
+        ...
+
+    def export(self, names: Sequence[str], who: str) -> ClipExport:
+        """Return clips to export, and write down who does; raises TaskError, StoreError."""
         ...
 
     def close(self) -> None:
@@ -72,8 +79,37 @@ class ClipFiles:
         self._written: dict[tuple[str, ...], float] = {}
 
     def routes(self) -> list[Route]:
-        """Return the route, relative to ``API_PREFIX``."""
-        return [Route("/clips/{clip}", self._show, methods=["GET"])]
+        """Return the routes, relative to ``API_PREFIX``."""
+        return [
+            Route("/clips/{clip}", self._show, methods=["GET"]),
+            Route("/clips.zip", self._export, methods=["GET"]),
+        ]
+
+    async def _export(self, request: Request) -> Response:
+        """Stream several clips as one ZIP file; the middleware has looked at the role."""
+        if (who := self._who(request)) is None:
+            return task_refusal(401, "this browser has no session", ReasonCode.NOT_ALLOWED)
+        name, session = who
+        names = request.query_params.getlist("clip")
+        if request.method != "GET":
+            return Response(media_type=_ZIP)
+        try:
+            export = await asyncio.to_thread(self._taken_away, names, name)
+        except TaskError as error:
+            return task_refusal(404, str(error))
+        except HouseflyError as error:
+            return task_refusal(503, str(error), ReasonCode.NOT_READY)
+        if self._audit is not None:
+            self._audit.record(name, session, f"exported the clips {', '.join(names)}")
+        attached = {"content-disposition": 'attachment; filename="clips.zip"'}
+        headers = {"cache-control": "no-store", **attached}
+        return StreamingResponse(zipped(export), media_type=_ZIP, headers=headers)
+
+    def _taken_away(self, names: list[str], who: str) -> ClipExport:
+        """Return what leaves the house; raises TaskError, StoreError."""
+        if self._index is None:
+            raise TaskError("no clips are kept here", ReasonCode.BAD_PARAMETER.value)
+        return self._index.export(names, who)
 
     async def _show(self, request: Request) -> Response:
         if (who := self._who(request)) is None:

@@ -43,6 +43,7 @@ from housefly.web.exposure import checked_exposure, console_address
 from housefly.web.handshakes import HandshakeListener
 from housefly.web.server import create_app
 from housefly.web.session import EndedSessions
+from housefly.web.simulated_bell import SimulatedBell
 from housefly.web.users import UserBook
 from housefly.web.webhook_key import webhook_key
 
@@ -112,6 +113,7 @@ async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
             clips=_clip_index(site),
             hook_key=_hook_key(site),
             privacy=LiveBlanker(site.tasks),
+            bell=SimulatedBell(bus) if site.twin.enabled else None,
         )
         site = changed(site, web__port=listener.getsockname()[1])
         # Later collections skip what lives for the whole run, so that nobody waits for them.

@@ -71,6 +71,7 @@ ROLE_OF_PATH: dict[str, Role] = {
     "/video.mjpeg": Role.WATCH,
     "/coverage": Role.WATCH,
     "/edits": Role.WATCH,
+    "/bell": Role.WATCH,
     f"{API_PREFIX}/watch": Role.WATCH,
     f"{API_PREFIX}/picture": Role.WATCH,
     f"{API_PREFIX}/things": Role.WATCH,
@@ -85,6 +86,7 @@ ROLE_OF_PATH: dict[str, Role] = {
     f"{API_PREFIX}/rules": Role.WATCH,
     f"{API_PREFIX}/rules/dry-run": Role.ASK,
     f"{API_PREFIX}/clips": Role.WATCH,
+    f"{API_PREFIX}/clips.zip": Role.FLY,
 }
 """For reading, and for WebSockets."""
 ROLE_OF_FOLDER: dict[str, Role] = {
@@ -97,6 +99,7 @@ ROLE_OF_FOLDER: dict[str, Role] = {
 ROLE_OF_CHANGE: dict[str, Role] = {
     "/stop": Role.WATCH,
     "/edits": Role.ADMIN,
+    "/bell": Role.ASK,
     "/edits/undo": Role.ADMIN,
     f"{API_PREFIX}/tasks": Role.ASK,
     f"{API_PREFIX}/tasks/rehearse": Role.ASK,

@@ -25,6 +25,7 @@ from housefly.hub.api.endpoints import API_PREFIX, ENDPOINTS, Endpoint
 from housefly.hub.api.json import first_problem, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.messages import RoomNews
+from housefly.tasks.api.endpoints import TASK_ENDPOINTS
 from housefly.web.bearer import bears
 from housefly.web.responses import error_response, json_response
 from housefly.web.roles import Role
@@ -32,7 +33,6 @@ from housefly.web.room_openapi import openapi_document
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol, same_origin
 from housefly.web.session_watch import while_logged_in
-from housefly.web.tasks_endpoints import TASK_ENDPOINTS
 
 _MAX_QUEUED_NEWS = 100
 """News that may wait for a slow listener; with more its socket is closed."""

@@ -9,7 +9,7 @@ from pydantic import TypeAdapter
 
 from housefly.hub.api.answers import ANSWER_TYPES
 from housefly.hub.api.endpoints import Endpoint
-from housefly.web.tasks_endpoints import TaskEndpoint
+from housefly.tasks.api.endpoints import TaskEndpoint
 from housefly.web.tasks_openapi import SCHEMA_REFERENCE, parameter_schema, task_operation
 
 _API_VERSION = "1.0"

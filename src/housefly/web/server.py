@@ -10,6 +10,7 @@
 /coverage        which parts of the room the tracking cameras see
 /api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
 /edits           places and no-fly zones: shown, saved, undone
+/bell            the doorbell of a simulated room; POST presses it
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from housefly.clock import Clock, RealClock
 from housefly.config.furniture import FurnitureConfig
 from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
+from housefly.web.bell_routes import BellRoutes
 from housefly.web.broadcast import Broadcast
 from housefly.web.clip_files import ClipBook, ClipFiles
 from housefly.web.console import Console
@@ -46,6 +48,7 @@ from housefly.web.security import LOOPBACK_NAMES, HostGuard
 from housefly.web.session import EndedSessions
 from housefly.web.session_auth import SessionAuth, api_key
 from housefly.web.session_pages import session_routes
+from housefly.web.simulated_bell import SimulatedBell
 from housefly.web.state_feed import StateFeed
 from housefly.web.task_feed import TaskFeed
 from housefly.web.tasks_api import TasksApi
@@ -74,6 +77,7 @@ def create_app(
     clips: ClipBook | None = None,
     hook_key: str = "",
     privacy: LiveBlanker | None = None,
+    bell: SimulatedBell | None = None,
 ) -> Starlette:
     """Build the application.
 
@@ -95,6 +99,7 @@ def create_app(
         clips: knows the clips and snapshots; None shows none.
         hook_key: bearer token of webhooks; "" lets none in.
         privacy: blanks the privacy zones in the video; None where there are none.
+        bell: the doorbell of a simulated room; None where the room is real.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
@@ -117,7 +122,9 @@ def create_app(
     )
     clip_routes = ClipFiles(clips, auth, key, console.name_of_owner, audit).routes()
     edits_api = EditsApi(edits, auth, console)
+    bell_routes = BellRoutes(bell, auth)
     closing = [link.close, room_api.close, edits_api.close, tasks_api.close, board.close]
+    closing += [bell_routes.close]
     closing += [layer.close] if layer else []
     closing += [audit.close] if audit else []
     closing += [clips.close] if clips else []
@@ -131,6 +138,7 @@ def create_app(
             *coverage_routes(layer, auth),
             *room_api.routes([*tasks_api.routes(), *clip_routes]),
             *edits_api.routes(),
+            *bell_routes.routes(),
         ],
         middleware=[Middleware(HostGuard, hosts=hosts), Middleware(RoleGuard, auth=auth)],
         lifespan=_lifespan(bus, console, board, video, closing),

@@ -5,15 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from housefly.tasks.api.questions import RequestTask, Sentence, TaskQuestion
+from housefly.tasks.api.questions import CancelTask, RequestTask, Sentence, TaskQuestion
 from housefly.tasks.api.values import Confirm, Priority, RequestSurface
 from housefly.web.roles import Role
 
-FILLED_IN = ("by", "surface", "cause", "may_fly")
-"""What a browser never says itself."""
 OWN_SURFACES = (RequestSurface.HTTP, RequestSurface.COMMAND_LINE, RequestSurface.ASSISTANT)
 """What a program with the key of the run may say that it is; without a word it is the first."""
 MAX_NAME = 200
+PROGRAM = "program"
+"""Id of whoever has the key of the run: what programs say of themselves proves nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,8 @@ class TaskAsker:
         role: what they may do.
         surface: where they ask.
         session: name of their session, for the audit log; "" for a program.
-        counted_as: whose requests are counted together.
+        counted_as: id of whose requests and tasks are counted together; two people of the same
+            name have two.
         cause: what made them ask, where a program says so.
     """
 
@@ -51,7 +52,7 @@ def program_asking(given: dict[str, Any]) -> TaskAsker:
     own = {one.value: one for one in OWN_SURFACES}
     if surface not in own:
         raise ValueError(f"surface: one of {', '.join(own)}")
-    return TaskAsker(name or "a program", Role.ADMIN, own[surface], "", "", cause)
+    return TaskAsker(name or "a program", Role.ADMIN, own[surface], "", PROGRAM, cause)
 
 
 def filled_in(question: TaskQuestion, asker: TaskAsker) -> TaskQuestion:
@@ -61,6 +62,7 @@ def filled_in(question: TaskQuestion, asker: TaskAsker) -> TaskQuestion:
         "surface": asker.surface,
         "cause": asker.cause,
         "may_fly": not needs_a_yes(asker),
+        "owner": asker.counted_as,
     }
     fields = {name: value for name, value in known.items() if hasattr(question, name)}
     told = replace(question, **fields) if fields else question
@@ -68,6 +70,8 @@ def filled_in(question: TaskQuestion, asker: TaskAsker) -> TaskQuestion:
         told = replace(told, confirm=Confirm.ASK)
         if isinstance(told, RequestTask) and told.priority is Priority.ALARM:
             told = replace(told, priority=Priority.PERSON)
+    if isinstance(told, CancelTask) and not asker.role.includes(Role.FLY):
+        told = replace(told, only_of=asker.counted_as)
     return told
 
 

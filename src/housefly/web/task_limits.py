@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from housefly.clock import Clock
+from housefly.tasks.api.endpoints import Pace
 from housefly.web.rate_limit import CommandLimiter
-from housefly.web.tasks_endpoints import Pace
 
 _BUCKETS = {Pace.COUNTED: (5.0, 30.0), Pace.COSTLY: (1.0, 8.0)}
 """Requests a second, and at once after a pause."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import json
 from collections.abc import Callable
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
@@ -23,24 +23,31 @@ from housefly.bus.topics import TASKS_QUERY
 from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
 from housefly.errors import HouseflyError
+from housefly.tasks.api.endpoints import (
+    FILLED_IN,
+    SILENT_SERVICES,
+    TASK_ENDPOINTS,
+    TaskEndpoint,
+)
 from housefly.tasks.api.json import task_question_to_json
 from housefly.tasks.api.questions import (
-    BoardQuestion,
     CancelTask,
     PauseTask,
+    Sentence,
     TaskQuestion,
     Webhook,
 )
 from housefly.tasks.api.values import ReasonCode, RequestSurface
+from housefly.tasks.intents.stop_words import says_stop
 from housefly.web.audit_log import AuditLog
 from housefly.web.bearer import bears
 from housefly.web.request_bodies import bounded_body, json_object
 from housefly.web.responses import json_response
 from housefly.web.roles import Role, role_for_path, role_objection
 from housefly.web.session_auth import SessionAuth
-from housefly.web.task_asker import FILLED_IN, TaskAsker, filled_in, program_asking
+from housefly.web.task_asker import TaskAsker, filled_in, program_asking
 from housefly.web.task_limits import TaskLimits
-from housefly.web.tasks_endpoints import TASK_ENDPOINTS, TaskEndpoint, status_of_reason
+from housefly.web.tasks_endpoints import status_of_reason
 
 MAX_TASK_BODY = 16 * 1024
 """Largest request [bytes]."""
@@ -49,7 +56,7 @@ ANSWER_TIMEOUT = 10.0
 _WHO_MAY_ASK = "ask with the session of the console, or with the key of this run as a bearer token"
 _WHO_MAY_RING = "a webhook needs its own key as a bearer token"
 _SAFER = (CancelTask, PauseTask)
-"""They never wait behind anything that takes long."""
+"""They never wait behind anything that takes long, nor does STOP in words."""
 
 
 class TasksApi:
@@ -111,7 +118,7 @@ class TasksApi:
                 return task_refusal(422, _first_fault(error))
             except ValueError as error:
                 return task_refusal(422, str(error))
-            if not self._limits.spend(asker.counted_as, endpoint.pace):
+            if not (_is_stop(question) or self._limits.spend(asker.counted_as, endpoint.pace)):
                 return task_refusal(429, "too much at once: wait a moment", ReasonCode.RATE_LIMIT)
             return await self._answered(endpoint, question, asker)
 
@@ -120,9 +127,6 @@ class TasksApi:
     async def _answered(
         self, endpoint: TaskEndpoint, question: TaskQuestion, asker: TaskAsker
     ) -> Response:
-        if isinstance(question, CancelTask) and not await self._may_end(question.task, asker):
-            words = "with the role 'ask' you can end only what you asked for; STOP is for all"
-            return task_refusal(403, words, ReasonCode.NOT_ALLOWED)
         answer = await self._asked(question)
         if endpoint.method == "POST" and self._audit is not None:
             became = "" if answer.status_code == 200 else f": refused, {answer.status_code}"
@@ -134,30 +138,18 @@ class TasksApi:
         try:
             text = await self._text(question)
         except HouseflyError as error:
-            words = f"the services do not answer: {error}"
+            words = f"{SILENT_SERVICES}: {error}"
             return task_refusal(503, words, ReasonCode.NOT_READY)
         if text.startswith('{"error"'):
             tree = json.loads(text)
             return JSONResponse(tree, status_of_reason(str(tree.get("code", ""))))
         return json_response(text)
 
-    async def _text(self, question: TaskQuestion, threads: Executor | None = None) -> str:
-        if threads is None:
-            threads = self._safer_threads if isinstance(question, _SAFER) else self._threads
+    async def _text(self, question: TaskQuestion) -> str:
+        is_safer = isinstance(question, _SAFER) or _is_stop(question)
+        threads = self._safer_threads if is_safer else self._threads
         return await asyncio.get_running_loop().run_in_executor(
             threads, self._bus.ask, TASKS_QUERY, task_question_to_json(question), ANSWER_TIMEOUT
-        )
-
-    async def _may_end(self, task: int, asker: TaskAsker) -> bool:
-        """Return whether somebody may end a task: who may fly, and whoever asked for it."""
-        if asker.role.includes(Role.FLY):
-            return True
-        try:
-            board = json.loads(await self._text(BoardQuestion(), self._safer_threads))
-        except (HouseflyError, ValueError):
-            return False
-        return any(
-            one["id"] == task and one["asked_by"] == asker.name for one in board.get("tasks", ())
         )
 
     # --- who asks
@@ -215,6 +207,11 @@ def _objection(request: Request, endpoint: TaskEndpoint, asker: TaskAsker) -> st
         return ""
     needed = role_for_path(request.scope["path"], changes=endpoint.method == "POST")
     return role_objection(asker.role, needed or Role.WATCH)
+
+
+def _is_stop(question: TaskQuestion) -> bool:
+    """Return whether somebody says STOP: that is never too much."""
+    return isinstance(question, Sentence) and says_stop(question.text)
 
 
 def _query(request: Request) -> dict[str, Any]:

@@ -7,8 +7,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from housefly.tasks.api.answers import TASK_ANSWER_TYPES
-from housefly.web.task_asker import FILLED_IN
-from housefly.web.tasks_endpoints import TaskEndpoint
+from housefly.tasks.api.endpoints import FILLED_IN, TaskEndpoint
 
 SCHEMA_REFERENCE = "#/components/schemas/{model}"
 _REFUSALS = {

@@ -15,6 +15,7 @@ from housefly.web.edit_service import EditsView
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
 from housefly.web.protocol import ClientMessage, ServerMessage
+from housefly.web.simulated_bell import BellView
 
 _WIRE_FOLDER = Path(__file__).parent / "client" / "src" / "wire"
 _MESSAGES_FILE = _WIRE_FOLDER / "messages.ts"
@@ -51,7 +52,7 @@ def _socket_types() -> str:
 def _room_types() -> str:
     """Return the TypeScript text of the answers of the room's API and of its news."""
     unions = {
-        "RoomAnswer": room_answers.Answer | CoverageView | EditsView,
+        "RoomAnswer": room_answers.Answer | CoverageView | EditsView | BellView,
         "RoomNews": room_answers.News,
     }
     return _text("housefly/hub/api/answers.py", unions)

@@ -29,7 +29,7 @@ def typed(monkeypatch: pytest.MonkeyPatch, text: str, *line: str) -> int:
 
 
 @pytest.mark.parametrize(
-    "command", [("run",), ("demo",), ("demo", "--lively"), ("fly", "entrance")], ids=" ".join
+    "command", [("run",), ("demo",), ("demo", "--empty"), ("fly", "entrance")], ids=" ".join
 )
 @pytest.mark.parametrize("host", ["0.0.0.0", "192.168.77.77"])
 def test_an_open_address_is_refused_in_words_before_anything_starts(

@@ -76,6 +76,7 @@ async def room_and_drone(site: Path, hands: Path) -> AsyncIterator[None]:
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(400)
 async def test_a_person_finds_that_the_body_is_defined_turned_and_it_is_kept(
@@ -110,6 +111,7 @@ async def test_a_person_finds_that_the_body_is_defined_turned_and_it_is_kept(
 
 @pytest.mark.safety
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.timeout(400)
 @pytest.mark.parametrize("kind", ["natnet", "vicon", "vrpn"])
 async def test_what_is_told_mends_it_with_simulated_hands(write: WriteFrameSite, kind: str) -> None:
@@ -129,6 +131,7 @@ async def test_what_is_told_mends_it_with_simulated_hands(write: WriteFrameSite,
 
 @pytest.mark.safety
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.timeout(400)
 @pytest.mark.parametrize(
     ("fault", "words"),
@@ -147,6 +150,8 @@ async def test_each_lie_of_tracking_is_found_on_wires(write: WriteFrameSite, fau
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
+@pytest.mark.interop
 @pytest.mark.slow
 @pytest.mark.timeout(400)
 async def test_who_gives_up_half_way_keeps_nothing(write: WriteFrameSite) -> None:
@@ -167,6 +172,7 @@ async def test_who_gives_up_half_way_keeps_nothing(write: WriteFrameSite) -> Non
 
 
 @pytest.mark.wire
+@pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(400)
 async def test_an_input_that_ends_is_told_and_keeps_nothing(write: WriteFrameSite) -> None:

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import shutil
+from contextlib import redirect_stdout
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from housefly.app import reproduction_run
 from housefly.app.console_camera import ConsoleCamera
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.reproduction_flights import demanded_accelerations, read_service
@@ -18,7 +22,7 @@ from housefly.messages import Action, Phase
 from housefly.pilot.control.laws import saturated_jointly, tilt
 from housefly.record.truth import read_truth
 
-pytestmark = pytest.mark.timeout(400)
+pytestmark = pytest.mark.timeout(900)
 FIGURES = (
     "fig07",
     "fig10",
@@ -33,10 +37,31 @@ FIGURES = (
 )
 
 
+def flown_in(out: Path) -> tuple[Path, ...]:
+    flights = [out / "flights" / mode / "flight.mcap" for mode in ("paper", "default")]
+    return (*flights, *sorted((out / "batch").glob("*.npy")))
+
+
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return what two runs made: Ctrl-C ended the first one when all had been flown."""
     out = tmp_path_factory.mktemp("reproduction")
-    assert main(["reproduce", "--quick", "--no-wires", "--out", str(out)]) == 0
+    line = ["reproduce", "--quick", "--no-wires", "--out", str(out)]
+    measure = reproduction_run.measure
+
+    def stopped(*arguments: Any, **options: Any) -> NoReturn:
+        measure(*arguments, **options)
+        raise KeyboardInterrupt
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(reproduction_run, "measure", stopped)
+        assert main(line) == 130
+    assert not (out / "reproduction.html").exists()
+    stamps = [path.stat().st_mtime_ns for path in flown_in(out)]
+    with redirect_stdout(io.StringIO()) as said:
+        assert main(line) == 0
+    (out / "said.txt").write_text(said.getvalue())
+    assert [path.stat().st_mtime_ns for path in flown_in(out)] == stamps, "flown again"
     return out
 
 
@@ -69,20 +94,15 @@ def test_without_wires_no_picture_is_said_to_be_received(made: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_flights_behind_it_are_kept_and_a_second_run_flies_none(
-    made: Path, capsys: pytest.CaptureFixture[str]
+def test_the_flights_of_a_run_that_was_stopped_are_kept_and_the_next_one_flies_none(
+    made: Path,
 ) -> None:
-    flights = [made / "flights" / mode / "flight.mcap" for mode in ("paper", "default")]
-    blocks = sorted((made / "batch").glob("*.npy"))
-    assert all(path.stat().st_size > 100_000 for path in flights) and blocks
-    stamps = [path.stat().st_mtime_ns for path in (*flights, *blocks)]
-    (made / "reproduction.html").unlink()
-    assert main(["reproduce", "--quick", "--no-wires", "--out", str(made)]) == 0
-    said = capsys.readouterr().out
+    paper, default, *blocks = flown_in(made)
+    assert all(path.stat().st_size > 100_000 for path in (paper, default)) and blocks
+    said = (made / "said.txt").read_text()
     assert said.splitlines()[0].startswith("reproducing the paper into ")
     for mode in ("paper", "default"):
         assert f"service in mode {mode}: kept from an earlier run" in said
-    assert [path.stat().st_mtime_ns for path in (*flights, *blocks)] == stamps
     assert (made / "reproduction.html").exists()
 
 

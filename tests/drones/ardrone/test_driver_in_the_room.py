@@ -17,7 +17,7 @@ from housefly.room.model import Place, Room
 from housefly.twin.ardrone.server import ArDroneServer
 from housefly.twin.world import SimulatedWorld
 
-pytestmark = [pytest.mark.wire, pytest.mark.slow]
+pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 HALL = Room(
     "hall",

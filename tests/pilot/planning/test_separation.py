@@ -73,7 +73,7 @@ def test_a_good_refuge_is_no_worse_than_staying_and_never_in_a_wall_or_a_no_fly_
     found = refuge(crowd, grid, (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
     alone = refuge(crowd, _closed_around(x, y), (x, y), (0.0, 0.0), HULL, 0.8, 1.2)
     assert alone.place == (x, y)
-    if max(found.separation, alone.separation) >= 0.6:
+    if max(found.separation, alone.separation) >= 0.25:
         assert min(found.separation, 1.2) >= min(alone.separation, 1.2) - 1e-9
     if found.place != (x, y):
         assert grid.kind(grid.cell_of(found.place)) is Cell.FREE
@@ -92,6 +92,21 @@ def test_in_a_corridor_the_drone_flees_from_who_comes_as_far_as_it_can() -> None
         people((0.5, 2.5, 1.0, 0.0, 0.2)), corridor, (3.0, 2.5), (0.0, 0.0), HULL, 0.8, 1.2
     )
     assert found.place[0] > 5.0
+
+
+def test_stepping_aside_for_certain_is_better_than_being_met_later_in_a_dead_end() -> None:
+    """At the mouth of a corridor; the room is just wide enough to let somebody pass."""
+    cells = np.full((80, 50), Cell.OCCUPIED, np.uint8)
+    cells[:30, 20:30] = Cell.FREE
+    cells[30:, 8:32] = Cell.FREE
+    x, y = (np.arange(80) + 0.5)[:, None] * 0.1, (np.arange(50) + 0.5)[None, :] * 0.1
+    narrow = np.minimum(np.minimum(y - 2.0, 3.0 - y), x)
+    wide = np.minimum(np.minimum(y - 0.8, 3.2 - y), 8.0 - x)
+    mouth = OccupancyGrid((0.0, 0.0), 0.1, cells, np.maximum(np.where(x < 3.0, narrow, wide), 0.0))
+    walker = people((5.8, 2.6, -0.8, 0.0, 0.25))
+    found = refuge(walker, mouth, (3.3, 2.3), (0.0, 0.0), HULL, 1.2, 1.2)
+    assert 0.25 < found.separation < 0.6
+    assert found.place[0] > 3.0 and found.place[1] < 1.8
 
 
 def test_who_stands_beside_the_drone_is_left_although_nothing_undoes_the_beginning() -> None:

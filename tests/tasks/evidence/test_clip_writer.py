@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 
 import av
 from filming import number_of, video
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from housefly.tasks.evidence.clip_writer import ClipWriter, duration_of, finish_leftover
@@ -28,20 +28,26 @@ def unfinished() -> bytes:
 
 
 @settings(max_examples=10)
+@example(0.0, b"no clip at all")
 @given(st.floats(0.0, 1.0), st.binary(max_size=40))
 def test_a_torn_clip_plays_as_far_as_it_is_whole(share: float, garbage: bytes) -> None:
     whole = unfinished()
     with TemporaryDirectory() as folder:
         part = Path(folder) / "a.mp4.part"
-        part.write_bytes(whole[: round(share * len(whole))] + garbage)
+        torn = whole[: round(share * len(whole))] + garbage
+        part.write_bytes(torn)
         path = finish_leftover(part)
         assert not part.exists()
         if path is None:
             assert share < 0.6
             assert not list(Path(folder).iterdir())
             return
-        with av.open(str(path)) as clip:
-            shown = list(clip.decode(video=0))
+        try:
+            with av.open(str(path)) as clip:
+                shown = list(clip.decode(video=0))
+        except (av.FFmpegError, IndexError):
+            assert share < 0.6 and path.read_bytes() == torn, "kept as it is, for who can read it"
+            return
         numbers = [number_of(frame.to_ndarray(format="rgb24")) for frame in shown]
         assert numbers == list(range(len(numbers)))
         assert len(numbers) >= 46 * share - 10, "at most two groups are lost"

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from scripted_pilot import UNIX_BEGIN, Flight, ScriptedPilot, ScriptedRoom, view
 
+from housefly.errors import LinkError
 from housefly.geometry import distance, wrap_angle
 from housefly.hub.api.answers import (
     AlternativePlace,
@@ -93,6 +94,8 @@ class WalkingRoom(ScriptedRoom):
         return (4.0, self.speed * (self.clock.now - 10.0), 0.0)
 
     def people(self) -> tuple[SeenPerson, ...]:
+        if self.clock.now > self.gone_at:
+            return ()
         return (SeenPerson("p1", self.place(), (0.0, self.speed), 0.0),)
 
     def viewpoint(self, subject: str, drone: Any = None) -> Viewpoint:
@@ -338,6 +341,25 @@ def test_a_patrol_looks_at_every_place_the_nearest_first_and_goes_on_without_one
     assert len(flown.of(TakeSnapshot)) == 2
 
 
+@pytest.mark.parametrize("has_memory", [True, False])
+def test_a_patrol_without_named_places_goes_round_the_floor(has_memory: bool) -> None:
+    home = ThingAnswer("place-home", "home", "place", (), (0.0, 0.0, 0.0), "", ())
+    answers = {("catalogue", ""): ThingsAnswer((home,))} if has_memory else {}
+    known = room(answers=answers) if has_memory else Amnesia()
+    known.views = {f"floor {n}": view(f"floor {n}", 1.0 * n, 0.0) for n in (1, 2)}
+    flown = service("patrol", known, dwell=1.0).fly()
+    assert flown.run.stage is TaskStage.DONE
+    assert [order.goal for order in flown.orders] == [(1.0, 0.0), (2.0, 0.0), None]
+    assert len(flown.of(TakeSnapshot)) == 2
+
+
+class Amnesia(ScriptedRoom):
+    """Nobody remembers anything."""
+
+    def ask(self, question: Question) -> Any:
+        raise LinkError("the room's memory does not answer")
+
+
 class ComparingRoom(ScriptedRoom):
     """A picture of the room then and now."""
 
@@ -404,6 +426,24 @@ def test_when_everybody_is_well_nothing_flies() -> None:
     assert flown.run.stage is TaskStage.DONE
     assert flown.orders == []
     assert reported(flown) == ["The resident sits on the sofa", "Nobody seems to need help"]
+
+
+def test_nobody_is_said_to_be_well_of_whom_nobody_knows_how_they_are() -> None:
+    unknown = {
+        "words": "nobody knows how Ann is", "name": "Ann", "person": "p2", "present": "unknown",
+        "posture": "", "activity": "", "confidence": 0.0,
+    }  # fmt: skip
+    known = room(answers={("people", ""): people(PERSON, replace(PERSON, **unknown))})  # type: ignore[arg-type]
+    flown = service("all_right", known).fly()
+    assert said(flown) == ["Nobody is known to need help, but nobody knows how Ann is"]
+    assert "Nobody seems to need help" not in reported(flown)
+    # Who is out of the house, or only known to be here, or no guest at all, leaves no doubt.
+    for change in (
+        {"present": "no"}, {"present": "yes", "confidence": 0.7}, {"person": "visitor"},
+    ):  # fmt: skip
+        other = replace(PERSON, **{**unknown, **change})  # type: ignore[arg-type]
+        known = room(answers={("people", ""): people(PERSON, other)})
+        assert said(service("all_right", known).fly()) == ["Nobody seems to need help"]
 
 
 @pytest.mark.parametrize(
@@ -494,3 +534,103 @@ def test_following_somebody_who_is_lost_ends_well_at_home() -> None:
     assert flown.run.stage is TaskStage.DONE
     assert reported(flown) == ["Lost sight of them: coming home"]
     assert flown.stands_on_pad()
+
+
+class ForgetfulRoom(WalkingRoom):
+    """Nobody sees the person any more; the memory has them where they were last."""
+
+    back_at = 1e9
+
+    @property
+    def is_gone(self) -> bool:
+        return self.gone_at < self.clock.now < self.back_at
+
+    def place(self) -> tuple[float, float, float]:
+        now = self.gone_at if self.is_gone else self.clock.now
+        return (4.0, self.speed * (now - 10.0), 0.0)
+
+    def people(self) -> tuple[SeenPerson, ...]:
+        seen = SeenPerson("p1", self.place(), (0.0, self.speed), 0.0)
+        return () if self.is_gone else (seen,)
+
+    def ask(self, question: Question) -> Any:
+        if getattr(question, "thing", "") != "p1" or question.ask != "where":
+            return super().ask(question)
+        age = self.clock.now - self.gone_at if self.is_gone else 0.0
+        return replace(WHERE, thing="p1", name="Anna", kind="person", age=age, confidence=0.9)
+
+    def viewpoint(self, subject: str, drone: Any = None) -> Viewpoint:
+        x, y, z = self.place()
+        return Viewpoint("p1", (x - 2.0, y), (x, y, z + 1.4), 2.0, "")
+
+
+def forgetful(name: str, gone_at: float = 25.0, **given: str | float) -> Flight:
+    known = ForgetfulRoom()
+    flown = service(name, known, **given)
+    known.clock, known.gone_at = flown.pilot, gone_at
+    return flown
+
+
+def test_a_stale_place_is_not_followed() -> None:
+    """The memory keeps the old place for ever: the age tells that nobody is seen there."""
+    flown = forgetful("follow", person="p1", time=200.0).fly()
+    after = [order for order in flown.orders if order.issued_at > 25.0]
+    assert [order.kind for order in after] == [OrderKind.HOVER, OrderKind.GO, OrderKind.HOME]
+    assert 28.0 < after[0].issued_at < 30.0
+    assert 35.0 < after[1].issued_at < 37.0
+    assert 45.0 < after[2].issued_at < 48.0
+    last = 0.4 * (25.0 - 10.0)
+    assert after[1].goal == pytest.approx((2.0, last), abs=0.7)
+    assert said(flown)[0].startswith("Anna was not seen for")
+    assert said(flown)[1:] == [
+        "Anna is lost: looking where they were last",
+        "Lost sight of them: coming home",
+    ]
+    assert flown.stands_on_pad()
+
+
+@pytest.mark.parametrize("lost_for", [6.0, 14.0])
+def test_who_is_seen_again_is_followed_again(lost_for: float) -> None:
+    flown = forgetful("follow", person="p1", time=40.0)
+    known = flown.run._context.room
+    assert isinstance(known, ForgetfulRoom)
+    known.back_at = 25.0 + lost_for
+    flown.fly()
+    assert flown.run.stage is TaskStage.DONE
+    assert "Anna is seen again" in said(flown) and reported(flown) == []
+    goals = [o.goal for o in flown.orders if o.kind is OrderKind.GO and o.issued_at > known.back_at]
+    assert len(goals) > 3
+
+
+def test_who_is_seen_again_beside_the_goal_is_not_flown_to() -> None:
+    flown = forgetful("follow", person="p1", time=40.0)
+    known = flown.run._context.room
+    assert isinstance(known, ForgetfulRoom)
+    known.back_at = 31.0
+    while flown.pilot.now < 30.5:
+        flown.tick()
+    before = len(flown.orders)
+    near = lambda subject, drone=None: Viewpoint("p1", known.place()[:2], known.place(), 0.1, "")  # noqa: E731
+    known.viewpoint = near  # type: ignore[method-assign]
+    flown.fly()
+    assert OrderKind.GO not in [order.kind for order in flown.orders[before:]]
+
+
+def test_coming_to_somebody_who_is_not_there_any_more_is_said() -> None:
+    flown = forgetful("come", gone_at=-15.0, person="p1")
+    flown.fly()
+    assert said(flown) == [
+        "I do not see p1 here, where they were last", "p1 was not seen: going home",
+    ]  # fmt: skip
+    assert flown.run.stage is TaskStage.DONE and flown.stands_on_pad()
+
+
+def test_coming_to_somebody_who_shows_up_is_as_ever() -> None:
+    flown = forgetful("come", gone_at=-15.0, person="p1")
+    known = flown.run._context.room
+    assert isinstance(known, ForgetfulRoom)
+    while not said(flown):
+        flown.tick()
+    known.speed, known.back_at = 0.0, flown.pilot.now + 2.0
+    flown.fly()
+    assert "Here I am" in said(flown)

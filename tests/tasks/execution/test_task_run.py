@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 import pytest
@@ -16,7 +17,7 @@ from housefly.tasks.document.binding import bind
 from housefly.tasks.document.document_parser import read_task
 from housefly.tasks.document.library import load_library
 from housefly.tasks.document.task_document import BoundTask
-from housefly.tasks.execution.task_run import HOLD_PERIOD, TaskRun
+from housefly.tasks.execution.task_run import CANCEL_TIME_MAX, HOLD_PERIOD, TaskRun
 from housefly.tasks.execution.values import (
     AskPerson,
     PersonReply,
@@ -207,6 +208,7 @@ def test_a_phase_that_nobody_explains_ends_it() -> None:
         ("emergency", ReasonCode.SAFETY),
         ("blocked", ReasonCode.NO_WAY),
         ("overdue", ReasonCode.TIMEOUT),
+        ("cornered_landing", ReasonCode.SAFETY),
     ],
 )
 def test_what_the_pilot_decides_for_safety_ends_it(event: str, code: ReasonCode) -> None:
@@ -219,6 +221,33 @@ def test_what_the_pilot_decides_for_safety_ends_it(event: str, code: ReasonCode)
     assert flying.run.step(pilot.inputs()) == ()
     assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, code)
     assert flying.run.words == "in the pilot's words"
+
+
+def test_a_landing_for_safety_is_told_with_its_reason() -> None:
+    flying = flight(task(LOOK))
+    for _ in range(20):
+        flying.tick()
+    pilot = flying.pilot
+    pilot.advance([])
+    pilot.safety = SafetyMode.LAND
+    pilot.events = [Event(pilot.now, Severity.WARNING, "forced_down", "landing for safety")]
+    inputs = replace(pilot.inputs(), warnings=("the drone is silent: 1.2 s", "somebody is near"))
+    flying.run.step(inputs)
+    assert flying.run.code is ReasonCode.SAFETY
+    assert flying.run.words == "landing for safety: the drone is silent: 1.2 s"
+
+
+def test_a_landing_where_there_is_no_room_to_make_way_ends_a_way_home_too() -> None:
+    flying = flight(task(LOOK))
+    while flying.pilot.phase is not Phase.RETURNING:
+        flying.tick()
+    pilot, words = flying.pilot, "somebody comes near and there is no room: landing here"
+    pilot.advance([])
+    pilot.phase = Phase.LANDING
+    pilot.events = [Event(pilot.now, Severity.WARNING, "cornered_landing", words)]
+    flying.run.step(pilot.inputs())
+    assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, ReasonCode.SAFETY)
+    assert flying.run.words == words
 
 
 @pytest.mark.parametrize("mode", [SafetyMode.LAND, SafetyMode.DESCEND, SafetyMode.RETURN])
@@ -311,6 +340,13 @@ def test_a_task_has_a_time_limit_which_pauses_do_not_use_up() -> None:
     assert flying.run.words == "the task took too long"
 
 
+def test_a_drone_that_arrives_after_a_long_way_is_not_stopped_in_its_turn() -> None:
+    far = ScriptedRoom({"far": view("far", HOLD_PERIOD + 10.0, 0.0)})
+    done = flight(task("  - look_at: far\n  - wait: 2 s\n  - return_home"), far).fly()
+    assert done.run.stage is TaskStage.DONE
+    assert done.kinds == ["go", "home"]
+
+
 def test_a_long_hover_is_kept_alive() -> None:
     done = flight(task("  - look_at: fridge\n  - wait: 100 s\n  - return_home")).fly()
     assert done.run.stage is TaskStage.DONE
@@ -352,16 +388,67 @@ def test_cancelled_while_the_drone_still_stands_it_does_not_take_off() -> None:
     assert not flying.pilot.was_up
 
 
-def test_a_drone_that_cannot_come_home_lands() -> None:
-    flying = flight(task("  - look_at: fridge\n  - fail: no more"))
+def refused_at_home(refused_for: float, **extra: str) -> Flight:
+    """Return a flight whose way home the pilot refuses for a time [s]; it is at the fridge."""
+    flying = flight(task("  - look_at: fridge\n  - fail: no more", **extra))
     while "home" not in flying.kinds:
         flying.tick()
         if flying.pilot.phase is Phase.HOLDING:
             flying.pilot.refuses = "there is no way"
+    until = flying.pilot.now + refused_for
+    while not flying.run.is_over:
+        flying.tick()
+        if flying.pilot.now > until:
+            flying.pilot.refuses = ""
+    return flying
+
+
+def test_a_drone_that_cannot_come_home_tries_for_a_time_and_then_lands() -> None:
+    done = refused_at_home(1e9)
+    homes = [order.issued_at for order in done.orders if order.kind is OrderKind.HOME]
+    assert done.kinds == ["go", *["home"] * len(homes), "land"]
+    assert 8 <= len(homes) <= 12 and 9.0 < homes[-1] - homes[0] < 11.0
+    assert done.pilot.phase is Phase.IDLE
+    assert done.run.words == "no more"
+    said = [each.words for each in done.of(Say)]
+    assert len(said) == 2 and "there is no way" in said[0] and "landing" in said[1]
+
+
+def test_a_way_home_that_is_free_again_is_flown() -> None:
+    done = refused_at_home(4.0)
+    assert "land" not in done.kinds
+    assert done.stands_on_pad()
+    assert len(done.of(Say)) == 1
+
+
+def test_a_pause_is_no_time_in_which_the_way_home_was_tried() -> None:
+    flying = flight(task("  - look_at: fridge\n  - return_home"))
+    while flying.pilot.phase is not Phase.HOLDING:
+        flying.tick()
+    flying.pilot.refuses = "there is no way"
+    for ticks, act in ((20, flying.run.pause), (300, flying.run.resume), (20, lambda: None)):
+        for _ in range(ticks):
+            flying.tick()
+        act()
+    flying.pilot.refuses = ""
     flying.fly()
-    assert flying.kinds == ["go", "home", "land"]
-    assert flying.pilot.phase is Phase.IDLE
-    assert flying.run.words == "no more"
+    assert "land" not in flying.kinds and flying.stands_on_pad()
+
+
+def test_a_way_home_that_is_refused_is_not_tried_twice_over() -> None:
+    """A document that comes home itself, or does so on a cancel, does not begin to wait anew."""
+    for steps, cancel in (("  - look_at: fridge\n  - return_home", False),
+                          ("  - look_at: fridge\n  - wait: 90 s", True)):  # fmt: skip
+        flying = flight(task(steps))
+        while flying.pilot.phase is not Phase.HOLDING:
+            flying.tick()
+        flying.pilot.refuses = "there is no way"
+        began = flying.pilot.now
+        if cancel:
+            flying.run.cancel("enough")
+        flying.fly()
+        assert flying.kinds[-1] == "land" and flying.pilot.phase in {Phase.IDLE}
+        assert flying.pilot.now - began < 20.0
 
 
 def test_a_task_resumed_elsewhere_flies_back_first() -> None:
@@ -428,3 +515,73 @@ def test_a_task_that_does_not_fly_leaves_a_persons_flight_alone() -> None:
     flying.fly()
     assert flying.run.stage is TaskStage.DONE
     assert flying.orders == []
+
+
+DALLIES = "[{say: Sorry}, {ask: {question: Stay, wait: 20 min}}, {look_at: tv}, {say: Bye}]"
+
+
+def cancelled_at_the_fridge(on_cancel: str) -> Flight:
+    flying = flight(task("  - look_at: fridge\n  - wait: 1 h", on_cancel=on_cancel))
+    while flying.pilot.phase is not Phase.HOLDING:
+        flying.tick()
+    flying.run.cancel("enough")
+    return flying
+
+
+def test_what_is_done_on_a_cancel_has_an_end() -> None:
+    done = cancelled_at_the_fridge(DALLIES)
+    began = done.pilot.now
+    done.fly()
+    assert done.run.code is ReasonCode.CANCELLED
+    assert done.stands_on_pad()
+    assert CANCEL_TIME_MAX < done.pilot.now - began < CANCEL_TIME_MAX + 15.0
+    assert done.of(Say) == [Say("Sorry")]
+
+
+def test_a_second_cancel_leaves_out_the_rest_and_comes_home() -> None:
+    flying = cancelled_at_the_fridge(DALLIES)
+    for _ in range(30):
+        flying.tick()
+    flying.run.cancel("now")
+    began = flying.pilot.now
+    flying.fly()
+    assert flying.run.words == "enough"
+    assert flying.stands_on_pad() and flying.pilot.now - began < 10.0
+    assert flying.of(Say) == [Say("Sorry")]
+
+
+def test_a_cancel_after_the_landing_of_a_cancel_moves_nothing() -> None:
+    flying = cancelled_at_the_fridge("[return_home, {wait: 20 min}]")
+    while flying.pilot.phase is not Phase.IDLE:
+        flying.tick()
+    before = len(flying.orders)
+    flying.run.cancel("now")
+    flying.fly(100)
+    assert flying.orders[before:] == []
+
+
+def test_a_cancel_while_the_way_down_is_paused_goes_on() -> None:
+    for first in (True, False):
+        flying = cancelled_at_the_fridge("[return_home]") if first else flight(task(LOOK))
+        while flying.pilot.phase is not Phase.RETURNING:
+            flying.tick()
+        flying.run.pause()
+        for _ in range(30):
+            flying.tick()
+        assert flying.pilot.phase in {Phase.HOLDING}
+        flying.run.cancel("now")
+        flying.fly(600)
+        assert flying.stands_on_pad()
+
+
+def test_what_is_done_on_a_cancel_may_ask_and_hear_the_reply() -> None:
+    on_cancel = (
+        "[{ask: {question: Look, wait: 9 s, as: last}},"
+        " {if: {reply: {to: last, equals: yes}}, then: [{say: so be it}]}]"
+    )
+    flying = cancelled_at_the_fridge(on_cancel)
+    flying.tick()
+    flying.tick(replies=(PersonReply("last", "yes", "Anna"),))
+    flying.fly()
+    assert flying.of(Say) == [Say("so be it")]
+    assert flying.stands_on_pad()

@@ -8,7 +8,7 @@ import json
 import sys
 import threading
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -50,7 +50,10 @@ class Asked:
 
 @asynccontextmanager
 async def linked(
-    port: int, asked: Asked, heard: list[MqttTrigger], tasks: TasksConfig | None = None
+    port: int,
+    asked: Callable[[str], str],
+    heard: list[MqttTrigger],
+    tasks: TasksConfig | None = None,
 ) -> AsyncIterator[MqttLink]:
     config = MqttConfig(broker="127.0.0.1", port=port, site="home")
     rules = [make_rule(when="{mqtt: house/+/button}")]
@@ -117,6 +120,44 @@ async def test_a_flood_of_requests_is_cut_and_triggers_go_on(broker: Any) -> Non
     assert 1 <= len(asked.questions) <= 20
 
 
+async def test_nothing_that_is_sent_ends_the_link(broker: Any) -> None:
+    asked, heard = Asked(), list[MqttTrigger]()
+    deep = b"[" * 2000 + b"]" * 2000
+    async with broker.client() as attacker, linked(broker.port, asked, heard) as link:
+        for payload in (
+            b"x" * 2**20,  # more than the link takes: the broker keeps it
+            deep,
+            b'{"service": ' + deep + b"}",
+            b'{"service": 7, "parameters": "all", "deadline": "never"}',
+            b'{"ask": "cancel", "task": -1}',
+            b'{"ask": "reply", "task": 1, "question": "confirm", "choice": "yes"}',
+            b'{"service": "look", "parameters": {"time": NaN}}',
+            b"\xff\xfe\x00",
+            b"null",
+        ):
+            await attacker.publish(REQUEST, payload, qos=1)
+        for _ in range(1000):
+            await attacker.publish(REQUEST, b'{"service": "look"}', qos=0)
+        await attacker.publish("house/hall/button", b"pressed", qos=1)
+        await until(lambda: heard)
+        assert "silent" in link.problem or not link.problem
+    assert len(asked.questions) <= 20
+    assert {one["ask"] for one in asked.questions} <= {"request"}
+
+
+async def test_one_client_takes_no_turns_of_another(broker: Any) -> None:
+    asked = Asked()
+    config = TasksConfig(mqtt_clients=("panel", "gate"))
+    async with broker.client() as both, linked(broker.port, asked, [], config):
+        for _ in range(60):
+            await both.publish(f"{REQUEST}/gate", b'{"service": "look"}', qos=1)
+        await until(lambda: len(asked.questions) >= 8)
+        await asyncio.sleep(0.2)  # those that are worked on at once are answered
+        await both.publish(f"{REQUEST}/panel", b'{"service": "look"}', qos=1)
+        await until(lambda: any(one["by"] == "MQTT client panel" for one in asked.questions))
+    assert sum(one["by"] == "MQTT client gate" for one in asked.questions) <= 20
+
+
 async def test_requests_and_the_rest_of_the_process_do_not_wait_for_each_other(
     broker: Any,
 ) -> None:
@@ -148,6 +189,28 @@ async def test_one_rehearsal_at_a_time(broker: Any) -> None:
         assert await heard() == {"number": 1}
         await panel.publish(REQUEST, text, qos=1)
         assert await heard() == {"number": 2}
+
+
+async def test_stop_is_never_too_much_and_waits_for_nothing(broker: Any) -> None:
+    asked, said = Asked(), list[str]()
+
+    def answer(text: str) -> str:
+        tree = json.loads(text)
+        if tree["ask"] == "sentence":
+            said.append(tree["text"])
+            return "{}"
+        return asked(text)
+
+    async with broker.client() as panel, linked(broker.port, answer, []):
+        asked.free.clear()
+        try:
+            for _ in range(60):  # more than is worked on at once, and than a minute has
+                await panel.publish(REQUEST, b'{"service": "look"}', qos=1)
+            await panel.publish(REQUEST, b'{"ask": "sentence", "text": "stop!"}', qos=1)
+            await until(lambda: said)
+        finally:
+            asked.free.set()
+    assert said == ["stop!"]
 
 
 async def test_a_site_that_wants_none_takes_no_requests(broker: Any) -> None:

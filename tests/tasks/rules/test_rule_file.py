@@ -21,7 +21,11 @@ RULE = "rules:\n  - name: r\n    when: {when}\n    then: {{service: look}}\n"
 
 def test_the_shipped_rules_ask_and_the_night_round_is_off() -> None:
     rules = {rule.name: rule for rule in shipped_rules()}
-    assert {name for name, rule in rules.items() if rule.enabled} == {"bell", "person-fallen"}
+    assert {name for name, rule in rules.items() if rule.enabled} == {
+        "bell",
+        "bell-webhook",
+        "person-fallen",
+    }
     assert all(rule.confirm == "ask" for rule in rules.values() if rule.enabled)
     assert rules["person-fallen"].priority == "alarm"
 

@@ -16,6 +16,7 @@ from housefly.tasks.api.values import (
     Confirm,
     OnPreempt,
     Priority,
+    RequestSurface,
     TaskRequest,
     TaskStage,
 )
@@ -34,7 +35,7 @@ from housefly.tasks.scheduler.values import (
     TaskTraits,
 )
 
-LIMITS = SchedulerLimits(queue=5, beside=2, confirm_time=60.0, fresh_time=300.0)
+LIMITS = SchedulerLimits(5, 2, confirm_time=60.0, fresh_time=300.0, per_source=2, alarms=2)
 SERVICES = (
     TaskTraits("patrol", on_preempt=OnPreempt.RESUME),
     TaskTraits("look", on_preempt=OnPreempt.RESTART),
@@ -60,6 +61,7 @@ class Ask:
     priority: Priority
     confirm: Confirm
     patience: float | None
+    surface: RequestSurface = RequestSurface.CONSOLE
 
 
 @dataclass(frozen=True)
@@ -93,6 +95,7 @@ KINDS = {
         st.sampled_from(Priority),
         weighted({Confirm.AUTO: 16, Confirm.ASK: 3, Confirm.NEVER: 1}),
         weighted({None: 8, 400.0: 2, 30.0: 1, 0.0: 1}),
+        weighted({RequestSurface.CONSOLE: 4, RequestSurface.MQTT: 3, RequestSurface.RULE: 1}),
     ),
     "tell": st.builds(
         Tell,
@@ -141,6 +144,7 @@ class Pair:
             traits.title,
             {"variant": ask.variant},
             asked_by=ask.by,
+            surface=ask.surface,
             confirm=ask.confirm,
             priority=ask.priority,
             deadline=None if ask.patience is None else self.now + ask.patience,
@@ -239,7 +243,7 @@ class Pair:
         active = [task for task in self.real.tasks if task.state in ACTIVE]
         assert sum(task.traits.flies for task in active) <= 1
         assert sum(not task.traits.flies for task in active) <= LIMITS.beside
-        assert len(self.real.tasks) - len(active) <= LIMITS.queue
+        assert len(self.real.tasks) - len(active) <= LIMITS.queue + LIMITS.alarms
         assert self.real.next_id == self.naive.following
         assert not self.ended & {task.id for task in self.real.tasks}
         for row in self.naive.rows.values():

@@ -107,7 +107,7 @@ def check(database: Path, said: dict[int, str]) -> None:
     for number, stage in said.items():
         if TaskStage[stage] in ENDED:
             assert stages[number] is TaskStage[stage]
-    assert kept.next_id > max(said)
+    assert kept.next_id > max(said, default=0)
     assert {task.id for task in kept.tasks} >= {
         number for number, stage in stages.items() if stage not in ENDED
     }

@@ -312,6 +312,17 @@ def test_cancelling_ends_what_waits_at_once_and_lets_what_flies_come_home() -> N
     assert raised.value.code == ReasonCode.UNKNOWN_TASK.value
 
 
+def test_a_second_cancel_reaches_the_run_that_comes_home() -> None:
+    """It leaves out the rest of what is done on a cancel."""
+    scheduler, _ = take(Scheduler(LIMITS), request("look")).ticked(1.0, [], READY)
+    scheduler, first = scheduler.cancelled(1, "ann", 2.0)
+    scheduler, second = scheduler.cancelled(1, "bob", 3.0)
+    assert (*first, *second) == (
+        CancelRun(1, "ann cancelled it"), CancelRun(1, "bob cancelled it"),
+    )  # fmt: skip
+    assert [task.stage for task in scheduler.tasks] == [TaskStage.RUNNING]
+
+
 def test_what_is_paused_in_the_air_and_pre_empted_waits_for_a_person_to_continue_it() -> None:
     scheduler = take(Scheduler(), request("patrol", priority=Priority.RULE))
     scheduler, _ = scheduler.ticked(1.0, (), READY)

@@ -173,10 +173,14 @@ def test_history_is_by_time_and_service_the_newest_first(path: Path) -> None:
         return [each.id for each in store.history(TaskHistoryQuestion(**question))]
 
     assert ids() == [6, 5, 4, 3, 2, 1]
+    assert [each.id for each in store.newest_ended(3)] == [6, 5, 4]
     assert ids(since=20.0, until=50.0, service="look") == [5, 3]
     assert ids(service="'; DROP TABLE tasks; --") == []
     assert ids(limit=2) == [6, 5]
-    assert [each.id for each in store.newest_ended(3)] == [6, 5, 4]
+    assert ids(limit=2, before=5) == [4, 3], "the next page begins behind the last one"
+    assert ids(before=1) == ids(before=99) == []
+    keep(store, task_of(7, QueueState.DONE, "look", at=30.0))
+    assert ids(before=4) == [7, 3, 2, 1], "asked for after the clock was set back"
     assert store.status(99) is None
     store.close()
 
@@ -254,6 +258,19 @@ def test_a_task_that_cannot_be_read_ends_and_hides_no_other(path: Path) -> None:
     assert store.notices[0].startswith("task 1 cannot be read (")
     assert [each.id for each in store.history(TaskHistoryQuestion())] == [2]
     assert [task.id for task in store.load(LIMITS).tasks] == [2] and len(store.notices) == 1
+    store.close()
+
+
+def test_of_a_task_that_an_older_version_kept_nobody_knows_whether_it_flew(path: Path) -> None:
+    store = TaskStore(path)
+    keep(store, task_of(1, QueueState.DONE))
+    store.close()
+    with sqlite3.connect(path) as connection:
+        connection.execute("UPDATE tasks SET status = json_remove(status, '$.flown')")
+    connection.close()
+    store = TaskStore(path)
+    (old,) = store.history(TaskHistoryQuestion())
+    assert (old.took_off_at, old.flown) == (None, None)
     store.close()
 
 

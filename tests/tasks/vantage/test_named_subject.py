@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -13,7 +14,7 @@ from housefly.hub.api.answers import WhereAnswer
 from housefly.hub.api.questions import Question, WhereQuestion
 from housefly.messages import Obstacle
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.named_subject import viewpoint_of
+from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
 from housefly.tasks.vantage.subject import SubjectKind, person_subject
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 
@@ -101,3 +102,14 @@ def test_the_round_over_the_floor_has_numbers_that_can_be_asked_for() -> None:
     with pytest.raises(TaskError) as refused:
         viewpoint_of("floor 99", VIEWING, nobody)
     assert refused.value.code == "unknown_place"
+
+
+def test_a_round_looks_at_named_places_or_else_at_the_whole_floor() -> None:
+    assert set(round_names(VIEWING)) == {each.name for each in LOADED.room.places} - {"home"}
+    bare = replace(LOADED.room, places=(LOADED.room.place("home"),))
+    viewing = ViewingRoom(LOADED.site, bare, LOADED.grid)
+    names = round_names(viewing)
+    assert names == tuple(f"floor {n}" for n in range(1, len(names) + 1)) and len(names) > 3
+    assert viewpoint_of(names[-1], viewing, nobody).subject == names[-1]
+    no_places = ViewingRoom(LOADED.site, replace(bare, places=()), LOADED.grid)
+    assert len(round_names(no_places)) == len(names)

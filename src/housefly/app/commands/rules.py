@@ -121,10 +121,10 @@ def _rules_of_site(name: str) -> tuple[Rule, ...]:
 
 def _services_of_site(name: str) -> dict[str, ServiceInfo]:
     from housefly.app.loaded_site import read_site, site_file
-    from housefly.tasks.document.library import load_library
+    from housefly.tasks.document.open_library import OpenLibrary
 
     documents = read_site(name).tasks.documents
-    library = load_library(site_file(name).parent / documents if documents else None)
+    library = OpenLibrary(site_file(name).parent / documents if documents else None)
     return {each: document.info() for each, document in library.items()}
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from argparse import ArgumentParser, Namespace
+from argparse import SUPPRESS, ArgumentParser, Namespace
 from pathlib import Path
 
 from housefly.app.commands.shared import (
@@ -28,19 +28,26 @@ def _add_demo_arguments(parser: ArgumentParser) -> None:
     add_simulation_arguments(parser)
     add_fault_argument(parser)
     parser.add_argument(
-        "--lively",
-        action="store_true",
+        "--empty",
+        dest="lively",
+        action="store_false",
         help=(
-            "somebody lives there, beside what the site has of its own: people and things move,"
-            " devices speak over MQTT (mosquitto)"
+            "the site as it is: without this, somebody lives there, seen by scanners, and devices"
+            " speak over MQTT (mosquitto)"
         ),
     )
+    parser.add_argument("--lively", action="store_true", default=True, help=SUPPRESS)
 
 
-def _run(options: Namespace) -> int:
+def _demo(options: Namespace) -> int:
+    """Start the site with what makes it lively; the page begins with what one can ask."""
+    return _run(options, opens_tasks=True)
+
+
+def _run(options: Namespace, *, opens_tasks: bool = False) -> int:
     """Start what the site needs and stay until Ctrl-C; the drone lands first."""
     from housefly.app.compiling import CompiledPart, compile_once
-    from housefly.app.interactive import run_interactively
+    from housefly.app.interactive import Screen, run_interactively
     from housefly.web.exposure import checked_exposure
 
     loaded = load(options, with_edits=True)
@@ -48,18 +55,20 @@ def _run(options: Namespace) -> int:
     compile_once(CompiledPart.CHAIN, console.print)
     record = Path(options.record) if options.record else None
     with tempfile.TemporaryDirectory(prefix="housefly-") as folder:
-        return run_interactively(loaded, Path(folder), record)
+        first = Screen.TASKS if opens_tasks and loaded.site.tasks.enabled else Screen.FLY
+        return run_interactively(loaded, Path(folder), record, first)
 
 
 DEMO_COMMAND = Subcommand(
     name="demo",
-    help="everything: simulated room, pilot, console",
+    help="everything: a simulated room in which somebody lives, pilot, services, console",
     description=(
-        "Start the simulated room, the pilot and the console; print the console's address; say"
-        " when it is ready. Ctrl-C lands the drone first."
+        "Start the simulated room, in which somebody lives, the pilot, the services and the"
+        " console; print the console's address, where one asks and rings; say when it is ready."
+        " Ctrl-C lands the drone first."
     ),
     add_arguments=_add_demo_arguments,
-    run=_run,
+    run=_demo,
 )
 
 RUN_COMMAND = Subcommand(

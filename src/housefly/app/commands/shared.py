@@ -6,6 +6,7 @@ from argparse import ArgumentParser, Namespace
 from typing import TYPE_CHECKING, Any
 
 from housefly.app.lively import lively_site
+from housefly.app.mosquitto import find_mosquitto
 from housefly.app.terminal import console
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
     }
     site = read_site(options.site, **given(changes))
     if getattr(options, "lively", False):
-        site, words = lively_site(site)
+        site, words = lively_site(site, find_mosquitto() is not None)
         console.print(f"lively:   {words}", markup=False, soft_wrap=True)
     if faults := _parsed_faults(getattr(options, "fault", [])):
         site = changed(site, faults=[*site.model_dump()["faults"], *faults])

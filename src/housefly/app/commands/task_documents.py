@@ -87,12 +87,12 @@ def _rehearsed_offline(site: str, service: str, parameters: dict[str, str]) -> R
     from housefly.app.loaded_site import load_site
     from housefly.app.rehearsed_flight import RehearsedSite
     from housefly.app.room_now import RoomNow
-    from housefly.tasks.document.library import bind, load_library
-    from housefly.tasks.task_desk import document_of
+    from housefly.tasks.document.library import bind
+    from housefly.tasks.document.open_library import OpenLibrary
 
     loaded = load_site(site)
     own = loaded.site.tasks.documents
-    task = bind(document_of(load_library(Path(own) if own else None), service), parameters)
+    task = bind(OpenLibrary(Path(own) if own else None).document(service), parameters)
     compile_once(CompiledPart.CHAIN, plain_console.print)
     return RehearsedSite(loaded).rehearse(task, RoomNow(), _nobody)
 

@@ -55,6 +55,7 @@ def _ask(options: Namespace) -> int:
             tasks.by,
             RequestSurface.COMMAND_LINE,
             fly=not options.no_fly,
+            owner=tasks.owner,
         )
         answer = tasks.ask_tasks(question)
         plain_console.print(answer.words, soft_wrap=True)
@@ -118,9 +119,8 @@ def _tasks(options: Namespace) -> int:
         if options.services:
             for service in tasks.services():
                 known = ", ".join(parameter.name for parameter in service.parameters)
-                plain_console.print(
-                    f"{service.name:<12} {service.about}  [{known}]", soft_wrap=True
-                )
+                takes = "" if service.problem else f"  [{known}]"
+                plain_console.print(f"{service.name:<12} {service.about}{takes}", soft_wrap=True)
             return 0
         if options.history:
             now = time.time()
@@ -190,7 +190,7 @@ ASK_COMMAND = Subcommand(
     run=_ask,
     epilog=(
         'examples:\n  housefly ask "look at the refrigerator"\n  housefly ask where is the cup\n'
-        '  housefly ask --language de "schau nach der Tür"\n'
+        '  housefly ask --language de "schau nach dem Eingang"\n'
         "  housefly tasks --services      what else can be asked for\n"
     ),
 )

@@ -5,11 +5,12 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, as_completed
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
+from housefly.app.safety_case.alike_flights import alike, fly_alike
 from housefly.app.safety_case.faulty_flight import fly_trial
 from housefly.app.safety_case.trial import TrialKey, TrialResult, result_from_json
 from housefly.app.safety_case.wired_flight import (
@@ -22,7 +23,6 @@ from housefly.errors import RecordingError
 
 RESULTS_FILE = "flights.jsonl"
 WIRED_RESULTS_FILE = "wired_flights.jsonl"
-_CHUNK = 4
 
 
 class FlownResult(Protocol):
@@ -128,7 +128,12 @@ def _flown(keys: list[TrialKey], workers: int) -> Iterator[TrialResult]:
         yield from map(fly_trial, keys)
         return
     with ProcessPoolExecutor(workers, get_context("spawn"), _yield_to_others) as pool:
-        yield from pool.map(fly_trial, keys, chunksize=_CHUNK)
+        try:
+            groups = [pool.submit(fly_alike, group) for group in alike(keys)]
+            for flown in as_completed(groups):
+                yield from flown.result()
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def _yield_to_others() -> None:

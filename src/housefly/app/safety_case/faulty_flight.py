@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import isfinite, nan
 
@@ -35,6 +35,9 @@ _REACH_TIMEOUT = 60.0
 """A phase that is not reached within this is left out: the fault begins where the drone is [s]."""
 
 
+_SERVICE = Order(OrderKind.SERVICE, place=SAFETY_PLACE, look_s=_LOOK_TIME, sender="safety case")
+
+
 @lru_cache(maxsize=2)
 def _base(scanned: bool) -> LoadedSite:
     """Return the room, with its scanners where people and things may get in the way."""
@@ -42,36 +45,55 @@ def _base(scanned: bool) -> LoadedSite:
     return load_site(SAFETY_SITE, hub__enabled=False, lasers=lasers)
 
 
-def fly_trial(key: TrialKey) -> TrialResult:
-    """Fly one flight of the safety case and return how it ended."""
+@dataclass(frozen=True, slots=True)
+class FlightCourse:
+    """What flights have in common that are alike until their faults begin.
+
+    Attributes:
+        seed: of everything random.
+        rate_hz: of the tracking system.
+        has_intruders: whether people and things may get in the way.
+        guarded: with its guards, else the negative control.
+    """
+
+    seed: int
+    rate_hz: float
+    has_intruders: bool
+    guarded: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FaultOnset:
+    """When the fault of a flight begins: so long after a phase was reached [s]."""
+
+    phase: FaultPhase
+    delay: float
+
+
+def course_of(key: TrialKey) -> FlightCourse:
+    """Return the course of a flight."""
+    phases = phases_of(key.row)
+    rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
+    return FlightCourse(key.seed, rate, needs_intruders(key.row), key.guarded)
+
+
+def onset_of(key: TrialKey) -> FaultOnset:
+    """Return when the fault of a flight begins."""
     rng = np.random.default_rng([key.seed, sum(map(ord, key.row))])
     phases = phases_of(key.row)
     phase = phases[key.seed % len(phases)]
-    rate = _RATES_HZ[(key.seed // len(phases)) % len(_RATES_HZ)]
     delay = float(rng.uniform(0.0, _DELAY_MAX)) if phase in IN_FLIGHT_FAULT_PHASES else 0.0
-    base = _base(needs_intruders(key.row))
-    site = changed(base.site, twin__seed=1 + key.seed, twin__mocap_rate_hz=rate)
-    simulation = Simulation(
-        replace(base, site=site), intruders=needs_intruders(key.row), guarded=key.guarded
-    )
-    oracle = Oracle(simulation.world, site, base.room, cannot_hover=_cannot_hover(key.row))
-    flight = _Flight(simulation, oracle, key, phase, delay)
-    step, expired = flight.fly()
-    began, ending = oracle.faulty_since, oracle.conclude(step, expired)
-    return TrialResult(
-        key=key,
-        phase=phase,
-        violations=tuple(oracle.violations.values()),
-        ending=ending,
-        told_after=None if oracle.told_at is None else oracle.told_at - began,
-        safe_after=None if oracle.grounded_at is None else oracle.grounded_at - began,
-        deviation=oracle.deviation,
-        room_clearance=_finite(oracle.room_clearance),
-        person_clearance=_finite(oracle.person_clearance),
-        top_speed=oracle.top_speed,
-        told=oracle.told,
-        walked_into=oracle.walked_into,
-    )
+    return FaultOnset(phase, delay)
+
+
+def fly_trial(key: TrialKey) -> TrialResult:
+    """Fly one flight of the safety case and return how it ended."""
+    flight, onset = FaultyFlight(course_of(key)), onset_of(key)
+    while not flight.is_over:
+        flight.advance()
+        if flight.is_due(onset):
+            return flight.finish(key)
+    return flight.result(key)
 
 
 def variant_of(name: str) -> FaultVariant:
@@ -109,53 +131,82 @@ def _cannot_hover(row: str) -> bool:
     return any(variant_of(name).cannot_hover for name in row.split("+") if name)
 
 
-class _Flight:
-    """One service with faults that begin in a phase."""
+class FaultyFlight:
+    """One service, into which faults come."""
 
-    def __init__(
-        self,
-        simulation: Simulation,
-        oracle: Oracle,
-        key: TrialKey,
-        phase: FaultPhase,
-        delay: float,
-    ) -> None:
-        self._simulation, self._oracle = simulation, oracle
-        self._faults, self._phase, self._delay = faults_of_key(key), phase, delay
-        self._guarded = key.guarded
-        self._reached_at: float | None = None
-
-    def fly(self) -> tuple[PilotStep, bool]:
-        """Fly until it has ended, and return the last step and whether it had not."""
-        simulation, oracle, ordered = self._simulation, self._oracle, False
-        order = Order(
-            OrderKind.SERVICE, place=SAFETY_PLACE, look_s=_LOOK_TIME, sender="safety case"
+    def __init__(self, course: FlightCourse) -> None:
+        base = _base(course.has_intruders)
+        site = changed(base.site, twin__seed=1 + course.seed, twin__mocap_rate_hz=course.rate_hz)
+        self._guarded = course.guarded
+        self._simulation = Simulation(
+            replace(base, site=site), intruders=course.has_intruders, guarded=course.guarded
         )
-        while True:
-            simulation.advance()
-            orders: tuple[Order, ...] = ()
-            if not ordered and simulation.now >= _ORDER_AT:
-                orders, ordered = (order,), True
-            inputs = simulation.inputs(*orders)
-            step = simulation.step(inputs if self._guarded else _blind(inputs))
-            oracle.watch(step)
-            self._begin_when_due(step)
-            since = simulation.now - oracle.faulty_since
-            if ordered and simulation.now > _ORDER_AT + 1.0 and oracle.ended(step):
-                return step, False
-            if isfinite(since) and since > PATIENCE:
-                return step, True
+        self._oracle = Oracle(self._simulation.world, site, base.room)
+        self._reached: dict[FaultPhase, float] = {}
+        self._ordered_at: float | None = None
+        self._last: PilotStep | None = None
 
-    def _begin_when_due(self, step: PilotStep) -> None:
-        if isfinite(self._oracle.faulty_since):
-            return
-        late = step.now > _REACH_TIMEOUT
-        if self._reached_at is None and (late or has_begun(self._phase, step)):
-            self._reached_at = step.now
-        if self._reached_at is None or step.now < self._reached_at + self._delay:
-            return
-        self._oracle.faulty_since = step.now
-        self._simulation.inject(*(fault.shifted(step.now) for fault in self._faults))
+    @property
+    def is_over(self) -> bool:
+        """Whether it has ended, or is given up."""
+        if self._last is None or self._ordered_at is None:
+            return False
+        begun = self._simulation.now > _ORDER_AT + 1.0
+        return self._is_late or (begun and self._oracle.ended(self._last))
+
+    def advance(self) -> None:
+        """Fly on for one period of the pilot."""
+        simulation = self._simulation
+        simulation.advance()
+        orders: tuple[Order, ...] = ()
+        if self._ordered_at is None and simulation.now >= _ORDER_AT:
+            orders, self._ordered_at = (_SERVICE,), simulation.now
+        inputs = simulation.inputs(*orders)
+        self._last = simulation.step(inputs if self._guarded else _blind(inputs))
+        self._oracle.watch(self._last)
+
+    def is_due(self, onset: FaultOnset) -> bool:
+        """Return whether a fault with this onset begins now; to be asked after every period."""
+        step, phase = self._last, onset.phase
+        assert step is not None
+        if phase not in self._reached and (step.now > _REACH_TIMEOUT or has_begun(phase, step)):
+            self._reached[phase] = step.now
+        return phase in self._reached and step.now >= self._reached[phase] + onset.delay
+
+    def finish(self, key: TrialKey) -> TrialResult:
+        """Let the faults of a flight begin, fly on to the end, and return how it ended."""
+        assert self._last is not None
+        now = self._last.now
+        self._oracle.faulty_since, self._oracle.cannot_hover = now, _cannot_hover(key.row)
+        self._simulation.inject(*(fault.shifted(now) for fault in faults_of_key(key)))
+        while not self.is_over:
+            self.advance()
+        return self.result(key)
+
+    def result(self, key: TrialKey) -> TrialResult:
+        """Return how a flight has ended."""
+        assert self._last is not None
+        oracle, began = self._oracle, self._oracle.faulty_since
+        ending = oracle.conclude(self._last, self._is_late)
+        return TrialResult(
+            key=key,
+            phase=onset_of(key).phase,
+            violations=tuple(oracle.violations.values()),
+            ending=ending,
+            told_after=None if oracle.told_at is None else oracle.told_at - began,
+            safe_after=None if oracle.grounded_at is None else oracle.grounded_at - began,
+            deviation=oracle.deviation,
+            room_clearance=_finite(oracle.room_clearance),
+            person_clearance=_finite(oracle.person_clearance),
+            top_speed=oracle.top_speed,
+            told=oracle.told,
+            walked_into=oracle.walked_into,
+        )
+
+    @property
+    def _is_late(self) -> bool:
+        since = self._simulation.now - self._oracle.faulty_since
+        return isfinite(since) and since > PATIENCE
 
 
 def _blind(inputs: Inputs) -> Inputs:

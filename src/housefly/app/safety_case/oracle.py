@@ -16,6 +16,7 @@ from housefly.geometry import Vec2, Vec3, stopping_distance
 from housefly.messages import Action, DroneStatus, Phase, PilotStep, SafetyMode, Severity
 from housefly.record.places import distances_to_path
 from housefly.room.model import Room
+from housefly.twin.clearance import Clearance
 from housefly.twin.contact_log import Contact
 from housefly.twin.contracts import FlightState
 from housefly.twin.solids import SolidKind
@@ -69,6 +70,7 @@ class Oracle:
     top_speed: float = 0.0
     grounded_at: float | None = None
     _path: tuple[Vec2, ...] = ()
+    _flown: list[Vec2] = field(default_factory=list)
     _bound_until: float | None = None
     _cut_ordered: bool = False
     _looked_at: float = -inf
@@ -84,17 +86,24 @@ class Oracle:
         self._watch_take_off(step.now, state, truth.pose.position[2])
         self._watch_contacts()
         self._watch_clearance(step.now, state)
-        if step.outputs.path is not None:
+        if step.outputs.path is not None and step.outputs.path.waypoints != self._path:
+            self._take_deviation()
             self._path = step.outputs.path.waypoints
         if state.airborne and step.now >= self.faulty_since and self._path:
-            (away,) = distances_to_path(np.array([truth.pose.position[:2]]), self._path)
-            self.deviation = max(self.deviation, float(away))
+            self._flown.append(truth.pose.position[:2])
         is_down = not state.airborne and truth.pose.position[2] < STANDING
         if not is_down:
             self.grounded_at = None
         elif self.grounded_at is None:
             self.grounded_at = step.now
         self._height = truth.pose.position[2]
+
+    def _take_deviation(self) -> None:
+        """How far the drone strayed from the path that ends here; all at once costs least."""
+        if self._flown:
+            away = distances_to_path(np.array(self._flown), self._path)
+            self.deviation = max(self.deviation, float(away.max()))
+            self._flown.clear()
 
     def _break(self, invariant: str, words: str) -> None:
         self.violations.setdefault(invariant, f"{invariant}: {words}")
@@ -178,9 +187,8 @@ class Oracle:
         if not state.airborne or now - self._looked_at < _LOOK_PERIOD:
             return
         self._looked_at = now
-        clearance = self.world.clearance()
-        self.room_clearance = min(self.room_clearance, clearance.solid)
-        self.person_clearance = min(self.person_clearance, clearance.person)
+        nearest = self.world.clearance(Clearance(self.room_clearance, self.person_clearance))
+        self.room_clearance, self.person_clearance = nearest.solid, nearest.person
 
     def ended(self, step: PilotStep) -> bool:
         """Return whether the drone stands, idle, for a second."""
@@ -199,6 +207,7 @@ class Oracle:
 
     def conclude(self, step: PilotStep, expired: bool) -> str:
         """Return how the flight ended, in words; one that never ends is not safe."""
+        self._take_deviation()
         state = self.world.onboard().flight
         if not expired:
             return "stands on the floor"

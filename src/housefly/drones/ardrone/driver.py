@@ -18,6 +18,7 @@ from housefly.config.limits import LimitsConfig
 from housefly.drones.ardrone.handshake import Configurator
 from housefly.drones.ardrone.limits_keeper import LimitsKeeper
 from housefly.drones.ardrone.link import CommandLink, led_value
+from housefly.drones.ardrone.recording_light import RecordingLight
 from housefly.drones.ardrone.telemetry import NavdataLink
 from housefly.drones.ardrone.video import VideoLink
 from housefly.errors import LinkError
@@ -65,6 +66,7 @@ class ArDrone:
         self._commands = CommandLink(config.address, self._clock)
         self._navdata = NavdataLink(config.address, self._clock)
         self._video = VideoLink(config.address, self._clock)
+        self._light = RecordingLight()
         self._configurator = Configurator(config.address, self._commands, self._navdata)
         self._limits = LimitsKeeper(
             limits, self._configurator, self._navdata, full_navdata=full_navdata
@@ -180,6 +182,15 @@ class ArDrone:
         """Whether pictures arrive."""
         return self._video.connected
 
+    @property
+    def has_light(self) -> bool:
+        """Whether it can show that its camera is recorded: it has four lights."""
+        return True
+
+    def show_recording(self, records: bool) -> None:
+        """Blink red while the camera is recorded; goes out 1.5 s after the last time."""
+        self._light.ask(records, self._clock.now())
+
     def on_report(self, handler: Callable[[], None]) -> None:
         """Call the handler after each report of the drone."""
         self._navdata.on_report = handler
@@ -235,6 +246,9 @@ class ArDrone:
         if not hears and at.ComWatchdog() not in commands:
             commands = (*commands, at.ComWatchdog())
         self._commands.send(*commands)
+        # Behind the commands and never without them: to the drone it is a sign of life, too.
+        if (led := self._light.due(now)) is not None:
+            self._commands.send(led)
 
     def _permit(self, report: Telemetry | None) -> Permit:
         if self._is_leaving:

@@ -45,6 +45,10 @@ TOUCHDOWN_TIME = 3.4
 """A landing takes no longer than this until the drone stands [s]."""
 DECISION_TIME = 4.4
 """The drone lands no earlier than this before somebody reaches it [s]."""
+TRAPPED_DOUBT = 0.3
+"""On its way it must have had nowhere to go for so long before it lands [s]: at first sight nobody
+is fast.
+"""
 TAKE_OFF_HEIGHT = 0.6
 """A take-off is given up for who comes near while the drone is lower than this [m]; it cannot be
 steered, and higher up it is soon over.
@@ -104,7 +108,7 @@ class SeparationMonitor:
         self._yielding: Yielding | None = None
         self._task: TrackingTask | None = None
         self._asked_at = self._told_at = self._ended_at = -inf
-        self._coming_since = inf
+        self._coming_since = self._trapped_since = inf
         self._is_cornered_told = self._climbs_on = False
 
     @property
@@ -186,13 +190,30 @@ class SeparationMonitor:
             found = self._people.separation(
                 place, velocity, vehicle.now, CRUISE_HORIZON, walking=True
             )
-            return found if found.closest < config.min_distance else None
+            if found.closest < config.min_distance:
+                return found
+            return self._trap(vehicle, place)
         found = self._people.separation(place, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
         comes = found.closest < min(config.comfort_distance, found.now - APPROACH)
         if comes:
             return found
         is_close = found.now < config.min_distance
         return found if is_close and not self._people.is_still(found.name, vehicle.now) else None
+
+    def _trap(self, vehicle: VehicleStatus, place: Vec2) -> Separation | None:
+        """Return who reaches a drone on its way that could get nowhere, while it can still land.
+
+        A second later it would be too late: in a dead end nobody is made way for.
+        """
+        found = self._comes_within(DECISION_TIME, vehicle, place)
+        soon = self._comes_within(TOUCHDOWN_TIME, vehicle, place).closest
+        is_met = found.closest <= LIKELY_DISTANCE < soon
+        velocity = vehicle.estimate.velocity[:2] if vehicle.estimate else (0.0, 0.0)
+        if not is_met or self._refuge(vehicle, place, velocity)[0].separation >= CORNERED_DISTANCE:
+            self._trapped_since = inf
+            return None
+        self._trapped_since = min(self._trapped_since, vehicle.now)
+        return found if vehicle.now - self._trapped_since >= TRAPPED_DOUBT else None
 
     def _make_way(self, threat: Separation, vehicle: VehicleStatus, place: Vec2) -> list[Event]:
         assert vehicle.estimate is not None
@@ -282,7 +303,7 @@ class SeparationMonitor:
             self._commander.land_here(vehicle)
             self._yielding = None
             text = f"{name} comes near and there is no room to make way: landing here"
-            return [Event(vehicle.now, Severity.WARNING, "cornered", text)]
+            return [Event(vehicle.now, Severity.WARNING, "cornered_landing", text)]
         if self._is_cornered_told:
             return []
         self._is_cornered_told = True

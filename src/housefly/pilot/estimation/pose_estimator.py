@@ -16,12 +16,11 @@ from housefly.pilot.estimation.estimator import (
     EstimatorState,
     Measurement,
     PoseEstimate,
-    estimator_advanced,
+    estimate_at,
     estimator_created,
     estimator_initialized,
     estimator_updated,
     pose_estimate,
-    position_variance,
 )
 from housefly.pilot.estimation.track_windows import OdometryTolerance
 from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor
@@ -95,11 +94,10 @@ class PoseEstimator:
 
         The state is advanced to now in any case.
         """
-        self.state = estimator_advanced(self.state, self.history, self._params, now)
+        self.state, here, variance = estimate_at(self.state, self.history, self._params, now)
         if not self.state.gate.initialized:
             return None
-        here = pose_estimate(self.state, self.history, self._params, now)
-        deviation = sqrt(position_variance(self.state, self.history, self._params, now))
+        deviation = sqrt(variance)
         position, velocity = (here.x, here.y, here.z), (here.vx, here.vy, here.vz)
         age = now - self.state.gate.last_capture
         return here, Estimate(now, position, velocity, here.yaw, age, deviation)

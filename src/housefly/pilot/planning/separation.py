@@ -41,8 +41,9 @@ _LATER = 0.4
 """Where no place is good, being met a second later is as good as being met this much farther off
 [m/s]: the drone may find another place until then, and whoever comes may turn.
 """
-_GOOD = 0.5
-"""A place is good if it keeps this share of the distance that is enough."""
+_GOOD = 0.25
+"""A place is good if it keeps this distance [m]: in a dead end whoever is met later is met as well.
+"""
 _LASTING = 0.2
 """Share of the distance at the end in the worth of a place: who stands beside the drone is left,
 although nothing makes the beginning any better.
@@ -136,7 +137,7 @@ def refuge(
     ends = np.array(offers)[open_]
     apart, worth, last = (found - hull for found in _smallest(people, place, velocity, ends, speed))
     far = np.hypot(ends[:, 0] - place[0], ends[:, 1] - place[1])
-    rank = np.minimum(apart if apart.max() >= _GOOD * enough else worth, enough)
+    rank = np.minimum(apart if apart.max() >= _GOOD else worth, enough)
     score = rank + _LASTING * np.minimum(last, enough) - _PREFERENCE * far
     if kept is not None and open_[1]:
         score[1] += 0.1

@@ -53,6 +53,7 @@ class TaskBoard:
         records: whether the camera records now.
         tasks: the open ones, in the order in which they fly.
         ended: the newest ended ones, newest first.
+        notices: what people should know, in words: no space for clips, a clock that leapt.
     """
 
     at: float
@@ -61,6 +62,7 @@ class TaskBoard:
     records: bool
     tasks: tuple[TaskStatus, ...]
     ended: tuple[TaskStatus, ...]
+    notices: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +91,7 @@ class SentenceAnswer:
         task: the task that it started, or None.
         suggestions: what may have been meant.
         offer: what a yes would ask for, as a new request; nothing is asked for yet.
+        code: why it was not done, OK when it was.
     """
 
     understood: bool
@@ -98,6 +101,7 @@ class SentenceAnswer:
     task: TaskStatus | None = None
     suggestions: tuple[str, ...] = ()
     offer: TaskRequest | None = None
+    code: ReasonCode = ReasonCode.OK
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,13 +114,14 @@ class ModeAnswer:
 
 @dataclass(frozen=True, slots=True)
 class RuleStatus:
-    """One rule: what it says in words, whether it is on, and what it last did."""
+    """One rule: what it says in words, whether it is on, what it last did and because of what."""
 
     name: str
     words: str
     enabled: bool
     last_at: float | None = None
     last_words: str = ""
+    last_cause: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +164,7 @@ class ClipInfo:
         size: of the file [bytes].
         keep_until: when it is deleted [Unix time, s]; None is kept until somebody deletes it.
         blanked: whether part of it was blanked for privacy.
+        cut_off: whether its end is missing, as after a crash or on a full disk.
     """
 
     id: str
@@ -174,6 +180,7 @@ class ClipInfo:
     size: int
     keep_until: float | None = None
     blanked: bool = False
+    cut_off: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,8 @@
 """Questions and orders to the tasks, one frozen value each; ``tasks.api.answers`` has the answers.
 
 The same values cross the bus as JSON (``TASKS_QUERY``) and are the bodies of the HTTP API. Who asks
-stands in ``by``: the edge that knows the person fills it in, never the person.
+stands in ``by``, a name to show, and in ``owner``, an id: the edge that knows the person fills both
+in, never the person.
 """
 
 from __future__ import annotations
@@ -36,6 +37,7 @@ class RequestTask:
     priority: Priority = Priority.PERSON
     deadline: _Time | None = None
     ask: Literal["request"] = "request"
+    owner: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +47,7 @@ class RehearseTask:
     service: _Name
     parameters: _Parameters = field(default_factory=dict)
     ask: Literal["rehearse"] = "rehearse"
+    surface: RequestSurface = RequestSurface.CONSOLE
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,11 +63,15 @@ class ReplyToTask:
 
 @dataclass(frozen=True, slots=True)
 class CancelTask:
-    """End a task: one that flies comes home or lands, as it says; 0 ends every open one."""
+    """End a task: one that flies comes home or lands, as it says; 0 ends every open one.
+
+    With ``only_of``, the id of who asks, only what they asked for themselves.
+    """
 
     task: Annotated[int, Field(ge=0, le=2**53)] = 0
     by: _Word = ""
     ask: Literal["cancel"] = "cancel"
+    only_of: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,13 +108,17 @@ class ServicesQuestion:
 
 @dataclass(frozen=True, slots=True)
 class TaskHistoryQuestion:
-    """Tasks that were asked for between two times, the newest first."""
+    """Tasks that were asked for between two times, the newest first.
+
+    ``before`` is the last task of the page before; 0 begins with the newest.
+    """
 
     since: _Time = 0.0
     until: _Time | None = None
     service: _Word = ""
     limit: _Limit = 50
     ask: Literal["history"] = "history"
+    before: Annotated[int, Field(ge=0, le=2**53)] = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +136,7 @@ class Sentence:
     fly: bool = True
     may_fly: bool = True
     ask: Literal["sentence"] = "sentence"
+    owner: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +166,10 @@ class DryRunQuestion:
 
 @dataclass(frozen=True, slots=True)
 class ClipsQuestion:
-    """Which clips and snapshots there are; "" and 0 mean any, the newest first."""
+    """Which clips and snapshots there are; "" and 0 mean any, the newest first.
+
+    ``before`` is the last clip of the page before; "" begins with the newest.
+    """
 
     since: _Time = 0.0
     until: _Time | None = None
@@ -164,6 +179,8 @@ class ClipsQuestion:
     task: Annotated[int, Field(ge=0, le=2**53)] = 0
     limit: _Limit = 50
     ask: Literal["clips"] = "clips"
+    caused_by: _Word = ""
+    before: _Word = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -77,6 +77,10 @@ class RequestSurface(Enum):
     RULE = "rule"
 
 
+ATTENDED = frozenset({RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, RequestSurface.HTTP})
+"""Where a person asks; everywhere else nobody may be looking."""
+
+
 class HouseMode(Enum):
     """The mode of the house: gates launching, recording and zones."""
 
@@ -145,6 +149,7 @@ class TaskRequest:
         confirm: whether a person must say yes first.
         priority: who goes first.
         deadline: not begun by then [Unix time, s], it expires; None waits for ever.
+        owner: id of who asks, filled in by whoever knows them; a name may be anybody's.
     """
 
     service: str
@@ -155,6 +160,7 @@ class TaskRequest:
     confirm: Confirm = Confirm.AUTO
     priority: Priority = Priority.PERSON
     deadline: float | None = None
+    owner: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,11 +171,12 @@ class RehearsalReport:
         may_fly: whether the task may fly.
         code, words: why not, or what to expect, in one sentence.
         way: where the drone flies, world xy [m].
-        duration: of the whole task [s]; None when it was not flown to its end.
-        charge: share of a full battery that it takes, 0 to 1.
+        duration: of the whole task, at most [s]; None when it was not flown to its end.
+        charge: share of a full battery that it takes at most, 0 to 1.
         clearance: smallest distance of the hull to anything [m].
         first_look: until the first look at the subject [s].
         took: time that the rehearsal itself took [s].
+        shortest: of the whole task when every question is answered at once [s].
     """
 
     may_fly: bool
@@ -181,6 +188,7 @@ class RehearsalReport:
     clearance: float | None = None
     first_look: float | None = None
     took: float = 0.0
+    shortest: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,6 +234,9 @@ class TaskStatus:
         rehearsal: what the rehearsal found, or None.
         clips: ids of its clips and snapshots.
         report: what it found, one line each, for people.
+        took_off_at: when its flight began [Unix time, s]; None when it did not fly.
+        flown: how long it was in the air [s]; None where nobody knows whether it flew.
+        recording: folder of the recording of the whole run, for `housefly replay`, or "".
     """
 
     id: int
@@ -248,6 +259,9 @@ class TaskStatus:
     rehearsal: RehearsalReport | None = None
     clips: tuple[str, ...] = ()
     report: tuple[str, ...] = ()
+    took_off_at: float | None = None
+    flown: float | None = None
+    recording: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,10 +278,19 @@ class ParameterInfo:
 
 @dataclass(frozen=True, slots=True)
 class ServiceInfo:
-    """One service that can be asked for."""
+    """One service that can be asked for, or why it cannot: file, line and reason of its document.
+
+    Attributes:
+        name: in requests.
+        title, about: for people.
+        parameters: what may be given.
+        flies: whether it moves the drone.
+        problem: what is wrong with its document, in words; "" when it can be asked for.
+    """
 
     name: str
     title: str
     about: str
     parameters: tuple[ParameterInfo, ...] = ()
     flies: bool = True
+    problem: str = ""

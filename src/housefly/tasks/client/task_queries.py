@@ -40,6 +40,8 @@ class TaskQueries(ABC):
     """Asks the tasks of one room; ``by`` says who wants it, in words."""
 
     by: str = "a program"
+    owner: str = ""
+    """Id of who asks, where a client knows one; the console fills in its own."""
 
     @abstractmethod
     def ask_tasks(self, question: TaskQuestion) -> Any:
@@ -47,18 +49,22 @@ class TaskQueries(ABC):
 
     def request(self, service: str, **parameters: ParameterValue) -> TaskStatus:
         """Ask for a service: ``request("look", subject="refrigerator")``; return its task."""
-        answer: TasksAnswer = self.ask_tasks(RequestTask(service, parameters, self.by, _SURFACE))
+        answer: TasksAnswer = self.ask_tasks(self._requested(service, parameters))
         return answer.tasks[0]
+
+    def _requested(self, service: str, parameters: dict[str, ParameterValue]) -> RequestTask:
+        return RequestTask(service, parameters, self.by, _SURFACE, owner=self.owner)
 
     def rehearse(self, service: str, **parameters: ParameterValue) -> RehearsalReport:
         """Rehearse a service in lock step; nothing flies."""
-        answer: RehearsalAnswer = self.ask_tasks(RehearseTask(service, parameters))
+        question = RehearseTask(service, parameters, surface=_SURFACE)
+        answer: RehearsalAnswer = self.ask_tasks(question)
         return answer.rehearsal
 
     def say(self, text: str, language: str = "en") -> SentenceAnswer:
         """Say a sentence in "en", "de" or "ja": it is answered, or starts a task."""
         # The language is checked where the question is read.
-        question = Sentence(text, language, self.by, _SURFACE)  # type: ignore[arg-type]
+        question = Sentence(text, language, self.by, _SURFACE, owner=self.owner)  # type: ignore[arg-type]
         answer: SentenceAnswer = self.ask_tasks(question)
         return answer
 

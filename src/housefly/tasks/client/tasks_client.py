@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from pathlib import Path
 from types import TracebackType
@@ -30,7 +31,7 @@ class TasksClient(TaskQueries):
     """
 
     def __init__(self, place: RoomAddress, by: str = "a program", timeout: float = 30.0) -> None:
-        self.by = by
+        self.by, self.owner = by, f"user {os.getuid()}"
         self._site = place.site
         endpoint = place.bus.partition("/")[2] if place.bus else place.socket
         path = tasks_socket(Path(endpoint)) if endpoint else None

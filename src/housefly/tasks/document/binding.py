@@ -21,7 +21,7 @@ from housefly.tasks.document.step_forms import (
     ArgumentType,
     StepArgument,
 )
-from housefly.tasks.document.step_parser import EACH
+from housefly.tasks.document.step_parser import EACH, shared_reply, words_of_shared
 from housefly.tasks.document.steps import (
     ArgumentValue,
     ConditionKind,
@@ -87,13 +87,16 @@ class _Binder:
         if isinstance(timeout, ParameterUse):
             value = self._scope.get(timeout.name)
             timeout = value if isinstance(value, float) else None
-        return replace(
+        bound = replace(
             step,
             arguments=self._arguments(FORMS[step.kind].arguments, step.arguments, step),
             blocks={word: self.steps(block) for word, block in step.blocks.items()},
             name=step.name,
             timeout=timeout,
         )
+        if step.kind is StepKind.PARALLEL and (name := shared_reply(bound)):
+            raise self._error(step, words_of_shared(name))  # of called tasks
+        return bound
 
     def _called(self, step: TaskStep) -> TaskStep:
         name = str(step.arguments["task"])

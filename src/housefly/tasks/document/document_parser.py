@@ -47,6 +47,8 @@ class _DocumentParser:
                 raise self._error(marked, f"a task needs {key}:")
         parameters = self._parameters(tree.get("parameters"))
         found = names_found(tree["steps"])
+        if "on_cancel" in tree:
+            found |= names_found(tree["on_cancel"])
         self._steps = StepParser(self._source, {p.name: p for p in parameters}, found)
         name = self._name(tree["name"])
         on_cancel = tree.get("on_cancel")

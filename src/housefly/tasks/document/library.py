@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -36,12 +37,7 @@ def load_library(own_folder: Path | None = None) -> dict[str, TaskDocument]:
     library = _read_folder(SHIPPED)
     if own_folder is not None:
         for name, document in _read_folder(own_folder).items():
-            if name in library and not document.overrides:
-                raise document_error(
-                    document.source,
-                    1,
-                    f"{name} ships with Housefly; name it otherwise, or say overrides: true",
-                )
+            check_overrides(document, library)
             library[name] = document
     return linked(library)
 
@@ -50,16 +46,31 @@ def linked(library: dict[str, TaskDocument]) -> dict[str, TaskDocument]:
     """Return the documents with the tasks that they call; raises TaskError when one cannot be."""
     done: dict[str, TaskDocument] = {}
     for name in library:
-        _link(name, library, done, ())
+        link(name, library, done)
     return {name: done[name] for name in sorted(done)}
 
 
-def _link(
+def check_overrides(document: TaskDocument, shipped: Mapping[str, TaskDocument]) -> None:
+    """Raise TaskError when a document takes the name of a shipped one without saying so."""
+    if document.name in shipped and not document.overrides:
+        words = f"{document.name} ships with Housefly; name it otherwise, or say overrides: true"
+        raise document_error(document.source, 1, words)
+
+
+def link(
     name: str,
     library: dict[str, TaskDocument],
     done: dict[str, TaskDocument],
-    callers: tuple[str, ...],
+    callers: tuple[str, ...] = (),
 ) -> TaskDocument:
+    """Return a document with the tasks that it calls; raises TaskError when it cannot be.
+
+    Args:
+        name: of the document.
+        library: all documents.
+        done: those that are linked already; this one is added.
+        callers: who calls it, from the first on.
+    """
     if name in done:
         return done[name]
     document = library[name]
@@ -75,7 +86,7 @@ def _link(
             if called in (*callers, name):
                 way = " -> ".join((*callers, name, called))
                 raise document_error(document.source, step.line, f"tasks call in a ring: {way}")
-            calls[called] = _link(called, library, done, (*callers, name))
+            calls[called] = link(called, library, done, (*callers, name))
             _check_given(document, step, calls[called])
     done[name] = replace(document, calls=calls)
     return done[name]
@@ -97,7 +108,8 @@ def _check_given(document: TaskDocument, step: TaskStep, called: TaskDocument) -
         raise document_error(document.source, step.line, f"call {called.name}: {error}") from None
 
 
-def _read_folder(folder: Path) -> dict[str, TaskDocument]:
+def document_files(folder: Path) -> tuple[Path, ...]:
+    """Return the files of a folder of documents; raises TaskError for no folder, or too many."""
     if not folder.is_dir():
         raise TaskError(f"{folder}: there is no such folder", ReasonCode.BAD_PARAMETER.value)
     paths = sorted((*folder.glob("*.yaml"), *folder.glob("*.yml")))
@@ -106,9 +118,13 @@ def _read_folder(folder: Path) -> dict[str, TaskDocument]:
             f"{folder}: {len(paths)} documents; allowed: {FILES_MAX}",
             ReasonCode.BAD_PARAMETER.value,
         )
+    return tuple(paths)
+
+
+def _read_folder(folder: Path) -> dict[str, TaskDocument]:
     found: dict[str, TaskDocument] = {}
-    for path in paths:
-        document = read_task(_text_of(path), path.name)
+    for path in document_files(folder):
+        document = read_task(text_of(path), path.name)
         if document.name in found:
             other = found[document.name].source
             raise document_error(path.name, 1, f"{document.name} is the name of {other}, too")
@@ -116,7 +132,8 @@ def _read_folder(folder: Path) -> dict[str, TaskDocument]:
     return found
 
 
-def _text_of(path: Path) -> str:
+def text_of(path: Path) -> str:
+    """Return the text of a document; raises TaskError when it is too large or no text."""
     try:
         if path.stat().st_size > 4 * SIZE_MAX:
             raise document_error(path.name, 1, f"larger than {SIZE_MAX} characters")

@@ -42,7 +42,7 @@ STEP_WORDS = {kind.value: kind for kind in StepKind}
 _CONDITION_WORDS = {kind.value: kind for kind in ConditionKind}
 _EVERY_STEP = ("name", "timeout", "may_fail")
 _TIMEOUT = StepArgument("timeout", ArgumentType.TIME, "of the step", low=0.1, high=TIME_MAX)
-FOUND_NAMES = {"ask": ("as",), "look_at": ("as",), "check_people": ("as", "missing")}
+FOUND_NAMES = {"ask": ("as",), "look_at": ("as",), "check_people": ("as", "missing", "unsure")}
 """Arguments that name what a step finds."""
 EACH = "each"
 """The name of the present one inside for_each."""
@@ -266,6 +266,8 @@ class StepParser:
             branches = sum(_flies(branch) for branch in step.blocks[""])
             if branches > 1:
                 raise self.error(marked, "only one of the parallel steps may move the drone")
+            if name := shared_reply(step):
+                raise self.error(marked, words_of_shared(name))
         return step
 
     def _own_name(self, marked: MarkedValue | None) -> str:
@@ -304,6 +306,26 @@ def names_found(marked: MarkedValue) -> frozenset[str]:
     return frozenset(found)
 
 
+def shared_reply(step: TaskStep) -> str:
+    """Return a name that questions in two parallel blocks give to their replies, or ""."""
+    usual = default_of(StepKind.ASK, "as")
+    replies = [
+        {str(each.arguments.get("as", usual)) for each in block.every_step() if _asks(each)}
+        for block in step.blocks[""]
+    ]
+    found: set[str] = set()
+    for names in replies:
+        if both := found & names:
+            return min(both)
+        found |= names
+    return ""
+
+
+def words_of_shared(name: str) -> str:
+    """Return what is wrong with parallel questions that share the name of their reply."""
+    return f"two parallel questions name their reply {name!r}: give each its own as:"
+
+
 def _given_by(word: str, tree: dict[str, MarkedValue]) -> set[str]:
     """Return the names that a step gives, its defaults included."""
     found = set()
@@ -319,6 +341,10 @@ def _texts(value: ArgumentValue) -> tuple[str, ...]:
     if isinstance(value, tuple):
         return tuple(item for item in value if isinstance(item, str))
     return (value,) if isinstance(value, str) else ()
+
+
+def _asks(step: TaskStep) -> bool:
+    return step.kind is StepKind.ASK
 
 
 def _flies(step: TaskStep) -> bool:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import logging
-import re
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,21 +12,11 @@ from housefly.errors import StoreError, TaskError
 from housefly.tasks.api.answers import ClipInfo, ClipsAnswer
 from housefly.tasks.api.questions import ClipsQuestion, DeleteClip, KeepClip
 from housefly.tasks.api.values import ReasonCode
-from housefly.tasks.evidence.clip_store import ADOPTED, ClipRow, ClipTable, ClipView
-from housefly.tasks.evidence.clip_writer import (
-    CLIP_SUFFIX,
-    PART_SUFFIX,
-    duration_of,
-    finish_leftover,
-)
-from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX
-
-_LOG = logging.getLogger(__name__)
-SUFFIXES = {"clip": CLIP_SUFFIX, "snapshot": SNAPSHOT_SUFFIX}
-"""Kinds of evidence and how their files end."""
-_NAME = re.compile(r"[0-9a-zA-Z-]{1,60}")
-_DAY = 86_400.0
-_GIGABYTE = 1e9
+from housefly.tasks.evidence.clip_clock import ClockLook
+from housefly.tasks.evidence.clip_export import ClipExport, exported
+from housefly.tasks.evidence.clip_recovery import recover_clips
+from housefly.tasks.evidence.clip_retention import ClipRetention
+from housefly.tasks.evidence.clip_store import ClipRow, ClipTable, ClipView
 
 
 class ClipIndex:
@@ -46,8 +34,14 @@ class ClipIndex:
     def __init__(
         self, folder: Path, config: TasksConfig, wall: Callable[[], float] = time.time
     ) -> None:
-        self._folder, self._config, self._wall = folder, config, wall
+        self._folder, self._wall = folder, wall
         self._table = ClipTable(folder)
+        self._retention = ClipRetention(self._table, folder, config)
+
+    @property
+    def notices(self) -> tuple[str, ...]:
+        """What people should know of the clips, in words; as of the last look."""
+        return self._retention.notices
 
     def close(self) -> None:
         """Close the index."""
@@ -64,22 +58,31 @@ class ClipIndex:
                 return ClipsAnswer((self.delete(question.clip, question.by),))
 
     def find(self, question: ClipsQuestion) -> ClipsAnswer:
-        """Return the clips that a question means, the newest first; raises StoreError."""
+        """Return the clips that a question means, the newest first.
+
+        Raises:
+            TaskError: the clip that they should be older than is gone.
+            StoreError: the index does not answer.
+        """
         until = float("inf") if question.until is None else question.until
+        before = self._whole(question.before) if question.before else None
         rows = self._table.rows(
             "whole AND began_at + duration >= ? AND began_at <= ?"
             " AND (? = '' OR place = ? COLLATE NOCASE) AND (? = '' OR thing = ? COLLATE NOCASE)"
             " AND (? = 0 OR task = ?) AND (? = '' OR EXISTS (SELECT 1 FROM json_each(people)"
-            " WHERE value = ? COLLATE NOCASE))",
+            " WHERE value = ? COLLATE NOCASE)) AND (? = '' OR cause = ?)"
+            " AND (? IS NULL OR (began_at, id) < (?, ?))",
             *(question.since, until, question.place, question.place),
             *(question.thing, question.thing, question.task, question.task),
-            *(question.person, question.person),
+            *(question.person, question.person, question.caused_by, question.caused_by),
+            *((before.began_at, before.began_at, before.id) if before else (None, None, None)),
+            limit=question.limit,
         )
-        return ClipsAnswer(tuple(self._info(row) for row in rows[: question.limit]))
+        return ClipsAnswer(tuple(self._info(row) for row in rows))
 
     def file(self, name: str) -> Path:
         """Return the file of a clip; raises TaskError when there is none."""
-        return self._path(self._whole(name))
+        return self._folder / self._whole(name).file_name
 
     def info(self, name: str) -> ClipInfo:
         """Return what is known of a clip; raises TaskError when there is none."""
@@ -91,6 +94,10 @@ class ClipIndex:
         self._table.saw(row.id, ClipView(self._wall(), who, what))
         return self._info(row)
 
+    def export(self, names: Sequence[str], who: str) -> ClipExport:
+        """Return clips to export, and write down who does; raises TaskError, StoreError."""
+        return exported(self, names, who)
+
     def views(self, name: str) -> tuple[ClipView, ...]:
         """Return who did what with a clip, also with one that is gone."""
         return self._table.views(name)
@@ -100,16 +107,18 @@ class ClipIndex:
         row = replace(self._whole(name), kept=kept)
         self._table.put(row)
         self._table.saw(row.id, ClipView(self._wall(), who, "kept" if kept else "not kept"))
+        self._retention.weigh()
         return self._info(row)
 
     def delete(self, name: str, who: str) -> ClipInfo:
         """Delete a clip at once, a kept one too; raises TaskError, StoreError."""
         row = self._whole(name)
         try:
-            self._remove(row)
+            self._retention.remove(row)
         except OSError as error:
             raise StoreError(f"the clip {name} cannot be deleted: {error.strerror}") from error
         self._table.saw(row.id, ClipView(self._wall(), who, "deleted"))
+        self._retention.weigh()
         return self._info(row)
 
     def begin(self, row: ClipRow) -> None:
@@ -125,81 +134,23 @@ class ClipIndex:
         self._table.remove(name)
 
     def expire(self, now: float) -> tuple[str, ...]:
-        """Delete what is too old, then the oldest of what is too much; return their ids.
+        """Delete what is too old at a time [Unix time, s], then the oldest of what is too much.
 
-        Kept ones stay, and count as space, but not against those of the last day: else each new
-        one would go as soon as it is whole. What cannot be deleted is tried again the next time.
-        May raise StoreError.
-
-        Args:
-            now: [Unix time, s].
+        Return their ids. May raise StoreError.
         """
-        gone = []
-        rows = self._table.rows("whole")  # the newest first
-        space = sum(row.size for row in rows) - self._config.clip_space_gb * _GIGABYTE
-        kept = sum(row.size for row in rows if row.kept)
-        for row in reversed(rows):
-            until = self._keep_until(row)
-            excess = space - kept if row.began_at + row.duration > now - _DAY else space
-            if until is None or (until > now and excess <= 0):
-                continue
-            try:
-                self._remove(row)
-            except OSError as error:
-                _LOG.error("the clip %s cannot be deleted: %s", row.id, error)
-                continue
-            self._table.saw(row.id, ClipView(now, "housefly", "expired"))
-            space -= row.size
-            gone.append(row.id)
-        if space > 0:
-            _LOG.warning(
-                "clips take more than tasks.clip_space_gb = %g: delete some of those that are kept",
-                self._config.clip_space_gb,
-            )
-        return tuple(gone)
+        return self._retention.expire(now)
+
+    def tidy(self, look: ClockLook | None = None, *, is_right: bool = False) -> tuple[str, ...]:
+        """Delete what is too old now, as far as the clock is believed (``ClipRetention.tidy``)."""
+        look = ClockLook(self._wall()) if look is None else look
+        return self._retention.tidy(look, is_right=is_right)
 
     def recover(self) -> tuple[str, ...]:
         """Finish or remove what a crash left, and return the ids of clips that were finished.
 
         To be called before anything records. May raise StoreError and OSError.
         """
-        finished = []
-        for row in self._table.rows("NOT whole"):
-            path = self._path(row)
-            part = path.with_name(row.id + PART_SUFFIX)
-            try:
-                if part.exists():
-                    finish_leftover(part)
-            except OSError as error:
-                _LOG.error("the clip %s is tried again at the next start: %s", row.id, error)
-                continue
-            if path.exists() and path.stat().st_size:
-                self._table.put(_measured(row, path))
-                finished.append(row.id)
-            else:
-                path.unlink(missing_ok=True)
-                self._table.remove(row.id)
-        for row in self._table.rows("whole"):
-            if not self._path(row).exists():
-                self._table.remove(row.id)
-        self._adopt_files()
-        return tuple(finished)
-
-    def _adopt_files(self) -> None:
-        """Take up whole files that no row knows, and remove torn ones: nothing lies for ever."""
-        known = {row.id for row in self._table.rows()}
-        kinds = {suffix: kind for kind, suffix in SUFFIXES.items()}
-        for path in sorted(self._folder.iterdir()):
-            name, dot, suffix = path.name.partition(".")
-            if name in known or not _NAME.fullmatch(name):
-                continue
-            if kind := kinds.get(dot + suffix):
-                row = ClipRow(name, kind, 0, "", "", "", (), "", path.stat().st_mtime)
-                self._table.put(_measured(row, path))
-                # Whether somebody wanted it kept is lost: its days begin anew.
-                self._table.saw(name, ClipView(self._wall(), "housefly", ADOPTED))
-            elif suffix.startswith(("mp4.", "jpg.")):
-                path.unlink(missing_ok=True)
+        return recover_clips(self._table, self._folder, self._wall)
 
     def _whole(self, name: str) -> ClipRow:
         rows = self._table.rows("id = ? AND whole", name)
@@ -207,27 +158,11 @@ class ClipIndex:
             raise TaskError(f"there is no clip {name!r}", ReasonCode.BAD_PARAMETER.value)
         return rows[0]
 
-    def _path(self, row: ClipRow) -> Path:
-        return self._folder / f"{row.id}{SUFFIXES[row.kind]}"
-
-    def _remove(self, row: ClipRow) -> None:
-        self._path(row).unlink(missing_ok=True)
-        self._table.remove(row.id)
-
-    def _keep_until(self, row: ClipRow) -> float | None:
-        days = self._config.clip_days if row.kind == "clip" else self._config.snapshot_days
-        since = max(row.began_at + row.duration, self._table.adopted_at(row.id))
-        return None if row.kept else since + days * _DAY
-
     def _info(self, row: ClipRow) -> ClipInfo:
         return ClipInfo(
             *(row.id, row.kind, row.task, row.service, row.place, row.thing, row.people),
             *(row.cause, row.began_at, row.duration, row.size),
-            keep_until=self._keep_until(row),
+            keep_until=self._retention.keep_until(row),
             blanked=row.blanked,
+            cut_off=row.cut_off,
         )
-
-
-def _measured(row: ClipRow, path: Path) -> ClipRow:
-    duration = duration_of(path) if row.kind == "clip" else 0.0
-    return replace(row, duration=duration, size=path.stat().st_size, whole=True)

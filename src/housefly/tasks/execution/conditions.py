@@ -8,6 +8,7 @@ from housefly.errors import HouseflyError
 from housefly.hub.api.questions import StateQuestion, WhereQuestion
 from housefly.tasks.document.step_forms import CONDITION_FORMS
 from housefly.tasks.document.steps import ConditionKind, TaskCondition
+from housefly.tasks.execution.last_seen import ANYBODY, age_of
 from housefly.tasks.execution.run_context import RunContext
 
 SURE = 0.7
@@ -46,15 +47,19 @@ def _reply(condition: TaskCondition, context: RunContext) -> bool:
 
 def _stale(condition: TaskCondition, context: RunContext) -> bool:
     """What was never seen is stale; what the catalogue has standing for good is not."""
-    older = condition.arguments.get("older")
+    older, thing = condition.arguments.get("older"), _text(condition, "thing", context)
     limit = older if isinstance(older, float) else 300.0
+    age = age_of(thing, context)
+    if thing == ANYBODY or (age is not None and age > limit):
+        return age is None or age > limit
     try:
-        answer = context.room.ask(WhereQuestion(_text(condition, "thing", context)))
+        answer = context.room.ask(WhereQuestion(thing))
     except HouseflyError:
-        return True
+        return age is None
     if answer.age is None:
-        return answer.position is None
-    return bool(answer.age > limit or answer.confidence < SURE)
+        return age is None and answer.position is None
+    is_of_memory = age is None or age >= answer.age
+    return bool(is_of_memory and answer.confidence < SURE)
 
 
 def _doubtful(condition: TaskCondition, context: RunContext) -> bool:

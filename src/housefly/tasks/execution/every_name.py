@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from housefly.errors import LinkError
 from housefly.geometry import Vec2, distance
 from housefly.hub.api.answers import ThingAnswer
 from housefly.hub.api.questions import CatalogueQuestion, PeopleQuestion
@@ -13,14 +14,22 @@ _PLACE, _HOME = "place-", "home"
 
 
 def every_name(every: str, context: RunContext) -> list[str]:
-    """Return ids: of places, each the nearest to the one before; or of people who are here."""
+    """Return ids: of places, each the nearest to the one before; or of people who are here.
+
+    A room without named places is gone round by viewpoints that together see its floor.
+    """
     if every == "every person":
         people = context.room.ask(PeopleQuestion()).people
         found = [each for each in people if each.present != "no"]
         context.titles.update({each.person: each.name for each in found})
         return [each.person for each in found][:NAMES_MAX]
-    known = context.room.ask(CatalogueQuestion("place")).things
+    try:
+        known = context.room.ask(CatalogueQuestion("place")).things
+    except LinkError:
+        known = ()  # the room itself has names, too
     places = [each for each in known if each.thing.removeprefix(_PLACE) != _HOME]
+    if not places:
+        return list(context.room.round_names())[:NAMES_MAX]
     context.titles.update({each.thing: each.name for each in places})
     here = context.inputs.position
     return [each.thing for each in _in_order(places, (0.0, 0.0) if here is None else here[:2])]

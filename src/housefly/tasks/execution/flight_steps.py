@@ -1,4 +1,4 @@
-"""Steps that take off, fly somewhere, come home and land."""
+"""Steps that take off and fly somewhere."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
 from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.execution.last_seen import ANYBODY
 from housefly.tasks.execution.order_tracker import ANSWER_TIME
 from housefly.tasks.execution.run_context import RunContext
 from housefly.tasks.execution.step_behavior import StepBehavior, StepFailed
@@ -34,8 +35,6 @@ REGO_DISTANCE = 0.5
 """... when it moved more than this [m]."""
 FACE_HEIGHT = 1.5
 """Of a person whose posture nobody knows [m]."""
-ANYBODY = "anybody"
-"""The subject that means whoever is seen nearest."""
 _OLD = "orders expire"
 _WORDS_OF_CODE = (("battery", ReasonCode.BATTERY), ("free place", ReasonCode.NO_WAY),
                   ("no way", ReasonCode.NO_WAY))  # fmt: skip
@@ -76,7 +75,9 @@ class FlightStep(StepBehavior):
         """Return the order."""
 
     def send(self) -> None:
-        """Give the order, now."""
+        """Give the order, now; raises StepFailed when it would take off again after the end."""
+        if self.context.is_ending and self.context.stands:
+            raise StepFailed("a task that ends does not take off again")
         self._tries += 1
         self.context.give(self.order())
 
@@ -125,41 +126,6 @@ class TakeOff(FlightStep):
         if inputs.phase is not Phase.TAKING_OFF:
             self.is_accepted()
         return False
-
-
-class Descent(FlightStep):
-    """Comes down, by one kind of order; done when the drone stands."""
-
-    KIND = OrderKind.HOME
-
-    def order(self) -> Order:
-        """Return the order."""
-        return Order(self.KIND)
-
-    def is_done_already(self) -> bool:
-        """Return whether it stands, or is landing anyway."""
-        return self.context.stands or self.context.inputs.phase is Phase.LANDING
-
-    def proceed(self) -> bool:
-        """Wait until it stands."""
-        if self.context.stands and not self.context.orders.is_open(self.context.inputs.now):
-            return True
-        if self.context.inputs.status is DroneStatus.EMERGENCY:
-            raise StepFailed("the motors are off: the drone fell or was cut", ReasonCode.SAFETY)
-        if self.context.orders.order is not None and self.context.inputs.phase is not Phase.LANDING:
-            self.is_accepted()
-        return False
-
-
-class ReturnHome(Descent):
-    """Flies home and lands on the pad."""
-
-
-class Land(Descent):
-    """Lands where the drone is."""
-
-    KIND = OrderKind.LAND
-    LIMIT = 90.0
 
 
 class GoTo(FlightStep):

@@ -46,12 +46,25 @@ class Changes(StepBehavior):
         now = self.context.inputs.unix
         since = self.argument("since")
         then = now - since if isinstance(since, float) else last_time(self.context)
-        lines = changes_between(self.context, then, self.text("thing"))
+        if then is None:
+            lines = ["Done for the first time: there is nothing to compare with yet"]
+        else:
+            lines = changes_between(self.context, then, self.text("thing"))
+        if then is not None and not lines:
+            lines = [f"Nothing came, went or moved in the last {_duration(now - then)}"]
         self.context.actions += [Report(line) for line in lines[:LINES_MAX]]
 
 
+def _duration(seconds: float) -> str:
+    """Return a time in words [s]."""
+    for unit, length in (("days", 86_400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2.0 * length:
+            return f"{seconds / length:.0f} {unit}"
+    return f"{seconds:.0f} s"
+
+
 class CheckPeople(StepBehavior):
-    """Reports how everybody is, and names who may need help or is missing."""
+    """Reports how everybody is; names who may need help, is missing, or is not known of."""
 
     def begin(self) -> None:
         """Ask, report, and remember whom it is about."""
@@ -63,3 +76,4 @@ class CheckPeople(StepBehavior):
             context.results.pop(self.text(name), None)
             if who is not None:
                 context.found(self.text(name), *who)
+        context.results[self.text("unsure")] = found.unsure

@@ -32,9 +32,10 @@ DECISIONS: dict[str, ReasonCode] = {
     "sinking": ReasonCode.SAFETY,
     "emergency": ReasonCode.SAFETY,
     "take_off_given_up": ReasonCode.SAFETY,
+    "cornered_landing": ReasonCode.SAFETY,
 }
 """Events of the pilot that end a task, because the pilot flies on by itself."""
-_ENDS_HOMING = frozenset({"forced_down", "emergency"})
+_ENDS_HOMING = frozenset({"forced_down", "emergency", "cornered_landing"})
 """Of those the ones that end a flight home, too; the others only bring it home."""
 _NOT_TAKING_OVER = frozenset({OrderKind.RESET, OrderKind.RESUME})
 _DOWN_MODES = frozenset({SafetyMode.LAND, SafetyMode.DESCEND})
@@ -118,7 +119,9 @@ class OrderTracker:
         ):
             self.trouble = event.text
         elif event.code in DECISIONS:
-            return Interference(DECISIONS[event.code], event.text)
+            is_gates = event.code == "forced_down"
+            why = _why(inputs) if is_gates else ""
+            return Interference(DECISIONS[event.code], f"{event.text}{why}")
         return None
 
     def _heard_accepted(self, event: Event) -> Interference | None:
@@ -150,11 +153,9 @@ class OrderTracker:
 
     def _by_gate(self, inputs: TaskInputs) -> Interference | None:
         if inputs.safety in _DOWN_MODES and not self._lands_for_us(inputs):
-            why = f": {inputs.warnings[0]}" if inputs.warnings else ""
-            return Interference(ReasonCode.SAFETY, f"landing for safety{why}")
+            return Interference(ReasonCode.SAFETY, f"landing for safety{_why(inputs)}")
         if inputs.safety is SafetyMode.RETURN and not self.is_homing:
-            why = f": {inputs.warnings[0]}" if inputs.warnings else ""
-            return Interference(ReasonCode.SAFETY, f"coming home for safety{why}")
+            return Interference(ReasonCode.SAFETY, f"coming home for safety{_why(inputs)}")
         return None
 
     def _lands_for_us(self, inputs: TaskInputs) -> bool:
@@ -180,6 +181,11 @@ class OrderTracker:
             return None
         words = f"the drone is {inputs.phase.value}, which this task did not order"
         return Interference(ReasonCode.PERSON_TOOK_OVER, words)
+
+
+def _why(inputs: TaskInputs) -> str:
+    """Return what is wrong, the worst first, to end a sentence with; "" when nothing is told."""
+    return f": {inputs.warnings[0]}" if inputs.warnings else ""
 
 
 def _asked(event: Event) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from housefly.errors import HouseflyError
@@ -12,6 +13,8 @@ from housefly.tasks.execution.run_context import RunContext
 NIGHT = 12 * 3600.0
 """Beds are asked about as far back as this [s]."""
 ON_THE_FLOOR = "on the floor"
+_VISITOR = "visitor"
+"""A guest whom nobody sees is not here: how they are is no question."""
 
 Named = tuple[str, str]
 """An id, and what people call it."""
@@ -27,11 +30,15 @@ class PeopleCheck:
 
 @dataclass(frozen=True, slots=True)
 class PeopleFound:
-    """How everybody is, one line each; who may have fallen; who left their bed and is not seen."""
+    """How everybody is, one line each; who may have fallen; who left their bed and is not seen.
+
+    ``unsure`` names those of whom nobody knows how they are, "" for none.
+    """
 
     lines: tuple[str, ...]
     in_need: Named | None
     missing: Named | None
+    unsure: str = ""
 
 
 def check_people(context: RunContext, person: str, check: PeopleCheck) -> PeopleFound:
@@ -45,7 +52,8 @@ def check_people(context: RunContext, person: str, check: PeopleCheck) -> People
     Raises:
         HouseflyError: the memory does not answer, or knows no such person.
     """
-    people: tuple[PersonAnswer, ...] = context.room.ask(PeopleQuestion(person)).people
+    known: tuple[PersonAnswer, ...] = context.room.ask(PeopleQuestion(person)).people
+    people = [each for each in known if each.person != _VISITOR or not _is_unknown(each)]
     lines = [each.words[:1].upper() + each.words[1:] for each in people]
     fallen = [each for each in people if _may_have_fallen(each, check.sure)]
     worst = max(fallen, key=lambda each: each.fallen, default=None)
@@ -59,6 +67,7 @@ def check_people(context: RunContext, person: str, check: PeopleCheck) -> People
         tuple(lines),
         None if worst is None else (worst.person, worst.name),
         None if missing is None else missing[0],
+        " and ".join(each.name for each in people if _is_unknown(each)),
     )
 
 
@@ -68,8 +77,12 @@ def _may_have_fallen(person: PersonAnswer, sure: float) -> bool:
     return person.fallen >= sure or (lies and person.confidence >= sure)
 
 
+def _is_unknown(person: PersonAnswer) -> bool:
+    return person.present != "no" and not person.posture and person.confidence <= 0.0
+
+
 def _missing(
-    context: RunContext, people: tuple[PersonAnswer, ...], away: float
+    context: RunContext, people: Iterable[PersonAnswer], away: float
 ) -> tuple[Named, float] | None:
     """Return who left their bed in this night, did not come back and is not seen; and when."""
     now = context.inputs.unix

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from math import inf
 
 from housefly.errors import HouseflyError
 from housefly.hub.api.questions import WhereQuestion
@@ -51,6 +52,8 @@ class RunContext:
         faced: id of the person whom the drone faces, or "".
         station: the order that brought the drone to where it hovers; None on the ground.
         has_flown: whether the task ordered anything that flies.
+        is_ending: whether it only comes down any more: what landed stays down.
+        home_refused_at: when the pilot refused the way home for good, on its clock [s].
         flights: steps that fly now.
         clips: clips that steps record now, inside each other.
     """
@@ -69,6 +72,8 @@ class RunContext:
     faced: str = ""
     station: Order | None = None
     has_flown: bool = False
+    is_ending: bool = False
+    home_refused_at: float = -inf
     flights: int = 0
     clips: int = 0
 

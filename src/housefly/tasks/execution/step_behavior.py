@@ -111,7 +111,7 @@ class StepBehavior(Behaviour):
             if self.proceed():
                 return Status.SUCCESS
             if self.elapsed > self.limit():
-                words = f"{self.note.words or self.name} took longer than {self.limit():.0f} s"
+                words = f"{self.note.words or self.name} took longer than {self.limit():.3g} s"
                 raise StepFailed(words, ReasonCode.TIMEOUT)
         except StepFailed as error:
             self.context.failure = (error.code, str(error))

@@ -47,3 +47,7 @@ class TaskRoom(Protocol):
             TaskError: UNKNOWN_PLACE, UNKNOWN_THING or NO_VIEW, in one sentence.
         """
         ...
+
+    def round_names(self) -> tuple[str, ...]:
+        """Return what a round looks at: named places, or else viewpoints that see the floor."""
+        ...

@@ -15,7 +15,7 @@ from housefly.tasks.execution.run_context import RunContext
 from housefly.tasks.execution.station import way_to_station
 from housefly.tasks.execution.task_room import TaskRoom
 from housefly.tasks.execution.tree import tree_of
-from housefly.tasks.execution.values import PersonReply, TaskAction, TaskInputs
+from housefly.tasks.execution.values import PersonReply, Say, TaskAction, TaskInputs
 
 TASK_TIME_MAX = 3600.0
 """No task takes longer than this [s], whatever its document says."""
@@ -23,10 +23,16 @@ HOLD_PERIOD = 30.0
 """A hovering drone is told to stay this often [s]: the pilot brings home one that hears nothing."""
 PAUSE_TIME_MAX = 600.0
 """A drone whose task is paused for longer [s] is left to the pilot, which brings it home."""
+CANCEL_TIME_MAX = 60.0
+"""What ``on_cancel`` does before it comes down may take so long in all [s]; then it comes home."""
+HOME_REFUSED_TIME = 5.0
+"""A way home that was refused for good so short a time ago is not tried again [s]."""
 HOLD_REPEAT = 1.0
 """A paused drone that still moves is told to hover again after this [s]."""
 LAND = (TaskStep(StepKind.LAND),)
 """What brings the drone down when it cannot come home."""
+WAYS_DOWN = (RETURN_HOME, LAND)
+"""What ends a flight, the next when the one before cannot be done."""
 _MOVING = frozenset({Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING})
 _UNFINISHED = frozenset({TaskStepState.WAITING, TaskStepState.RUNNING})
 
@@ -49,6 +55,7 @@ class TaskRun:
         self._tree = tree_of(task.steps, self._context)
         self._closing: Behaviour | None = None
         self._closings: list[tuple[TaskStep, ...]] = []
+        self._closing_since, self._is_hurried = 0.0, False
         self._end: _End | None = None
         self._station: Behaviour | None = None
         self._station_time, self._was_paused = 0.0, False
@@ -56,6 +63,7 @@ class TaskRun:
         self._held_since: float | None = None
         self._unheard: tuple[PersonReply, ...] = ()
         self._held_at = 0.0
+        self._moved_at = float("-inf")
 
     @property
     def steps(self) -> tuple[TaskStepStatus, ...]:
@@ -80,12 +88,21 @@ class TaskRun:
         return is_still and not is_open and not context.clips and self._end is None
 
     def cancel(self, words: str) -> None:
-        """End it: in the air it does what its document says, on the ground nothing moves."""
-        if self.is_over or (self._end is not None and self._end[0] is not TaskStage.DONE):
+        """End it: in the air it does what its document says, on the ground nothing moves.
+
+        The second time it leaves out the rest of that, and comes home.
+        """
+        if self.is_over:
+            return
+        if self._end is not None and self._end[0] is not TaskStage.DONE:
+            self._is_hurried = True
+            self.resume()
             return
         is_closing = self._end is not None
         self._end = (TaskStage.CANCELLED, ReasonCode.CANCELLED, words)
-        if self.stage is TaskStage.PAUSED:
+        if is_closing:
+            self.resume()
+        elif self.stage is TaskStage.PAUSED:
             self.stage, self._last = TaskStage.RUNNING, None
         if not is_closing:
             self._tree.stop(Status.INVALID)
@@ -114,6 +131,8 @@ class TaskRun:
         # A reply that comes while the tree stands still is heard when it goes on.
         self._unheard += inputs.replies
         context.inputs = replace(inputs, replies=())
+        if not context.hovers:
+            self._moved_at = inputs.now
         interference = context.orders.update(inputs) if self.task.flies else None
         if interference is not None:
             taken = interference.code is ReasonCode.PERSON_TOOK_OVER
@@ -188,15 +207,37 @@ class TaskRun:
             return
         if self._closing is None and self._must_come_down():
             self._closings = self._ways_down()
-        elif self._closing is not None:
+        elif self._closing is not None and not self._is_cut_short(self._closing):
             self._tick(self._closing)
         while self._must_come_down() and self._closings and not self._is_closing():
-            self._closing = tree_of(self._closings.pop(0), self._context)
-            self._tick(self._closing)
+            self._begin_closing(self._closings.pop(0))
         if self._is_closing():
             self._stay_alive()
         else:
             self._finish(self._end)
+
+    def _begin_closing(self, steps: tuple[TaskStep, ...]) -> None:
+        """Go on with the next way down; one that was just refused for long is left out."""
+        context = self._context
+        if context.inputs.now - context.home_refused_at < HOME_REFUSED_TIME:
+            if steps == RETURN_HOME:
+                return
+            if steps == LAND:
+                context.actions.append(Say("It cannot come home: landing where it is safe"))
+        context.is_ending = True
+        self._closing, self._closing_since = tree_of(steps, context), context.time
+        self._tick(self._closing)
+
+    def _is_cut_short(self, closing: Behaviour) -> bool:
+        """Give up what is done on a cancel when it takes too long, unless it comes down."""
+        context = self._context
+        is_late = context.time - self._closing_since > CANCEL_TIME_MAX
+        is_last = len(self._closings) < len(WAYS_DOWN)
+        comes_down = context.orders.is_homing and context.is_airborne
+        if is_last or comes_down or not (self._is_hurried or is_late):
+            return False
+        closing.stop(Status.INVALID)
+        return True
 
     def _must_come_down(self) -> bool:
         """Whether this task has the drone in the air; a person's own flight is none of its."""
@@ -217,7 +258,7 @@ class TaskRun:
             return [LAND]  # it stands yet: nothing moves
         is_cancelled = self._end is not None and self._end[0] is TaskStage.CANCELLED
         first = [self.task.on_cancel] if is_cancelled else []
-        return [*first, RETURN_HOME, LAND]
+        return [*first, *WAYS_DOWN]
 
     def _hold(self) -> None:
         """Hover while paused; a landing is not held up."""
@@ -232,10 +273,11 @@ class TaskRun:
             context.give(Order(OrderKind.HOVER))
 
     def _stay_alive(self) -> None:
-        """Tell a drone that hovers for long to stay."""
+        """Tell a drone that hovers for long to stay; one that just arrived may still turn."""
         context = self._context
         is_ours = context.has_flown and context.hovers
-        if is_ours and context.inputs.now - context.orders.given_at > HOLD_PERIOD:
+        since = max(context.orders.given_at, self._moved_at)
+        if is_ours and context.inputs.now - since > HOLD_PERIOD:
             context.give(Order(OrderKind.HOVER))
 
     def _finish(self, end: _End | None) -> None:

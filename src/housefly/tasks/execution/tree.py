@@ -19,7 +19,8 @@ from housefly.tasks.execution.composition import (
     Rounds,
     TimeLimit,
 )
-from housefly.tasks.execution.flight_steps import GoTo, Land, LookAt, ReturnHome, TakeOff
+from housefly.tasks.execution.descents import Land, ReturnHome
+from housefly.tasks.execution.flight_steps import GoTo, LookAt, TakeOff
 from housefly.tasks.execution.memory_steps import Changes, CheckPeople, Contents, Find
 from housefly.tasks.execution.room_steps import (
     Announce,

@@ -10,7 +10,6 @@ from housefly.geometry import Vec3, distance, wrap_angle
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import (
-    ANYBODY,
     FACING_TIME,
     FACING_WITHIN,
     REGO_PERIOD,
@@ -18,11 +17,15 @@ from housefly.tasks.execution.flight_steps import (
     has_moved,
     nearest_person,
 )
+from housefly.tasks.execution.last_seen import ANYBODY, age_of
 from housefly.tasks.execution.step_behavior import StepFailed
+from housefly.tasks.execution.values import Say
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
 SWEEP_RADIUS = 2.0
 """The points faced in a panorama lie so far around the drone [m]."""
+UNSEEN_TIME = 3.0
+"""Whom nothing saw for longer [s] is not flown after, wherever the memory has them."""
 COMFORT_DISTANCE = PeopleConfig().comfort_distance + PeopleConfig().body_radius
 """No step asks to hover nearer to where somebody stands [m]; the pilot keeps its own distance."""
 
@@ -80,21 +83,28 @@ class Sweep(FlightStep):
 
 
 class Follow(FlightStep):
-    """Keeps a person in view: flies anew when where they are seen from moved."""
+    """Keeps a person in view: flies anew when where they are seen from moved.
+
+    Where the memory has somebody is no sight of them: whoever is not seen for a time is lost. Then
+    the drone hovers, says so, looks where they were last if it is told to, and gives up.
+    """
 
     def begin(self) -> None:
         """Set off to where the person is seen from."""
         self._asked = self._seen = self.context.time
+        self._waits = self._searches = False
         self._origin = self.context.inputs.position
         self._who = self.text("person")
         if self._who == ANYBODY:
             self._who = nearest_person(self.context, self._origin)
             self.context.faced = self._who
-        self._view = self.context.room.viewpoint(self._who, self._origin)
+        self._view = self._fresh = self.context.room.viewpoint(self._who, self._origin)
         super().begin()
 
     def order(self) -> Order:
         """Return the order."""
+        if self._waits and not self._searches:
+            return Order(OrderKind.HOVER)
         return Order(OrderKind.GO, goal=self._view.position, look_at=self._view.look_at)
 
     def proceed(self) -> bool:
@@ -102,25 +112,52 @@ class Follow(FlightStep):
         self.is_accepted()
         if self.context.time - self._asked >= REGO_PERIOD:
             self._asked = self.context.time
-            self._keep_up()
-        if self.context.time - self._seen > self.number("lost_after"):
-            words = f"{self.context.title_of(self._who)} is out of sight"
+            self._look()
+        unseen, patience = self.context.time - self._seen, self.number("lost_after")
+        if unseen > patience + self.number("search"):
+            words = f"{self.context.title_of(self._who)} was not seen for {unseen:.0f} s"
             raise StepFailed(words, ReasonCode.UNKNOWN_THING)
+        if unseen > patience and not self._searches:
+            self._waits = self._searches = True
+            self._view = self._fresh
+            self._turn("is lost: looking where they were last")
+        elif unseen > UNSEEN_TIME and not self._waits:
+            self._waits = True
+            self._turn(f"was not seen for {unseen:.0f} s: waiting here")
         return self.elapsed >= self.number("time")
 
     def limit(self) -> float:
         """Return the longest time that it may take [s]."""
         return self.number("time") + 1.0
 
-    def _keep_up(self) -> None:
+    def _look(self) -> None:
+        """Note when the person was seen last; fly after who is seen."""
+        age = age_of(self._who, self.context)
+        if age is not None:
+            self._seen = max(self._seen, self.context.time - age)
+        if age is None or age > UNSEEN_TIME:
+            return
         try:
             view = self.context.room.viewpoint(self._who, self.context.inputs.position)
         except HouseflyError:
             return
-        self._seen = self.context.time
-        if has_moved(self._view, view) and not self._is_too_near(view):
+        self._fresh = view
+        if self._is_too_near(view):
+            return
+        if self._waits:
+            self._waits = self._searches = False
+            self._view = view
+            self._turn("is seen again")
+        elif has_moved(self._view, view):
             self._view, self._tries = view, 0
             self.send()
+
+    def _turn(self, what: str) -> None:
+        """Say what became of the person, and order what follows from it."""
+        words = f"{self.context.title_of(self._who)} {what}"
+        self.context.actions.append(Say(words[:1].upper() + words[1:]))
+        self._tries = 0
+        self.send()
 
     def _is_too_near(self, view: Viewpoint) -> bool:
         return any(

@@ -37,6 +37,11 @@ class Recognizer:
         self._spoken = lru_cache(_ROOMS_KEPT)(lambda names: spoken_names(names, self.book))
         self._lock = threading.Lock()
 
+    def is_only_stop(self, text: str) -> bool:
+        """Return whether a text is nothing but STOP, whatever there is in the room."""
+        said = folded(without_quotes(text)[0], self.book.language)
+        return is_only_stop_words(said, self.book.skip_words)
+
     def recognize(self, text: str, names: Names) -> Recognition:
         """Return what a sentence means among the names of a room.
 
@@ -91,7 +96,8 @@ class Recognizer:
         if not meant.unknown:
             return self._refused(text, "not_understood", meant=meant.sentences)
         code = ReasonCode.UNKNOWN_THING
-        return self._refused(text, "unknown_name", code, meant.sentences, meant.unknown)
+        name = _as_said(meant.unknown, text, self.book.language)
+        return self._refused(text, "unknown_name", code, meant.sentences, name)
 
     def _which_one(self, text: str, error: AmbiguousName) -> NotUnderstood:
         say = phrases(self.book.language)
@@ -113,6 +119,17 @@ class Recognizer:
         if meant:
             words = say.joined(words, say("did_you_mean", sentences=say.listed(meant, "or")))
         return NotUnderstood(text, self.book.language, words, meant, code)
+
+
+def _as_said(name: str, text: str, language: Language) -> str:
+    """Return a folded name as it stands in a text, capitals, umlauts and all."""
+    words = text.strip(" ?!.。").split()
+    parts = (
+        " ".join(words[begin:end])
+        for begin in range(len(words))
+        for end in range(begin + 1, len(words) + 1)
+    )
+    return next((part for part in parts if folded(part, language) == name), name)
 
 
 @cache

@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from housefly.tasks.intents.intent import LANGUAGES
 from housefly.tasks.intents.sentence_book import all_stop_words
-from housefly.tasks.intents.spoken_text import occurrences
+from housefly.tasks.intents.spoken_text import folded, occurrences
 
 
 def has_stop_word(said: str) -> bool:
     """Return whether a folded sentence has a STOP word in it."""
     return any(occurrences(stop, said) for stop in all_stop_words())
+
+
+def says_stop(text: str) -> bool:
+    """Return whether a sentence, as said, has a STOP word in it, in any language."""
+    return any(has_stop_word(folded(text, language)) for language in LANGUAGES)
 
 
 def is_only_stop_words(said: str, fillers: Iterable[str]) -> bool:

@@ -26,6 +26,9 @@ _FEWEST_LITERAL = 3
 """A sentence with fewer characters besides an unknown name is none [characters]."""
 _LONGEST_NAME = 40
 _MOST_READINGS = 50
+_CASES = 6
+"""A name has so many forms in a language at most."""
+_MARKS = " ?!.。"
 _WORD = re.compile(r"[^\W\d_]+(?:'[a-z]+)?")
 
 
@@ -49,14 +52,20 @@ def suggested(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> 
         return Suggestion((_written(corrected, book, spoken),))
     unknown = _unknown_name(said, book)
     if unknown:
-        names = list(dict.fromkeys(one.said for one in spoken))
-        close = get_close_matches(unknown, names, _MOST, _NAME_LIKENESS)
-        meant = [said.replace(unknown, name, 1) for name in close]
+        meant = [said.replace(unknown, name, 1) for name in _close_names(unknown, spoken)]
     else:
         examples = tuple(dict.fromkeys(_examples(said, book, spoken)))
         meant = get_close_matches(said, examples, _MOST, _SENTENCE_LIKENESS)
     known = [_written(one, book, spoken) for one in meant if readings(one, book, spoken)]
     return Suggestion(tuple(dict.fromkeys(known)), unknown)
+
+
+def _close_names(unknown: str, spoken: tuple[SpokenName, ...]) -> list[str]:
+    """Return the names that are close to an unknown one, one a subject: not each of its cases."""
+    subjects = {one.said: one.subject for one in reversed(spoken)}
+    close = get_close_matches(unknown, list(subjects), _MOST * _CASES, _NAME_LIKENESS)
+    best = {subjects[name]: name for name in reversed(close)}
+    return sorted(best.values(), key=close.index)[:_MOST]
 
 
 def _written(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> str:
@@ -65,7 +74,7 @@ def _written(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> s
     for one in spoken:
         for word in _WORD.findall(one.shown):
             written.setdefault(folded(word, book.language), word)
-    return _WORD.sub(lambda match: written.get(match[0], match[0]), said)
+    return _WORD.sub(lambda match: written.get(match[0], match[0]), said).rstrip(_MARKS)
 
 
 def _corrected(said: str, book: SentenceBook, spoken: tuple[SpokenName, ...]) -> str:

@@ -7,7 +7,14 @@ from dataclasses import dataclass
 from enum import Enum
 
 from housefly.config.tasks import PrivacyZone
-from housefly.tasks.api.values import Confirm, HouseMode, Priority, ReasonCode, RequestSurface
+from housefly.tasks.api.values import (
+    ATTENDED,
+    Confirm,
+    HouseMode,
+    Priority,
+    ReasonCode,
+    RequestSurface,
+)
 
 
 class UnattendedLaunch(Enum):
@@ -60,8 +67,6 @@ MODE_TABLE = {
     ),
 }
 """All modes; the console, the rules and the camera read the same table."""
-_ATTENDED = frozenset({RequestSurface.CONSOLE, RequestSurface.COMMAND_LINE, RequestSurface.HTTP})
-"""Where a person asks; everywhere else nobody may be looking."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +105,7 @@ def launch_permit(
     allowed = MODE_TABLE[mode]
     if not flies:
         return LaunchPermit(ReasonCode.OK, confirm)
-    if surface in _ATTENDED:
+    if surface in ATTENDED:
         return LaunchPermit(ReasonCode.OK, confirm) if allowed.person else _refused(mode, confirm)
     match allowed.unattended:
         case UnattendedLaunch.AS_ASKED:

@@ -21,8 +21,9 @@ from housefly.config.devices import MqttConfig
 from housefly.config.tasks import TasksConfig
 from housefly.errors import ConfigError, LinkError, TaskError, WireError
 from housefly.tasks.api.json import task_question_to_json, task_refusal_to_json
-from housefly.tasks.api.questions import RehearseTask, TaskQuestion
+from housefly.tasks.api.questions import RehearseTask, Sentence, TaskQuestion
 from housefly.tasks.api.values import ReasonCode
+from housefly.tasks.intents.stop_words import says_stop
 from housefly.tasks.rules.mqtt_requests import ANSWER, client_of, mqtt_question, request_topics
 from housefly.tasks.rules.rule import MqttPattern, Rule
 from housefly.tasks.rules.trigger import MAX_MQTT_PAYLOAD, MqttTrigger
@@ -31,8 +32,9 @@ from housefly.wires.devices import task_topic
 _ENVELOPE = 1024
 """Room for topic and properties beside the longest payload [bytes]."""
 _REQUESTS_PER_MINUTE = 20
+"""Of one client, where they are told apart by their topics; else of all together."""
 _MAX_REPLIES = 8
-"""Requests that are worked on at once; what is more is dropped."""
+"""Requests that are worked on at once; what is more is dropped, but for as many STOPs."""
 _THREADS = 2
 """One for what takes seconds, and one for what does not."""
 _PAUSE = 0.1
@@ -68,10 +70,11 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         self._broker, self._tasks, self._answer, self._wall = broker, tasks, answer, wall
         self._triggers = sorted({topic for rule in rules if (topic := _topic_of(rule))})
         self._requests = request_topics(broker.site, tasks)
-        self._asked: deque[float] = deque(maxlen=_REQUESTS_PER_MINUTE)
+        self._asked = {topic: deque[float](maxlen=_REQUESTS_PER_MINUTE) for topic in self._requests}
         self._outgoing: asyncio.Queue[tuple[str, str]] = asyncio.Queue(_MAX_WAITING)
         self._loop: asyncio.AbstractEventLoop | None = None
         self._threads = ThreadPoolExecutor(_THREADS, "mqtt-requests")
+        self._stop_thread = ThreadPoolExecutor(1, "mqtt-stop")
         self._rehearsal: Future[str] | None = None
 
     async def run(self, sink: MqttSink) -> NoReturn:
@@ -80,7 +83,8 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         try:
             await super().run(sink)
         finally:
-            self._threads.shutdown(wait=False, cancel_futures=True)
+            for threads in (self._threads, self._stop_thread):
+                threads.shutdown(wait=False, cancel_futures=True)
 
     def publish(self, topic: str, payload: str) -> None:
         """Publish to a device; returns at once, from any thread."""
@@ -135,18 +139,32 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         if topic not in self._requests:
             if payload:
                 sink(MqttTrigger(topic, payload, self._wall(), bool(message.retain)))
-        elif payload and not message.retain and len(working) <= _MAX_REPLIES:
+        elif payload and not message.retain:
             # What the broker kept would fly again at each start.
-            reply = asyncio.create_task(self._reply(link, message, payload))
-            working.add(reply)
-            reply.add_done_callback(working.discard)
+            is_stop = self._is_stop(topic, payload)
+            if len(working) <= (2 * _MAX_REPLIES if is_stop else _MAX_REPLIES):
+                reply = asyncio.create_task(self._reply(link, message, payload, is_stop=is_stop))
+                working.add(reply)
+                reply.add_done_callback(working.discard)
 
-    async def _reply(self, link: aiomqtt.Client, message: aiomqtt.Message, payload: bytes) -> None:
+    def _is_stop(self, topic: str, payload: bytes) -> bool:
+        """Return whether somebody says STOP: that is never too much, and waits for nothing."""
+        try:
+            question = mqtt_question(topic, payload, self._tasks)
+        except (TaskError, WireError):
+            return False
+        return isinstance(question, Sentence) and says_stop(question.text)
+
+    async def _reply(
+        self, link: aiomqtt.Client, message: aiomqtt.Message, payload: bytes, *, is_stop: bool
+    ) -> None:
         topic = message.topic.value
         try:
-            self._admit()
+            if not is_stop:
+                self._admit(topic)
             question = mqtt_question(topic, payload, self._tasks)
-            text = await asyncio.wrap_future(self._asked_of_tasks(question))
+            threads = self._stop_thread if is_stop else self._threads
+            text = await asyncio.wrap_future(self._asked_of_tasks(question, threads))
         except (TaskError, WireError) as error:
             text = task_refusal_to_json(error)
         name = client_of(topic)
@@ -154,26 +172,26 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
         with suppress(*MQTT_ERRORS):  # the connection is gone: so is who asked
             await link.publish(where, text, qos=1, properties=_correlation(message))
 
-    def _asked_of_tasks(self, question: TaskQuestion) -> Future[str]:
+    def _asked_of_tasks(self, question: TaskQuestion, threads: ThreadPoolExecutor) -> Future[str]:
         """Ask on a thread; raises TaskError for a rehearsal while another is under way."""
         rehearses = isinstance(question, RehearseTask)
         if rehearses and self._rehearsal is not None and not self._rehearsal.done():
             words = "a rehearsal is under way: ask again when it is answered"
             raise TaskError(words, ReasonCode.RATE_LIMIT.value)
-        asked = self._threads.submit(self._answer, task_question_to_json(question))
+        asked = threads.submit(self._answer, task_question_to_json(question))
         if rehearses:
             self._rehearsal = asked
         return asked
 
-    def _admit(self) -> None:
-        """Count a request; raises TaskError when there were too many in a minute."""
-        now = self._clock.now()
-        if len(self._asked) == _REQUESTS_PER_MINUTE and now - self._asked[0] < 60.0:
+    def _admit(self, topic: str) -> None:
+        """Count a request on its topic; raises TaskError when there were too many in a minute."""
+        now, asked = self._clock.now(), self._asked[topic]
+        if len(asked) == _REQUESTS_PER_MINUTE and now - asked[0] < 60.0:
             raise TaskError(
                 f"more than {_REQUESTS_PER_MINUTE} requests in a minute",
                 ReasonCode.RATE_LIMIT.value,
             )
-        self._asked.append(now)
+        asked.append(now)
 
 
 def _topic_of(rule: Rule) -> str:

@@ -57,8 +57,8 @@ def mqtt_question(topic: str, payload: bytes, config: TasksConfig) -> TaskQuesti
     question = task_question_from_json(json.dumps({"ask": "request", **tree}))
     if not isinstance(question, _ALLOWED):
         raise TaskError(f"{question.ask!r} is not asked over MQTT", ReasonCode.NOT_ALLOWED.value)
-    name = client_of(topic)
-    by = f"MQTT client {name}" if name else "somebody on MQTT"
+    name, surface = client_of(topic), RequestSurface.MQTT
+    by, owner = f"MQTT client {name}" if name else "somebody on MQTT", f"mqtt {name}"
     confirm = _confirm(question, config) if isinstance(question, RequestTask | Sentence) else None
     match question:
         case RequestTask():
@@ -68,17 +68,20 @@ def mqtt_question(topic: str, payload: bytes, config: TasksConfig) -> TaskQuesti
             return replace(
                 question,
                 by=by,
-                surface=RequestSurface.MQTT,
+                surface=surface,
                 cause="mqtt",
                 confirm=confirm,
                 priority=priority,
+                owner=owner,
             )
         case Sentence():
             assert confirm is not None
-            mqtt = RequestSurface.MQTT
-            return replace(question, by=by, surface=mqtt, confirm=confirm, may_fly=False)
+            told = replace(question, by=by, surface=surface, confirm=confirm)
+            return replace(told, may_fly=False, owner=owner)
+        case RehearseTask():
+            return replace(question, surface=surface)
         case CancelTask():
-            return replace(question, by=by)
+            return replace(question, by=by, only_of="")
     return question
 
 

@@ -129,8 +129,8 @@ class RuleEngine:
         found = []
         for rule in self.rules:
             last = memory.last.get(rule.name)
-            at, words = (last.at, last.words) if last else (None, "")
-            found.append(RuleStatus(rule.name, rule.words(), rule.enabled, at, words))
+            at, words, cause = (last.at, last.words, last.cause) if last else (None, "", "")
+            found.append(RuleStatus(rule.name, rule.words(), rule.enabled, at, words, cause))
         return tuple(found)
 
     def _due(

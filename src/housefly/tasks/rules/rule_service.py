@@ -7,7 +7,7 @@ from threading import Lock
 from typing import Protocol
 
 from housefly.messages import RoomEvent
-from housefly.tasks.api.answers import ModeAnswer, RulesAnswer
+from housefly.tasks.api.answers import ModeAnswer, RulesAnswer, RuleStatus
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.rules.mode_event import mode_event
 from housefly.tasks.rules.mode_table import MODE_TABLE
@@ -45,10 +45,13 @@ class RuleService:
         engine: the rules.
         store: keeps mode and memory.
         room: answers their conditions.
+        problem: what is wrong with one's own rules, which are left aside then; "" for nothing.
     """
 
-    def __init__(self, engine: RuleEngine, store: RulesKeeper, room: RoomFacts) -> None:
-        self.engine = engine
+    def __init__(
+        self, engine: RuleEngine, store: RulesKeeper, room: RoomFacts, problem: str = ""
+    ) -> None:
+        self.engine, self._problem = engine, problem
         self._store, self._room, self._lock = store, room, Lock()
         kept = store.load()
         self._mode = kept.mode
@@ -90,8 +93,12 @@ class RuleService:
         return ModeAnswer(self._mode, MODE_TABLE[self._mode].words)
 
     def rules_answer(self) -> RulesAnswer:
-        """Return the rules, and what each did last."""
-        return RulesAnswer(self.engine.statuses(self._memory))
+        """Return the rules and what each did last; what is wrong with one's own stands first."""
+        rules = self.engine.statuses(self._memory)
+        if not self._problem:
+            return RulesAnswer(rules)
+        words = f"left aside until the next start: {self._problem}"
+        return RulesAnswer((RuleStatus("own rules", words, False), *rules))
 
     def _remember(self, memory: RuleMemory) -> None:
         before, self._memory = self._memory, memory

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from housefly.errors import TaskError
 from housefly.tasks.api.values import (
+    ATTENDED,
     ENDED,
     Confirm,
     OnPreempt,
@@ -16,9 +17,9 @@ from housefly.tasks.api.values import (
     TaskRequest,
 )
 from housefly.tasks.scheduler import turns
+from housefly.tasks.scheduler.queue_room import room_for
 from housefly.tasks.scheduler.reasons import ASKING_REASONS, END_REASONS, ORDER_REFUSALS
 from housefly.tasks.scheduler.transitions import (
-    ACTIVE,
     QUESTIONING,
     STAGES,
     TRANSITIONS,
@@ -160,17 +161,19 @@ class QueueChanges:
         self.put(merged)
         return merged
 
-    def has_room(self, task: ScheduledTask, now: float) -> bool:
-        """Return whether one more may wait; a less urgent one that waits makes way."""
-        waiting = sum(each.state not in ACTIVE for each in self.open)
-        if waiting < self._limits.queue:
-            return True
-        lesser = turns.least_urgent(task.request.priority, self.open)
-        if lesser is None:
-            return False
-        words = f"the queue was full, it made way for '{task.traits.title}'"
-        self.signal(lesser.id, TaskSignal.MADE_WAY, now, words)
-        return True
+    def make_room(self, task: ScheduledTask, now: float, *, asks: bool) -> str:
+        """Let another one make way for a new task where it must; return why it may not wait, or "".
+
+        Args:
+            task: the new one.
+            now: Unix time [s].
+            asks: whether it would wait for a yes.
+        """
+        room = room_for(task, self.open, self._limits, asks=asks)
+        if room.makes_way is not None:
+            words = f"the queue was full, it made way for '{task.traits.title}'"
+            self.signal(room.makes_way.id, TaskSignal.MADE_WAY, now, words)
+        return room.refusal
 
     def rehearsed(self, task_id: int, report: RehearsalReport, now: float) -> None:
         """Keep a rehearsal; a task that does not run ends when it cannot be flown."""
@@ -198,8 +201,8 @@ _DECISIONS: dict[tuple[QueueState, QueueState], Callable[[int], Decision]] = {
     (_Q.PAUSED, _Q.RUNNING): ContinueRun,
 }
 """What a move asks of the run."""
-_RENEWS = frozenset({TaskSignal.RESTARTED, TaskSignal.RESTARTED_BESIDE})
-"""Signals that ask again where a question is open."""
+_RENEWS = frozenset({TaskSignal.RESTARTED, TaskSignal.RESTARTED_BESIDE, TaskSignal.CANCEL})
+"""Signals that ask again where a question is open, or cut short what is done on a cancel."""
 
 
 def _joined(task: ScheduledTask, other: ScheduledTask) -> TaskRequest:
@@ -207,4 +210,8 @@ def _joined(task: ScheduledTask, other: ScheduledTask) -> TaskRequest:
     urgent = turns.is_more_urgent(two.priority, one.priority)
     deadlines = (one.deadline, two.deadline)
     later = None if None in deadlines else max(each for each in deadlines if each is not None)
-    return replace(one, priority=two.priority if urgent else one.priority, deadline=later)
+    joined = replace(one, priority=two.priority if urgent else one.priority, deadline=later)
+    if two.surface in ATTENDED and one.surface not in ATTENDED:
+        # What a person wants too is a person's from now on.
+        return replace(joined, asked_by=two.asked_by, surface=two.surface, owner=two.owner)
+    return joined

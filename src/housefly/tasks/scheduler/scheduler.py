@@ -78,8 +78,7 @@ class Scheduler:
         elif same is not None:
             changes.decide(TaskMerged(changes.merge(same, task, confirm, now)))
             return self._after(changes, self.next_id)
-        elif not changes.has_room(task, now):
-            words = f"{self.limits.queue} tasks wait already; cancel one or ask later"
+        elif words := changes.make_room(task, now, asks=confirm is Confirm.ASK):
             changes.refuse(task, ReasonCode.QUEUE_FULL, words, now)
         else:
             if confirm is Confirm.ASK:

@@ -21,6 +21,7 @@ _MIGRATIONS = (
         "CREATE INDEX tasks_open ON tasks (id) WHERE scheduled IS NOT NULL",
         "CREATE TABLE counters (name TEXT PRIMARY KEY, value INTEGER NOT NULL)",
     ),
+    ("CREATE TABLE notices (number INTEGER PRIMARY KEY, notice TEXT NOT NULL)",),
 )
 COUNT_FROM = (
     "INSERT INTO counters (name, value) VALUES ('next_id', ?)"

@@ -40,6 +40,7 @@ _ENDED = (
 )
 _HISTORY = (
     "SELECT status FROM tasks WHERE asked_at >= ? AND asked_at <= ? AND (? = '' OR service = ?)"
+    " AND (? = 0 OR (asked_at, id) < (SELECT asked_at, id FROM tasks WHERE id = ?))"
     " ORDER BY asked_at DESC, id DESC LIMIT ?"
 )
 
@@ -105,7 +106,8 @@ class TaskStore:
     def history(self, question: TaskHistoryQuestion) -> tuple[TaskStatus, ...]:
         """Return tasks that were asked for between two times, open ones too, the newest first."""
         until = _FOREVER if question.until is None else question.until
-        values = (question.since, until, question.service, question.service, question.limit)
+        span = (question.since, until, question.service, question.service)
+        values = (*span, question.before, question.before, question.limit)
         return self._statuses(_HISTORY, values)
 
     def newest_ended(self, limit: int) -> tuple[TaskStatus, ...]:
@@ -115,6 +117,23 @@ class TaskStore:
     def status(self, task_id: int) -> TaskStatus | None:
         """Return one task as it was saved last; None if it is not kept."""
         return next(iter(self._statuses(_ONE, (task_id,))), None)
+
+    def save_notices(self, notices: Iterable[str]) -> None:
+        """Keep what people want to be told, instead of what was kept before.
+
+        Raises:
+            StoreError: the disk refuses; what was kept stays.
+        """
+        rows: list[Row] = [(number, text) for number, text in enumerate(notices)]
+        with with_remedy(self._path), self._database.transaction():
+            self._database.query("DELETE FROM notices")
+            self._database.many("INSERT INTO notices (number, notice) VALUES (?, ?)", rows)
+
+    def kept_notices(self) -> tuple[str, ...]:
+        """Return what people want to be told, as it was kept last."""
+        with with_remedy(self._path):
+            rows = self._database.query("SELECT notice FROM notices ORDER BY number")
+        return tuple(str(text) for (text,) in rows)
 
     def close(self) -> None:
         """Close the file, for another process."""

@@ -25,7 +25,7 @@ def turn_of(task: ScheduledTask, waiting: Iterable[ScheduledTask], queue: int) -
     is round robin. A turn never changes and ids only grow, so nobody is passed for ever.
     """
     earlier = sum(
-        each.asker == task.asker
+        each.lane == task.lane
         and each.request.priority is task.request.priority
         and each.state not in ACTIVE
         for each in waiting
@@ -64,25 +64,33 @@ def same_that_waits(request: TaskRequest, tasks: Iterable[ScheduledTask]) -> Sch
     )
 
 
-def least_urgent(priority: Priority, tasks: Iterable[ScheduledTask]) -> ScheduledTask | None:
-    """Return which waiting task makes way for a request of a priority when the queue is full."""
+def least_urgent(taker: ScheduledTask, tasks: Iterable[ScheduledTask]) -> ScheduledTask | None:
+    """Return which waiting task makes way for a new one when there is no room; None for none.
+
+    What no person asked for goes first, and no person's task goes for such a one.
+    """
     lesser = (
         task
         for task in tasks
-        if task.state in NOT_BEGUN
-        and task.started_at is None
-        and is_more_urgent(priority, task.request.priority)
+        if task.state in NOT_BEGUN and task.started_at is None and _makes_way(task, taker)
     )
-    return max(lesser, key=_order, default=None)
+    return max(lesser, key=lambda task: (not task.is_attended, _order(task)), default=None)
+
+
+def _makes_way(task: ScheduledTask, taker: ScheduledTask) -> bool:
+    if is_more_urgent(taker.request.priority, task.request.priority):
+        return taker.is_attended or not task.is_attended
+    is_equal = taker.request.priority is task.request.priority
+    return is_equal and taker.is_attended and not task.is_attended
 
 
 def _in_turns(tasks: Sequence[ScheduledTask]) -> Iterator[ScheduledTask]:
     """Yield tasks as they are served."""
     lanes = defaultdict[tuple[object, str], deque[ScheduledTask]](deque)
     for task in sorted(tasks, key=lambda task: task.id):
-        lanes[_class_of(task), task.asker].append(task)
+        lanes[_class_of(task), task.lane].append(task)
     for called in sorted(tasks, key=_order):
-        yield lanes[_class_of(called), called.asker].popleft()
+        yield lanes[_class_of(called), called.lane].popleft()
 
 
 def _order(task: ScheduledTask) -> tuple[tuple[int, bool], int, int]:

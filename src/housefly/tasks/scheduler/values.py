@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.tasks.api.values import (
+    ATTENDED,
     Confirm,
     OnPreempt,
     PersonQuestion,
@@ -45,12 +46,17 @@ class SchedulerLimits:
         beside: tasks without a flight that may run at once.
         confirm_time: how long a yes is waited for [s].
         fresh_time: a flight that would begin later than this after the last yes asks again [s].
+        per_source: tasks that may wait of one source that is no person, and questions for a yes
+            that one person may bring about.
+        alarms: alarms that may wait beyond a queue that people have filled.
     """
 
     queue: int = 20
     beside: int = 4
     confirm_time: float = 120.0
     fresh_time: float = 600.0
+    per_source: int = 5
+    alarms: int = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,8 +97,23 @@ class ScheduledTask:
 
     @property
     def asker(self) -> str:
-        """Whose turn it is when it is this task's turn."""
+        """Who asked, for people; a name proves nothing."""
         return self.request.asked_by or self.request.surface.value
+
+    @property
+    def lane(self) -> str:
+        """Whose turn it is when it is this task's turn."""
+        return self.request.owner or self.asker
+
+    @property
+    def is_attended(self) -> bool:
+        """Whether a person asked for it."""
+        return self.request.surface in ATTENDED
+
+    @property
+    def source(self) -> str:
+        """With whose tasks it is counted: a person's, or all that come over one surface."""
+        return self.lane if self.is_attended else self.request.surface.value
 
 
 @dataclass(frozen=True, slots=True)

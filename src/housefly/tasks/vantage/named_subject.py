@@ -34,6 +34,7 @@ AskMemory = Callable[[Question], Any]
 """Returns the memory's answer; raises ThingError or LinkError."""
 
 _FLOOR = re.compile(r"floor ([0-9]{1,2})")
+_HOME = "home"
 _VISITOR = "visitor"
 _PERSON_KIND = "person"
 _AT_THE_DOOR = 0.6
@@ -82,6 +83,12 @@ def viewpoint_of(
         words = f"{title}: its own viewpoint, {flat:.1f} m away"
         return Viewpoint(place.name, place.viewpoint, place.look_at, away, words)
     return find_viewpoint(viewing, place_subject(place.name, place.look_at), drone, known, now)
+
+
+def round_names(viewing: ViewingRoom) -> tuple[str, ...]:
+    """Return the names of a room's places but home, or, where it has none, "floor 1" and on."""
+    places = tuple(place.name for place in viewing.room.places if place.name != _HOME)
+    return places or tuple(view.subject for view in _floor_views(viewing))
 
 
 def _floor_view(

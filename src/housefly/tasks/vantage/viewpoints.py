@@ -31,6 +31,8 @@ _SHARE_MIN = 0.5
 """A view shows at least this share of the subject's points, and the one that is faced."""
 _OWN_RADIUS = 0.4
 """An obstacle whose edge is so near to the subject is the subject [m]."""
+_ASKED_MAX = 12
+"""Who is in the way is looked for among so many obstacles."""
 _BATCH = 48
 """Lines of sight are cast for so many cells at a time."""
 
@@ -77,8 +79,25 @@ def find_viewpoint(
         problem = found
     if isinstance(_best(viewing, there.everywhere(), subject, known), Viewpoint):
         words = f"there is no free way to where {subject.name} can be seen from"
-        raise TaskError(words, ReasonCode.NO_WAY.value)
+        who = _who_is_in_the_way(viewing, subject, start, known, now)
+        raise TaskError(words + (f": {who} is in the way" if who else ""), ReasonCode.NO_WAY.value)
     raise TaskError(problem, ReasonCode.NO_VIEW.value)
+
+
+def _who_is_in_the_way(
+    viewing: ViewingRoom,
+    subject: Subject,
+    start: Vec2,
+    obstacles: tuple[Obstacle, ...],
+    now: float,
+) -> str:
+    """Return without whom there would be a way; "" when more than one closes it."""
+    for one in obstacles[:_ASKED_MAX]:
+        others = tuple(each for each in obstacles if each is not one)
+        there = viewing.reachable(start, others, viewing.site.people.min_distance, now)
+        if isinstance(_best(viewing, there, subject, others), Viewpoint):
+            return one.id
+    return ""
 
 
 def is_reachable(

@@ -59,6 +59,7 @@ class CommandServer(asyncio.DatagramProtocol):
             at.Config: self._on_config,
             at.ConfigIds: self._on_config_ids,
             at.Control: self._on_control,
+            at.Led: self._on_led,
         }
 
     async def start(self, address: str) -> None:
@@ -122,6 +123,9 @@ class CommandServer(asyncio.DatagramProtocol):
     def _on_move_by_heading(self, command: at.PcmdMag) -> None:
         """Take the sticks as of PCMD: the simulated drone has no client's heading to fly by."""
         self._on_move(at.Pcmd(command.flags, command.roll, command.pitch, command.gaz, command.yaw))
+
+    def _on_led(self, command: at.Led) -> None:
+        self._world.play_leds(command.animation, command.frequency_hz, command.seconds)
 
     def _on_config_ids(self, command: at.ConfigIds) -> None:
         self._ids = MulticonfigIds(command.session, command.user, command.application)

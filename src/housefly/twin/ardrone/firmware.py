@@ -91,6 +91,12 @@ class Firmware:
             self._may_take_off = False
             self._enter(FlightState.TAKING_OFF)
 
+    def begin_hovering(self, height: float) -> None:
+        """Hover from now on, at a height [m]: for a flight that begins in the air."""
+        self._may_take_off = False
+        self._loops.hold_height(height)
+        self._enter(FlightState.HOVERING)
+
     def request_land(self) -> None:
         """REF bit 9 clear."""
         self._may_take_off = True

@@ -6,7 +6,9 @@ server does not advance the world; its owner does.
 
 from __future__ import annotations
 
-from housefly.errors import LinkError
+import contextlib
+
+from housefly.errors import LinkError, WireError
 from housefly.twin.address import check_address
 from housefly.twin.ardrone.command_server import CommandServer
 from housefly.twin.ardrone.config_store import ConfigStore
@@ -16,6 +18,9 @@ from housefly.twin.ardrone.navdata_server import NavdataServer
 from housefly.twin.ardrone.navdata_writer import NavdataWriter
 from housefly.twin.ardrone.video_server import PAVE_HEADER_SIZE, VideoServer
 from housefly.twin.contracts import DroneCamera, EncodedPicture, TwinWorld
+from housefly.wires.ardrone import at
+
+_LED_KEY = "leds:leds_anim"
 
 
 class ArDroneServer:
@@ -101,7 +106,15 @@ class ArDroneServer:
             self._video.publish(picture)
 
     def _apply(self, key: str) -> None:
+        if key == _LED_KEY:
+            self._play_leds(str(self._config.value(_LED_KEY)))
         if key == "general:navdata_demo":
             self._link.bootstrap = False
         self._writer.demo = self._config.demo
         self._world.set_limits(self._config.limits)
+
+    def _play_leds(self, text: str) -> None:
+        """Play what the newer form of AT*LED says: animation, float bits of Hz, seconds."""
+        with contextlib.suppress(ValueError, WireError):
+            animation, frequency, seconds = map(int, text.split(","))
+            self._world.play_leds(animation, at.bits_to_float(frequency), seconds)

@@ -39,6 +39,7 @@ class MocapCameras:
         ).reshape(-1, 2)
         self._reach = np.array([camera.reach for camera in cameras])
         self._geom = np.zeros(1, np.int32)
+        self._last_seen_by: list[int] = []
 
     def see(
         self, markers: FloatArray, own_body: int, groups: NDArray[np.uint8] | None = None
@@ -56,9 +57,9 @@ class MocapCameras:
         in_view = self._in_view(rays)
         good = 0
         for index, marker in enumerate(markers):
-            candidates = rays[in_view[:, index], index]
-            good += len(candidates) >= _CAMERAS_NEEDED and self._enough_reach_it(
-                marker, candidates, own_body, groups
+            cameras = np.flatnonzero(in_view[:, index]).tolist()
+            good += len(cameras) >= _CAMERAS_NEEDED and self._enough_reach_it(
+                marker, rays[:, index], cameras, own_body, groups
             )
             if good >= _MARKERS_NEEDED:
                 return True
@@ -80,20 +81,28 @@ class MocapCameras:
         return result
 
     def _enough_reach_it(
-        self, marker: FloatArray, rays: FloatArray, own_body: int, groups: NDArray[np.uint8] | None
+        self,
+        marker: FloatArray,
+        rays: FloatArray,
+        cameras: list[int],
+        own_body: int,
+        groups: NDArray[np.uint8] | None,
     ) -> bool:
         """Return whether enough rays from a marker reach their camera.
 
         One call per ray: for a batch MuJoCo visits every geom of the room first, which costs more
-        than twenty rays.
+        than twenty rays. Who saw the last marker will most likely see this one.
         """
-        reached = 0
-        for ray in rays:
+        seen_by: list[int] = []
+        for camera in sorted(cameras, key=self._last_seen_by.__contains__, reverse=True):
+            ray = rays[camera]
             share = mujoco.mj_ray(
                 self._model, self._data, marker, ray, groups, 1, own_body, self._geom
             )
-            reached += share < 0.0 or share > self._housing(ray)
-            if reached >= _CAMERAS_NEEDED:
+            if share < 0.0 or share > self._housing(ray):
+                seen_by.append(camera)
+            if len(seen_by) >= _CAMERAS_NEEDED:
+                self._last_seen_by = seen_by
                 return True
         return False
 

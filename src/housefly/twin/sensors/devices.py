@@ -64,6 +64,11 @@ class SimulatedDevices:
             for device, seed in zip(scene.script.devices, seeds, strict=True)
         ]
         self._heard_until = -1.0
+        self._pressed: list[str] = []
+
+    def press(self, device: str) -> None:
+        """Press a device's button, whatever the scene says."""
+        self._pressed.append(device)
 
     def messages(self, now: float, unix: float | None = None) -> tuple[DeviceMessage, ...]:
         """Return what the devices have sent since the last call.
@@ -74,8 +79,10 @@ class SimulatedDevices:
         """
         state = self._scene.at(now)
         stamp: _Values = {} if unix is None else {"time": round(unix, 3)}
-        sent = [self._event(told, stamp) for told in self._scene.between(self._heard_until, now)]
-        self._heard_until = now
+        played = self._scene.between(self._heard_until, now)
+        pressed = (SceneEvent(now, Act.PRESS, device, "visitor") for device in self._pressed)
+        sent = [self._event(told, stamp) for told in (*played, *pressed)]
+        self._heard_until, self._pressed = now, []
         for sense in self._senses:
             values = sense.due(state, self._facts)
             if values is not None:

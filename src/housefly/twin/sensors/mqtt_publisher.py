@@ -50,9 +50,19 @@ class MqttPublisher:
         self._config, self._devices, self._time = config, devices, scene_time
         self._report = report
         read_password(config)
+        self._connected = 0
         self._queues: dict[DeviceAddress, asyncio.Queue[DeviceMessage]] = {
             address: asyncio.Queue(_MAX_QUEUED) for address in devices.addresses()
         }
+
+    def press(self, device: str) -> None:
+        """Press the button of a device, whatever the scene says."""
+        self._devices.press(device)
+
+    def trouble(self) -> str:
+        """Return why nobody would hear a device now, in words, or ""."""
+        broker = f"the MQTT broker at {self._config.broker}:{self._config.port}"
+        return self.problem or ("" if self._connected else f"{broker} is not there yet")
 
     async def run(self) -> None:
         """Publish until cancelled."""
@@ -92,9 +102,13 @@ class MqttPublisher:
         ) as link:
             await link.publish(presence, b"online", qos=1, retain=True)
             self._set_problem("")
-            async with asyncio.TaskGroup() as group:
-                group.create_task(_notice_loss(link))
-                group.create_task(self._deliver(link, queue))
+            self._connected += 1
+            try:
+                async with asyncio.TaskGroup() as group:
+                    group.create_task(_notice_loss(link))
+                    group.create_task(self._deliver(link, queue))
+            finally:
+                self._connected -= 1
 
     async def _deliver(self, link: aiomqtt.Client, queue: asyncio.Queue[DeviceMessage]) -> None:
         while True:

@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { SwapIcon } from "../controls/icons";
 import { freshness, swapped } from "../store";
+import { soundRecording } from "../tasks/recording-tone";
 import { now } from "../wire/clock";
 import { proof } from "../wire/session";
 import { decodesVideo, picture, watch } from "../wire/video";
@@ -8,6 +9,7 @@ import { milliseconds } from "../format";
 
 /** The drone's picture. */
 export function VideoView() {
+  useEffect(soundRecording, []);
   return decodesVideo ? <LiveVideo /> : <JpegVideo />;
 }
 

@@ -1,10 +1,11 @@
 import { computed, signal } from "@preact/signals";
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
 import { sentence } from "../format";
-import { room } from "../store";
 import { HoldButton } from "../controls/hold-button";
 import { createHold } from "../hold";
 import { running } from "./board";
+import { ideas } from "./ideas";
+import { learnNames } from "./names";
 import { request, say } from "./tasks-client";
 import type { SentenceAnswer } from "../wire/task-messages";
 
@@ -44,6 +45,7 @@ async function take(): Promise<void> {
 /** Ask in a sentence; what would fly shows its rehearsal and waits for a yes. */
 export function AskBar() {
   const field = useRef<HTMLInputElement>(null);
+  useEffect(learnNames, []);
   const go = (words: string): void => {
     if (field.current) field.current.value = words;
     void ask(words);
@@ -73,6 +75,7 @@ export function AskBar() {
       <div class="answer" role="status">
         <Answer go={go} />
       </div>
+      {!answer.value?.suggestions.length && <Chips words={ideas()} go={go} />}
     </section>
   );
 }
@@ -80,7 +83,7 @@ export function AskBar() {
 function Answer({ go }: { go: (words: string) => void }) {
   const found = answer.value;
   if (trouble.value) return <p>△ {sentence(trouble.value)}</p>;
-  if (!found) return said.value ? <p class="quiet">…</p> : <Chips words={ideas()} go={go} />;
+  if (!found) return said.value ? <p class="quiet">…</p> : null;
   return (
     <>
       <p class="words" data-understood={found.understood}>
@@ -102,21 +105,15 @@ function Chips({ words, go }: { words: string[]; go: (words: string) => void }) 
   return (
     <p class="chips">
       {words.map((one) => (
-        <button type="button" key={one} onClick={() => go(one)}>
+        <button
+          type="button"
+          key={one}
+          aria-disabled={!running.value}
+          onClick={() => running.value && go(one)}
+        >
           {one}
         </button>
       ))}
     </p>
   );
-}
-
-/** What one may ask here, for somebody who sees this for the first time. */
-function ideas(): string[] {
-  const place = room.value?.places.find((one) => one.name !== "home")?.title ?? "entrance";
-  return [
-    `Look at the ${place.toLowerCase()}`,
-    "Who is at the door?",
-    "Is anybody in the room?",
-    "What happened last night?",
-  ];
 }

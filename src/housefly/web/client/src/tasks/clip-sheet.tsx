@@ -59,7 +59,6 @@ export function ClipSheet() {
       {clipTrouble.value && <p role="alert">△ {sentence(clipTrouble.value)}</p>}
       {info && (
         <>
-          <Facts info={info} />
           <div class="row">
             <button
               type="button"
@@ -72,6 +71,7 @@ export function ClipSheet() {
               <small>hold</small>
             </HoldButton>
           </div>
+          <Facts info={info} />
         </>
       )}
     </section>
@@ -88,6 +88,7 @@ function Facts({ info }: { info: ClipInfo }) {
     ["People", info.people.join(", ")],
     ["For", `${info.service}, task ${info.task}`],
     ["Because of", happened(info.cause)],
+    ["End", info.cut_off ? "missing: a crash or a full disk cut it off" : ""],
     ["Privacy", info.blanked ? "a part of the picture is blank, as the site says" : ""],
     [
       "Kept",

@@ -14,14 +14,33 @@ export const opened = signal(ADDRESS.exec(location.hash)?.[1] ?? "");
 /** What is known of it; undefined while that is asked for, null when nothing is. */
 export const openedInfo = signal<ClipInfo | null | undefined>(undefined);
 
+const PAGE = 50;
+/** Whether there may be older ones than those that were found. */
+export const more = signal(false);
+let asked: Record<string, string> = {};
+
 /** Look for clips; empty words mean any. */
 export async function findClips(wanted: Record<string, string>): Promise<void> {
-  const given = Object.entries(wanted).filter(([, value]) => value !== "");
+  asked = Object.fromEntries(Object.entries(wanted).filter(([, value]) => value !== ""));
+  await turnTo(asked, []);
+}
+
+/** Find those that are older than the last one. */
+export async function findOlder(): Promise<void> {
+  const last = found.value.at(-1);
+  if (last) await turnTo({ ...asked, before: last.id }, found.value);
+}
+
+async function turnTo(wanted: Record<string, string>, shown: ClipInfo[]): Promise<void> {
+  const question = asked;
   try {
-    found.value = (await askClips(Object.fromEntries(given))).clips;
+    const { clips } = await askClips({ ...wanted, limit: String(PAGE) });
+    if (question !== asked) return; // something else was asked for meanwhile
+    found.value = [...shown, ...clips];
+    more.value = clips.length === PAGE;
     trouble.value = "";
   } catch (error) {
-    found.value = [];
+    found.value = shown;
     trouble.value = (error as Error).message;
   }
 }

@@ -3,7 +3,8 @@ import { signal } from "@preact/signals";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
 import { board, unixNow } from "./board";
-import { findClips, found, openClip, trouble } from "./clip-store";
+import { findClips, findOlder, found, more, openClip, trouble } from "./clip-store";
+import { TakeAway } from "./take-away";
 import type { ClipInfo } from "../wire/task-messages";
 
 const SPANS: [string, number][] = [
@@ -21,6 +22,8 @@ function look(): void {
   const since = span.value ? { since: Math.max(0, unixNow.value - span.value).toFixed(0) } : {};
   void findClips({ ...wanted.value, ...since });
 }
+
+const count = (): string => `${found.value.length}${more.value ? " or more" : ""}`;
 
 /** The clips and snapshots, by who, where, what and when. */
 export function Clips() {
@@ -68,7 +71,7 @@ export function Clips() {
         </label>
       </form>
       <p role="status" class={trouble.value ? "" : "spoken"}>
-        {trouble.value ? `△ ${sentence(trouble.value)}` : `${found.value.length} clips.`}
+        {trouble.value ? `△ ${sentence(trouble.value)}` : `${count()} clips.`}
       </p>
       {found.value.length === 0 && !trouble.value && <p class="quiet">There is no such clip.</p>}
       <ul class="clips">
@@ -81,11 +84,20 @@ export function Clips() {
               <span class="quiet">
                 {clock(clip.began_at)}
                 {clip.kind === "clip" ? `, ${minutes(clip.duration)}` : ", snapshot"}
+                {clip.cut_off && ", cut off"}
               </span>
             </button>
           </li>
         ))}
       </ul>
+      <div class="row">
+        {more.value && (
+          <button type="button" onClick={() => void findOlder()}>
+            Older clips
+          </button>
+        )}
+        <TakeAway clips={found.value} label="Save all of these" />
+      </div>
     </>
   );
 }

@@ -2,16 +2,19 @@ import { signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
-import { board, unixNow } from "./board";
+import { board } from "./board";
 import { openClip } from "./clip-store";
 import { Steps } from "./open-tasks";
 import { clips, history } from "./tasks-client";
+import { TakeAway } from "./take-away";
 import { details, MARKS, outcome, why } from "./words";
 import type { ClipInfo, TaskStatus } from "../wire/task-messages";
 
-const MONTH = 30 * 86400;
+const PAGE = 50;
 
 const older = signal<TaskStatus[]>([]);
+/** Whether there may be older ones. */
+const more = signal(true);
 const trouble = signal("");
 
 const unfolded = signal<ReadonlySet<number>>(new Set());
@@ -25,10 +28,10 @@ function show(task: number, open: boolean): void {
 
 async function askOlder(): Promise<void> {
   try {
-    const open = new Set((board.value?.tasks ?? []).map((one) => one.id));
-    const { tasks } = await history(Math.max(0, unixNow.value - MONTH));
-    older.value = tasks.filter((one) => !open.has(one.id));
-    trouble.value = tasks.length ? "" : "there is nothing older";
+    const { tasks } = await history(older.value.at(-1)?.id ?? 0, PAGE);
+    older.value = [...older.value, ...tasks];
+    more.value = tasks.length === PAGE;
+    trouble.value = more.value ? "" : "that is all";
   } catch (error) {
     trouble.value = (error as Error).message;
   }
@@ -37,7 +40,7 @@ async function askOlder(): Promise<void> {
 /** Ended tasks: what caused each, what was decided, how it flew, what is kept, what came of it. */
 export function Ended() {
   const newest = board.value?.ended ?? [];
-  const known = new Set(newest.map((one) => one.id));
+  const known = new Set([...newest, ...(board.value?.tasks ?? [])].map((one) => one.id));
   const tasks = [...newest, ...older.value.filter((one) => !known.has(one.id))];
   return (
     <>
@@ -65,25 +68,32 @@ export function Ended() {
         ))}
       </ul>
       <div class="row">
-        <button type="button" onClick={() => void askOlder()}>
-          The last 30 days
-        </button>
+        {more.value && tasks.length > 0 && (
+          <button type="button" onClick={() => void askOlder()}>
+            Older tasks
+          </button>
+        )}
         <span role="status">{trouble.value && sentence(trouble.value)}</span>
       </div>
     </>
   );
 }
 
+function flight(task: TaskStatus): string {
+  if (task.took_off_at !== null)
+    return `${clock(task.took_off_at)}, in the air for ${minutes(task.flown ?? 0)}.`;
+  if (task.started_at === null) return "It did not begin.";
+  return task.flown === null ? "" : "It did not fly.";
+}
+
 function Chain({ task }: { task: TaskStatus }) {
   const given = details(task);
   const [kept, keep] = useState<ClipInfo[]>([]);
   useEffect(() => {
-    if (task.clips.length > 0)
-      clips({ task: String(task.id) })
-        .then((answer) => keep(answer.clips))
-        .catch(() => undefined);
+    clips({ task: String(task.id) })
+      .then((answer) => keep(answer.clips))
+      .catch(() => undefined);
   }, [task.clips.length]);
-  const flown = task.started_at !== null && task.ended_at !== null;
   return (
     <dl class="chain">
       <dt>Trigger</dt>
@@ -95,10 +105,13 @@ function Chain({ task }: { task: TaskStatus }) {
       </dd>
       <dt>Flight</dt>
       <dd>
-        {flown
-          ? `${clock(task.started_at!)}, for ${minutes(task.ended_at! - task.started_at!)}.`
-          : "It did not begin."}
-        {flown && <Steps steps={task.steps} />}
+        {flight(task)}
+        {task.started_at !== null && <Steps steps={task.steps} />}
+        {task.recording && (
+          <p>
+            Recorded: <code>housefly replay {task.recording}</code>
+          </p>
+        )}
       </dd>
       <dt>Clip</dt>
       <dd>
@@ -109,6 +122,7 @@ function Chain({ task }: { task: TaskStatus }) {
               {clip.kind === "clip" ? `▣ Show clip, ${minutes(clip.duration)}` : "▢ Show snapshot"}
             </button>
           ))}
+          <TakeAway clips={kept} label="Save all" />
         </span>
       </dd>
       <dt>Outcome</dt>

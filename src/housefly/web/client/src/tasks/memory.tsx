@@ -1,4 +1,6 @@
 import { signal } from "@preact/signals";
+import { sentence } from "../format";
+import { board } from "./board";
 import { Clips } from "./clips";
 import { Ended } from "./ended";
 import { Rules } from "./rules";
@@ -28,6 +30,11 @@ export function Memory() {
           </button>
         ))}
       </div>
+      {(board.value?.notices ?? []).map((words) => (
+        <p key={words} role="status">
+          △ {sentence(words)}
+        </p>
+      ))}
       <div id="tab-shown" role="tabpanel" aria-labelledby={`tab-${tab.value}`}>
         <Shown />
       </div>

@@ -6,11 +6,11 @@ import { createHold } from "../hold";
 import { room } from "../store";
 import { catalogue } from "../live/store";
 import { running } from "./board";
+import { learnNames } from "./names";
 import {
   rehearse,
   request,
   services as askServices,
-  things,
   type Parameters,
 } from "./tasks-client";
 import type { ParameterInfo, RehearsalReport, ServiceInfo } from "../wire/task-messages";
@@ -31,15 +31,8 @@ effect(() => {
       .catch(() => undefined);
 });
 
-/** What somebody may mean by a name; the ROOM screen asks for it, too. */
-function learnNames(): void {
-  if (catalogue.value.length === 0)
-    things()
-      .then((answer) => (catalogue.value = answer.things))
-      .catch(() => undefined);
-}
-
 const missing = computed(() => {
+  if (chosen.value?.problem) return chosen.value.problem;
   const one = chosen.value?.parameters.find(
     (parameter) => parameter.required && (given.value[parameter.name] ?? "") === "",
   );

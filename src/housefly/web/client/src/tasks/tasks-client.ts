@@ -10,20 +10,23 @@ import type {
   TaskAnswer,
   TasksAnswer,
 } from "../wire/task-messages";
-import type { ThingsAnswer } from "../wire/room-messages";
+import type { BellView, ThingsAnswer } from "../wire/room-messages";
 import { fetchAsSession, proof } from "../wire/session";
 
 const API = "/api/v1";
 
-async function fetched<T extends TaskAnswer | ThingsAnswer>(
+const fetched = <T extends TaskAnswer | ThingsAnswer>(path: string, init?: RequestInit) =>
+  fetchedFrom<T>(API + path, init);
+
+async function fetchedFrom<T extends TaskAnswer | ThingsAnswer | BellView>(
   path: string,
   init?: RequestInit,
 ): Promise<T> {
-  const answer = await fetchAsSession(API + path, init).catch(() => {
+  const answer = await fetchAsSession(path, init).catch(() => {
     throw new Error("no contact with the server");
   });
-  const tree = (await answer.json().catch(() => ({}))) as T & { error?: string };
-  if (!answer.ok) throw new Error(tree.error ?? answer.statusText);
+  const tree = (await answer.json().catch(() => ({}))) as T & { error?: string; reason?: string };
+  if (!answer.ok) throw new Error(tree.error ?? tree.reason ?? answer.statusText);
   return tree;
 }
 
@@ -52,13 +55,17 @@ export const say = (text: string): Promise<SentenceAnswer> =>
 
 export const setMode = (mode: string): Promise<ModeAnswer> => post("/mode", { mode });
 
+export const bell = (): Promise<BellView> => fetchedFrom("/bell");
+export const pressBell = (): Promise<BellView> => fetchedFrom("/bell", { method: "POST" });
+
 export const services = (): Promise<ServicesAnswer> => fetched("/services");
 export const things = (): Promise<ThingsAnswer> => fetched("/things");
 export const rules = (): Promise<RulesAnswer> => fetched("/rules");
 export const dryRun = (since: number): Promise<FiringsAnswer> =>
   fetched(`/rules/dry-run?since=${since.toFixed(0)}`);
-export const history = (since: number): Promise<TasksAnswer> =>
-  fetched(`/tasks/history?limit=200&since=${since.toFixed(0)}`);
+/** Tasks that were asked for before another one; 0 begins with the newest. */
+export const history = (before: number, limit: number): Promise<TasksAnswer> =>
+  fetched(`/tasks/history?limit=${limit}&before=${before}`);
 
 export const keepClip = (clip: string, keep: boolean): Promise<ClipsAnswer> =>
   post(`/clips/${encodeURIComponent(clip)}/keep`, { keep });
@@ -73,9 +80,16 @@ export function clipAddress(id: string, download = false): string {
   return `${API}/clips/${encodeURIComponent(id)}?proof=${proof()}${more}`;
 }
 
+/** The address of several clips in one file. */
+export function clipsAddress(ids: readonly string[]): string {
+  const wanted = new URLSearchParams(ids.map((id) => ["clip", id]));
+  return `${API}/clips.zip?${wanted}&proof=${proof()}`;
+}
+
 const LANGUAGES = ["en", "de", "ja"];
 
-function language(): string {
+/** The language in which what is typed here is read. */
+export function language(): string {
   const wanted = navigator.languages.map((one) => one.slice(0, 2));
   return wanted.find((one) => LANGUAGES.includes(one)) ?? "en";
 }

@@ -1,10 +1,13 @@
+import { computed } from "@preact/signals";
 import { sentence } from "../format";
 import { VideoView } from "../panels/video";
 import { flying } from "../store";
 import { Readiness } from "../panels/preflight";
+import { readiness } from "../preflight";
 import { ago } from "../live/words";
 import { board, silent, unixNow } from "./board";
 import { AskBar } from "./ask-bar";
+import { Bell } from "./bell";
 import { ClipSheet } from "./clip-sheet";
 import { Memory } from "./memory";
 import { Mode } from "./mode";
@@ -12,15 +15,21 @@ import { OpenTasks } from "./open-tasks";
 import { Questions } from "./questions";
 import { Services } from "./services";
 
+/** Whether the drone may fly and nothing is to be known; the header says so already. */
+const fine = computed(
+  () => readiness.value.known.length === 0 && (readiness.value.ready || flying.value),
+);
+
 /** What can be asked for, what waits and flies, and what came of it. */
 export function TasksScreen() {
   return (
     <main class="tasks-deck">
-      <Readiness />
+      {!fine.value && <Readiness />}
       {silent.value && <Silence />}
       <div class="column">
         <AskBar />
         <Questions over={false} />
+        <Bell />
         <OpenTasks />
         <Services />
       </div>

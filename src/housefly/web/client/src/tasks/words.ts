@@ -20,6 +20,7 @@ export function why(task: TaskStatus): string {
 
 const SPOKEN: Record<string, string> = {
   "bell pressed": "The bell rings",
+  "webhook bell": "The bell rings",
   "person fallen": "Somebody may have fallen",
 };
 
@@ -34,7 +35,8 @@ export function proposal(task: TaskStatus): string {
 /** What an id of an event or rule says: `rule:bell bell pressed/doorbell/…` is "bell pressed". */
 export function happened(cause: string): string {
   const [kind = "", thing = ""] = cause.replace(/^rule:\S+\s/, "").split("/");
-  return thing && !kind.includes(thing) ? `${kind} (${thing})` : kind;
+  // A time is only there to tell one call from another.
+  return thing && !kind.includes(thing) && isNaN(Number(thing)) ? `${kind} (${thing})` : kind;
 }
 
 export type Outcome = "waits" | "runs" | "well" | "badly" | "ended";

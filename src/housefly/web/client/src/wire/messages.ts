@@ -334,6 +334,7 @@ export interface RehearsalReport {
   clearance: number | null;
   first_look: number | null;
   took: number;
+  shortest: number | null;
 }
 
 export interface TaskStatus {
@@ -357,6 +358,9 @@ export interface TaskStatus {
   rehearsal: RehearsalReport | null;
   clips: string[];
   report: string[];
+  took_off_at: number | null;
+  flown: number | null;
+  recording: string;
 }
 
 export interface TaskBoard {
@@ -366,6 +370,7 @@ export interface TaskBoard {
   records: boolean;
   tasks: TaskStatus[];
   ended: TaskStatus[];
+  notices: string[];
 }
 
 export interface TasksMessage {

@@ -221,6 +221,12 @@ export interface EditsView {
   words: string;
 }
 
+export interface BellView {
+  simulated: boolean;
+  rung: boolean;
+  words: string;
+}
+
 export interface News {
   at: number;
   things: PlacedThing[];
@@ -241,6 +247,7 @@ export type RoomAnswer =
   | PeopleAnswer
   | NightsAnswer
   | CoverageView
-  | EditsView;
+  | EditsView
+  | BellView;
 
 export type RoomNews = News;

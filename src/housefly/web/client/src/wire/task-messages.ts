@@ -81,6 +81,7 @@ export interface RehearsalReport {
   clearance: number | null;
   first_look: number | null;
   took: number;
+  shortest: number | null;
 }
 
 export interface TaskStatus {
@@ -104,6 +105,9 @@ export interface TaskStatus {
   rehearsal: RehearsalReport | null;
   clips: string[];
   report: string[];
+  took_off_at: number | null;
+  flown: number | null;
+  recording: string;
 }
 
 export interface TasksAnswer {
@@ -119,6 +123,7 @@ export interface TaskBoard {
   records: boolean;
   tasks: TaskStatus[];
   ended: TaskStatus[];
+  notices: string[];
 }
 
 export interface ParameterInfo {
@@ -136,6 +141,7 @@ export interface ServiceInfo {
   about: string;
   parameters: ParameterInfo[];
   flies: boolean;
+  problem: string;
 }
 
 export interface ServicesAnswer {
@@ -157,6 +163,7 @@ export interface TaskRequest {
   confirm: Confirm;
   priority: Priority;
   deadline: number | null;
+  owner: string;
 }
 
 export interface SentenceAnswer {
@@ -167,6 +174,7 @@ export interface SentenceAnswer {
   task: TaskStatus | null;
   suggestions: string[];
   offer: TaskRequest | null;
+  code: ReasonCode;
 }
 
 export interface ModeAnswer {
@@ -180,6 +188,7 @@ export interface RuleStatus {
   enabled: boolean;
   last_at: number | null;
   last_words: string;
+  last_cause: string;
 }
 
 export interface RulesAnswer {
@@ -213,6 +222,7 @@ export interface ClipInfo {
   size: number;
   keep_until: number | null;
   blanked: boolean;
+  cut_off: boolean;
 }
 
 export interface ClipsAnswer {

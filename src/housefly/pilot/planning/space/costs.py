@@ -1,0 +1,89 @@
+"""What makes a way dearer than its length: narrow air, people, places that tracking hardly sees.
+
+Each layer is 0 where there is nothing to avoid. Layers are added up; the sum is the weights of the
+search.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from housefly.numeric import FloatArray
+from housefly.pilot.planning.live import gap
+from housefly.pilot.planning.space.voxels import VoxelMap
+from housefly.room.coverage import seen_by
+from housefly.room.model import Room
+
+CAMERAS_WANTED = 3
+"""A place seen by so many tracking cameras is tracked well."""
+_COARSE = 0.5
+"""Coverage is looked up at points so far apart [m]: it changes slowly, and rays are dear."""
+
+
+def narrowness(voxels: VoxelMap, wide: float, gain: float) -> FloatArray:
+    """Return the layer that grows from 0 at a clearance [m] to ``gain`` at ``keep``.
+
+    Shape (nx, ny, nz).
+    """
+    slope = max(wide - voxels.keep, 1e-9)
+    layer: FloatArray = gain * np.clip((wide - voxels.clearance) / slope, 0.0, 1.0)
+    return layer
+
+
+def nearness(voxels: VoxelMap, people: FloatArray, comfort: float, gain: float) -> FloatArray:
+    """Return the layer that grows from 0 at a distance [m] from people to ``gain`` at their bodies.
+
+    Args:
+        voxels: the map.
+        people: their rows (``solid_rows.live_rows``), shape (n, 11).
+        comfort: from the hull to a body [m].
+        gain: of the layer.
+
+    Returns:
+        Shape (nx, ny, nz).
+    """
+    nx, ny, nz = voxels.shape
+    reach = comfort + voxels.hull.radius
+    plan = np.zeros((nx, ny))
+    for row in people:
+        far = reach + float(np.hypot(row[2], row[3]) + row[6] + np.hypot(row[7], row[8]))
+        low = np.floor((row[:2] - far - voxels.origin[:2]) / voxels.resolution).astype(int)
+        high = np.ceil((row[:2] + far - voxels.origin[:2]) / voxels.resolution).astype(int)
+        for i in range(max(0, low[0]), min(nx, high[0] + 1)):
+            for j in range(max(0, low[1]), min(ny, high[1] + 1)):
+                x, y, _ = voxels.middle_of((i, j, 0))
+                apart = max(gap(row, x, y) - voxels.hull.radius, 0.0)
+                plan[i, j] = max(plan[i, j], gain * (1.0 - apart / comfort))
+    return np.repeat(plan[:, :, None], nz, axis=2)
+
+
+def blindness(voxels: VoxelMap, room: Room, gain: float) -> FloatArray:
+    """Return the layer that grows from 0 where tracking sees well to ``gain`` where it is blind.
+
+    Shape (nx, ny, nz); nothing where the room has no cameras, because tracking then sees
+    everywhere. It takes a second, so it is made once for a room.
+    """
+    if not room.cameras:
+        return np.zeros(voxels.shape)
+    stride = max(1, round(_COARSE / voxels.resolution))
+    picks = [np.arange(stride // 2, max(size, stride // 2 + 1), stride) for size in voxels.shape]
+    indices = np.stack(np.meshgrid(*picks, indexing="ij"), axis=-1)
+    points = np.array(voxels.origin) + (indices.reshape(-1, 3) + 0.5) * voxels.resolution
+    seen = seen_by(room, points).sum(axis=1).reshape(indices.shape[:3])
+    coarse = gain * (1.0 - np.minimum(seen, CAMERAS_WANTED) / CAMERAS_WANTED)
+    nearest = [
+        np.clip(np.arange(size) // stride, 0, len(pick) - 1)
+        for size, pick in zip(voxels.shape, picks, strict=True)
+    ]
+    layer: FloatArray = coarse[np.ix_(*nearest)]
+    return layer
+
+
+def height_wish(voxels: VoxelMap, height: float, gain: float) -> FloatArray:
+    """Return the layer that grows by ``gain`` for every metre from the usual height [m].
+
+    Shape (nx, ny, nz).
+    """
+    nx, ny, nz = voxels.shape
+    zs = voxels.origin[2] + (np.arange(nz) + 0.5) * voxels.resolution
+    return np.broadcast_to(gain * np.abs(zs - height), (nx, ny, nz)).copy()

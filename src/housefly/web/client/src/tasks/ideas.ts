@@ -1,0 +1,37 @@
+// What one may ask here, for somebody who sees this for the first time: each is one tap.
+import { catalogue } from "../live/store";
+import { room } from "../store";
+import { language } from "./tasks-client";
+
+const MEANT = "object";
+
+/** In the language in which the words are read; names only where the language has them. */
+const IDEAS: Record<string, () => string[]> = {
+  en: () => [
+    "Who is at the door?",
+    ...places().map((one) => `Look at the ${one.toLowerCase()}`),
+    ...things().map((one) => `Where is ${one}?`),
+    "Is anybody in the room?",
+  ],
+  de: () => [
+    "Wer ist an der Tür?",
+    "Ist jemand da?",
+    "Ist alles in Ordnung?",
+    "Was ist heute passiert?",
+  ],
+  ja: () => ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"],
+};
+
+export const ideas = (): string[] => IDEAS[language()]!();
+
+/** The place that is looked at first. */
+function places(): string[] {
+  const known = (room.value?.places ?? []).filter((one) => one.name !== "home");
+  return known.slice(0, 1).map((one) => one.title);
+}
+
+/** Something that is carried about. */
+function things(): string[] {
+  const known = catalogue.value.filter((one) => one.kind === MEANT);
+  return known.slice(0, 1).map((one) => one.name);
+}

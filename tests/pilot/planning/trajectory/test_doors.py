@@ -1,0 +1,62 @@
+"""A door of 0.8 m: too narrow for the disc around the hull, wide enough for the hull itself."""
+
+from __future__ import annotations
+
+from math import nan
+
+import numpy as np
+import pytest
+from space_room import LIMITS
+
+from housefly.pilot.planning.space.any_angle import in_metres, in_voxel_edges, taut
+from housefly.pilot.planning.space.clearance import HullCylinder
+from housefly.pilot.planning.space.costs import height_wish, narrowness
+from housefly.pilot.planning.space.oriented_hull import OrientedHull, oriented_clearances
+from housefly.pilot.planning.space.search import CellSearch
+from housefly.pilot.planning.space.solid_rows import room_rows
+from housefly.pilot.planning.space.voxels import voxel_map
+from housefly.pilot.planning.trajectory.heading import headings
+from housefly.pilot.planning.trajectory.timing import TICK
+from housefly.pilot.planning.trajectory.trajectory import at_rest, trajectory_along
+from housefly.room.model import Room, Shape, Solid
+
+HULL = OrientedHull(0.517 / 2, 0.451 / 2, 0.065)
+DOOR = 0.8
+TURN_RATE = 0.9
+
+
+def two_rooms(door: float) -> Room:
+    """Return two rooms with a door between them, its middle at this y [m]."""
+    spans = ((0.0, door - DOOR / 2), (door + DOOR / 2, 4.0))
+    walls = [
+        Solid(f"wall {a}", "wall", Shape.BOX, (4.0, (a + b) / 2, 1.35), (0.1, b - a, 2.7))
+        for a, b in spans
+    ]
+    lintel = Solid("lintel", "wall", Shape.BOX, (4.0, door, 2.4), (0.1, DOOR, 0.6))
+    return Room("two rooms", (0.0, 0.0, 8.0, 4.0), 2.7, (*walls, lintel), (), (), (1.5, 2.0))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_hull_goes_through_a_door_with_its_narrow_side(seed: int) -> None:
+    random = np.random.default_rng(seed)
+    room = two_rooms(float(random.uniform(1.2, 2.8)))
+    start = np.array([random.uniform(0.8, 2.5), random.uniform(0.8, 3.2), 1.1])
+    goal = np.array([random.uniform(5.5, 7.2), random.uniform(0.8, 3.2), 1.1])
+    rows = room_rows(room)
+    disc = voxel_map(room, 0.1, HullCylinder(0.343, HULL.half_height), 0.145)
+    here, there = (disc.voxel_of((x, y, z)) for x, y, z in (start.tolist(), goal.tolist()))
+    assert not CellSearch(disc.free()).path(here, there).cells
+    voxels = voxel_map(room, 0.05, HullCylinder(HULL.half_width, HULL.half_height), 0.145)
+    free, weights = voxels.free(), narrowness(voxels, 0.35, 4.0) + height_wish(voxels, 1.1, 0.3)
+    here, there = (voxels.voxel_of((x, y, z)) for x, y, z in (start.tolist(), goal.tolist()))
+    cells = np.array(CellSearch(free, weights).path(here, there).cells) + 0.5
+    ends = in_voxel_edges(voxels, np.stack((start, goal)))
+    way = taut(free, np.vstack((ends[:1], cells[1:-1], ends[1:])), weights)
+    corners = np.array(in_metres(voxels, way))
+    slow = LIMITS._replace(narrow_speed=0.4)
+    flown = trajectory_along(voxels, free, rows, corners, at_rest(start), slow)
+    assert flown is not None and not flown.stops
+    ahead = float(np.arctan2(goal[1] - start[1], goal[0] - start[0]))
+    yaws = headings(flown.rows, TICK, ahead, nan, TURN_RATE)
+    poses = np.hstack((flown.rows[:, :3], yaws[:, None]))
+    assert oriented_clearances(rows, poses, HULL, 1.0).min() >= 0.1
