@@ -76,11 +76,20 @@ def test_the_codes_of_compiled_code_are_those_of_the_messages_in_their_order() -
     assert [int(code) for code in SafetyCode] == [MODE_SEVERITY[mode] for mode in SafetyMode]
 
 
+def _names(function: Any) -> tuple[str, ...]:
+    """Return what a compiled function calls."""
+    names: tuple[str, ...] = getattr(function, "py_func", function).__code__.co_names
+    return names
+
+
 def test_the_live_pilot_and_the_batch_call_the_same_functions() -> None:
     assert pilot.step_commanded is loop.step_commanded is step.step_commanded
-    for name in ("estimator_created", "estimator_updated", "estimator_advanced", "pose_estimate"):
+    for name in ("estimator_created", "estimator_updated", "pose_estimate"):
         own = getattr(estimator, name)
         assert getattr(pose_estimator, name) is getattr(loop, name) is own, name
+    assert pose_estimator.estimate_at is estimator.estimate_at
+    assert {"estimator_advanced", "pose_estimate"} <= set(_names(estimator.estimate_at))
+    assert loop.estimator_advanced is estimator.estimator_advanced
 
 
 @pytest.mark.parametrize("paper", [False, True])

@@ -39,7 +39,8 @@ from housefly.tasks.scheduler.values import ScheduledTask, SchedulerLimits, Task
 LIMITS = SchedulerLimits()
 words = st.text(st.characters(codec="utf-8"), max_size=20)
 times = st.floats(0.0, 4e9)
-parameters = st.dictionaries(words, words | st.booleans() | st.floats(allow_nan=False), max_size=3)
+numbers = st.floats(allow_nan=False, allow_infinity=False)
+parameters = st.dictionaries(words, words | st.booleans() | numbers, max_size=3)
 questions = st.builds(
     PersonQuestion, words, words, st.just(("yes", "no", "later")), st.none() | times, words
 )

@@ -181,6 +181,21 @@ def test_what_could_be_seen_but_not_flown_to_is_told_apart() -> None:
     assert refused.value.code == "no_way"
 
 
+def test_who_stands_in_the_only_way_is_named() -> None:
+    def person(name: str, x: float, y: float) -> Obstacle:
+        return Obstacle(name, (x, y), 0.25, kind=ObstacleKind.PERSON)
+
+    others = (person("p1", 5.7, 2.28), person("p3", 9.0, 3.5))
+    with pytest.raises(TaskError) as refused:
+        find_viewpoint(
+            viewing(),
+            place_subject("entrance", (0.85, 4.2, 1.5)),
+            obstacles=(*others, person("p2", 5.28, 4.21)),
+        )
+    assert refused.value.code == "no_way"
+    assert str(refused.value).endswith("can be seen from: p2 is in the way")
+
+
 def test_where_there_is_room_the_comfort_distance_is_kept() -> None:
     loaded, subject = site(), place_subject("kitchen", (9.03, 5.8, 0.95))
     alone = find_viewpoint(viewing(), subject).position

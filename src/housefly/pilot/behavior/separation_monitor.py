@@ -192,7 +192,7 @@ class SeparationMonitor:
             )
             if found.closest < config.min_distance:
                 return found
-            return self._trap(vehicle, place)
+            return self._trap(vehicle, place, velocity)
         found = self._people.separation(place, (0.0, 0.0), vehicle.now, YIELD_HORIZON)
         comes = found.closest < min(config.comfort_distance, found.now - APPROACH)
         if comes:
@@ -200,7 +200,7 @@ class SeparationMonitor:
         is_close = found.now < config.min_distance
         return found if is_close and not self._people.is_still(found.name, vehicle.now) else None
 
-    def _trap(self, vehicle: VehicleStatus, place: Vec2) -> Separation | None:
+    def _trap(self, vehicle: VehicleStatus, place: Vec2, velocity: Vec2) -> Separation | None:
         """Return who reaches a drone on its way that could get nowhere, while it can still land.
 
         A second later it would be too late: in a dead end nobody is made way for.
@@ -208,7 +208,6 @@ class SeparationMonitor:
         found = self._comes_within(DECISION_TIME, vehicle, place)
         soon = self._comes_within(TOUCHDOWN_TIME, vehicle, place).closest
         is_met = found.closest <= LIKELY_DISTANCE < soon
-        velocity = vehicle.estimate.velocity[:2] if vehicle.estimate else (0.0, 0.0)
         if not is_met or self._refuge(vehicle, place, velocity)[0].separation >= CORNERED_DISTANCE:
             self._trapped_since = inf
             return None

@@ -12,7 +12,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from housefly.tasks.api.values import Confirm, HouseMode, ParameterValue, Priority, RequestSurface
+from housefly.tasks.api.values import Confirm, HouseMode, Priority, RequestSurface
 
 _Word = Annotated[str, Field(max_length=200, pattern=r"^[^\x00-\x1f\x7f]*$")]
 _Name = Annotated[str, Field(min_length=1, max_length=80, pattern=r"^[^\x00-\x1f\x7f]*$")]
@@ -21,7 +21,8 @@ _Time = Annotated[float, Field(ge=0.0, le=4102444800.0, allow_inf_nan=False)]
 """Unix time up to the year 2100 [s]."""
 _Id = Annotated[int, Field(ge=1, le=2**53)]
 _Limit = Annotated[int, Field(ge=1, le=1000)]
-_Parameters = Annotated[dict[_Name, ParameterValue], Field(max_length=20)]
+_Value = Annotated[float, Field(allow_inf_nan=False)] | bool | str
+_Parameters = Annotated[dict[_Name, _Value], Field(max_length=20)]
 
 
 @dataclass(frozen=True, slots=True)
