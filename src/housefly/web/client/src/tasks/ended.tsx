@@ -44,7 +44,7 @@ export function Ended() {
   const tasks = [...newest, ...older.value.filter((one) => !known.has(one.id))];
   return (
     <>
-      {tasks.length === 0 && <p class="quiet">Nothing has been asked for yet.</p>}
+      {tasks.length === 0 && <p class="quiet">No task has ended yet.</p>}
       <ul class="ended">
         {tasks.map((task) => (
           <li key={task.id} data-outcome={outcome(task)}>
