@@ -21,7 +21,8 @@ let asked: Record<string, string> = {};
 
 /** Look for clips; empty words mean any. */
 export async function findClips(wanted: Record<string, string>): Promise<void> {
-  asked = Object.fromEntries(Object.entries(wanted).filter(([, value]) => value !== ""));
+  const words = Object.entries(wanted).map(([name, value]) => [name, value.trim()]);
+  asked = Object.fromEntries(words.filter(([, value]) => value !== ""));
   await turnTo(asked, []);
 }
 

@@ -47,10 +47,11 @@ export function Clips() {
               maxLength={200}
               placeholder="any"
               value={wanted.value[name] ?? ""}
-              onChange={(event) => {
-                wanted.value = { ...wanted.value, [name]: event.currentTarget.value.trim() };
-                look();
+              onInput={(event) => {
+                // Kept while it is typed: news of the house draw this form anew at any time.
+                wanted.value = { ...wanted.value, [name]: event.currentTarget.value };
               }}
+              onChange={look}
             />
           </label>
         ))}
