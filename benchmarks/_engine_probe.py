@@ -25,6 +25,14 @@ except ImportError:  # release 0.1.0
 
     from housefly.config import Site
 
+try:
+    from housefly.config.estimation import ONLY_LEVEL_PUSHES
+    from housefly.config.site import changed
+
+    SITE = changed(Site(), estimation=ONLY_LEVEL_PUSHES.model_dump())
+except ImportError:  # before anything else was worked out in flight
+    SITE = Site()
+
 PLAN = FlightPlan(Task.PATH, ((0.0, 0.0), (3.0, 0.0), (3.0, 2.0), (6.0, 2.0)), 20.0)
 MODES = {"default": {"mode": 0, "estimator": 0}, "paper": {"mode": 1, "estimator": 1}}
 
@@ -33,7 +41,7 @@ def main() -> None:
     count = int(sys.argv[1])
     fleets = {
         f"{mode}, {rate:.0f} Hz": cases(
-            Site(),
+            SITE,
             count,
             seed=np.arange(count),
             mocap_rate_hz=rate,

@@ -10,18 +10,14 @@ Judged on the truth of the simulated room, not on what the pilot believed.
 from __future__ import annotations
 
 import argparse
-import json
 import os
-import sys
 from collections import Counter
-from concurrent.futures import ProcessPoolExecutor, as_completed
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from _pieces import lines_kept, pieces_done
 from _run import table
 from housefly.app.lively import lively_changes
 from housefly.app.loaded_site import LoadedSite, load_site
@@ -103,30 +99,21 @@ def spend_day(seed: int) -> RoomDay:
 
 
 def days_kept(path: Path) -> dict[int, RoomDay]:
-    """Return the days that a file holds, by seed; a line cut short at the end is left out."""
+    """Return the days that a file holds, by seed."""
     days = {}
-    for line in path.read_text("utf-8").splitlines() if path.exists() else []:
-        with suppress(ValueError):
-            kept = json.loads(line)
-            day = RoomDay(**kept["day"])
-            day.refused, day.told = Counter(day.refused), Counter(day.told)
-            days[kept["seed"]] = day
+    for kept in lines_kept(path):
+        day = RoomDay(**kept["day"])
+        day.refused, day.told = Counter(day.refused), Counter(day.told)
+        days[kept["seed"]] = day
     return days
 
 
 def days_spent(rooms: int, path: Path, workers: int) -> list[RoomDay]:
     """Return the days of so many rooms; those that the file lacks are spent now."""
-    days = days_kept(path)
-    with ProcessPoolExecutor(workers, initializer=partial(os.nice, 19)) as pool:
-        under_way = {pool.submit(spend_day, n): n for n in range(rooms) if n not in days}
-        for done in as_completed(under_way):
-            seed, day = under_way[done], done.result()
-            days[seed] = day
-            with path.open("a", encoding="utf-8") as file:
-                file.write("\n" * bool(file.tell()) + json.dumps({"seed": seed, "day": vars(day)}))
-            words = "; ".join(day.violations) or "nothing broken"
-            print(f"room {seed}: {words}; {len(days)} of {rooms}", file=sys.stderr, flush=True)
-    return [days[seed] for seed in range(rooms)]
+    return pieces_done(
+        rooms, days_kept(path), spend_day, lambda seed, day: {"seed": seed, "day": vars(day)},
+        lambda day: "; ".join(day.violations) or "nothing broken", path, workers,
+    )  # fmt: skip
 
 
 def main() -> None:

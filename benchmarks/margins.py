@@ -14,6 +14,7 @@ from _run import table
 from housefly.app.loaded_site import LoadedSite, load_site
 from housefly.app.public.gains import choose_gains, judge_gains
 from housefly.app.stability_flight import hover_swing, nearest_periods
+from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
@@ -23,7 +24,7 @@ from housefly.lab.tuning.loop import Loop
 from housefly.lab.tuning.margins import delay_margin, gain_margin
 from housefly.lab.tuning.question import question_of
 from housefly.lab.tuning.site_lines import site_lines
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD
 
 STEP = 0.02
@@ -46,7 +47,9 @@ def settles(loop: Loop, **truth: float) -> bool:
         "mocap_rate_hz": loop.tracking_hz, "mocap_latency": loop.latency,
         "mocap_jitter": 0.0, "mocap_noise": 1e-9, "pose_age_level": 10.0, "pose_age_land": 20.0,
     }  # fmt: skip
-    case = cases(Site(), DRONES, seed=np.arange(DRONES), **(columns | truth))
+    case = cases(
+        Site(estimation=ONLY_LEVEL_PUSHES), DRONES, seed=np.arange(DRONES), **(columns | truth)
+    )
     flown = fly_many(case, FlightPlan(Task.STEP, ((0.0, 0.0), (STEP, 0.0)), SETTLE + 60.0))
     return bool((flown["residual"] < 0.2 * STEP).all())
 

@@ -31,19 +31,25 @@ from space_room import (  # noqa: E402
     way_between,
 )
 
-from housefly.messages.obstacles import Obstacle  # noqa: E402
+from housefly.config.site import changed, site_from_file  # noqa: E402
+from housefly.messages.obstacles import Obstacle, ObstacleKind  # noqa: E402
 from housefly.pilot.planning.space.search import CellSearch  # noqa: E402
 from housefly.pilot.planning.space.solid_rows import live_rows, room_rows  # noqa: E402
+from housefly.pilot.planning.space.space_map import SpaceMap  # noqa: E402
 from housefly.pilot.planning.space.voxels import voxel_map, with_rows  # noqa: E402
+from housefly.pilot.planning.trajectory.timing import KinematicState  # noqa: E402
 from housefly.pilot.planning.trajectory.trajectory import (  # noqa: E402
+    Trajectory,
     at_rest,
     trajectory_along,
 )
 from housefly.room.bsen import bsen  # noqa: E402
+from housefly.room.grid import build_grid  # noqa: E402
 
 GRIDS = ROOT.parent / "shared" / "data" / "maps" / "grid2d"
 NAMES = ("32room_000", "8room_000", "maze512-1-0", "maze512-8-0", "random512-40-0")
 PAIRS = 25
+PLANS = 300
 
 
 def milliseconds(call: Callable[[], object], repeats: int = 5) -> float:
@@ -102,6 +108,51 @@ def planning_rows() -> list[list[object]]:
     return rows
 
 
+def map_rows() -> list[list[object]]:
+    """Plans as the pilot asks for them: a chair and somebody have moved, the map is made anew."""
+    file = ROOT / "src" / "housefly" / "sites" / "bsen.toml"
+    site = changed(site_from_file(file), map__planner="space", limits__speed=1.0)
+    begin = time.thread_time()
+    space = SpaceMap(site, bsen(), build_grid(bsen(), site))
+    made, points = time.thread_time() - begin, free_points(21, 2 * PLANS, 1.1)
+    random = np.random.default_rng(5)
+    whole: list[float] = []
+    local: list[float] = []
+    answered = [0, 0]
+    for start, goal in zip(points[::2].tolist(), points[1::2].tolist(), strict=True):
+        space.update((), 0.0)
+        first = space.trajectory(at_rest(np.array(start)), tuple(goal), 0.0, 0.5)
+        for times, state in ((whole, at_rest(np.array(start))), (local, middle_of(first, random))):
+            if state is None:
+                continue
+            chair, person = random.uniform((5.0, 1.0), (13.0, 5.0), (2, 2)).tolist()
+            seen = (
+                Obstacle("chair", tuple(chair), 0.25, top=1.0, kind=ObstacleKind.THING),
+                Obstacle("person", tuple(person), 0.25, kind=ObstacleKind.PERSON),
+            )
+            begin = time.thread_time()
+            space.update(seen, 0.0)
+            flight = space.trajectory(state, tuple(goal), 0.0, 0.5)
+            times.append(1e3 * (time.thread_time() - begin))
+            answered[times is local] += flight is not None
+    rows: list[list[object]] = []
+    for name, times, count in (
+        ("from rest", whole, answered[0]),
+        ("in flight", local, answered[1]),
+    ):
+        spans = [f"{value:.1f}" for value in (percentile(times, 0.5), percentile(times, 0.99))]
+        rows.append([name, len(times), count, *spans, f"{max(times):.1f}", f"{made:.2f} s"])
+    return rows
+
+
+def middle_of(flight: Trajectory | None, random: np.random.Generator) -> KinematicState | None:
+    """Return a state on the way, if there is a way."""
+    if flight is None or len(flight.rows) < 10:
+        return None
+    row = flight.rows[int(random.integers(len(flight.rows) // 4, len(flight.rows) // 2))]
+    return KinematicState(row[:3].copy(), row[3:6].copy(), row[6:9].copy())
+
+
 def matrix(free: np.ndarray) -> object:
     index, ends, costs = np.arange(free.size).reshape(free.shape), [], []
     parts = {-1: (np.s_[1:], np.s_[:-1]), 0: (np.s_[:], np.s_[:]), 1: (np.s_[:-1], np.s_[1:])}
@@ -138,6 +189,9 @@ def main() -> None:
     print("### Planning in space\n")
     head = ["voxel", "voxels", "whole room [ms]", "one thing moved [ms]", "ten [ms]"]
     print(table([*head, "scipy's transform takes"], clearance_rows()), "\n")
+    map_rows()  # compiles
+    head = ["B-sen's map, 0.1 m", "plans", "answered", "median [ms]", "p99 [ms]", "longest [ms]"]
+    print(table([*head, "made at the start in"], map_rows()), "\n")
     head = ["speed", f"{PAIRS} flights", "nearest", "search [ms]", "search and way [ms]"]
     print(table([*head, "way and trajectory [ms]"], planning_rows()), "\n")
     print("Median and largest; nearest is from the drone's middle to a solid, exact.\n")

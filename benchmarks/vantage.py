@@ -11,6 +11,7 @@ from housefly.app.loaded_site import load_site
 from housefly.errors import TaskError
 from housefly.room.tracked import solids_of
 from housefly.tasks.vantage.patrol import floor_share, patrol_viewpoints
+from housefly.tasks.vantage.search_places import belief_of
 from housefly.tasks.vantage.subject import (
     Subject,
     furniture_subject,
@@ -18,6 +19,7 @@ from housefly.tasks.vantage.subject import (
     pieces_of,
     place_subject,
 )
+from housefly.tasks.vantage.thing_search import ThingSearch
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoints import find_viewpoint
 
@@ -64,6 +66,13 @@ def main() -> None:
     share = 100.0 * floor_share(views, viewing)
     seen_words = f"{len(views)} views, {share:.0f} % of the floor"
     rows.append(["a whole patrol", seen_words, *timed([round_ms], plan)])
+    whole = patrol_viewpoints(viewing, whole=True)
+    whole_ms = milliseconds(lambda: patrol_viewpoints(viewing, whole=True))
+    seen_words = f"{len(whole)} views, {100.0 * floor_share(whole, viewing):.0f} % of the floor"
+    rows.append(["a patrol of the whole floor", seen_words, *timed([whole_ms], plan)])
+    looks = ThingSearch(viewing, belief_of(None, viewing)).looks()
+    search_ms = milliseconds(lambda: ThingSearch(viewing, belief_of(None, viewing)).looks())
+    rows.append(["a search anywhere", f"{len(looks)} looks", *timed([search_ms], plan)])
     print("### Viewpoints\n")
     print(table(["of", "found", "median [ms]", "longest [ms]", "longest, in plans"], rows))
     print(

@@ -86,7 +86,7 @@ def photograph(page: Page, name: str) -> None:
 
 def visit(page: Page, address: str) -> None:
     """Wait for the cup, look, go back, and look again on a phone."""
-    page.goto(f"{address}#room")
+    page.goto(address)
     page.get_by_role("combobox", name="Where is").fill("mug")
     page.keyboard.press("Enter")
     answer = page.locator(".find .answer")
@@ -108,7 +108,8 @@ def visit(page: Page, address: str) -> None:
 
 def edit(page: Page) -> None:
     """Draw a zone and a place, and leave without saving."""
-    page.get_by_role("button", name="Edit", exact=True).click()
+    page.get_by_text("Layers").click()
+    page.get_by_role("button", name="Edit the room").click()
     panel = page.get_by_role("region", name="Edit places and zones")
     expect(panel).to_contain_text("Meeting table")
     plan = page.locator(".plan-view > svg").bounding_box() or sys.exit("there is no map")

@@ -115,7 +115,7 @@ def choose(pages: dict[str, Page]) -> None:
     for page in (desktop, phone):
         if page.get_by_role("button", name="Close").is_visible():
             page.get_by_role("button", name="Close").click()
-        show(page, "Fly")
+        show(page, "Live")
     desktop.get_by_role("button", name="Entrance", exact=True).click()
     desktop.wait_for_timeout(2000)
     photograph({"console": desktop, "phone": phone}, "ready")
@@ -125,7 +125,7 @@ def fly(pages: dict[str, Page]) -> None:
     """Fly to the chosen place by hand and photograph the service on its way."""
     desktop, phone = pages["console"], pages["phone"]
     both = {"console": desktop, "phone": phone}
-    hold(desktop, desktop.get_by_role("button", name="Send to look and come back"))
+    hold(desktop, desktop.get_by_role("button", name="Look at Entrance and come back"))
     expect(state(desktop, "Flying to Entrance")).to_be_visible(timeout=60_000)
     desktop.wait_for_timeout(7500)
     photograph(both, "flying")

@@ -53,6 +53,7 @@ if TYPE_CHECKING:
         TASK_NEWS_TOPIC,
         TASKS_QUERY,
         TOPICS,
+        TRAJECTORY_TOPIC,
         VIDEO_TOPIC,
     )
     from housefly.bus.zenoh_bus import ZenohBus
@@ -100,6 +101,7 @@ if TYPE_CHECKING:
         Phase,
         PilotStep,
         PlanAnswer,
+        PlannedTrajectory,
         Pose,
         PreflightCheck,
         RecordingNews,
@@ -115,6 +117,7 @@ if TYPE_CHECKING:
         TaskNews,
         Telemetry,
         TrackedFrame,
+        TrajectoryPoint,
         VideoFrame,
     )
     from housefly.record.replay import ReplayResult
@@ -133,20 +136,20 @@ if TYPE_CHECKING:
 __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
     "PLAN_QUERY", "RECORDING_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC",
-    "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "VIDEO_TOPIC", "Action", "Advice",
-    "ArDrone", "Behavior", "Bus", "CampaignResult", "Command", "ConfigError", "Covariance",
-    "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event", "EventNews", "Fact", "Facts",
-    "Flight", "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement", "LinkError",
-    "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation", "Obstacle",
-    "ObstacleKind", "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase", "PilotStep",
-    "PlanAnswer", "PlayedScene", "Pose", "PreflightCheck", "RecordingError", "RecordingNews",
-    "Reference", "ReplayResult", "Room", "RoomClient", "RoomError", "RoomEvent", "RoomNews",
-    "SafetyMode", "Scan", "Sensor", "SensorHealth", "SensorReport", "SensorSink", "Setpoint",
-    "Severity", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary",
-    "TaskError", "TaskNews", "Telemetry", "ThingError", "TrackedFrame", "VideoFrame", "WireError",
-    "ZenohBus", "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map",
-    "judge_gains", "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin",
-    "text_map",
+    "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC", "VIDEO_TOPIC",
+    "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Command", "ConfigError",
+    "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event", "EventNews",
+    "Fact", "Facts", "Flight", "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement",
+    "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation",
+    "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase",
+    "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PreflightCheck",
+    "RecordingError", "RecordingNews", "Reference", "ReplayResult", "Room", "RoomClient",
+    "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor", "SensorHealth",
+    "SensorReport", "SensorSink", "Setpoint", "Severity", "Sighting", "Simulation", "Site",
+    "StaleEdits", "StoreError", "Summary", "TaskError", "TaskNews", "Telemetry", "ThingError",
+    "TrackedFrame", "TrajectoryPoint", "VideoFrame", "WireError", "ZenohBus", "choose_gains",
+    "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch",
+    "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
@@ -163,7 +166,7 @@ _MODULES = {
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
         " RECORDING_TOPIC ROOM_EVENT_TOPIC ROOM_NEWS_TOPIC SENSOR_TOPIC STEP_TOPIC TASKS_QUERY"
-        " TASK_NEWS_TOPIC TOPICS VIDEO_TOPIC"
+        " TASK_NEWS_TOPIC TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
     ),
     "bus.zenoh_bus": "ZenohBus",
     "config.site": "Site",

@@ -41,9 +41,18 @@ def _version() -> str:
     return sha256(repr(tuple(stamps)).encode()).hexdigest()[:16]
 
 
-CACHE = HERE / "__pycache__" / f"compiled-{_version()}"
-"""Where compiled code is kept, unless NUMBA_CACHE_DIR names another place or this one cannot be
-written to.
+def _cache_place() -> Path:
+    """Return the folder of compiled code: the wanted one, the one beside us, or the user's."""
+    if wanted := os.environ.get("NUMBA_CACHE_DIR"):
+        return Path(wanted) / "housefly"
+    if os.access(HERE, os.W_OK):
+        return HERE / "__pycache__"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "housefly"
+
+
+CACHE = _cache_place() / f"compiled-{_version()}"
+"""Where compiled code is kept: in NUMBA_CACHE_DIR, beside this file, or, where that cannot be
+written to, in the user's cache.
 """
 FORGOTTEN_AFTER = 86400.0
 """Compiled code of sources that have changed since is kept this long, for programs that still run
@@ -57,8 +66,6 @@ def _keep_by_version() -> None:
     The compiler's own check looks at a function's own file only, so a caller would keep the old
     code of what it calls.
     """
-    if "NUMBA_CACHE_DIR" in os.environ or not os.access(HERE, os.W_OK):
-        return
     vars(config)["CACHE_DIR"] = str(CACHE)
     for old in set(CACHE.parent.glob("compiled-*")) - {CACHE}:
         if time.time() - old.stat().st_mtime > FORGOTTEN_AFTER:

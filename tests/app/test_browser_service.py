@@ -1,5 +1,6 @@
 """A whole service by clicks in Chromium, on real processes, some of which die in between."""
 
+import http.client
 import os
 import re
 import shutil
@@ -36,6 +37,7 @@ class Demo:
         self.process = subprocess.Popen(command, stdout=log.open("w"), stderr=subprocess.STDOUT)
         try:
             self.url = self._wait_for(r"http://\S+", 60.0)
+            assert answers(self.url), "the address is printed only once it answers"
             self._wait_for("ready after", 120.0)
         except AssertionError:
             self.leave()
@@ -62,6 +64,19 @@ class Demo:
                 return found.group(0)
             time.sleep(0.1)
         raise AssertionError(f"{pattern!r} was not printed:\n{self._log.read_text()}")
+
+
+def answers(url: str) -> bool:
+    """Return whether a server answers at the host of an address now, whatever it says."""
+    host = url.split("/")[2]
+    line = http.client.HTTPConnection(host, timeout=1.0)
+    try:
+        line.request("HEAD", "/")
+        return line.getresponse().status < 500
+    except OSError:
+        return False
+    finally:
+        line.close()
 
 
 @pytest.fixture
@@ -99,7 +114,7 @@ def picture(page: Page) -> bytes:
 
 def send_to_the_entrance(page: Page) -> None:
     page.get_by_role("button", name="Entrance", exact=True).click()
-    go = page.get_by_role("button", name="Send to look and come back")
+    go = page.get_by_role("button", name="Look at Entrance and come back")
     expect(go).to_be_enabled()
     page.wait_for_timeout(500)
     hold(page, go, 0.9)
@@ -171,6 +186,7 @@ def test_a_killed_pilot_leaves_the_drone_to_its_watchdog_and_the_next_one_moves_
     os.kill(demo.part("housefly.app.pilot_main").pid, signal.SIGKILL)
     page.wait_for_timeout(12_000)
     expect(state(page, "Flying to Entrance")).not_to_be_visible()
+    page.get_by_role("button", name="Details", exact=True).click()
     position = page.get_by_text(re.compile(r"^\s*\d+\.\d\d\s+\d+\.\d\d"))
     before = position.first.inner_text()
     page.wait_for_timeout(4000)

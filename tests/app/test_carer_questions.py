@@ -16,6 +16,7 @@ from typing import Any
 import aiomqtt
 import pytest
 from mcp import Client
+from mqtt_broker import Broker, mosquitto_or_skip, until
 from remembered_room import a_day_with_grandma
 from task_stage import TaskStage
 
@@ -151,11 +152,10 @@ def looping() -> Iterator[asyncio.AbstractEventLoop]:
 
 
 @contextlib.contextmanager
-def on_mqtt(
-    stage: TaskStage, broker: Any, loop: asyncio.AbstractEventLoop, folder: Path
-) -> Iterator[int]:
+def on_mqtt(stage: TaskStage, loop: asyncio.AbstractEventLoop, folder: Path) -> Iterator[int]:
     """Have the tasks answer at a broker of their own."""
-    made = broker.Broker(folder)
+    mosquitto_or_skip()
+    made = Broker(folder)
 
     def awaited(work: Coroutine[Any, Any, Any]) -> Any:
         return asyncio.run_coroutine_threadsafe(work, loop).result(20.0)
@@ -165,7 +165,7 @@ def on_mqtt(
         config = MqttConfig(broker="127.0.0.1", port=made.port, site="home")
         link = MqttLink(config, TasksConfig(), (), stage.service.answer, stage.wall)
         running = asyncio.create_task(link.run(lambda _: None))
-        await broker.until(lambda: not link.problem or "silent" in link.problem)
+        await until(lambda: not link.problem or "silent" in link.problem)
         return link, running
 
     _, running = awaited(begun())
@@ -188,7 +188,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
         patch = enter(pytest.MonkeyPatch.context())
         patch.setenv("XDG_RUNTIME_DIR", str(folder))
         address, loop = enter(served(stage)), enter(looping())
-        port = enter(on_mqtt(stage, broker_tests(), loop, folder))
+        port = enter(on_mqtt(stage, loop, folder))
         tasks = QueryServer(stage.service.answer, KEY, private(folder) / "tasks")
         open_until_the_end.callback(tasks.close)
         place = RoomAddress("bsen", address, KEY, os.getpid(), str(folder / "sockets" / "hub"))
@@ -210,22 +210,6 @@ def private(folder: Path) -> Path:
     made = folder / "sockets"
     made.mkdir(mode=0o700)
     return made
-
-
-def broker_tests() -> Any:
-    """Return the broker that the tests of the sensors start."""
-    import importlib.util
-    import sys
-
-    file = Path(__file__).parents[1] / "sensors" / "conftest.py"
-    spec = importlib.util.spec_from_file_location("carer_broker", file)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    if module.MOSQUITTO is None:
-        pytest.skip("mosquitto is not installed")
-    return module
 
 
 @pytest.fixture(autouse=True)

@@ -9,8 +9,8 @@ from cryptography import x509
 
 from housefly.app import certificates
 from housefly.app.certificates import CertificateFiles, files_in, make_certificate
-from housefly.app.own_names import own_names
 from housefly.errors import ConfigError
+from housefly.web.own_names import own_names
 
 NAMES = ("lab.local", "127.0.0.1", "192.168.4.4", "fd00::2")
 

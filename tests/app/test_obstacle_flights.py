@@ -131,7 +131,7 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_of_being_seen(fl
 
 @pytest.mark.slow
 def test_what_fills_the_corridor_is_waited_for_and_flown_past_when_taken_away(fly: Fly) -> None:
-    story = fly(Story(2.2, radius=1.1, away_after=9.0))
+    story = fly(Story(2.2, radius=1.4, away_after=9.0))
     assert story.outcome == "completed"
     assert story.closest > HULL and story.contacts == 0
     assert any("waiting here" in event.text for event in story.events if event.code == "no_way")

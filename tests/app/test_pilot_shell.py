@@ -17,25 +17,37 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import new_runtime
 from housefly.app.trackers import tracker_of
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import FRAME_TOPIC, LINK_TOPIC, ORDER_TOPIC, RECORDING_TOPIC, STEP_TOPIC
+from housefly.bus.topics import (
+    FRAME_TOPIC,
+    LINK_TOPIC,
+    ORDER_TOPIC,
+    RECORDING_TOPIC,
+    STEP_TOPIC,
+    TRAJECTORY_TOPIC,
+)
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.drones.ardrone.driver import ArDrone
 from housefly.messages import (
     Action,
+    Command,
     Inputs,
     LinkStatus,
     Order,
     OrderKind,
     Outputs,
     PilotStep,
+    PlannedTrajectory,
     PreflightCheck,
     RecordingNews,
     Severity,
     Sighting,
     TrackedFrame,
+    TrajectoryPoint,
 )
 from housefly.pilot.assembly import warm_up
+from housefly.pilot.behavior.trajectory_profile import SpacePath
+from housefly.pilot.estimation.estimation_report import EstimationReport
 
 pytestmark = [pytest.mark.wire, pytest.mark.realtime]
 
@@ -74,6 +86,28 @@ def test_frames_are_told_as_they_come_and_not_at_the_next_step(
     assert max(waited) > 0.002, "the pilot steps on its own clock"
 
 
+def test_what_is_planned_in_space_is_told_when_it_is_new_and_each_second(write_site: Any) -> None:
+    loaded, clock, bus = open_site(read_site(str(write_site()))), RealClock(), LocalBus()
+    told: list[PlannedTrajectory] = []
+    bus.subscribe(TRAJECTORY_TOPIC, told.append)
+    drone = ArDrone(loaded.site.drone, loaded.site.limits, clock)
+    shell = PilotShell(loaded, bus, tracker_of(loaded.site.tracking, clock), drone)
+    way = ((1.0, 1.0), (2.0, 1.0))
+    first = SpacePath(way, 1.0, 0.5, heights=(1.0, 1.2), times=(0.0, 2.0), speeds=(0.0, 0.5))
+    other = SpacePath(way[::-1], 1.0, 0.5, heights=(1.0, 1.3), times=(0.0, 2.0), speeds=(0.0, 0.5))
+    for number, (now, path) in enumerate(
+        [(10.0, None), (10.1, first), (10.2, first), (10.5, other), (11.4, other), (11.6, other)]
+    ):
+        outputs = Outputs(Command(Action.HOVER), path=path)
+        shell._tell(PilotStep(number, now, Inputs(), outputs))
+    assert [planned.at for planned in told] == [10.1, 10.5, 11.6]
+    assert told[0].points == (
+        TrajectoryPoint((1.0, 1.0, 1.0), 0.0, 0.0),
+        TrajectoryPoint((2.0, 1.0, 1.2), 2.0, 0.5),
+    )
+    assert told[1].points[1].position == (1.0, 1.0, 1.3)
+
+
 class FailingPilot:
     """Steps as the real one does until told to fail."""
 
@@ -88,6 +122,13 @@ class FailingPilot:
             raise ZeroDivisionError("float division by zero")
         outputs: Outputs = self._pilot.step(now, inputs)
         return outputs
+
+    @property
+    def estimation(self) -> EstimationReport:
+        if self.fails:
+            raise ZeroDivisionError("float division by zero")
+        found: EstimationReport = self._pilot.estimation
+        return found
 
     def preflight(self) -> tuple[PreflightCheck, ...]:
         if self.fails:

@@ -13,6 +13,7 @@ from housefly.app.stability_flight import (
     hover_swing,
     nearest_periods,
 )
+from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.twin import COMMAND_DELAY
 from housefly.lab.tuning.advice import Judgement
 from housefly.lab.tuning.margins import delay_margin
@@ -23,7 +24,11 @@ SETTINGS = ((100.0, 0.02), (10.0, 0.1))
 
 
 def tracked(rate: float, latency: float) -> LoadedSite:
-    return load_site("bsen", twin__mocap_rate_hz=rate, twin__mocap_latency=latency)
+    # The linear analysis knows no delay that is found in flight.
+    plain = ONLY_LEVEL_PUSHES.model_dump()
+    return load_site(
+        "bsen", twin__mocap_rate_hz=rate, twin__mocap_latency=latency, estimation=plain
+    )
 
 
 def judged(rate: float, latency: float) -> tuple[LoadedSite, Judgement]:

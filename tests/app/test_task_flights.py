@@ -112,6 +112,19 @@ def test_where_answers_from_memory_and_flies_only_when_that_is_wanted() -> None:
     assert any("refrigerator" in line.lower() for line in words(flight, Report))
 
 
+def test_a_search_shows_a_picture_of_where_the_thing_may_be_and_asks() -> None:
+    seen = TaskScript(replies={"seen": "yes"})
+    flight = flown("find", seen, thing="cup", wait=5.0)
+    assert flight.stage is TaskStage.DONE, flight.words
+    assert_home_and_clean(flight)
+    assert len(flight.actions_of(AskPerson)) == len(flight.actions_of(TakeSnapshot)) == 1
+    (line,) = words(flight, Report)
+    assert line.startswith("Somebody sees cup in the picture: ")
+    (snapshot,) = flight.actions_of(TakeSnapshot)
+    place = line.partition(": the ")[2].partition(" and ")[0]
+    assert place == "floor" or any(place in thing for thing in snapshot.picture)
+
+
 def test_a_patrol_shows_each_place_and_says_which_it_could_not() -> None:
     flight = flown("patrol", places="sofa, nowhere, tv", dwell=1.0)
     assert flight.stage is TaskStage.DONE, flight.words

@@ -147,3 +147,16 @@ def test_a_site_survives_the_way_through_json(tmp_path: Path) -> None:
     site = changed(Site(), name="lab", twin__mocap_rate_hz=30.0)
     file.write_text(site.model_dump_json())
     assert site_from_file(file) == site
+
+
+def test_mode_paper_has_the_limits_that_it_always_had() -> None:
+    paper = changed(Site(), mode="paper", limits__climb_command_max=1.5).limits
+    assert paper.full_climb == paper.vertical_speed_max == Site().limits.vertical_speed_max
+    assert paper.onboard_height_max == paper.height_max
+    assert (paper.landing_height, paper.landing_lead) == (0.45, 0.0)
+
+
+def test_a_drone_may_ask_for_more_climb_than_it_flies_at() -> None:
+    limits = changed(Site(), limits__vertical_speed_max=1.2).limits
+    assert limits.full_climb == 1.2 and limits.onboard_height_max == limits.height_max
+    assert Site().limits.full_climb == 1.0 and Site().limits.onboard_height_max == 3.0

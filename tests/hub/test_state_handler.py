@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -321,6 +322,17 @@ def test_nights_of_a_bed_a_person_and_of_nobody(asked: Asked) -> None:
     assert house.ask(NightsQuestion(house.now - 86_400.0, "resident", None, 0.0, 24.0)).nights
     with pytest.raises(ThingError):
         house.ask(NightsQuestion(0.0, "nobody-at-all"))
+
+
+def test_who_went_to_bed_before_the_night_began_is_in_bed_in_the_night_that_runs(
+    asked: Asked,
+) -> None:
+    house = asked.house
+    midnight = datetime.fromtimestamp(house.now).replace(hour=0, minute=0, second=0)
+    house.now = midnight.timestamp() + 1133.0
+    asked.happens("bed occupied", "bed", 4700.0)
+    nights = house.ask(NightsQuestion(house.now - 86_400.0, "", None, 0.0, 24.0)).nights
+    assert [one.in_bed for one in nights] == [pytest.approx(1133.0)]
 
 
 def test_of_whom_no_bed_spoke_nobody_knows_whether_they_were_in_one(asked: Asked) -> None:

@@ -254,7 +254,7 @@ class Flight:
         assert self.outputs is not None
         self.score.flown_s += TICK
         self.score.switches += self.outputs.behavior is not before
-        if self.outputs.path is not None:
+        if self.outputs.path is not None and len(self.outputs.path.waypoints) > 1:
             points = self.outputs.path.waypoints
             here = (self.body.x, self.body.y)
             self.score.errors.append(min(from_segment(here, a, b) for a, b in pairwise(points)))

@@ -25,8 +25,13 @@ from housefly.errors import ConfigError
 from housefly.messages import DroneStatus, Inputs, OrderKind, Outputs, Phase
 
 Fly = Callable[..., Any]
-KEPT = ("rate_hz", "take_off_timeout", "flight_time", "hold_timeout", "battery_floor")
-"""Not drawn: the rate has its own strategy, the others make a flight only longer or shorter."""
+KEPT = (
+    *("rate_hz", "take_off_timeout", "flight_time", "hold_timeout", "battery_floor"),
+    *("acceleration", "jerk", "vertical_acceleration"),
+)
+"""Not drawn: the rate has its own strategy, the others make a flight only longer or shorter, or
+count for trajectories in space only.
+"""
 RATES = st.sampled_from([100, 50, 25, 20])
 GOAL = (4.0, 1.25)
 """Two metres ahead of the pad."""

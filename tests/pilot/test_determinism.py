@@ -68,7 +68,7 @@ def test_any_input_gives_a_lawful_command_and_the_same_input_the_same_outputs(
         s = outputs.command.setpoint
         assert all(isfinite(value) for value in (s.theta, s.phi, s.vz, s.yaw_rate))
         assert max(abs(s.theta), abs(s.phi)) <= limits.tilt_max
-        assert abs(s.vz) <= limits.vertical_speed_max and abs(s.yaw_rate) <= limits.yaw_rate_max
+        assert abs(s.vz) <= limits.full_climb and abs(s.yaw_rate) <= limits.yaw_rate_max
         assert outputs.command.action is Action.FLY or (s.theta, s.phi, s.vz, s.yaw_rate) == (
             0.0,
             0.0,

@@ -9,7 +9,7 @@ from housefly.messages import OrderKind, Phase
 def test_a_drone_too_close_to_a_wall_leaves_by_the_shortest_line_and_one_off_the_map_is_refused(
     fly: Callable[..., Any],
 ) -> None:
-    flight = fly()
+    flight = fly(map__planner="grid")
     flight.body = flight.body._replace(y=0.3)
     assert not flight.grid.is_free(flight.grid.cell_of((flight.body.x, flight.body.y)))
     flight.run(0.5)

@@ -110,7 +110,7 @@ def test_it_stops_within_one_stopping_distance_and_three_tenths_and_soon_has_a_n
     way = hypot(flight.body.x - start[0], flight.body.y - start[1])
     assert way < stopping_distance(speed, BRAKING_DECELERATION, LATENCY) + 0.3 * speed
     assert stopped_at - at < 2.0 * speed / BRAKING_DECELERATION + 0.3
-    flight.until(lambda o: o.path is not None, 0.3)
+    flight.until(lambda o: not o.reason, 0.3)
 
 
 def test_without_looking_it_flies_through_the_place_of_the_chair(fly: Fly) -> None:
@@ -141,7 +141,7 @@ def test_a_chair_that_fills_the_only_way_is_waited_for_in_words_and_flown_past_w
     assert sum(event.code == "no_way" for event in flight.events) == 1
     chair.stands = False
     taken = flight.now
-    flight.until(lambda o: o.path is not None, FREED_AFTER + 0.5)
+    flight.until(lambda o: not o.reason, FREED_AFTER + 0.5)
     assert flight.now - taken > 1.0
     arrive(flight)
     assert chair.closest > HULL
@@ -154,7 +154,7 @@ def test_a_source_that_says_that_a_thing_is_gone_frees_its_place_at_once(fly: Fl
     flight.around = lambda f: (
         Obstacle("chair", (6.0, 3.5), 1.2, confidence=0.0, seen_at=f.now, source="laser"),
     )
-    flight.until(lambda o: o.path is not None, 0.4)
+    flight.until(lambda o: not o.reason, 0.6)  # once it stands
 
 
 def test_a_way_that_stays_blocked_is_given_up_for_home_and_a_way_home_for_landing(fly: Fly) -> None:
@@ -244,7 +244,7 @@ def test_warming_up_makes_a_map_with_obstacles_and_looks_along_a_path(
             return function(*arguments)
 
         monkeypatch.setattr(navigator, function.__name__, noted)
-    flight = fly()
+    flight = fly(map__planner="grid")
     warm_up(flight.site, flight.room, flight.grid)
     assert compiled == {"live_grid", "first_block"}
 

@@ -198,7 +198,7 @@ class OrdersAndFaults(RuleBasedStateMachine):
         command, s = outputs.command, outputs.command.setpoint
         numbers = (s.theta, s.phi, s.vz, s.yaw_rate)
         tilt = self.limits.tilt_max + 1e-9
-        bounds = (tilt, tilt, self.limits.vertical_speed_max, self.limits.yaw_rate_max)
+        bounds = (tilt, tilt, self.limits.full_climb, self.limits.yaw_rate_max)
         assert all(isfinite(n) and abs(n) <= b + 1e-9 for n, b in zip(numbers, bounds, strict=True))
         for order in orders:
             # A cut that the drone does not confirm is given up after a while, and told; a landing

@@ -19,7 +19,7 @@ from housefly.messages import (
     Pose,
     Sighting,
 )
-from housefly.pilot.behavior.landing_monitor import LAST_HEIGHT
+from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.room.distance import half_diagonal
 
 Fly = Callable[..., Any]
@@ -182,7 +182,7 @@ def test_near_somebody_the_drone_is_slow(fly: Fly) -> None:
     for _ in range(3000):
         outputs = flight.step()
         x, y = person.place(flight.now)
-        if hypot(flight.body.x - x, flight.body.y - y) - BODY - HULL < 1.0:
+        if hypot(flight.body.x - x, flight.body.y - y) - BODY - HULL < 1.15:
             fastest = max(fastest, flight.speed)
         if outputs.phase is Phase.HOLDING:
             break

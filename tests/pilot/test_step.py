@@ -16,11 +16,13 @@ from housefly.pilot.behavior.path_profile import NO_PATH
 from housefly.pilot.estimation import estimator, pose_estimator
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN
 from housefly.pilot.estimation.estimator import (
+    estimator_created,
+    estimator_initialized,
+)
+from housefly.pilot.estimation.estimator_state import (
     EstimatorState,
     Measurement,
     PoseEstimate,
-    estimator_created,
-    estimator_initialized,
 )
 from housefly.pilot.safety.limits import SafetyCode
 from housefly.pilot.safety.rules import MODE_SEVERITY

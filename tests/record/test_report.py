@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import sync_playwright
 
 from housefly.config.site import Site
-from housefly.messages import PilotStep
+from housefly.messages import PilotStep, PlannedTrajectory, TrajectoryPoint
 from housefly.record.report import write_report
 from housefly.record.series import collect
 from housefly.record.summary import summarize_flight
@@ -65,7 +65,7 @@ def test_the_report_asks_for_nothing_from_elsewhere(report: Path) -> None:
 
 def test_the_report_shows_every_plot_and_number(report: Path) -> None:
     text = report.read_text()
-    assert text.count('role="img"') == text.count("</svg>") == 5
+    assert text.count('role="img"') == text.count("</svg>") == 6
     for words in (
         "completed",
         "small room",
@@ -97,6 +97,31 @@ def test_ids_of_the_plots_do_not_collide(report: Path) -> None:
     assert not any(name.startswith("p") for names in shared for name in names), (
         "clip paths are per plot"
     )
+
+
+def test_curves_in_space_are_shown_with_their_heights_and_colours_of_speed(
+    tmp_path: Path, site: Site, room: Room, grid: OccupancyGrid, flight: tuple[PilotStep, ...]
+) -> None:
+    paths = {step.outputs.path for step in flight if step.outputs.path}
+    planned = [
+        PlannedTrajectory(
+            0.0,
+            tuple(
+                TrajectoryPoint((x, y, 1.0 + 0.2 * k), 3.0 * k, 0.5 * k)
+                for k, (x, y) in enumerate(path.waypoints)
+            ),
+        )
+        for path in paths
+    ]
+    series = collect(flight, "ardrone", planned)
+    assert [len(points) for points in series.planned] == [3, 3]
+    summary = summarize_flight(series, "completed", site, room, grid)
+    write_report(tmp_path / "report.html", series, summary, site, room, grid)
+    text = (tmp_path / "report.html").read_text()
+    assert "Height along the way" in text and "planned 0.8 to 1.0 m/s" in text
+    slow, fast = "var(--v1)", "var(--v3)"
+    assert slow in text and fast in text, "the legs have 0.25 and 0.75 m/s of at most 1.0"
+    assert text.count('role="img"') == 7
 
 
 def test_a_recording_without_a_single_step_still_has_a_report(
@@ -140,7 +165,7 @@ def test_a_browser_shows_the_report_without_errors_or_requests(
     page.goto(report.as_uri())
     assert requests == [report.as_uri()]
     assert problems == []
-    assert page.locator("svg").count() == 5
+    assert page.locator("svg").count() == 6
     assert page.evaluate("document.documentElement.scrollWidth") <= width, (
         "only the plots scroll sideways"
     )

@@ -149,6 +149,8 @@ STOLEN = [
     ("GET", "/edits"),
     ("POST", "/edits"),
     ("GET", "/coverage"),
+    ("GET", "/flights"),
+    ("GET", "/flights/20270115T080000250Z"),
     ("GET", "/video.mjpeg"),
     ("GET", "/api/v1/picture"),
     ("GET", "/api/v1/where/cup"),

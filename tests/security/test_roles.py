@@ -62,6 +62,8 @@ PATHS: dict[tuple[str, str], Role] = {
     ("POST", "/stop"): WATCH,
     ENDLESS: WATCH,
     ("GET", "/coverage"): WATCH,
+    ("GET", "/flights"): WATCH,
+    ("GET", "/flights/20270115T080000250Z"): WATCH,
     ("GET", "/edits"): WATCH,
     ("POST", "/edits"): ADMIN,
     ("POST", "/edits/undo"): ADMIN,

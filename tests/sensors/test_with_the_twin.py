@@ -36,8 +36,9 @@ class Playing:
         return (time.monotonic() - self.began) * self.speed
 
     async def stop(self) -> None:
-        self.task.cancel()
-        await asyncio.gather(self.task, return_exceptions=True)
+        while not self.task.done():  # a connection that is lost just now may take one for itself
+            self.task.cancel()
+            await asyncio.wait({self.task}, timeout=1.0)
 
 
 async def test_a_whole_afternoon_is_heard_as_it_happens(broker, listen, until):

@@ -5,11 +5,13 @@ from __future__ import annotations
 from housefly.config.site import Site
 from housefly.messages import Estimate, Event, Sighting
 from housefly.pilot.estimation.estimator import (
-    ControlState,
-    EstimatorKind,
     control_state,
     estimator_advanced,
     estimator_commanded,
+)
+from housefly.pilot.estimation.estimator_state import (
+    ControlState,
+    EstimatorKind,
 )
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.estimation.validation import RejectionReason

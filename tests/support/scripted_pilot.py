@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import hypot
+from math import hypot, inf
 from typing import Any
 
 from housefly.errors import TaskError, ThingError
@@ -14,6 +14,7 @@ from housefly.pilot.behavior.mission_tables import ORDERS, REFUSALS, Response
 from housefly.tasks.execution.task_room import SeenPerson
 from housefly.tasks.execution.task_run import TaskRun
 from housefly.tasks.execution.values import GiveOrder, PersonReply, TaskAction, TaskInputs
+from housefly.tasks.vantage.thing_search import SearchLook, SearchSummary
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
 PERIOD = 0.1
@@ -147,6 +148,33 @@ class ScriptedPilot:
 
 
 @dataclass
+class ScriptedSearch:
+    """Looks one after the other, each of which may show the thing with the same probability."""
+
+    left: list[Viewpoint]
+    shown: list[tuple[str, bool]] = field(default_factory=list)
+    skipped: list[str] = field(default_factory=list)
+
+    def looks(
+        self, drone: Vec3 | None = None, least: float = 0.03, budget: float = inf
+    ) -> tuple[SearchLook, ...]:
+        return tuple(SearchLook(0, view, 0.2, (view.subject,)) for view in self.left)
+
+    def was_shown(self, look: SearchLook, *, nothing: bool) -> None:
+        self.left.pop(0)
+        self.shown.append((look.view.subject, nothing))
+
+    def leave_out(self, look: SearchLook) -> None:
+        self.skipped.append(self.left.pop(0).subject)
+
+    def summary(self) -> SearchSummary:
+        answered = sum(nothing for _, nothing in self.shown)
+        left = tuple((name, 0.2) for name in self.skipped)
+        looked = tuple(name for name, _ in self.shown)
+        return SearchSummary(looked, left, 0.2 * len(self.shown), 0.2 * answered)
+
+
+@dataclass
 class ScriptedRoom:
     """Subjects with their viewpoints; answers to questions by name."""
 
@@ -154,6 +182,7 @@ class ScriptedRoom:
     seen: tuple[SeenPerson, ...] = ()
     answers: dict[tuple[str, str], Any] = field(default_factory=dict)
     asked: list[Question] = field(default_factory=list)
+    looks: list[Viewpoint] = field(default_factory=list)
 
     def ask(self, question: Question) -> Any:
         self.asked.append(question)
@@ -173,8 +202,18 @@ class ScriptedRoom:
             raise TaskError(f"there is no {subject} here", "unknown_thing")
         return self.views[subject]
 
-    def round_names(self) -> tuple[str, ...]:
-        return tuple(name for name in self.views if name.startswith("floor"))
+    def view_from(self, subject: str, place: Vec2) -> Viewpoint | None:
+        return None
+
+    def round_names(self, *, whole: bool = False) -> tuple[str, ...]:
+        names = [name for name in self.views if "floor" in name]
+        return tuple(name for name in names if name.startswith("whole") == whole)
+
+    def shown_share(self, poses: tuple[tuple[Vec2, float], ...]) -> float:
+        return min(1.0, 0.1 * len(poses))
+
+    def search(self, thing: str, drone: Vec3 | None, look_time: float) -> ScriptedSearch:
+        return ScriptedSearch(list(self.looks))
 
 
 def view(subject: str, x: float, y: float, ahead: float = 2.0) -> Viewpoint:

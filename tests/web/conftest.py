@@ -16,7 +16,7 @@ from urllib.parse import urlencode
 import pytest
 import pytest_asyncio
 import uvicorn
-from playwright.async_api import Browser, async_playwright
+from playwright.async_api import Browser, Page, async_playwright, expect
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.app.certificates import CertificateFiles
@@ -158,6 +158,25 @@ async def until(condition: Callable[[], Any], patience: float = 5.0) -> Any:
 @pytest.fixture(name="until")
 def until_fixture() -> Callable[..., Any]:
     return until
+
+
+@contextlib.asynccontextmanager
+async def ready_page(chromium: Browser, console: Any, **options: Any) -> AsyncIterator[Page]:
+    """Open a console that is ready on the pad; fails on errors of the page."""
+    context = await chromium.new_context(**options)
+    page = await context.new_page()
+    troubles: list[str] = []
+    page.on("pageerror", lambda error: troubles.append(str(error)))
+    await page.goto(console.link)
+    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    yield page
+    await context.close()
+    assert troubles == []
+
+
+@pytest.fixture(name="ready_page")
+def ready_page_fixture() -> Callable[..., Any]:
+    return ready_page
 
 
 def contexts_of(

@@ -1,4 +1,4 @@
-"""Editing places and zones on the ROOM screen, in real Chromium, with a real edit service."""
+"""Editing places and zones of the room, in real Chromium, with a real edit service."""
 
 from __future__ import annotations
 
@@ -38,13 +38,12 @@ async def console(serving: Any, loopback: str, versions: EditVersions) -> AsyncI
 
 @pytest_asyncio.fixture(loop_scope="module")
 async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
-    """Yield the ROOM screen in edit mode; fails on any error of the page."""
+    """Yield the room being edited; fails on any error of the page."""
     context = await chromium.new_context(viewport=DESKTOP)
     page = await context.new_page()
     troubles: list[str] = []
     page.on("pageerror", lambda error: troubles.append(str(error)))
-    await page.goto(console.link + "#room")
-    await page.get_by_role("button", name="Edit", exact=True).click()
+    await page.goto(console.link + "#edit")
     await expect(panel(page)).to_contain_text("Meeting table")
     yield page
     await context.close()
@@ -105,7 +104,6 @@ async def test_a_place_is_added_on_the_map_seen_undone_and_gone(
         (6.0, 4.25),
     )
     await page.reload()
-    await page.get_by_role("button", name="Edit", exact=True).click()
     await expect(panel(page)).to_contain_text("Reading corner")
     await button(page, "Undo").click()
     await expect(panel(page).get_by_role("status")).to_contain_text("Undone; this is version 2.")
@@ -113,6 +111,32 @@ async def test_a_place_is_added_on_the_map_seen_undone_and_gone(
     await expect(page.locator(".edits")).not_to_contain_text("Reading corner")
     assert versions.newest().edits == Edits()
     assert console.pilot.orders == []
+
+
+async def test_what_is_not_saved_survives_a_reload_and_says_from_when_it_counts(
+    page: Page, versions: EditVersions
+) -> None:
+    await drag(page, (5.0, 3.0), (6.0, 4.0))
+    await type_into(page, "Reason", "Wet floor")
+    await expect(panel(page)).to_contain_text("counts from the next start of Housefly on")
+    await page.reload()
+    await expect(page.locator(".edits .zone")).to_contain_text("Wet floor")
+    await expect(panel(page)).to_contain_text("These changes were not saved before")
+    assert versions.newest().number == 0
+    await button(page, "Save").click()
+    await expect(panel(page).get_by_role("status")).to_contain_text("Saved as version 1.")
+    await page.reload()
+    await expect(panel(page)).not_to_contain_text("not saved before")
+
+
+async def test_a_watcher_is_told_at_once_that_it_may_not_edit(page: Page, console: Any) -> None:
+    watcher = await page.context.new_page()
+    await watcher.goto(console.origin + "/#edit")
+    await expect(panel(watcher)).to_contain_text("Viewer 1 has control, and only who has control")
+    await button(watcher, "Add a zone").click(force=True)
+    await drag(watcher, (5.0, 3.0), (6.0, 4.0))
+    await expect(watcher.locator(".edits .zone")).to_have_count(0)
+    await expect(panel(watcher).locator("form")).to_have_count(0)
 
 
 async def test_a_zone_over_the_home_pad_is_refused_in_words_beside_its_form(
@@ -203,6 +227,7 @@ async def test_stop_stays_where_it_is_and_everything_can_be_reached(
     stop = await page.locator(".stop").bounding_box()
     assert stop is not None
     assert stop["height"] >= 56 and stop["y"] + stop["height"] <= size["height"]
+    lowest = stop["y"] if size["height"] > 560 else size["height"]
     overflow = await page.evaluate(
         "document.documentElement.scrollWidth - document.documentElement.clientWidth"
     )
@@ -210,7 +235,7 @@ async def test_stop_stays_where_it_is_and_everything_can_be_reached(
     for name in ("Save", "Close", "Done"):
         await button(page, name).scroll_into_view_if_needed()
         box = await button(page, name).bounding_box()
-        assert box is not None and box["height"] >= 44 and box["y"] + box["height"] <= stop["y"]
+        assert box is not None and box["height"] >= 44 and box["y"] + box["height"] <= lowest
     await page.evaluate("document.activeElement.blur()")
     await page.keyboard.press("Space")
     await expect(page.locator(".stop")).to_contain_text("STOPPED")

@@ -1,4 +1,4 @@
-"""Beyond loopback only with a certificate and users; what is wrong with them is said in words."""
+"""Beyond loopback only with a certificate; what is wrong with it is said in words."""
 
 from __future__ import annotations
 
@@ -56,14 +56,7 @@ def test_other_addresses_need_a_certificate(host: str) -> None:
         checked_exposure(changed(Site(), web__host=host))
 
 
-@pytest.mark.parametrize("host", LAN)
-def test_a_certificate_without_users_is_not_enough(lan: Site, host: str) -> None:
-    users_file(lan).unlink()
-    with pytest.raises(ConfigError, match=r"web\.host.*nobody who could log in.*user add"):
-        checked_exposure(changed(lan, web__host=host))
-
-
-def test_with_both_browsers_ask_under_the_names_of_the_certificate_only(lan: Site) -> None:
+def test_with_one_browsers_ask_under_the_names_of_the_certificate_only(lan: Site) -> None:
     exposure = checked_exposure(lan)
     assert exposure.certificate is not None
     assert exposure.names == {"lab.local", "127.0.0.1", "10.0.0.7", "localhost", "::1"}

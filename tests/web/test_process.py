@@ -69,8 +69,8 @@ class Meeting:
         try:
             assert process.stdout is not None
             line = (await asyncio.wait_for(process.stdout.readline(), TIMEOUT)).decode()
-            found = re.search(r"(http://127\.0\.0\.1:\d+)/\?token=the-token", line)
-            assert found, line
+            found = re.search(r"console ready: (http://127\.0\.0\.1:\d+)$", line.strip())
+            assert found, f"{line}: the token belongs into no log"
             yield process, found[1]
         finally:
             if process.returncode is None:

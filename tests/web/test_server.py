@@ -100,9 +100,38 @@ async def test_an_invitation_opens_one_more_browser(console: Any) -> None:
     async with console.talk(await console.session()) as one:
         await one.say(type="invite", id=5)
         path = (await one.hear("invite", id=5))["path"]
-    status, headers, _ = await console.request("GET", path)
-    assert status == 303 and "set-cookie" in headers
+        status, headers, _ = await console.request("GET", path)
+        assert status == 303 and "set-cookie" in headers
+        await one.hear("invitation_used")
     assert (await console.request("GET", path))[0] == 403
+
+
+@pytest.mark.parametrize(
+    ("method", "headers"),
+    [
+        ("HEAD", {}),
+        ("GET", {"Sec-Purpose": "prefetch;prerender"}),
+        ("GET", {"Purpose": "prefetch"}),
+        ("GET", {"Sec-Fetch-Dest": "empty"}),
+        ("GET", {"Sec-Fetch-Dest": "image"}),
+    ],
+    ids=lambda one: str(one),
+)
+async def test_what_only_looks_at_a_link_does_not_use_it_up(
+    console: Any, method: str, headers: dict[str, str]
+) -> None:
+    link = "/?token=a-token-for-tests-only"
+    status, answer, _ = await console.request(method, link, **headers)
+    assert status == 204 and "set-cookie" not in answer
+    assert (await console.request("GET", link))[0] == 303
+
+
+async def test_what_a_stranger_may_have_tells_nothing(console: Any) -> None:
+    """The service worker and the authority, which a phone needs before it is in."""
+    status, headers, script = await console.request("GET", "/service-worker.js")
+    assert status == 200 and headers["content-type"].startswith("text/javascript")
+    assert "/api" not in script and "token" not in script
+    assert (await console.request("GET", "/authority.crt"))[0] == 404
 
 
 async def test_a_message_that_is_too_large_ends_the_socket(console: Any) -> None:

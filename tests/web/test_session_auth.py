@@ -1,10 +1,20 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from starlette.requests import HTTPConnection
 
+from housefly.clock import SteppedClock
 from housefly.web.roles import Role
-from housefly.web.session_auth import PROOF_HEADER, SessionAuth, cookie_name, same_origin
+from housefly.web.session import EndedSessions
+from housefly.web.session_auth import (
+    LONGEST_LOGIN,
+    PROOF_HEADER,
+    SessionAuth,
+    cookie_name,
+    same_origin,
+)
 
 
 def connection(cookie: str = "", **headers: str) -> HTTPConnection:
@@ -51,18 +61,36 @@ def test_a_wrong_token_and_a_forged_session_are_nothing() -> None:
     assert session is not None
     assert not accepts(auth, session[:-1] + ("0" if session[-1] != "0" else "1"))
     watching = SessionAuth("first", "secret")
-    weak = watching.redeem(watching.invite(Role.WATCH))
+    weak = watching.redeem(watching.invite(Role.WATCH).token)
     assert weak is not None and accepts(watching, weak)
-    assert not accepts(watching, weak.replace(".watch.", ".admin."))
+    assert not accepts(watching, weak.replace(".+watch:", ".+admin:"))
+    assert not accepts(watching, weak.replace(".+watch:", ".admin."))
 
 
-def test_invitations_are_new_links_and_the_oldest_die_first() -> None:
-    auth = SessionAuth("first", "secret")
-    invitations = [auth.invite() for _ in range(25)]
-    assert len(set(invitations)) == 25
-    assert auth.redeem("first") is None
-    assert auth.redeem(invitations[0]) is None
-    assert auth.redeem(invitations[-1]) is not None
+@pytest.mark.parametrize("role", Role)
+def test_a_guest_has_the_role_of_the_link_for_twelve_hours(role: Role) -> None:
+    clock = SteppedClock(1000.0)
+    auth = SessionAuth("first", "secret", clock=clock)
+    guest = auth.redeem(auth.invite(role).token)
+    assert guest is not None
+    seen = connection(f"{cookie_name(connection())}={guest}")
+    session = auth.cookie_session(seen)
+    assert session is not None and (session.role, session.user) == (role, "")
+    clock.advance(LONGEST_LOGIN + 2.0)
+    assert auth.cookie_session(seen) is None
+
+
+def test_a_used_link_stays_used_when_the_console_is_started_again(tmp_path: Path) -> None:
+    def again() -> SessionAuth:
+        return SessionAuth("first", "secret", ended=EndedSessions(tmp_path / "ended"))
+
+    auth = again()
+    link = auth.invite(Role.ASK).token
+    unused = auth.invite(Role.ASK).token
+    assert auth.redeem("first") is not None and auth.redeem(link) is not None
+    assert again().redeem("first") is None and again().redeem(link) is None
+    assert again().redeem(unused) is not None
+    assert "first" not in (tmp_path / "ended").read_text()
 
 
 def test_sessions_outlive_a_restart_with_the_same_secret_only() -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC
+from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import SteppedClock
 from housefly.config.furniture import FurnitureConfig
 from housefly.messages import (
@@ -13,10 +13,13 @@ from housefly.messages import (
     LinkStatus,
     Order,
     OrderKind,
+    Path,
     PilotStep,
+    PlannedTrajectory,
     Pose,
     Severity,
     Sighting,
+    TrajectoryPoint,
 )
 from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
@@ -167,3 +170,73 @@ def test_a_step_without_telemetry_and_estimate_can_be_shown(listening: Listening
     )
     state = feed.state(0.0)
     assert state is not None and state.position is None and state.battery is None
+
+
+def test_a_new_pilot_that_is_not_stopped_is_no_resume(listening: Listening) -> None:
+    feed, pilot, _, _ = listening
+    pilot.stopped = True
+    pilot.advance(0.01)
+    pilot.advance(0.01)
+    assert feed.stop.holds and feed.stop.is_confirmed
+    pilot.stopped, pilot.sequence = False, 0
+    pilot.advance(0.01)
+    assert feed.stop.holds and not feed.stop.is_confirmed
+    pilot.stopped = True
+    pilot.advance(0.01)
+    pilot.stopped = False
+    pilot.advance(0.01)
+    assert not feed.stop.holds
+
+
+WAY = ((1.0, 1.0), (2.0, 1.5), (3.0, 1.5))
+IN_SPACE = PlannedTrajectory(
+    100.0,
+    tuple(TrajectoryPoint((x, y, 1.0 + 0.1 * k), 0.5 * k, 0.2 * k) for k, (x, y) in enumerate(WAY)),
+)
+
+
+@pytest.mark.parametrize("path_first", [True, False])
+def test_a_path_in_space_is_shown_with_heights_times_and_speeds_whichever_comes_first(
+    listening: Listening, *, path_first: bool
+) -> None:
+    feed, pilot, _, bus = listening
+    pilot.path = Path(WAY, 2.1, 0.4)
+    if path_first:
+        pilot.advance(0.0)
+        shown = feed.path()
+        assert (shown.waypoints, shown.speeds) == (WAY, ())
+    bus.publish(TRAJECTORY_TOPIC, IN_SPACE)
+    pilot.advance(0.0)
+    shown = feed.path()
+    assert shown.heights == (1.0, 1.1, 1.2)
+    assert (shown.times, shown.speeds) == ((0.0, 0.5, 1.0), (0.0, 0.2, 0.4))
+    state = feed.state(0.0)
+    assert state is not None and state.path == shown.number
+    bus.publish(TRAJECTORY_TOPIC, replace(IN_SPACE, at=101.0))
+    assert feed.path().number == shown.number, "the same again is nothing new"
+    later = tuple(replace(point, time=2.0 * point.time) for point in IN_SPACE.points)
+    bus.publish(TRAJECTORY_TOPIC, replace(IN_SPACE, points=later))
+    assert feed.path().times == (0.0, 1.0, 2.0) and feed.path().number > shown.number
+
+
+def test_speeds_of_another_path_are_never_shown_on_this_one(listening: Listening) -> None:
+    feed, pilot, _, bus = listening
+    pilot.path = Path(WAY, 2.1, 0.4)
+    pilot.advance(0.0)
+    bus.publish(TRAJECTORY_TOPIC, IN_SPACE)
+    pilot.path = Path(tuple(reversed(WAY)), 2.1, 0.4)
+    pilot.advance(0.0)
+    assert feed.path().speeds == feed.path().heights == feed.path().times == ()
+
+
+def test_the_stopping_distance_is_that_of_the_collision_monitor(listening: Listening) -> None:
+    feed, pilot, _, bus = listening
+    pilot.advance(0.01)
+    step = feed.step
+    assert step is not None and step.outputs.estimate is not None
+    for speed in (0.0, 0.5, 1.5):
+        flown = replace(step.outputs.estimate, velocity=(0.6 * speed, 0.8 * speed, 0.0))
+        bus.publish(STEP_TOPIC, replace(step, outputs=replace(step.outputs, estimate=flown)))
+        state = feed.state(0.0)
+        assert state is not None
+        assert state.stopping_distance == pytest.approx(speed**2 / 2.0 + 0.3 * speed)

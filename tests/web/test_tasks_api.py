@@ -402,8 +402,12 @@ async def test_changes_are_written_down_with_who_and_what_became_of_it(
 ) -> None:
     await home.ask("POST", "/mode", {"mode": "night"}, role=FLY)
     await home.ask("POST", "/tasks", {"service": "dance"}, role=ASK)
-    lines = await until(lambda: lines_of(home.audit, '"night"', '"dance"'))
-    by = {line["who"]: line["what"] for line in lines}
+
+    def told() -> dict[str, str]:
+        by = {line["who"]: line["what"] for line in lines_of(home.audit, '"night"', '"dance"')}
+        return by if {"user-fly", "user-ask"} <= set(by) else {}
+
+    by = await until(told)
     assert '"mode":"night"' in by["user-fly"] and by["user-ask"].endswith("refused, 404")
 
 

@@ -15,6 +15,7 @@ from ipaddress import IPv4Address, IPv4Network, IPv6Address, IPv6Network, ip_add
 from pathlib import Path
 
 from housefly.errors import ConfigError, MissingPartError
+from housefly.web.tls import AUTHORITY_FILE
 
 try:
     from cryptography import x509
@@ -44,7 +45,7 @@ class CertificateFiles:
 def files_in(folder: Path) -> CertificateFiles:
     """Return the paths of the files in a folder."""
     return CertificateFiles(
-        folder / "authority.pem",
+        folder / AUTHORITY_FILE,
         folder / "authority-key.pem",
         folder / "console.pem",
         folder / "console-key.pem",
@@ -64,20 +65,62 @@ def make_certificate(folder: Path, names: Sequence[str]) -> tuple[CertificateFil
     Raises:
         ConfigError: a name is none, or a file cannot be written.
     """
-    alternatives = [_general_name(name) for name in dict.fromkeys(names)]
-    files = files_in(folder)
-    authority = _known_authority(files, alternatives)
-    is_new = authority is None
-    key = ec.generate_private_key(ec.SECP256R1())
-    try:
-        folder.mkdir(parents=True, exist_ok=True, mode=0o700)
-        vouching, vouching_key = authority or _new_authority(files, alternatives)
-        certificate = _certificate(vouching, vouching_key, key, alternatives)
-        _write_key(files.key, key)
-        _write(files.certificate, certificate.public_bytes(serialization.Encoding.PEM))
-    except OSError as error:
-        raise ConfigError("--out", f"{folder} cannot be written ({error.strerror})") from error
+    is_new = not renew_certificate(folder, names)
+    files, alternatives = files_in(folder), _general_names(names)
+    if is_new:
+        try:
+            folder.mkdir(parents=True, exist_ok=True, mode=0o700)
+            _write_certificate(files, _new_authority(files, alternatives), alternatives)
+        except OSError as error:
+            raise _unwritable(folder, error) from error
     return files, is_new
+
+
+def renew_certificate(folder: Path, names: Sequence[str]) -> bool:
+    """Write a certificate by the authority that is there; False when it may not vouch for that.
+
+    Args:
+        folder: of the files.
+        names: host names and IP addresses.
+
+    Raises:
+        ConfigError: a name is none, or a file cannot be written.
+    """
+    files, alternatives = files_in(folder), _general_names(names)
+    authority = _known_authority(files, alternatives)
+    if authority is None:
+        return False
+    try:
+        _write_certificate(files, authority, alternatives)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    return True
+
+
+def fingerprint(certificate: Path) -> str:
+    """Return the SHA-256 fingerprint of a certificate in PEM, as phones show it."""
+    found = x509.load_pem_x509_certificate(certificate.read_bytes()).fingerprint(hashes.SHA256())
+    return found.hex(" ").upper()
+
+
+_Authority = tuple[x509.Certificate, ec.EllipticCurvePrivateKey]
+
+
+def _write_certificate(
+    files: CertificateFiles, authority: _Authority, alternatives: list[x509.GeneralName]
+) -> None:
+    key = ec.generate_private_key(ec.SECP256R1())
+    certificate = _certificate(*authority, key, alternatives)
+    _write_key(files.key, key)
+    _write(files.certificate, certificate.public_bytes(serialization.Encoding.PEM))
+
+
+def _unwritable(folder: Path, error: OSError) -> ConfigError:
+    return ConfigError("--out", f"{folder} cannot be written ({error.strerror})")
+
+
+def _general_names(names: Sequence[str]) -> list[x509.GeneralName]:
+    return [_general_name(name) for name in dict.fromkeys(names)]
 
 
 def _general_name(name: str) -> x509.GeneralName:
@@ -99,7 +142,7 @@ def _general_name(name: str) -> x509.GeneralName:
 
 def _known_authority(
     files: CertificateFiles, alternatives: list[x509.GeneralName]
-) -> tuple[x509.Certificate, ec.EllipticCurvePrivateKey] | None:
+) -> _Authority | None:
     """Return the authority of last time if it still may vouch for these names."""
     try:
         authority = x509.load_pem_x509_certificate(files.authority.read_bytes())
@@ -131,9 +174,7 @@ def _is_within(name: x509.GeneralName, permitted: Sequence[x509.GeneralName]) ->
     )
 
 
-def _new_authority(
-    files: CertificateFiles, alternatives: list[x509.GeneralName]
-) -> tuple[x509.Certificate, ec.EllipticCurvePrivateKey]:
+def _new_authority(files: CertificateFiles, alternatives: list[x509.GeneralName]) -> _Authority:
     key = ec.generate_private_key(ec.SECP256R1())
     private: list[x509.GeneralName] = [
         x509.IPAddress(ip_network(one)) for one in (*_PRIVATE, *_PRIVATE_6)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from enum import Enum
-from pathlib import Path
 
 from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import Site
@@ -25,9 +23,7 @@ class CompiledPart(Enum):
 
 def compile_once(part: CompiledPart, say: _Say) -> None:
     """Compile a part and say so, unless that was done since the sources changed."""
-    mark = (
-        Path(os.environ.get("NUMBA_CACHE_DIR") or CACHE) / f"{CACHE.name}-{part.name.lower()}.done"
-    )
+    mark = CACHE / f"{part.name.lower()}.done"
     if mark.exists():
         return
     say(f"compiling {part.value} (once, kept for the next start) ...")
@@ -42,8 +38,8 @@ def compile_once(part: CompiledPart, say: _Say) -> None:
 def _chain() -> None:
     from housefly.pilot.assembly import warm_up
 
-    for mode in ("default", "paper"):
-        loaded = open_site(read_site("bsen", mode=mode))
+    for changes in ({"mode": "default"}, {"mode": "paper"}, {"map__planner": "grid"}):
+        loaded = open_site(read_site("bsen", **changes))
         warm_up(loaded.site, loaded.room, loaded.grid)
 
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from housefly.app.console_door import ConsoleDoor
 from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep import fly_lockstep
 from housefly.app.ports import refuse_taken_ports
-from housefly.app.runtime import Runtime, new_runtime
+from housefly.app.runtime import new_runtime
 from housefly.app.terminal import console
 from housefly.config.site import changed
 from housefly.messages import Order, OrderKind, PilotStep
@@ -18,7 +19,7 @@ from housefly.record.summary import Summary
 from housefly.record.truth import ContactRecord
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
-from housefly.web.exposure import checked_exposure, console_address
+from housefly.web.exposure import checked_exposure
 
 _SUMMARY_FIGURES = (
     ("duration_s", "duration", "s", 1),
@@ -70,8 +71,6 @@ def fly_service(
                 logs.mkdir(exist_ok=True)
                 # One service is flown by one order: nobody else may want something meanwhile.
                 runtime = new_runtime(changed(loaded.site, tasks__enabled=False), logs)
-                if web:
-                    console.print(f"console: {_address(runtime)}", soft_wrap=True)
                 outcome = fly_over_wires(
                     runtime,
                     logs,
@@ -81,15 +80,12 @@ def fly_service(
                     progress.show,
                     progress.say,
                     web=web,
+                    on_console=ConsoleDoor(runtime).print_address,
                 )
     finally:
         summary = recorder.finish(outcome)
     _print_summary(summary, out)
     return summary.outcome
-
-
-def _address(runtime: Runtime) -> str:
-    return f"{console_address(runtime.site())}/?token={runtime.token}"
 
 
 def _print_summary(summary: Summary, out: Path) -> None:

@@ -14,7 +14,13 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.app.service_monitor import ServiceMonitor
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, ORDER_TOPIC, STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import (
+    LINK_TOPIC,
+    ORDER_TOPIC,
+    STEP_TOPIC,
+    TRAJECTORY_TOPIC,
+    VIDEO_TOPIC,
+)
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.errors import LinkError
@@ -44,11 +50,13 @@ def fly_over_wires(
     say: Callable[[str], None],
     *,
     web: bool = False,
+    on_console: Callable[[], None] = lambda: None,
     give_up_after: float = 240.0,
 ) -> str:
     """Fly one service over real wires and return its outcome ("completed" or the reason).
 
-    Ctrl-C lands the drone first and gives the outcome "interrupted".
+    With ``web`` there is a console, and ``on_console`` is called once it answers. Ctrl-C lands the
+    drone first and gives the outcome "interrupted".
 
     Raises:
         LinkError: the drone or the tracking system did not answer in time.
@@ -63,7 +71,11 @@ def fly_over_wires(
         ZenohBus(connect=runtime.bus) as bus,
     ):
         missing = Readiness(
-            site, bus, web=web, video=site.drone.has_video and site.twin.video
+            site,
+            bus,
+            web=web,
+            video=site.drone.has_video and site.twin.video,
+            on_console=on_console,
         ).wait(_START_TIMEOUT, say, lambda: launcher.given_up != ())
         if missing:
             if launcher.given_up:
@@ -129,6 +141,7 @@ def _serve(
     open_ = [
         bus.subscribe(STEP_TOPIC, on_pilot_step),
         bus.subscribe(VIDEO_TOPIC, recorder.add_video),
+        bus.subscribe(TRAJECTORY_TOPIC, recorder.add_trajectory),
         bus.subscribe(LINK_TOPIC, recorder.add_link),
     ]
     try:

@@ -10,6 +10,8 @@ from dataclasses import replace
 from enum import Enum
 from pathlib import Path
 
+from housefly.app.console_answer import console_answers
+from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite
@@ -18,12 +20,12 @@ from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime, discovery_entry, new_runtime
 from housefly.app.terminal import console
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC, VIDEO_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import refuse_shared_store
 from housefly.record.recorder import FlightRecorder
-from housefly.web.exposure import checked_exposure, console_address
+from housefly.web.exposure import checked_exposure
 
 _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""
@@ -37,34 +39,46 @@ class Screen(Enum):
 
 
 _NEXT = {
-    Screen.FLY: "Open the address, choose a place, hold Send.",
+    Screen.FLY: "Open the address, choose a place, hold the button.",
     Screen.TASKS: "Open the address and ask for something, or ring the doorbell there.",
 }
 """What to do first."""
 
 
-class _DeathTeller:
-    """Prints each death of a process once."""
+class _Teller:
+    """Prints each death of a process once, and where the console is when it answers."""
 
-    def __init__(self, launcher: Launcher) -> None:
+    def __init__(self, launcher: Launcher, door: ConsoleDoor) -> None:
         self.launcher = launcher
+        self._door = door
         self._told = 0
+        self._is_open = False
 
     def tell(self) -> None:
         for death in self.launcher.deaths[self._told :]:
             _say(str(death))
             self._told += 1
 
+    def tell_address(self) -> None:
+        """Print where the console is, once; it answers there."""
+        if not self._is_open:
+            self._is_open = True
+            self._door.print_address()
+
     def tell_for_ever(self) -> None:
         while True:
             self.tell()
+            if not self._is_open and console_answers(self.launcher.runtime.site()):
+                self.tell_address()
+            if self._is_open:
+                self._door.print_asked_invitation()
             time.sleep(0.5)
 
 
 def run_interactively(
     loaded: LoadedSite, folder: Path, record: Path | None, first: Screen = Screen.FLY
 ) -> int:
-    """Start everything, print the console's address, and stay until Ctrl-C.
+    """Start everything, print the console's address when it answers, and stay until Ctrl-C.
 
     Args:
         loaded: what to start.
@@ -84,7 +98,7 @@ def run_interactively(
             Launcher(runtime, folder, processes_of(runtime), lambda: signals.is_impatient)
         )
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
-        teller = _DeathTeller(launcher)
+        teller = _Teller(launcher, ConsoleDoor(runtime, first.value))
         try:
             _introduce(runtime, bus, teller, started, first)
             if record is not None:
@@ -97,17 +111,11 @@ def run_interactively(
     return 0
 
 
-def _introduce(
-    runtime: Runtime, bus: Bus, teller: _DeathTeller, started: float, first: Screen
-) -> None:
+def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, first: Screen) -> None:
     site = runtime.site()
     console.print(
         f"[bold]Housefly[/bold] in {site.name}, mode {site.mode}:"
         f" {'simulated room' if site.twin.enabled else 'real hardware'}"
-    )
-    console.print(
-        f"console:  [bold]{console_address(site)}/?token={runtime.token}{first.value}[/bold]",
-        soft_wrap=True,
     )
     if site.tasks.enabled:
         console.print(f'ask:      {_command()} ask "who is at the door"', markup=False)
@@ -122,9 +130,8 @@ def _introduce(
             status.update(words)
             teller.tell()
 
-        missing = Readiness(site, bus, web=True, video=video).wait(
-            _READY_TIMEOUT, on_missing, lambda: teller.launcher.given_up != ()
-        )
+        readiness = Readiness(site, bus, web=True, video=video, on_console=teller.tell_address)
+        missing = readiness.wait(_READY_TIMEOUT, on_missing, lambda: teller.launcher.given_up != ())
     teller.tell()
     if missing:
         console.print(
@@ -161,6 +168,7 @@ def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
     open_ = [
         bus.subscribe(STEP_TOPIC, recorder.add_step),
         bus.subscribe(VIDEO_TOPIC, recorder.add_video),
+        bus.subscribe(TRAJECTORY_TOPIC, recorder.add_trajectory),
         bus.subscribe(LINK_TOPIC, recorder.add_link),
     ]
 

@@ -11,11 +11,14 @@ from housefly.app.loaded_site import LoadedSite
 from housefly.bus.bus import Bus
 from housefly.bus.topics import HUB_QUERY
 from housefly.errors import LinkError
-from housefly.geometry import Vec3
+from housefly.geometry import Vec2, Vec3
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import Question
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
+from housefly.tasks.vantage.named_search import search_for
+from housefly.tasks.vantage.named_subject import round_names, view_from, viewpoint_of
+from housefly.tasks.vantage.patrol import shown_share
+from housefly.tasks.vantage.thing_search import ThingSearch
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
@@ -67,19 +70,34 @@ class LiveTaskRoom:
     def viewpoint(self, subject: str, drone: Vec3 | None = None) -> Viewpoint:
         """Return where to hover to see a place, a thing or a person; raises TaskError."""
         now = self._clock()
-        # Whom only a scanner sees is an obstacle already; as a subject they are a person.
+        people, told = self._people_about(subject, now), self._live.obstacles(now)
+        return viewpoint_of(subject, self._viewing, self.ask, people, drone, told, now)
+
+    def view_from(self, subject: str, place: Vec2) -> Viewpoint | None:
+        """Return the viewpoint at a place [m] itself if it shows a subject well, else None."""
+        now = self._clock()
+        people, told = self._people_about(subject, now), self._live.obstacles(now)
+        return view_from(subject, self._viewing, self.ask, place, people, told, now)
+
+    def round_names(self, *, whole: bool = False) -> tuple[str, ...]:
+        """Return what a round looks at: named places, or else viewpoints that see the floor."""
+        return round_names(self._viewing, whole=whole)
+
+    def shown_share(self, poses: tuple[tuple[Vec2, float], ...]) -> float:
+        """Return the share of the floor that pictures from poses showed, [m] and [rad]."""
+        return shown_share(poses, self._viewing)
+
+    def search(self, thing: str, drone: Vec3 | None, look_time: float) -> ThingSearch:
+        """Return a search for a lost thing; raises TaskError."""
+        now = self._clock()
+        people, told = self._live.people(now), self._live.obstacles(now)
+        return search_for(thing, self._viewing, self.ask, people, drone, told, now, look_time)
+
+    def _people_about(self, subject: str, now: float) -> tuple[SeenPerson, ...]:
+        """Return who is tracked, and the subject itself when only a scanner sees them.
+
+        Whom only a scanner sees is an obstacle already; as a subject they are a person.
+        """
         scanned = (one for one in self._live.people(now) if one.id == subject)
         people = {one.id: one for one in (*self._live.tracked_people(now), *scanned)}
-        return viewpoint_of(
-            subject,
-            self._viewing,
-            self.ask,
-            people.values(),
-            drone,
-            self._live.obstacles(now),
-            now,
-        )
-
-    def round_names(self) -> tuple[str, ...]:
-        """Return what a round looks at: named places, or else viewpoints that see the floor."""
-        return round_names(self._viewing)
+        return tuple(people.values())

@@ -7,11 +7,14 @@ from typing import Any
 
 from housefly.app.loaded_site import LoadedSite
 from housefly.errors import LinkError
-from housefly.geometry import Vec3, rotate
+from housefly.geometry import Vec2, Vec3, rotate
 from housefly.hub.api.questions import Question
 from housefly.messages import Obstacle, Pose
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.named_subject import round_names, viewpoint_of
+from housefly.tasks.vantage.named_search import search_for
+from housefly.tasks.vantage.named_subject import round_names, view_from, viewpoint_of
+from housefly.tasks.vantage.patrol import shown_share
+from housefly.tasks.vantage.thing_search import ThingSearch
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 from housefly.twin.contracts import AWAY_Z
@@ -80,9 +83,25 @@ class LockstepTaskRoom:
         now, people = self._world.now, self.people()
         return viewpoint_of(subject, self._viewing, self.ask, people, drone, self.obstacles, now)
 
-    def round_names(self) -> tuple[str, ...]:
+    def view_from(self, subject: str, place: Vec2) -> Viewpoint | None:
+        """Return the viewpoint at a place [m] itself if it shows a subject well, else None."""
+        now, people = self._world.now, self.people()
+        return view_from(subject, self._viewing, self.ask, place, people, self.obstacles, now)
+
+    def round_names(self, *, whole: bool = False) -> tuple[str, ...]:
         """Return what a round looks at: named places, or else viewpoints that see the floor."""
-        return round_names(self._viewing)
+        return round_names(self._viewing, whole=whole)
+
+    def shown_share(self, poses: tuple[tuple[Vec2, float], ...]) -> float:
+        """Return the share of the floor that pictures from poses showed, [m] and [rad]."""
+        return shown_share(poses, self._viewing)
+
+    def search(self, thing: str, drone: Vec3 | None, look_time: float) -> ThingSearch:
+        """Return a search for a lost thing; raises TaskError."""
+        now, people = self._world.now, self.people()
+        return search_for(
+            thing, self._viewing, self.ask, people, drone, self.obstacles, now, look_time
+        )
 
     def _places(self) -> dict[str, Vec3]:
         """Return where everybody stands, world [m]; feet at height 0."""

@@ -5,6 +5,8 @@ Answers are computed on the bus's own thread, so that no query delays a control 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.views import room_view
 from housefly.bus.bus import Bus
@@ -13,7 +15,7 @@ from housefly.errors import WireError
 from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView
 from housefly.hub.api.pilot_queries_json import from_json, to_json
-from housefly.messages import PilotStep, PlanAnswer, PreflightCheck
+from housefly.messages import Path, PilotStep, PlanAnswer, PreflightCheck
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.preflight import preflight_refusal
 
@@ -49,7 +51,11 @@ class PilotQueryServer:
             subscription.close()
 
     def _plan(self, text: str) -> str:
-        return to_json(self._answer(from_json(PlanRequest, text)))
+        answer = self._answer(from_json(PlanRequest, text))
+        path = answer.path
+        # A way in space is told as the plan that it draws on the floor.
+        drawn = Path(path.waypoints, path.length, path.clearance) if path is not None else None
+        return to_json(replace(answer, path=drawn))
 
     def _answer(self, request: PlanRequest) -> PlanAnswer:
         start = request.start or self._drone_at

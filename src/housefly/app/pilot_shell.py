@@ -16,6 +16,7 @@ import asyncio
 import contextlib
 import traceback
 from dataclasses import replace
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
@@ -32,6 +33,7 @@ from housefly.bus.topics import (
     ORDER_TOPIC,
     RECORDING_TOPIC,
     STEP_TOPIC,
+    TRAJECTORY_TOPIC,
     VIDEO_TOPIC,
 )
 from housefly.clock import Rate, RealClock
@@ -47,6 +49,7 @@ from housefly.messages import (
     Order,
     OrderKind,
     Outputs,
+    Path,
     PilotStep,
     SafetyMode,
     Severity,
@@ -56,7 +59,9 @@ from housefly.messages import (
 )
 from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.pilot.assembly import make_pilot
+from housefly.pilot.behavior.planned_trajectory import planned_trajectory
 from housefly.pilot.contracts import Maneuver
+from housefly.pilot.estimation.estimation_report import NOTHING_ESTIMATED, EstimationReport
 from housefly.room.grid import extent_of
 from housefly.tracking.contracts import Tracker
 
@@ -65,6 +70,8 @@ if TYPE_CHECKING:
 
 _LINK_PERIOD = 0.5
 """How often the health of the wires is published [s]."""
+_TRAJECTORY_PERIOD = 1.0
+"""How often the trajectory in use is published again [s]."""
 _LANDING_TIMEOUT = 25.0
 """How long an ordered shutdown waits for the drone to land [s]."""
 
@@ -111,6 +118,8 @@ class PilotShell:
         self._failure = ""
         self._is_cut = False
         self._untold = ""
+        self._told_path: Path | None = None
+        self._told_path_at = 0.0
 
     async def run(self) -> None:
         """Fly until ``leave`` is called and the drone is down.
@@ -219,10 +228,20 @@ class PilotShell:
         try:
             self._queries.update(step)
             self._bus.publish(STEP_TOPIC, step)
+            self._tell_trajectory(step)
         except Exception as error:
             if not self._untold:
                 traceback.print_exc()
             self._untold = f"a step could not be published: {type(error).__name__}: {error}"
+
+    def _tell_trajectory(self, step: PilotStep) -> None:
+        """Publish what is planned in space: when it is new, and now and then for newcomers."""
+        path, now = step.outputs.path, step.now
+        if path == self._told_path and now - self._told_path_at < _TRAJECTORY_PERIOD:
+            return
+        self._told_path, self._told_path_at = path, now
+        if (planned := planned_trajectory(path, now)) is not None:
+            self._bus.publish(TRAJECTORY_TOPIC, planned)
 
     def _airborne(self) -> bool:
         telemetry = self._drone.telemetry
@@ -276,9 +295,18 @@ class PilotShell:
             traceback.print_exc()
             self._queries.update_preflight(())
 
+    def _estimation(self) -> EstimationReport:
+        """Return what the estimator found out; a failure there stops no other report."""
+        try:
+            return self.pilot.estimation
+        except Exception:
+            traceback.print_exc()
+            return NOTHING_ESTIMATED
+
     def _link_status(self) -> LinkStatus:
         now = self._clock.now()
         median, p99, worst = self._lateness.percentiles()
+        found = self._estimation()
         return LinkStatus(
             at=now,
             tracking_connected=self._tracker.connected,
@@ -304,7 +332,19 @@ class PilotShell:
                 )
                 if note
             ),
+            tracking_latency_s=_known(found.tracking_latency),
+            command_delay_s=_known(found.command_delay),
+            command_delay_std_s=_known(found.command_delay_std),
+            nis=_known(found.nis),
+            height_nis=_known(found.height_nis),
+            push=_known(found.push_size),
+            load=_known(found.load),
+            height_std=_known(found.height_std),
         )
+
+
+def _known(value: float) -> float:
+    return value if isfinite(value) else 0.0
 
 
 def _soon(loop: asyncio.AbstractEventLoop, action: Callable[[], None]) -> None:

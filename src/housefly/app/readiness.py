@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import socket
 import threading
 import time
 from collections.abc import Callable
 
+from housefly.app.console_answer import console_answers
 from housefly.bus.bus import Bus
 from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, VIDEO_TOPIC
 from housefly.config.site import Site
@@ -14,10 +14,26 @@ from housefly.messages import LinkStatus, PilotStep, VideoFrame
 
 
 class Readiness:
-    """Follows a starting run on the bus."""
+    """Follows a starting run on the bus.
 
-    def __init__(self, site: Site, bus: Bus, *, web: bool, video: bool) -> None:
-        self._site = site
+    Args:
+        site: what is started.
+        bus: its bus.
+        web: whether it has a console.
+        video: whether it has a picture.
+        on_console: is called once the console answers.
+    """
+
+    def __init__(
+        self,
+        site: Site,
+        bus: Bus,
+        *,
+        web: bool,
+        video: bool,
+        on_console: Callable[[], None] = lambda: None,
+    ) -> None:
+        self._site, self._on_console = site, on_console
         self._lock = threading.Lock()
         self._seen: set[str] = set()
         self._wanted = [
@@ -61,9 +77,10 @@ class Readiness:
         if (
             "console" in self._wanted
             and "console" not in self._seen
-            and _listens(self._site.web.host, self._site.web.port)
+            and console_answers(self._site)
         ):
             self._see("console")
+            self._on_console()
         with self._lock:
             return [name for name in self._wanted if name not in self._seen]
 
@@ -89,11 +106,3 @@ class Readiness:
 
     def _on_video(self, frame: VideoFrame) -> None:
         self._see("picture")
-
-
-def _listens(host: str, port: int) -> bool:
-    try:
-        with socket.create_connection((host, port), timeout=0.2):
-            return True
-    except OSError:
-        return False

@@ -35,6 +35,7 @@ def room_view(loaded: LoadedSite) -> RoomView:
             "pose_age_level": limits.pose_age_level,
             "pose_age_land": limits.pose_age_land,
             "telemetry_age": limits.telemetry_age,
+            "hold_timeout": limits.hold_timeout,
         },
     )
 

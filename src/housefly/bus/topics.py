@@ -18,6 +18,7 @@ from housefly.messages import (
     Obstacle,
     Order,
     PilotStep,
+    PlannedTrajectory,
     RecordingNews,
     RoomNews,
     SensorReport,
@@ -71,6 +72,10 @@ FRAME_TOPIC: Topic[TrackedFrame] = Topic("room/frame", TrackedFrame, Delivery.LA
 STEP_TOPIC: Topic[PilotStep] = Topic(
     "pilot/step", PilotStep, Delivery.LATEST, depth=1000, max_size=2**20
 )
+TRAJECTORY_TOPIC: Topic[PlannedTrajectory] = Topic(
+    "pilot/trajectory", PlannedTrajectory, Delivery.LATEST
+)
+"""Beside the steps, whose form old recordings hold."""
 LINK_TOPIC: Topic[LinkStatus] = Topic("pilot/link", LinkStatus, Delivery.LATEST)
 VIDEO_TOPIC: Topic[VideoFrame] = Topic(
     "drone/video", VideoFrame, Delivery.LATEST, depth=15, max_size=4 * 2**20
@@ -96,6 +101,7 @@ SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery
 TOPICS = (
     FRAME_TOPIC,
     STEP_TOPIC,
+    TRAJECTORY_TOPIC,
     LINK_TOPIC,
     VIDEO_TOPIC,
     ORDER_TOPIC,

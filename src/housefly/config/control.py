@@ -14,6 +14,9 @@ class ControlConfig(Section):
     beta: float = quantity(3.24, 0.05, 50.0, "1/s^2", "stiffness gain")
     yaw_gain: float = quantity(1.5, 0.1, 10.0, "1/s", "K1: yaw rate per yaw error")
     height_gain: float = quantity(1.2, 0.1, 10.0, "1/s", "K2: climb rate per height error")
+    feed_forward: float = quantity(
+        1.0, 0.0, 1.0, "1", "share of the reference's velocity and acceleration that is led with"
+    )
     epsilon_height: float = quantity(0.2, 0.01, 1.0, "m", "eps1 of the finite state acceptor")
     epsilon_yaw: float = quantity(
         0.35, 0.001, 1.5, "rad", "eps2; mode paper uses the printed 0.2 deg"

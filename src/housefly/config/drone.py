@@ -23,6 +23,7 @@ class DroneConfig(Section):
     )
     hull_length: float = quantity(0.517, 0.05, 2.0, "m", "longer side of the hull")
     hull_width: float = quantity(0.451, 0.05, 2.0, "m", "shorter side of the hull")
+    hull_height: float = quantity(0.13, 0.02, 1.0, "m", "of the hull, planner space")
     attitude_lag: float = quantity(
         7.0, 0.5, 50.0, "1/s", "lambda of paper eq. (22): pole of the attitude response"
     )
@@ -32,6 +33,14 @@ class DroneConfig(Section):
     drag: float = quantity(0.58, 0.0, 5.0, "1/s", "linear drag over mass")
     command_delay: float = quantity(0.06, 0.0, 0.5, "s", "from command to first reaction")
     climb_lag: float = quantity(1.4, 0.2, 50.0, "1/s", "pole of the climb rate response")
+    sink_gain: float = quantity(
+        2.0,
+        0.5,
+        3.0,
+        "1",
+        "what the drone makes of a commanded sinking, over what was commanded (an AR.Drone's stick"
+        " sinks twice as fast as it climbs); counts with estimation.lift_wander",
+    )
     yaw_lag: float = quantity(25.0, 0.2, 50.0, "1/s", "pole of the yaw rate response")
     profile: str = Field(
         default="",

@@ -1,4 +1,4 @@
-"""Places and no-fly zones that people changed on the ROOM screen, on top of room and site file."""
+"""Places and no-fly zones that people changed in the console, on top of room and site file."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class NoFlyZone(Section):
 
 
 class Edits(Section):
-    """What people changed on the ROOM screen, in mode default.
+    """What people changed in the console, in mode default.
 
     A start fills it in from the newest version that was saved.
     """

@@ -25,7 +25,7 @@ class HubConfig(Section):
     edits: bool = Field(
         default=True,
         description=(
-            "whether places and zones may be edited on the ROOM screen and apply from the next"
+            "whether places and zones may be edited in the console and apply from the next"
             " start on, in mode default"
         ),
     )

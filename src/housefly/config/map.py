@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -32,8 +32,19 @@ class VirtualObstacle(Section):
 
 
 class MapConfig(Section):
-    """The occupancy grid and how obstacles grow on it."""
+    """The occupancy grid and how obstacles grow on it; the voxels of flight in space."""
 
+    planner: Literal["grid", "space"] = Field(
+        default="space",
+        description=(
+            "space: smooth trajectories in three dimensions; grid: corners at flight_height, as"
+            " mode paper always flies"
+        ),
+    )
+    voxel: float = quantity(0.1, 0.05, 0.25, "m", "edge of a voxel, planner space")
+    narrow_speed: float = quantity(
+        0.8, 0.05, 2.0, "m/s", "highest speed where the way is as narrow as can be, planner space"
+    )
     resolution: float = quantity(0.1, 0.02, 1.0, "m", "edge of a grid cell")
     flight_height: float = quantity(
         1.1, 0.3, 2.5, "m", "height that the grid is cut at and that the drone flies at"

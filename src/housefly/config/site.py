@@ -16,6 +16,7 @@ from housefly.config.depth import DepthCameraConfig, check_depth_cameras
 from housefly.config.devices import MqttConfig
 from housefly.config.drone import REAL_ODOMETRY_ERROR, TWIN_ODOMETRY_ERROR, DroneConfig
 from housefly.config.edits import Edits
+from housefly.config.estimation import EstimationConfig
 from housefly.config.faults import FaultConfig
 from housefly.config.furniture import FurnitureConfig, check_furniture
 from housefly.config.hub import HubConfig
@@ -31,10 +32,14 @@ from housefly.config.toml import read_toml
 from housefly.config.tracking import BRIDGED, MocapWire, TrackingConfig
 from housefly.config.twin import TwinConfig
 from housefly.config.validation import validated
+from housefly.config.volumes import VolumeConfig
 from housefly.config.web import WebConfig
 from housefly.errors import ConfigError
 
 Mode = Literal["default", "paper"]
+
+_PAPER_LIMITS = {"climb_command_max": 0.0, "landing_height": 0.45, "landing_lead": 0.0}
+"""What mode paper flies with, whatever the site says: loads and draughts are not its own."""
 
 
 class Site(Section):
@@ -54,12 +59,16 @@ class Site(Section):
     limits: LimitsConfig = LimitsConfig()
     people: PeopleConfig = PeopleConfig()
     control: ControlConfig = ControlConfig()
+    estimation: EstimationConfig = EstimationConfig()
     lasers: tuple[LaserConfig, ...] = Field(
         default=(), description="scanning range finders on the wall"
     )
     depth_cameras: tuple[DepthCameraConfig, ...] = Field(default=(), description="RGB-D cameras")
     furniture: tuple[FurnitureConfig, ...] = Field(
         default=(), description="things that the tracking system sees"
+    )
+    volumes: tuple[VolumeConfig, ...] = Field(
+        default=(), max_length=40, description="to keep out of, to keep in, to fly slowly in"
     )
     twin: TwinConfig = TwinConfig()
     faults: tuple[FaultConfig, ...] = Field(
@@ -92,6 +101,21 @@ class Site(Section):
         """Whether a sensor looks for people who wear no markers."""
         return bool(self.lasers or self.depth_cameras)
 
+    @property
+    def flies_in_space(self) -> bool:
+        """Whether smooth trajectories are flown; the paper's chain flies its own grid."""
+        return self.map.planner == "space" and self.mode != "paper"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_printed(cls, tree: Any) -> Any:
+        """Give mode paper the limits that it has always had."""
+        if not isinstance(tree, dict) or tree.get("mode") != "paper":
+            return tree
+        limits = tree.get("limits", {})
+        limits = limits.model_dump() if isinstance(limits, LimitsConfig) else limits
+        return tree | {"limits": limits | _PAPER_LIMITS} if isinstance(limits, dict) else tree
+
     @model_validator(mode="after")
     def _combinations(self) -> Self:
         low, high = self.limits.height_min, self.limits.height_max
@@ -100,6 +124,7 @@ class Site(Section):
                 f"map.flight_height ({self.map.flight_height} m) must lie in"
                 f" limits.height_min..height_max ({low} .. {high} m)"
             )
+        self._check_volumes()
         check_lasers(self.lasers)
         check_depth_cameras(self.depth_cameras)
         check_furniture(self.furniture, (self.tracking.body, self.tracking.visitor))
@@ -121,6 +146,15 @@ class Site(Section):
                 f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be unstable"
             )
         return self
+
+    def _check_volumes(self) -> None:
+        """Raise ValueError for what only a flight in space can do."""
+        slow = [volume.reason for volume in self.volumes if volume.kind == "slow"]
+        if slow and not self.flies_in_space:
+            raise ValueError(
+                f"volumes: {slow[0]!r} is of kind slow, and corners are flown; allowed:"
+                ' map.planner = "space" and mode = "default", or another kind'
+            )
 
 
 def site_from_file(path: Path) -> Site:

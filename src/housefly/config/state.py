@@ -47,6 +47,11 @@ def edits_folder(site: Site) -> Path:
     return file.with_name("edits" if file.name == _DATABASE else f"{file.stem}-edits")
 
 
+def tls_folder(site: Site) -> Path:
+    """Return where a site's certificate and its authority are: beside its memory."""
+    return edits_folder(site).with_name("tls")
+
+
 def tasks_folder(site: Site) -> Path:
     """Return where a site keeps its queue, its rules' memory and its clips: beside its memory."""
     file = database_file(site)
@@ -56,6 +61,12 @@ def tasks_folder(site: Site) -> Path:
 def clips_folder(site: Site) -> Path:
     """Return where a site keeps its clips and snapshots, and the index of them."""
     return tasks_folder(site) / "clips"
+
+
+def flights_folder(site: Site) -> Path:
+    """Return where a site keeps the logs of its flights: beside its memory."""
+    file = database_file(site)
+    return file.with_name("flights" if file.name == _DATABASE else f"{file.stem}-flights")
 
 
 def webhook_key_file(site: Site) -> Path:

@@ -12,13 +12,13 @@ from housefly.config.section import Section
 class WebConfig(Section):
     """Where the console listens.
 
-    Beyond loopback it needs a certificate (``housefly cert``) and users
-    (``housefly user add NAME --role fly``).
+    Beyond loopback it needs a certificate (``housefly cert``); ``housefly run --lan`` sets host,
+    certificate and key for one run.
     """
 
     host: str = Field(
         default="127.0.0.1",
-        description="address to listen on; beyond loopback only with TLS and users",
+        description="address to listen on; beyond loopback only with TLS",
     )
     port: int = Field(
         default=8080,

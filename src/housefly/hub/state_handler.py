@@ -107,7 +107,9 @@ class StateHandler:
     def _night(
         self, thing: str, night: tuple[float, float], events: tuple[RoomEvent, ...], now: float
     ) -> NightAnswer:
-        if not any(night[0] <= event.at <= night[1] for event in events):
+        # A night that has just begun has no event yet; whoever went to bed before is still there.
+        still_told = night[0] <= now < night[1] and self._status.is_live
+        if not still_told and not any(night[0] <= event.at <= night[1] for event in events):
             return nothing_kept(thing, night)
         found = night_of(thing, night, stays_of(thing, events, now), now)
         # A bed that nobody heard of is not an empty bed.

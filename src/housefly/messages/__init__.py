@@ -39,9 +39,11 @@ from housefly.messages.steering import (
     Command,
     Path,
     PlanAnswer,
+    PlannedTrajectory,
     Reference,
     SafetyMode,
     Setpoint,
+    TrajectoryPoint,
 )
 from housefly.messages.world import (
     Covariance,
@@ -80,6 +82,7 @@ __all__ = [
     "Phase",
     "PilotStep",
     "PlanAnswer",
+    "PlannedTrajectory",
     "Pose",
     "PreflightCheck",
     "RecordingNews",
@@ -95,5 +98,6 @@ __all__ = [
     "TaskNews",
     "Telemetry",
     "TrackedFrame",
+    "TrajectoryPoint",
     "VideoFrame",
 ]

@@ -160,6 +160,14 @@ class LinkStatus:
             seconds [s].
         missed_ticks: ticks skipped since start.
         notes: anything a person should read, in words.
+        tracking_latency_s: from capture to the pilot, by the stamps [s]; the following are 0 where
+            nothing is known.
+        command_delay_s, command_delay_std_s: from command to first reaction, and its one-sigma
+            error [s].
+        nis, height_nis: normalized innovation squared in the plane and of the height; 1 where the
+            filter is as good as it thinks.
+        push, load: steady push in the plane [m/s^2], and down as a share of the weight.
+        height_std: one-sigma uncertainty of the height at the last sighting [m].
     """
 
     at: float
@@ -174,3 +182,11 @@ class LinkStatus:
     loop_max_s: float = 0.0
     missed_ticks: int = 0
     notes: tuple[str, ...] = field(default=())
+    tracking_latency_s: float = 0.0
+    command_delay_s: float = 0.0
+    command_delay_std_s: float = 0.0
+    nis: float = 0.0
+    height_nis: float = 0.0
+    push: float = 0.0
+    load: float = 0.0
+    height_std: float = 0.0

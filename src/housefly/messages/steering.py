@@ -24,6 +24,28 @@ class Path:
 
 
 @dataclass(frozen=True, slots=True)
+class TrajectoryPoint:
+    """Where a trajectory is planned to be: place [m], time since its start [s], speed [m/s]."""
+
+    position: Vec3
+    time: float
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class PlannedTrajectory:
+    """The ``Path`` in use as it is planned in space; a path in the plane has none.
+
+    Attributes:
+        at: when this was said [s]; it is said again and again.
+        points: at the waypoints of the path, in order.
+    """
+
+    at: float
+    points: tuple[TrajectoryPoint, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class PlanAnswer:
     """The answer to "how do I get from start to goal?"; ``path`` is None when there is no way.
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
 from housefly.messages.flight import Inputs, Order, OrderKind
-from housefly.messages.obstacles import Obstacle
+from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown
 from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
 from housefly.pilot.behavior.mission_manager import MissionManager
@@ -42,7 +44,7 @@ def make_pilot(
         frames: what is known of the frames of tracking, drone and map; for the pre-flight checks.
     """
     is_paper = site.mode == "paper"
-    params = pilot_parameters(is_paper, site.drone, site.control, site.limits)
+    params = pilot_parameters(is_paper, site.drone, site.control, site.limits, site.estimation)
     settings = PilotSettings(
         parameters=params,
         body=site.tracking.body,
@@ -51,6 +53,10 @@ def make_pilot(
         facing_tolerance=site.control.epsilon_yaw,
         odometry_error=site.odometry_error,
         guarded=guarded,
+        sinks_to=site.limits.landing_height - site.limits.landing_lead,
+        drifts_from=(
+            site.limits.landing_height if site.estimation.aims_upwind and not is_paper else 0.0
+        ),
     )
     navigator = RoomNavigator(site, room, grid)
     missions = MissionManager(site.limits, navigator, params.tolerances.position, is_paper, frames)
@@ -78,7 +84,10 @@ def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
         orders = (Order(OrderKind.GO, goal, issued_at=at),) if tick == 10 else ()
         sightings = (Sighting(site.tracking.body, pose, at, at),)
         chair = Obstacle("chair", (x + 1e-3 * tick, y), 0.1, seen_at=at)
-        obstacles = (chair,) if tick > 20 else ()
+        walker = Obstacle(
+            "walker", (x + 3.0, y), 0.2, velocity=(0.5, 0.0), seen_at=at, kind=ObstacleKind.PERSON
+        )
+        obstacles = (walker, chair) if tick > 20 else (walker,)
         telemetry = Telemetry(
             at,
             DroneStatus.FLYING,
@@ -90,3 +99,12 @@ def warm_up(site: Site, room: Room, grid: OccupancyGrid) -> None:
         )
         pilot.step(at, Inputs(sightings, telemetry, orders, obstacles))
     pilot.plan(room.home)
+    if site.flies_in_space:
+        _compile_doors()
+
+
+def _compile_doors() -> None:
+    """Compile what only a way through a narrow door calls."""
+    from housefly.pilot.planning.space.oriented_hull import OrientedHull, oriented_clearances
+
+    oriented_clearances(np.zeros((1, 11)), np.zeros((1, 4)), OrientedHull(0.2, 0.2, 0.1), 1.0)

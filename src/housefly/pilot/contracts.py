@@ -12,6 +12,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
+from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.step import PilotParameters
@@ -30,6 +31,9 @@ class PilotSettings:
         odometry_error: share of a way by which the drone's own odometry may misjudge it.
         guarded: tracking is held against what the drone feels; without it only in negative
             controls.
+        sinks_to: lowest height wanted in a steered landing [m].
+        drifts_from: the aim of a steered landing allows for a drift from this height on [m]; 0 for
+            none.
     """
 
     parameters: PilotParameters
@@ -39,6 +43,8 @@ class PilotSettings:
     facing_tolerance: float
     odometry_error: float = TWIN_ODOMETRY_ERROR
     guarded: bool = True
+    sinks_to: float = LAST_HEIGHT
+    drifts_from: float = 0.0
 
 
 class Map(Protocol):
@@ -48,6 +54,11 @@ class Map(Protocol):
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
     ) -> list[str]:
         """Bring the map up to now [s]; return in words which obstacles are refused."""
+        ...
+
+    @property
+    def in_space(self) -> bool:
+        """Whether trajectories in space are flown, and not corners in the plane."""
         ...
 
     def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from math import isinf
 
+import numpy as np
+
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Order, OrderKind
@@ -13,13 +15,23 @@ from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.mission import STAY, Mission, Refused
 from housefly.pilot.behavior.navigator import PathBlock
+from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.behavior.trajectory_profile import SpacePath, trajectory_path
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid
 from housefly.pilot.planning.obstacles import ObstacleMemory, obstacle_fault, obstacle_rows
-from housefly.pilot.planning.people import may_be_person
+from housefly.pilot.planning.people import is_walking, may_be_person
 from housefly.pilot.planning.people_map import PeopleMap
 from housefly.pilot.planning.planner import plan
+from housefly.pilot.planning.space.answer import SpaceAnswer
+from housefly.pilot.planning.space.passage import Passage
+from housefly.pilot.planning.space.path_look import first_block_in_space
+from housefly.pilot.planning.space.solid_rows import live_rows
+from housefly.pilot.planning.space.space_map import SpaceMap
 from housefly.pilot.planning.tracked_bodies import TrackedBodies
+from housefly.pilot.planning.trajectory.kinematic_state import KinematicState
+from housefly.pilot.planning.trajectory.time_scale import TimeScale
+from housefly.pilot.planning.trajectory.trajectory import at_rest
 from housefly.room.grid import OccupancyGrid, extent_of, inflation
 from housefly.room.model import Room
 from housefly.room.tracked import untracked_grid
@@ -33,6 +45,10 @@ WATCH_HORIZON = 1.0
 MAP_REFRESH_PERIOD = 0.1
 """How often the map of moving and ageing obstacles is made anew when nothing is heard of them [s].
 """
+OPENING = 0.2
+"""What stood opens a way when it has moved farther than this [m] ..."""
+OPENING_TIME = 1.0
+"""... and has not been back for so long [s]."""
 WATCH_SLACK = 0.05
 """A path in use may come this much nearer to people than a new one [m]."""
 
@@ -42,6 +58,7 @@ class RoomNavigator:
 
     Attributes:
         people: everybody who is known, and how near they come.
+        openings: how often something that stood was taken away or moved on.
         sees_people: a sensor of the site sees people.
     """
 
@@ -64,8 +81,22 @@ class RoomNavigator:
         self._memory = ObstacleMemory()
         self._soon, self._names = obstacle_rows((), 0.0, 0.0, self._band)
         self._refreshed = 0.0
+        self._stood: dict[tuple[str, str], tuple[Vec2, float]] = {}
+        self.openings = 0
+        self._space = SpaceMap(site, room, grid) if site.flies_in_space else None
+        self._height = site.map.flight_height
         self.people = PeopleMap(site, room, grid)
         self.sees_people = site.sees_people
+
+    @property
+    def in_space(self) -> bool:
+        """Whether trajectories in space are flown, and not corners in the plane."""
+        return self._space is not None
+
+    @property
+    def hull_radius(self) -> float:
+        """How far the hull reaches from the drone's middle, in the plane [m]; 0 on a grid."""
+        return self._space.hull.radius if self._space else 0.0
 
     def update(
         self, obstacles: tuple[Obstacle, ...], sightings: tuple[Sighting, ...], now: float
@@ -86,7 +117,29 @@ class RoomNavigator:
             self._memory.obstacles, now, WATCH_HORIZON, self._band, self._kept[1] - WATCH_SLACK
         )
         self._live = {}
+        if self._space is not None:
+            self._space.update(self._memory.obstacles, now)
+            self._note_openings(now)
         self.people.update(self._memory.obstacles, self._things, now)
+
+    def _note_openings(self, now: float) -> None:
+        """Count what stood and is gone, or has stood elsewhere for a while."""
+        stands = {
+            (one.source, one.id): one.position
+            for one in self._memory.obstacles
+            if not is_walking(one)
+        }
+        stood, self._stood = self._stood, {}
+        for name, place in stands.items():
+            before, seen_there = stood.get(name, (place, now))
+            if distance(before, place) <= OPENING:
+                self._stood[name] = before, now
+            elif now - seen_there < OPENING_TIME:
+                self._stood[name] = before, seen_there
+            else:
+                self._stood[name] = place, now
+                self.openings += 1
+        self.openings += len(stood.keys() - stands.keys())
 
     def _grid(self, comfort: float = 0.0) -> OccupancyGrid:
         """Return the map of now, people grown by a distance [m].
@@ -100,8 +153,10 @@ class RoomNavigator:
             self._live[comfort] = live_grid(self._static, later, self._distances.reach)
         return self._live[comfort]
 
-    def _things(self) -> OccupancyGrid:
-        """Return the map of now without people."""
+    def _things(self, height: float | None) -> OccupancyGrid:
+        """Return the map of now without people, at a height [m]; None stands for the usual one."""
+        if self._space is not None and height is not None:
+            return self._space.layer(height)
         things = [thing for thing in self._memory.obstacles if not may_be_person(thing)]
         rows, _ = obstacle_rows(things, self._refreshed, 0.0, self._band)
         return live_grid(self._static, rows, self._distances.reach)
@@ -110,16 +165,36 @@ class RoomNavigator:
         """Return what blocks the rest of a path from a place [m] on; None when it is free."""
         if not len(self._soon):
             return None
+        if self._space is not None and isinstance(path, SpacePath):
+            return self._block_in_space(self._space, here, path, waypoint)
         along, row = first_block(
             self._soon, (here, *path.waypoints[waypoint:]), self._distances.tight
         )
         return None if isinf(along) else PathBlock(along, self._names[row])
 
+    def _block_in_space(
+        self, space: SpaceMap, here: Vec2, path: SpacePath, waypoint: int
+    ) -> PathBlock | None:
+        # Who walks is judged in time (``passages``).
+        known = tuple(one for one in self._memory.obstacles if not is_walking(one))
+        now = self._refreshed
+        soon = live_rows(known, now, WATCH_HORIZON, self._kept[1] - WATCH_SLACK)
+        ahead = zip(path.waypoints[waypoint:], path.heights[waypoint:], strict=True)
+        height = path.heights[max(waypoint - 1, 0)]
+        points = np.array([(*here, height), *((*place, z) for place, z in ahead)])
+        tight = self._distances.tight - space.hull.radius
+        along, row = first_block_in_space(
+            soon, live_rows(known, now, 0.0), points, space.hull, tight
+        )
+        return None if isinf(along) else PathBlock(along, known[row].id)
+
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
         """Return whether there is a way once the obstacles of now are gone."""
-        return (
-            bool(self._memory.obstacles) and self._way(self._static, start, goal).path is not None
-        )
+        if not self._memory.obstacles:
+            return False
+        if self._space is not None:
+            return self._space.is_flown((*goal, self._height))
+        return self._way(self._static, start, goal).path is not None
 
     def mission(self, order: Order) -> Mission | Refused:
         """Return what an order means in this room, or why it means nothing."""
@@ -147,12 +222,54 @@ class RoomNavigator:
 
         Where there is room it keeps the comfort distance from people, else the smallest.
         """
+        if self._space is not None:
+            return self._route_in_space(start, goal)
         if not len(self.people):
             return self._way(self._grid(), start, goal)
         comfortable = self._way(self._grid(self._kept[0]), start, goal)
         if comfortable.path is not None:
             return comfortable
         return self._way(self._grid(self._kept[1]), start, goal)
+
+    def way(self, start: KinematicState, goal: Vec2, yaw: float, lead: float = 0.0) -> SpaceAnswer:
+        """Return the trajectory in space from a state, at a heading [rad], to rest at a goal.
+
+        It begins so much later [s]. Where there is room it keeps the comfort distance from people,
+        else the smallest; who walks is passed in time or flown around, as it arrives first.
+        """
+        assert self._space is not None
+        there, now = (*goal, self._height), self._refreshed
+        people = self.people.walking(now + lead)
+        if not len(self.people):
+            return self._space.in_time(start, there, now, 0.0, yaw, people)
+        comfortable = self._space.in_time(start, there, now, self._kept[0], yaw, people)
+        if comfortable.trajectory is not None:
+            return comfortable
+        return self._space.in_time(start, there, now, self._kept[1], yaw, people)
+
+    def passages(
+        self, scale: TimeScale, profile: PathProfile, comfort: float, now: float
+    ) -> list[Passage]:
+        """Return how a trajectory in space gets past people who walk, earliest arrival first.
+
+        Args:
+            scale: how far it has been flown.
+            profile: of the trajectory.
+            comfort: what it keeps from people [m]; 0 where there was nobody when it was planned.
+            now: time [s].
+        """
+        assert self._space is not None
+        kept = comfort or self._kept[0]
+        return self._space.passages(self.people.walking(now), scale, profile.motion, kept)
+
+    def _route_in_space(self, start: Vec2, goal: Vec2) -> PlanAnswer:
+        answer = self.way(at_rest(np.array((*start, self._height))), goal, 0.0)
+        if answer.trajectory is None:
+            where = answer.suggestion[:2] if answer.suggestion else None
+            return PlanAnswer(start, goal, None, answer.reason, where)
+        clearance = answer.trajectory.clearance + self.hull_radius
+        path = trajectory_path(answer.trajectory.rows, clearance)
+        return PlanAnswer(start, goal, path, duration=answer.trajectory.duration)
 
     def _plan(self, grid: OccupancyGrid, start: Vec2, goal: Vec2) -> PlanAnswer:
         return plan(

@@ -33,13 +33,21 @@ from housefly.messages.steering import (
 )
 from housefly.numeric import wrapped
 from housefly.pilot.behavior.braking import sink_height
-from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.mission import TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.trajectory_progress import TRAJECTORY_START, is_in_space
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
+from housefly.pilot.control.landing_aim import landing_drift
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
-from housefly.pilot.estimation.estimator import PoseEstimate
+from housefly.pilot.estimation.estimation_report import (
+    NOTHING_ESTIMATED,
+    EstimationReport,
+    estimation_report,
+)
+from housefly.pilot.estimation.estimator import disturbance_of
+from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
@@ -95,10 +103,12 @@ class Pilot:
         self._now = -inf
         self._refused: set[str] = set()
         self._vehicle: VehicleStatus | None = None
-        self._way_home = WayHome(room_map.route, settings.home, self._params.speed)
+        self._way_home = WayHome(
+            room_map.route, settings.home, self._params.speed, in_space=room_map.in_space
+        )
         self._flown: Setpoint | None = None
         self._demand: Vec2 | None = None
-        self._maneuvering = self._was_free = False
+        self._maneuvering = self._was_free = self._in_space = False
         self._height = settings.flight_height
         self._landing_spot: Vec2 | None = None
 
@@ -106,6 +116,14 @@ class Pilot:
     def consistency(self) -> TrackingConsistency:
         """How well tracking agrees with the drone's own report, as of the last step."""
         return self._estimator.monitor.consistency(self._now) if self._estimator else NOTHING_KNOWN
+
+    @property
+    def estimation(self) -> EstimationReport:
+        """What the estimator found out besides the pose, as of the last step."""
+        estimator = self._estimator
+        if estimator is None:
+            return NOTHING_ESTIMATED
+        return estimation_report(estimator.state, estimator.history, self._params.estimator)
 
     @property
     def demanded_acceleration(self) -> Vec2 | None:
@@ -215,9 +233,15 @@ class Pilot:
             return_wanted=self._gate.returning,
             standing_height=self._gate.standing_height,
             maneuvering=self._maneuvering,
+            reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=self.consistency,
         )
+
+    def _trajectory_reference(self) -> TrajectoryReference | None:
+        if not self._in_space or self._target is None:
+            return None
+        return TrajectoryReference(self._target, self._step.yaw.reference, self._step.scale)
 
     def _is_facing(self, estimate: Estimate | None) -> bool:
         if estimate is None:
@@ -253,7 +277,8 @@ class Pilot:
         self._demand = (output.asked.ax, output.asked.ay) if output.flying else None
         verdict = released(self._action(output, guidance), output.command, assessment)
         self._flown = verdict.command.setpoint if verdict.command.action is Action.FLY else None
-        self._maneuvering, self._height = override.active, guidance.height
+        self._maneuvering, self._height = override.active, output.target.z
+        self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
 
     def _guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
@@ -269,9 +294,11 @@ class Pilot:
             if task.profile is not self._profile:
                 self._profile = task.profile
                 progress = progress_started(self._params, estimate.yaw)
-                self._step = self._step._replace(progress=progress)
+                self._step = self._step._replace(progress=progress, scale=TRAJECTORY_START)
             arrival_yaw = mission.mission.arrival_yaw((x, y))
         hold_x, hold_y = task.hold or (x, y)
+        if task.height is not None:
+            hold_x, hold_y = self._landing_aim((hold_x, hold_y))
         return Guidance(
             active=active,
             following=task.profile is not None,
@@ -280,10 +307,12 @@ class Pilot:
             yaw=task.hold_yaw,
             arrival_yaw=nan if arrival_yaw is None else arrival_yaw,
             height=self._settings.flight_height if task.height is None else task.height,
-            speed_factor=min(
-                self._missions.speed_factor, SLOW_FACTOR if self._is_slow(assessment) else 1.0
-            ),
+            speed_factor=0.0 if task.halted else self._speed_factor(assessment),
         )
+
+    def _speed_factor(self, assessment: GateAssessment) -> float:
+        """Return the share of the cruise speed, or of a trajectory's own, to fly at."""
+        return min(self._missions.speed_factor, SLOW_FACTOR if self._is_slow(assessment) else 1.0)
 
     def _steered_landing(
         self, estimate: Estimate | None, assessment: GateAssessment
@@ -292,7 +321,8 @@ class Pilot:
         if estimate is None or self._params.is_paper or not assessment.steered:
             self._landing_spot = None
             return None
-        x, y = self._landing_spot = self._landing_spot or estimate.position[:2]
+        self._landing_spot = self._landing_spot or estimate.position[:2]
+        x, y = self._landing_aim(self._landing_spot)
         return Guidance(
             active=True,
             following=False,
@@ -300,9 +330,19 @@ class Pilot:
             y=y,
             yaw=estimate.yaw,
             arrival_yaw=nan,
-            height=sink_height(estimate.position[2]),
+            height=sink_height(estimate.position[2], self._settings.sinks_to),
             speed_factor=1.0,
         )
+
+    def _landing_aim(self, spot: Vec2) -> Vec2:
+        """Return where to steer, so that the drone's own last bit ends on the spot [m]."""
+        height = self._settings.drifts_from
+        if height <= 0.0 or self._estimator is None:
+            return spot
+        push = disturbance_of(self._estimator.state, self._estimator.history)
+        brake = self._params.estimator.model.hover_drag
+        x, y = landing_drift(push, height, brake)
+        return spot[0] - x, spot[1] - y
 
     def _override(self, now: float, estimate: Estimate | None) -> Override:
         """Return the setpoint of the maneuver, while the drone holds a place."""
@@ -350,6 +390,7 @@ class Pilot:
             velocity=estimate.velocity if estimate else None,
             reference=self._reference() if is_tracking and not self._params.is_paper else None,
             flight_height=self._height,
+            height_follows=self._in_space,
             flown=self._flown,
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
@@ -389,5 +430,5 @@ class Pilot:
         if self._target is None:
             return None
         target, height = self._target, self._height
-        position, velocity = (target.x, target.y, height), (target.vx, target.vy, 0.0)
+        position, velocity = (target.x, target.y, height), (target.vx, target.vy, target.vz)
         return Reference(position, velocity, self._step.yaw.reference)

@@ -4,26 +4,39 @@ from __future__ import annotations
 
 from housefly.config.control import ControlConfig
 from housefly.config.drone import DroneConfig
+from housefly.config.estimation import ONLY_LEVEL_PUSHES, EstimationConfig
 from housefly.config.limits import LimitsConfig
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES, Tolerances
 from housefly.pilot.control.steering import Gains
-from housefly.pilot.estimation.estimator import EstimatorKind, EstimatorParameters, axis_model
+from housefly.pilot.estimation.climb_axis import ClimbModel
+from housefly.pilot.estimation.estimator import axis_model
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorKind,
+    EstimatorParameters,
+)
 from housefly.pilot.safety.limits import CommandLimits
 from housefly.pilot.step import PilotParameters
 
 
 def pilot_parameters(
-    is_paper: bool, drone: DroneConfig, control: ControlConfig, limits: LimitsConfig
+    is_paper: bool,
+    drone: DroneConfig,
+    control: ControlConfig,
+    limits: LimitsConfig,
+    estimation: EstimationConfig = ONLY_LEVEL_PUSHES,
 ) -> PilotParameters:
-    """Return the parameters of a mode, a drone, its control and its limits."""
+    """Return the parameters of a mode, a drone, its control, its limits and its estimation; mode
+    paper has none of the last.
+    """
+    estimation = ONLY_LEVEL_PUSHES if is_paper else estimation
     return PilotParameters(
         is_paper=is_paper,
-        estimator=estimator_parameters(is_paper, drone, control),
+        estimator=estimator_parameters(is_paper, drone, control, estimation),
         tolerances=PAPER_TOLERANCES if is_paper else _tolerances(control),
-        gains=gains_of(drone, control, limits),
+        gains=gains_of(drone, control, limits, estimation),
         limits=CommandLimits(
             tilt_max=limits.tilt_max,
-            vertical_speed_max=limits.vertical_speed_max,
+            vertical_speed_max=_climb_command_max(limits, estimation),
             yaw_rate_max=limits.yaw_rate_max,
         ),
         speed=limits.speed,
@@ -31,21 +44,43 @@ def pilot_parameters(
 
 
 def estimator_parameters(
-    is_paper: bool, drone: DroneConfig, control: ControlConfig
+    is_paper: bool,
+    drone: DroneConfig,
+    control: ControlConfig,
+    estimation: EstimationConfig = ONLY_LEVEL_PUSHES,
 ) -> EstimatorParameters:
     """Return what the estimator of a mode is told of a drone and its noises."""
     noise = control.acceleration_noise
     kind = EstimatorKind.ON_ARRIVAL if is_paper else EstimatorKind.DELAY_COMPENSATED
     return EstimatorParameters(
         kind=int(kind),
-        model=axis_model(drone.attitude_lag, drone.attitude_gain, drone.drag, noise),
-        delay=drone.command_delay,
+        model=axis_model(
+            drone.attitude_lag,
+            drone.attitude_gain,
+            drone.drag,
+            noise,
+            estimation.disturbance_wander,
+        ),
+        delay=_delay(drone, estimation),
         acceleration_noise=noise,
         position_noise=control.position_noise,
+        climb=ClimbModel(
+            pole=drone.climb_lag,
+            sink_gain=_sink_gain(drone, estimation),
+            noise=estimation.climb_noise,
+            wander=estimation.lift_wander,
+        ),
+        delay_deviation=estimation.delay_deviation if estimation.delay_compensated else 0.0,
+        mistrust=estimation.mistrust,
     )
 
 
-def gains_of(drone: DroneConfig, control: ControlConfig, limits: LimitsConfig) -> Gains:
+def gains_of(
+    drone: DroneConfig,
+    control: ControlConfig,
+    limits: LimitsConfig,
+    estimation: EstimationConfig = ONLY_LEVEL_PUSHES,
+) -> Gains:
     """Return what the control laws need."""
     return Gains(
         alpha=control.alpha,
@@ -57,9 +92,27 @@ def gains_of(drone: DroneConfig, control: ControlConfig, limits: LimitsConfig) -
         turn_max=limits.yaw_rate_max,
         gain=drone.attitude_gain,
         drag=drone.drag,
-        delay=drone.command_delay,
+        delay=_delay(drone, estimation),
         wraps=True,
+        lag=drone.attitude_lag,
+        climb_lag=drone.climb_lag,
+        inverts_climb=estimation.lift_wander > 0.0,
+        climb_command_max=_climb_command_max(limits, estimation),
+        sink_gain=_sink_gain(drone, estimation),
+        feed_forward=control.feed_forward,
     )
+
+
+def _climb_command_max(limits: LimitsConfig, estimation: EstimationConfig) -> float:
+    return limits.full_climb if estimation.lift_wander > 0.0 else limits.vertical_speed_max
+
+
+def _sink_gain(drone: DroneConfig, estimation: EstimationConfig) -> float:
+    return drone.sink_gain if estimation.lift_wander > 0.0 else 1.0
+
+
+def _delay(drone: DroneConfig, estimation: EstimationConfig) -> float:
+    return drone.command_delay if estimation.delay_compensated else 0.0
 
 
 def _tolerances(control: ControlConfig) -> Tolerances:

@@ -1,6 +1,6 @@
 """One tick of the pilot as one compiled composition: from the estimate to the limited command.
 
-    estimator -> path progress -> yaw reference -> acceptor -> control -> gate -> estimator
+    estimator -> path or trajectory -> yaw reference -> acceptor -> control -> gate -> estimator
 
 The live pilot calls ``step_commanded`` once a tick, the batch once a tick for each of thousands of
 drones. Sightings go in before, by ``estimator_updated``; between the two the mission decides what
@@ -26,10 +26,17 @@ from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.path_progress import (
     PathProgress,
     TrajectorySetpoint,
+    at_height,
     progress_advanced,
     progress_headed,
     setpoint_at,
     standing_setpoint,
+)
+from housefly.pilot.behavior.trajectory_progress import (
+    TRAJECTORY_START,
+    is_in_space,
+    trajectory_advanced,
+    trajectory_setpoint,
 )
 from housefly.pilot.behavior.waypoints import paper_heading, waypoint_advanced, waypoint_setpoint
 from housefly.pilot.behavior.yaw_reference import (
@@ -37,6 +44,7 @@ from housefly.pilot.behavior.yaw_reference import (
     YawReference,
     yaw_reference_advanced,
 )
+from housefly.pilot.control.feed_forward import feed_forward_reference, tilt_lead
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
     AT_REST,
@@ -48,12 +56,15 @@ from housefly.pilot.control.steering import (
 )
 from housefly.pilot.estimation.delay_filter import CommandHistory
 from housefly.pilot.estimation.estimator import (
-    EstimatorParameters,
-    EstimatorState,
-    PoseEstimate,
     control_state,
     estimator_commanded,
 )
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorParameters,
+    EstimatorState,
+    PoseEstimate,
+)
+from housefly.pilot.planning.trajectory.time_scale import TimeScale
 from housefly.pilot.safety.limits import CommandLimits, GatedCommand, gated, is_flown_in
 
 
@@ -85,12 +96,14 @@ class StepState(NamedTuple):
         yaw: wanted headings.
         acceptor: the finite state acceptor.
         gate: the ``SafetyCode`` found last.
+        scale: how far a trajectory in space has been flown.
     """
 
     progress: PathProgress
     yaw: YawReference
     acceptor: Acceptor
     gate: int
+    scale: TimeScale
 
 
 class Guidance(NamedTuple):
@@ -101,8 +114,8 @@ class Guidance(NamedTuple):
         following: along the path; else it holds a place.
         x, y, yaw: the place [m] and heading [rad] to hold.
         arrival_yaw: heading at the end of the path [rad]; nan keeps the path's.
-        height: z_ref [m].
-        speed_factor: share of the cruise speed to fly at, 0 to 1.
+        height: z_ref [m]; a trajectory in space has its own.
+        speed_factor: share of the cruise speed to fly at, 0 to 1; 0 stops on the trajectory.
     """
 
     active: bool
@@ -147,6 +160,7 @@ INITIAL_STEP = StepState(
     yaw=YawReference(0.0, nan),
     acceptor=Acceptor(0, 0.0),
     gate=0,
+    scale=TRAJECTORY_START,
 )
 """Before the first tick."""
 
@@ -189,9 +203,14 @@ def step_commanded(
         now: [s].
         dt: how far references move on [s].
     """
+    lead = 0.0
     if guidance.active:
+        if guidance.following and is_in_space(profile) and not params.is_paper:
+            lead = tilt_lead(params.gains)
         state, target = _tracked(state, params, here, guidance, profile, now, dt)
-        asked, flying = _asked(state, estimator, history, params, here, guidance, target, now)
+        asked, flying = _asked(
+            state, estimator, history, params, here, guidance, profile, target, now
+        )
     else:
         state, target = _rested(state, guidance, now), _held(guidance)
         asked, flying = AT_REST, False
@@ -202,17 +221,25 @@ def step_commanded(
         asked = ControlOutput(theta, phi, override.vz, override.yaw_rate, tilt, ax, ay)
         flying = True
     command = gated(asked, flying, mode, airborne, params.limits)
-    ux, uy = acceleration(command.theta, command.phi, here.yaw)
-    estimator = estimator_commanded(estimator, history, params.estimator, ux, uy, command.flown)
+    heading = here.yaw + lead * command.yaw_rate
+    ux, uy = acceleration(command.theta, command.phi, heading)
+    estimator = estimator_commanded(
+        estimator, history, params.estimator, ux, uy, command.flown, command.vz
+    )
     state = StepState(
-        progress=state.progress, yaw=state.yaw, acceptor=state.acceptor, gate=command.mode
+        progress=state.progress,
+        yaw=state.yaw,
+        acceptor=state.acceptor,
+        gate=command.mode,
+        scale=state.scale,
     )
     return state, estimator, StepOutput(target, asked, flying, command)
 
 
 @compiled
 def _held(guidance: Guidance) -> TrajectorySetpoint:
-    return standing_setpoint(guidance.x, guidance.y, guidance.yaw, 0, True)
+    standing = standing_setpoint(guidance.x, guidance.y, guidance.yaw, 0, True)
+    return at_height(standing, guidance.height)
 
 
 @compiled
@@ -223,6 +250,7 @@ def _rested(state: StepState, guidance: Guidance, now: float) -> StepState:
         yaw=YawReference(state.yaw.target, nan),
         acceptor=acceptor_advanced(state.acceptor, REST, now, 0.0),
         gate=state.gate,
+        scale=state.scale,
     )
 
 
@@ -237,14 +265,23 @@ def _tracked(
     dt: float,
 ) -> tuple[StepState, TrajectorySetpoint]:
     """Return the state with reference, heading and acceptor moved on, and the reference."""
-    progress, target = state.progress, _held(guidance)
-    if guidance.following:
+    progress, scale, target = state.progress, state.scale, _held(guidance)
+    if guidance.following and is_in_space(profile) and not params.is_paper:
+        wanted = guidance.speed_factor if is_flown_in(state.gate) else 0.0
+        scale, leg = trajectory_advanced(
+            scale, progress.leg, profile, wanted, here.x, here.y, here.z, dt
+        )
+        progress = PathProgress(s=progress.s, v=progress.v, a=progress.a, leg=leg, yaw=progress.yaw)
+        target = trajectory_setpoint(scale, leg, profile)
+    elif guidance.following:
         progress, target = _followed(
             state, params, here, profile, params.speed * guidance.speed_factor, dt
         )
+        target = at_height(target, guidance.height)
     yaw = _yaw_reference(state.yaw, params, here, guidance, target, dt)
     acceptor = _accepted(state.acceptor, params, here, guidance, profile, target, yaw, now)
-    return StepState(progress=progress, yaw=yaw, acceptor=acceptor, gate=state.gate), target
+    state = StepState(progress=progress, yaw=yaw, acceptor=acceptor, gate=state.gate, scale=scale)
+    return state, target
 
 
 @compiled
@@ -307,7 +344,7 @@ def _accepted(
     off = sqrt((here.x - x) ** 2 + (here.y - y) ** 2)
     turn = here.yaw - yaw.target
     turn = wrapped(turn) if params.gains.wraps else turn
-    rise, eps = here.z - guidance.height, params.tolerances
+    rise, eps = here.z - target.z, params.tolerances
     if params.is_paper:
         conditions = printed_conditions(rise, turn, off, eps.height, eps.yaw, eps.position)
     else:
@@ -325,18 +362,28 @@ def _asked(
     params: PilotParameters,
     here: PoseEstimate,
     guidance: Guidance,
+    profile: PathProfile,
     target: TrajectorySetpoint,
     now: float,
 ) -> tuple[ControlOutput, bool]:
     """Return what control asks, and whether it flies: in mode paper's hover the drone does."""
-    reference = ControlReference(
-        position=(target.x, target.y),
-        velocity=(target.vx, target.vy),
-        acceleration=(target.ax, target.ay),
-        height=guidance.height,
-        yaw=state.yaw.reference,
-    )
     ahead = control_state(estimator, history, params.estimator, here, now)
+    if guidance.following and is_in_space(profile) and not params.is_paper:
+        delay = params.gains.delay + ahead.delay_change
+        reference = feed_forward_reference(
+            state.scale, profile, target, state.yaw.reference, params.gains, delay
+        )
+    else:
+        reference = ControlReference(
+            position=(target.x, target.y),
+            velocity=(target.vx, target.vy),
+            acceleration=(target.ax, target.ay),
+            height=target.z,
+            yaw=state.yaw.reference,
+            climb=0.0,
+            turn=0.0,
+            lead=0.0,
+        )
     if params.is_paper:
         asked = paper_control_output(state.acceptor.state, reference, ahead, params.gains)
         return asked, state.acceptor.state != AcceptorState.HOVER

@@ -9,13 +9,15 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
+from matplotlib.patches import Ellipse, Patch
 from numpy.typing import NDArray
 
 from housefly.geometry import Vec2
 from housefly.messages import Phase
+from housefly.messages.sensing import AIRBORNE_STATUSES
 from housefly.record import svg
-from housefly.record.series import FlightSeries
+from housefly.record.series import STATUSES, FlightSeries
+from housefly.record.speed_plots import draw_planned
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room
 from housefly.room.outline import outline
@@ -26,6 +28,8 @@ _CELLS = (
     (Cell.VIRTUAL, svg.VIRTUAL_FILL, "////", "kept free"),
     (Cell.OCCUPIED, svg.OCCUPIED_FILL, "", "occupied"),
 )
+_MAGNIFIED = 20.0
+"""A sigma is some millimetres in a room of metres."""
 _WIDTH = 10.4
 """Width of every picture of the report [inch]."""
 
@@ -51,7 +55,7 @@ def map_svg(flight: FlightSeries, room: Room, grid: OccupancyGrid) -> str:
             ylabel="y [m]",
         )
         axes.grid(visible=False)
-        figure.legend(handles=handles, loc="outside lower center", ncols=7)
+        figure.legend(handles=handles, loc="outside lower center", ncols=5)
         return svg.to_svg(
             figure, "Map of the room with the planned path and the way that was flown"
         )
@@ -111,15 +115,38 @@ def _draw_furniture(axes: Axes, room: Room) -> None:
 
 
 def _draw_flight(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
-    planned = Line2D([], [], color=svg.SECONDARY, linestyle=(0, (4, 3)), label="planned")
-    flown = Line2D([], [], color=svg.ACCENT, linewidth=2.4, label="flown")
-    for path in flight.paths:
+    planned_in_space = draw_planned(axes, flight)
+    # Over a curve as wide as a speed's colour needs to be, what was flown is thin and dark.
+    colour, width = (svg.TEXT, 1.2) if planned_in_space else (svg.ACCENT, 2.4)
+    flown = Line2D([], [], color=colour, linewidth=width, label="flown")
+    handles: list[Patch | Line2D] = [flown]
+    flat = [path for path, planned in zip(flight.paths, flight.planned, strict=True) if not planned]
+    for path in flat:
         axes.plot(*np.array(path.waypoints).T, color=svg.SECONDARY, linestyle=(0, (4, 3)), zorder=4)
+    if flat:
+        planned = Line2D([], [], color=svg.SECONDARY, linestyle=(0, (4, 3)), label="planned")
+        handles = [planned, *handles]
     if len(flight.sighting):
         axes.plot(
-            flight.sighting[:, 0], flight.sighting[:, 1], color=svg.ACCENT, linewidth=2.4, zorder=3
+            flight.sighting[:, 0], flight.sighting[:, 1], color=colour, linewidth=width, zorder=3
         )
-    return [planned, flown]
+    handles += planned_in_space
+    handles += _draw_uncertainty(axes, flight)
+    return handles
+
+
+def _draw_uncertainty(axes: Axes, flight: FlightSeries) -> list[Patch | Line2D]:
+    """Draw one sigma each second of the flight, magnified: both axes share one variance."""
+    known = np.isfinite(flight.position_std) & np.isfinite(flight.estimate[:, 0])
+    known &= np.isin(flight.status, [STATUSES.index(one) for one in AIRBORNE_STATUSES])
+    each = np.unique(np.floor(flight.time[known]), return_index=True)[1]
+    places = flight.estimate[known][each, :2]
+    sizes = 2.0 * _MAGNIFIED * flight.position_std[known][each]
+    for (x, y), size in zip(places.tolist(), sizes.tolist(), strict=True):
+        axes.add_patch(Ellipse((x, y), size, size, fill=False, edgecolor=svg.MUTED, zorder=5))
+    label = f"1 sigma, {_MAGNIFIED:.0f} x"
+    return [Line2D([], [], marker="o", markerfacecolor="none", color=svg.MUTED, linestyle="none",
+                   label=label)] if len(places) else []  # fmt: skip
 
 
 def _draw_points(axes: Axes, room: Room, flight: FlightSeries) -> None:

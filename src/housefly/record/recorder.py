@@ -21,7 +21,9 @@ import av
 
 from housefly.config.site import Site
 from housefly.errors import RecordingError, WireError
-from housefly.messages import LinkStatus, PilotStep, VideoFrame
+from housefly.messages import LinkStatus, PilotStep, PlannedTrajectory, VideoFrame
+from housefly.messages import Path as PlannedPath
+from housefly.pilot.behavior.planned_trajectory import planned_trajectory
 from housefly.record import ros_messages
 from housefly.record.mcap_log import McapLog
 from housefly.record.movie import Movie
@@ -59,6 +61,8 @@ class FlightRecorder:
         self._problems: list[str] = []
         self._video_frames = 0
         self._map_written = False
+        self._planned: list[PlannedTrajectory] = []
+        self._path: PlannedPath | None = None
         try:
             directory.mkdir(mode=0o700, parents=True, exist_ok=True)
             (directory / "site.json").write_text(
@@ -89,12 +93,27 @@ class FlightRecorder:
 
     def add_step(self, step: PilotStep) -> None:
         """Record one step of the pilot."""
+        # Only a step that has crossed no wire still knows its path in space.
+        before, path = self._path, step.outputs.path
+        self._path = path
+        if path is not before and (planned := planned_trajectory(path, step.now)) is not None:
+            self.add_trajectory(planned)
         self._put(lambda: self._write_step(step))
 
     def add_video(self, frame: VideoFrame) -> None:
         """Record one video frame, but none where the site has privacy zones: they are not blank."""
         if not self._site.tasks.privacy_zones:
             self._put(lambda: self._write_video(frame))
+
+    def add_trajectory(self, planned: PlannedTrajectory) -> None:
+        """Record the path in use as it is planned in space; saying it again changes nothing."""
+        if not self._planned or self._planned[-1].points != planned.points:
+            self._planned.append(planned)
+            self._put(
+                lambda: self._into_mcap(
+                    lambda log: log.add_own("/housefly/trajectory", planned.at, planned)
+                )
+            )
 
     def add_link(self, status: LinkStatus) -> None:
         """Record the health of the wires."""
@@ -176,7 +195,7 @@ class FlightRecorder:
             _log.error("recording: %s", problem)
 
     def _conclude(self, outcome: str, steps: Iterable[PilotStep]) -> Summary:
-        flight = collect(steps, self._site.tracking.body)
+        flight = collect(steps, self._site.tracking.body, self._planned)
         summary = summarize_flight(
             flight,
             outcome,

@@ -10,6 +10,7 @@ from housefly.config.site import Site
 from housefly.record.map_plot import map_svg
 from housefly.record.report_style import REPORT_CSS
 from housefly.record.series import FlightSeries
+from housefly.record.speed_plots import height_svg, stopping_svg
 from housefly.record.summary import EventRecord, Summary
 from housefly.record.time_plots import commands_svg, health_svg, position_svg, states_svg
 from housefly.room.grid import OccupancyGrid
@@ -29,6 +30,15 @@ def write_report(
             _figure(
                 map_svg(flight, room, grid),
                 "From above. The line that was flown is where the tracking system saw the drone.",
+            ),
+        ),
+        *_height_section(flight),
+        (
+            "Speed, way to a stop, uncertainty",
+            _figure(
+                stopping_svg(flight),
+                "How far the drone flies on when it brakes as hard as it can be counted on, after"
+                " the time to react; and how sure the filter is of the place.",
             ),
         ),
         (
@@ -60,6 +70,13 @@ def write_report(
     ]
     body = "\n".join(f"<section><h2>{title}</h2>{content}</section>" for title, content in sections)
     path.write_text(_page(_header(summary, site, room), body), encoding="utf-8")
+
+
+def _height_section(flight: FlightSeries) -> list[tuple[str, str]]:
+    """Return the heights of what was planned in space; nothing of a flight in the plane."""
+    drawn = height_svg(flight)
+    caption = "Each planned curve from its start; its colour is the planned speed."
+    return [("Height along the way", _figure(drawn, caption))] if drawn else []
 
 
 def _page(header: str, body: str) -> str:

@@ -9,6 +9,7 @@ _LIGHT = """
   --virtual: #e9ddc3; --outside: #eef0f3; --furniture: #8b95a4;
   --s0: #e6e9ee; --s1: #cfe3fb; --s2: #a9cdf7; --s3: #bfe5c8; --s4: #e3ecc2;
   --s5: #d7cff2; --s6: #f3d9c0;
+  --v0: #3b1c8c; --v1: #7e03a8; --v2: #b5367a; --v3: #d1492f; --v4: #b87300;
 """
 _DARK = """
   --paper: #11151b; --card: #191f27; --ink: #e8ecf2; --muted: #97a2b2; --line: #2b333e;
@@ -17,6 +18,7 @@ _DARK = """
   --virtual: #4a4128; --outside: #1a2029; --furniture: #5d6877;
   --s0: #262d37; --s1: #1d3b5c; --s2: #24538a; --s3: #20492f; --s4: #424a1e;
   --s5: #3d3563; --s6: #5a3b22;
+  --v0: #8f86ff; --v1: #c58bff; --v2: #f07bb0; --v3: #ff9a6b; --v4: #ffd166;
 """
 
 REPORT_CSS = f"""

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import nan
+from math import hypot, nan
 
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.messages import Behavior, DroneStatus, Event, Path, Phase, PilotStep, SafetyMode
+from housefly.messages import (
+    Behavior,
+    DroneStatus,
+    Event,
+    Path,
+    Phase,
+    PilotStep,
+    PlannedTrajectory,
+    SafetyMode,
+    TrajectoryPoint,
+)
 from housefly.numeric import FloatArray
 
 IntArray = NDArray[np.int64]
@@ -39,12 +49,15 @@ class FlightSeries:
         pose_age, telemetry_age: [s], shape (n,).
         path: index into ``paths`` of the path in force, or -1, shape (n,).
         paths: each planned path once, in order of use.
+        planned: each of them in space, or nothing where it is in the plane.
         sighting_step: step that received each sighting of the drone, shape (m,).
         sighting_time: when each was captured [s], shape (m,).
         sighting: x, y, z [m], shape (m, 3).
         goal_name: of each step.
         events: all of them, in order.
         missing_steps: gaps in the step numbers.
+        speed: of the estimate [m/s], shape (n,).
+        position_std: one-sigma uncertainty in x and y [m], shape (n,).
     """
 
     time: FloatArray
@@ -60,24 +73,30 @@ class FlightSeries:
     telemetry_age: FloatArray
     path: IntArray
     paths: tuple[Path, ...]
+    planned: tuple[tuple[TrajectoryPoint, ...], ...]
     sighting_step: IntArray
     sighting_time: FloatArray
     sighting: FloatArray
     goal_name: tuple[str, ...]
     events: tuple[Event, ...]
     missing_steps: int
+    speed: FloatArray
+    position_std: FloatArray
 
     def during(self, *phases: Phase) -> NDArray[np.bool_]:
         """Return which steps are in one of the phases, shape (n,)."""
         return np.isin(self.phase, [PHASES.index(phase) for phase in phases])
 
 
-def collect(steps: Iterable[PilotStep], body: str) -> FlightSeries:
+def collect(
+    steps: Iterable[PilotStep], body: str, planned: Sequence[PlannedTrajectory] = ()
+) -> FlightSeries:
     """Return the arrays of a flight.
 
     Args:
         steps: in order.
         body: name of the drone among the tracked bodies.
+        planned: trajectories that were planned in space, in any order.
     """
     rows: list[tuple[float, ...]] = []
     seen: list[tuple[float, ...]] = []
@@ -97,7 +116,9 @@ def collect(steps: Iterable[PilotStep], body: str) -> FlightSeries:
                 seen.append((index, sighting.captured_at, *sighting.pose.position))
         events.extend(step.outputs.events)
         goals.append(step.outputs.goal_name)
-    return _series(rows, seen, paths, events, goals, missing)
+    in_space = {tuple(point.position[:2] for point in one.points): one.points for one in planned}
+    known = tuple(in_space.get(path.waypoints, ()) for path in paths)
+    return _series(rows, seen, paths, known, events, goals, missing)
 
 
 def _row(step: PilotStep, path: int) -> tuple[float, ...]:
@@ -116,6 +137,8 @@ def _row(step: PilotStep, path: int) -> tuple[float, ...]:
         estimate.pose_age if estimate else nan,
         step.now - telemetry.received_at if telemetry else nan,
         path,
+        hypot(*estimate.velocity) if estimate else nan,
+        estimate.position_std if estimate else nan,
     )
 
 
@@ -123,11 +146,12 @@ def _series(
     rows: list[tuple[float, ...]],
     seen: list[tuple[float, ...]],
     paths: list[Path],
+    planned: tuple[tuple[TrajectoryPoint, ...], ...],
     events: list[Event],
     goals: list[str],
     missing: int,
 ) -> FlightSeries:
-    table = np.array(rows, dtype=np.float64).reshape(-1, 21)
+    table = np.array(rows, dtype=np.float64).reshape(-1, 23)
     sightings = np.array(seen, dtype=np.float64).reshape(-1, 5)
     states = table[:, 13:17].astype(np.int64)
     return FlightSeries(
@@ -144,10 +168,13 @@ def _series(
         telemetry_age=table[:, 19],
         path=table[:, 20].astype(np.int64),
         paths=tuple(paths),
+        planned=planned,
         sighting_step=sightings[:, 0].astype(np.int64),
         sighting_time=sightings[:, 1],
         sighting=sightings[:, 2:5],
         goal_name=tuple(goals),
         events=tuple(events),
         missing_steps=missing,
+        speed=table[:, 21],
+        position_std=table[:, 22],
     )

@@ -23,6 +23,8 @@ OCCUPIED_FILL, INFLATED_FILL, VIRTUAL_FILL, OUTSIDE_FILL, FURNITURE_LINE = (
 """Fills of the map."""
 STATE_FILLS = tuple(f"#{n:02x}{n:02x}{n:02x}" for n in range(13, 20))
 """Fills of the bands of states."""
+SPEED_FILLS = tuple(f"#{n:02x}{n:02x}{n:02x}" for n in range(20, 25))
+"""Lines of planned speeds, slow to fast."""
 
 _NAMES = (
     "ink",
@@ -40,7 +42,9 @@ _NAMES = (
 )
 _VARIABLES = {
     f"#{n:02x}{n:02x}{n:02x}": f"var(--{name})"
-    for n, name in enumerate((*_NAMES, *(f"s{i}" for i in range(7))), 1)
+    for n, name in enumerate(
+        (*_NAMES, *(f"s{i}" for i in range(7)), *(f"v{i}" for i in range(5))), 1
+    )
 }
 
 _STYLE: Any = {

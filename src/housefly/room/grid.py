@@ -5,8 +5,9 @@ Rules; the first one that holds wins:
 1. OCCUPIED: a footprint covers the middle of the cell or more than a quarter of it.
 2. OUTSIDE: the floor there cannot be reached from the home pad, not even by a point (behind walls,
    inside furniture).
-3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file or a zone of its
-   edits. These bound the middle of the drone, so they are not inflated.
+3. VIRTUAL: the middle of the cell lies in a virtual obstacle of the site file, a zone of its
+   edits, or (not in mode ``paper``) at the flight height in a volume to keep out of, or outside
+   those to keep in. These bound the middle of the drone, so they are not inflated.
 4. INFLATED (not in mode ``paper``): the middle of the cell is closer to a footprint than half the
    hull's diagonal plus the tracking bound plus the margin.
 5. FREE.
@@ -28,6 +29,7 @@ from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
 from housefly.room.distance import clearance_field, covered_shares, footprints, half_diagonal
 from housefly.room.model import Room
+from housefly.room.polygon import in_polygon
 from housefly.room.reach import reachable
 
 CellIndex = tuple[int, int]
@@ -148,7 +150,30 @@ def build_grid(room: Room, site: Site) -> OccupancyGrid:
         *site.map.virtual_obstacles,
         *site.edits.zones,
     )
-    return _grid(room, site, room.bounds, site.map.resolution, inflation(site), virtual)
+    grid = _grid(room, site, room.bounds, site.map.resolution, inflation(site), virtual)
+    return _within_site_volumes(grid, site)
+
+
+def _within_site_volumes(grid: OccupancyGrid, site: Site) -> OccupancyGrid:
+    """Return the grid with what the site's volumes close at the flight height VIRTUAL."""
+    height = site.map.flight_height
+    if not site.volumes:
+        return grid
+    xs, ys = (
+        low + (np.arange(count) + 0.5) * grid.resolution
+        for low, count in zip(grid.origin, grid.shape, strict=True)
+    )
+    closed = np.zeros(grid.shape, dtype=np.bool_)
+    kept = np.zeros(grid.shape, dtype=np.bool_)
+    for volume in site.volumes:
+        if volume.bottom <= height <= volume.top and volume.kind != "slow":
+            target = closed if volume.kind == "keep_out" else kept
+            target |= in_polygon(volume.polygon, xs[:, None], ys[None, :])
+    if any(volume.kind == "keep_in" for volume in site.volumes):
+        closed |= ~kept
+    cells = grid.cells.copy()
+    cells[closed & ((cells == Cell.FREE) | (cells == Cell.INFLATED))] = Cell.VIRTUAL
+    return OccupancyGrid(grid.origin, grid.resolution, cells, grid.clearance)
 
 
 def _grid(

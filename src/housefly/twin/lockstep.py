@@ -95,10 +95,13 @@ class LockstepRoom:
         self.faults = FaultInjector(site) if faults is None else faults
         world.set_limits(
             OnboardLimits(
-                limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max, limits.height_max
+                limits.tilt_max,
+                limits.full_climb,
+                limits.yaw_rate_max,
+                limits.onboard_height_max,
             )
         )
-        maxima = Maxima(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
+        maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
         self._sequencer = CommandSequencer(maxima, world.now, watched=guarded)
         self._sent_at = world.now
         self._emergency_held = False

@@ -17,11 +17,15 @@ from housefly.web.protocol import (
 )
 from housefly.web.session_watch import LOOK_PERIOD
 from housefly.web.task_feed import BOARD_PERIOD, TaskFeed
+from housefly.web.verdict import says_the_same
+from housefly.web.verdict_message import ConsoleVerdict
 
 _LOG = logging.getLogger(__name__)
 
 _STATE_RATE = 20.0
 """States a second."""
+_VERDICT_PERIOD = 0.5
+"""A verdict is sent at least so often [s]: a page that misses three of them says so."""
 _ROOM_RETRY_PERIOD = 1.0
 """Pause between two requests for the room until the pilot answers [s]."""
 _HOME_PLAN_PERIOD = 2.0
@@ -42,6 +46,7 @@ class Broadcast:
         self._path = -1
         self._link: LinkMessage | None = None
         self._tasks: TasksMessage | None = None
+        self._verdict: ConsoleVerdict | None = None
 
     async def run(self) -> None:
         """Run until cancelled."""
@@ -58,10 +63,13 @@ class Broadcast:
         while True:
             await asyncio.sleep(1.0 / _STATE_RATE)
             self._console.check_lease()
+            self._console.keep_stop()
+            self._console.keep_control()
             self._send_link()
             self._send_path()
             self._send_tasks()
             self._send_state()
+            self._send_verdict()
             self._console.send_events()
 
     def _send_state(self) -> None:
@@ -71,6 +79,14 @@ class Broadcast:
         self._sequence = step.sequence
         if (state := self._console.feed.state(self._home_s)) is not None:
             self._console.broadcast("state", to_text(state))
+
+    def _send_verdict(self) -> None:
+        """Send what changed at once; otherwise often enough to be missed when it stays away."""
+        verdict, last = self._console.verdict(), self._verdict
+        is_due = last is None or verdict.at - last.at >= _VERDICT_PERIOD
+        if last is None or is_due or not says_the_same(verdict, last):
+            self._verdict = verdict
+            self._console.broadcast("verdict", to_text(verdict))
 
     def _send_link(self) -> None:
         link = self._console.feed.link()

@@ -5,17 +5,23 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Callable, Coroutine
+from concurrent.futures import Future
+from dataclasses import replace
 from typing import Any
 
 from pydantic import ValidationError
 
 from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
-from housefly.errors import HouseflyError
+from housefly.errors import HouseflyError, MissingPartError
 from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
-from housefly.web.lease import Lease
+from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
+from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl, KnownTab
+from housefly.web.goal_words import subject_of_task
+from housefly.web.invitations import Invitation
+from housefly.web.lease import LEASE_TIMEOUT, Lease
 from housefly.web.orders import ORDERS_WITHOUT_CONTROL, order_in_words, order_objection, to_order
 from housefly.web.pilot_link import PilotLink
 from housefly.web.protocol import (
@@ -23,6 +29,7 @@ from housefly.web.protocol import (
     AcceptedReply,
     EventsMessage,
     Hello,
+    InvitationUsed,
     InviteReply,
     InviteRequest,
     LeaseRequest,
@@ -40,12 +47,16 @@ from housefly.web.protocol import (
     Welcome,
     to_text,
 )
+from housefly.web.qr_code import qr_view
 from housefly.web.roles import Role, role_for_message, role_objection
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_watch import CLOSE_SESSION_OVER
 from housefly.web.state_feed import StateFeed, on_the_ground
+from housefly.web.stop_latch import StopLatch
 from housefly.web.task_feed import TaskFeed
+from housefly.web.verdict import console_verdict
+from housefly.web.verdict_message import ConsoleVerdict
 from housefly.web.viewer import Viewer
 
 _LOG = logging.getLogger(__name__)
@@ -53,10 +64,16 @@ _LOG = logging.getLogger(__name__)
 _MAX_TABS = 10_000
 _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
-_PILOT_TIMEOUT = 2.0
-"""Orders that move the drone are refused when the pilot was not heard for this long [s]."""
 _STOP_LOG_PERIOD = 0.5
 """STOPs closer together than this make one line of the log [s]."""
+_MAX_HOSTS = 200
+"""Links whose makers are told when they are used."""
+_GUEST_WORDS = {
+    Role.WATCH: "may watch",
+    Role.ASK: "may watch and ask",
+    Role.FLY: "may fly",
+    Role.ADMIN: "may do everything",
+}
 _CLOSE_OPENED_ELSEWHERE = 4001
 """WebSocket close code; the client knows it."""
 
@@ -72,6 +89,8 @@ class Console:
         clock: Clock,
         audit: AuditLog | None = None,
         tasks: TaskFeed | None = None,
+        memory: ConsoleMemory | None = None,
+        guest_address: str = "",
     ) -> None:
         self.feed, self.link, self.lease, self.tasks = feed, link, Lease(), tasks
         self.room: RoomView | None = None
@@ -81,6 +100,12 @@ class Console:
         self._auth, self._clock, self._audit_log = auth, clock, audit
         self._stopped_at = float("-inf")
         self._numbers: dict[tuple[str, str], int] = {}
+        self._names: dict[int, str] = {}
+        self._memory, self._kept = memory, KeptControl()
+        if memory is not None:
+            self._restore(memory.read(clock.now()))
+        self._guest_address, self._hosts = guest_address, dict[str, Viewer]()
+        auth.on_guest = self._on_guest
         self._tasks: set[asyncio.Task[None]] = set()
         self._handlers: dict[type, Callable[[Viewer, Any], None]] = {
             Hello: self._hello,
@@ -144,9 +169,55 @@ class Console:
         """Free control when its holder has fallen silent."""
         holder = self.lease.holder
         if self.lease.expire(self._clock.now()):
-            text = f"{self._name(holder)} lost contact and with it control"
+            silent = f"was silent for {LEASE_TIMEOUT:.0f} s"
+            text = f"{self._name(holder)} {silent} and lost control: nobody has it now"
             self.feed.log_event(Severity.WARNING, "control", text)
             self.broadcast_viewers()
+
+    def keep_stop(self) -> None:
+        """Send a STOP that holds again until the pilot has taken it: a new one knows nothing."""
+        now, latch = self._clock.now(), self.feed.stop
+        if latch.must_send(now) and self.pilot_is_heard:
+            self.feed.change_stop(lambda one: one.sent_again(now))
+            self._send_stop(latch.by)
+
+    def keep_control(self) -> None:
+        """Keep, over a restart, who has control, who is known, and whether STOP holds."""
+        stop = self.feed.stop
+        kept = KeptControl(self.lease.holder, self._kept.tabs, stop.holds, stop.by)
+        if self._memory is None or (kept == self._kept and len(kept.tabs) == len(self._numbers)):
+            return
+        tabs = tuple(
+            KnownTab(owner, tab, number, self._names.get(number, ""))
+            for (owner, tab), number in self._numbers.items()
+        )
+        self._kept = replace(kept, tabs=tabs)
+        self._memory.keep_control(self._kept)
+
+    def verdict(self) -> ConsoleVerdict:
+        """Return what is to be said of the drone now."""
+        now, holder = self._clock.now(), self.lease.holder
+        known = ConsoleKnowledge(
+            now=now,
+            step=self.feed.step,
+            step_age=self.feed.age,
+            link=link.link if (link := self.feed.link()) else None,
+            preflight=self.preflight,
+            room=self.room,
+            pilot=holder,
+            control="" if holder is None else self._name(holder),
+            task_subject=self._task_subject(),
+        )
+        stop = self.feed.stop.view(
+            now, airborne=known.may_be_airborne, pilot_is_heard=known.pilot_is_heard
+        )
+        return console_verdict(replace(known, stop=stop))
+
+    def _task_subject(self) -> str:
+        told = self.tasks.message() if self.tasks is not None else None
+        if told is None or not told.running or self.room is None:
+            return ""
+        return subject_of_task(told.board, self.room.places)
 
     def check_sessions(self) -> None:
         """Close the sockets of sessions that are over; free control of who may no longer fly."""
@@ -212,25 +283,27 @@ class Console:
             if other is not viewer and other.present and other.number == number:
                 other.number = 0
                 other.close(_CLOSE_OPENED_ELSEWHERE, "this console was opened in another tab")
+        is_known = number is not None
         viewer.number = self._numbers.setdefault(tab, len(self._numbers) + 1)
         viewer.name = viewer.session.user or message.name or f"Viewer {viewer.number}"
+        self._names[viewer.number] = viewer.name
         events = self.feed.events_after(0)
         viewer.event = events[-1].number if events else 0
-        viewer.send(Welcome(viewer.number, self._clock.now(), events, self.feed.trail()))
+        role = viewer.session.role
+        viewer.send(Welcome(viewer.number, role, self._clock.now(), events, self.feed.trail()))
         if self.room is not None:
             viewer.send(RoomMessage(self.room))
         viewer.send_latest("preflight", to_text(PreflightMessage(self.preflight)))
         if self.tasks is not None:
             viewer.send_latest("tasks", to_text(self.tasks.message()))
         viewer.send_latest("path", to_text(self.feed.path()))
+        viewer.send_latest("verdict", to_text(self.verdict()))
         if (link := self.feed.link()) is not None:
             viewer.send_latest("link", to_text(link))
-        if (
-            self.lease.holder is None
-            and sum(other.present for other in self.viewers) == 1
-            and viewer.session.role.includes(Role.FLY)
-        ):
+        # Whoever comes back has watched or lost control before: taking it is then an act.
+        if not is_known and not self.flying and self._is_alone(viewer):
             self.lease.acquire(viewer.number, self._clock.now(), flying=False, held=False)
+        self.lease.renew(viewer.number, self._clock.now())
         self.broadcast_viewers()
 
     def _ping(self, viewer: Viewer, message: PingRequest) -> None:
@@ -242,8 +315,9 @@ class Console:
 
     def stop(self, sender: str, session: str = "") -> None:
         """Send STOP; a key held down makes one line of the log, not hundreds."""
-        self.link.stop(sender)
         now = self._clock.now()
+        self.feed.change_stop(lambda one: one.pressed(sender, now))
+        self._send_stop(sender)
         if now - self._stopped_at > _STOP_LOG_PERIOD:
             self._audit(sender, "STOP", session)
         self._stopped_at = now
@@ -320,11 +394,58 @@ class Console:
         self.broadcast_viewers()
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
-        self._record(viewer.name, viewer.session.name, "made a one-time link")
-        token = self._auth.invite(viewer.session.role)
-        viewer.send(InviteReply(message.id, f"/?token={token}"))
+        self._record(viewer.name, viewer.session.name, f"made a one-time link: {message.role}")
+        invitation = self._auth.invite(Role(message.role))
+        self._hosts[invitation.name] = viewer
+        while len(self._hosts) > _MAX_HOSTS:
+            del self._hosts[next(iter(self._hosts))]
+        path, origin = f"/?token={invitation.token}", self._guest_address
+        try:
+            qr = qr_view(origin + path) if origin else None
+        except MissingPartError as error:
+            viewer.send(RefusedReply(message.id, str(error)))
+            return
+        name, until = invitation.name, invitation.until
+        viewer.send(InviteReply(message.id, name, origin, path, until, qr))
+
+    def _on_guest(self, invitation: Invitation) -> None:
+        """Tell everybody that a link was used, and who made it by whose link somebody came."""
+        host = self._hosts.pop(invitation.name, None)
+        by = f"the link that {host.name} made" if host else "the link of the terminal"
+        may = _GUEST_WORDS[invitation.role]
+        self.feed.log_event(Severity.INFO, "control", f"a browser came in by {by}: it {may}")
+        self._record("", "", f"a one-time link was used: {invitation.role.value}, by {by}")
+        if host in self.viewers:
+            host.send(InvitationUsed(invitation.name))
 
     # --- helpers
+
+    def _restore(self, kept: KeptConsole) -> None:
+        control, now = kept.control, self._clock.now()
+        self._numbers = {(one.owner, one.tab): one.number for one in control.tabs}
+        self._names = {one.number: one.name for one in control.tabs}
+        latch = StopLatch(control.stop_holds, control.stop_by, sent_at=now)
+        self.feed.restore(kept.events, latch)
+        if control.holder is not None:
+            self.lease.reserve(control.holder, now)
+        if not kept.is_new:
+            text = "the console was started again: what happened meanwhile is not in this log"
+            self.feed.log_event(Severity.WARNING, "console", text)
+
+    def _send_stop(self, sender: str) -> None:
+        sent = self.link.stop(sender)
+        if isinstance(sent, Future):
+            sent.add_done_callback(self._stop_answered)
+
+    def _stop_answered(self, sent: Future[bool]) -> None:
+        """Note whether the pilot acknowledged STOP; called on any thread."""
+        if not sent.cancelled() and sent.exception() is None and sent.result():
+            self.feed.change_stop(lambda one: one.acknowledged())
+
+    def _is_alone(self, viewer: Viewer) -> bool:
+        """Return whether nobody else is here, nobody has control, and this viewer may have it."""
+        alone = self.lease.holder is None and sum(one.present for one in self.viewers) == 1
+        return alone and viewer.session.role.includes(Role.FLY)
 
     def _may_fly(self, viewer: Viewer) -> bool:
         session = self._auth.renewed(viewer.session) if viewer.present else None
@@ -333,7 +454,7 @@ class Console:
     @property
     def pilot_is_heard(self) -> bool:
         """Whether what is known of the pilot is of now."""
-        return self.feed.age <= _PILOT_TIMEOUT
+        return self.feed.age <= PILOT_TIMEOUT
 
     @property
     def flying(self) -> bool:
@@ -344,7 +465,7 @@ class Console:
         for viewer in self.viewers:
             if viewer.number == number:
                 return viewer.name
-        return f"Viewer {number}"
+        return self._names.get(number or 0, f"Viewer {number}")
 
     def _audit(self, sender: str, words: str, session: str) -> None:
         """Log who asked for what; the pilot adds it to the event log unless it is silent."""

@@ -6,19 +6,29 @@ import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from math import ceil
+from math import ceil, tan
 
 import numpy as np
 from pydantic import TypeAdapter
 
-from housefly.geometry import Vec2
+from housefly.geometry import Vec2, Vec3, rotate
 from housefly.room.coverage import seen_by
-from housefly.room.model import Room
+from housefly.room.model import Room, TrackingCamera
 
 COVERAGE_CELL = 0.25
 """Edge of a cell [m]."""
 _DIGITS = "0123456789abcdefghijklmnopqrstuvwxyz"
 """One digit a cell: the number of cameras; the last digit also stands for more."""
+
+
+@dataclass(frozen=True, slots=True)
+class CameraCone:
+    """One tracking camera: place [m], the corners of its picture at 1 m depth [m], reach [m]."""
+
+    name: str
+    position: Vec3
+    corners: tuple[Vec3, ...]
+    reach: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +42,7 @@ class CoverageView:
         origin: world xy of the lower left corner [m].
         resolution: edge of a cell [m].
         rows: lowest y first, one digit of base 36 a cell.
+        lenses: the cameras.
     """
 
     height: float
@@ -40,6 +51,7 @@ class CoverageView:
     origin: Vec2
     resolution: float
     rows: tuple[str, ...]
+    lenses: tuple[CameraCone, ...] = ()
 
 
 def coverage_view(room: Room, height: float, enough: int = 2) -> CoverageView:
@@ -51,7 +63,20 @@ def coverage_view(room: Room, height: float, enough: int = 2) -> CoverageView:
     points = np.column_stack([grid, np.full(len(grid), height)])
     counts = seen_by(room, points).sum(axis=1).clip(max=len(_DIGITS) - 1).reshape(len(ys), len(xs))
     rows = tuple("".join(_DIGITS[count] for count in row) for row in counts.tolist())
-    return CoverageView(height, len(room.cameras), enough, (x0, y0), COVERAGE_CELL, rows)
+    lenses = tuple(map(camera_view, room.cameras))
+    return CoverageView(height, len(room.cameras), enough, (x0, y0), COVERAGE_CELL, rows, lenses)
+
+
+def camera_view(camera: TrackingCamera) -> CameraCone:
+    """Return what is drawn of a camera: it looks along its own +z, x right, y down."""
+    across, down = (tan(angle / 2.0) for angle in camera.field_of_view)
+    x, y, z = camera.position
+    rays = [
+        rotate(camera.orientation, (u * across, v * down, 1.0))
+        for u, v in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+    corners = tuple((x + a, y + b, z + c) for a, b, c in rays)
+    return CameraCone(camera.name, camera.position, corners, camera.reach)
 
 
 class CoverageLayer:

@@ -68,14 +68,40 @@ def _page(
 def link_used() -> HTMLResponse:
     """Return the page for a one-time link that is used up or was never valid."""
     return _page(
-        "This link was already used",
-        "A link opens the console in one browser only, so that nobody can fly the drone with a link"
-        " that was left lying about.",
+        "This link was already used, or is too old",
+        "A link opens the console in one browser only, and an invitation waits 10 minutes for it,"
+        " so that nobody can fly the drone with a link that was left lying about. If you have not"
+        " used it, somebody else may have: tell who runs Housefly.",
         "For another browser or person: open “Control” in a console that is already open and choose"
-        " “Invite”. It makes a fresh link. Without an open console, start Housefly again; it prints"
-        " a new address.",
+        " “Invite”. It makes a fresh link. Without an open console, press Enter where Housefly"
+        " runs for others on the network, or start it again; it prints a new address.",
         status=403,
         link=("/", "I have the console open in this browser"),
+    )
+
+
+def came_from_elsewhere(proof: str) -> HTMLResponse:
+    """Return the page for a link that was opened on a page of another site.
+
+    Browsers do not send the new cookie before somebody goes on from a page of ours.
+
+    Args:
+        proof: of the session that the link has opened.
+    """
+    return _page(
+        "One more step",
+        "The link has opened the console in this browser.",
+        link=(f"/?proof={proof}", "Show the console"),
+    )
+
+
+def no_authority() -> HTMLResponse:
+    """Return the page for a console whose certificate is not of an authority of its own."""
+    return _page(
+        "There is nothing to trust here",
+        "This console has no certificate of its own authority: nothing need be installed for it.",
+        status=404,
+        link=("/", "Open the console"),
     )
 
 

@@ -1,4 +1,4 @@
-"""Where the console may listen: beyond loopback only with a certificate and with users."""
+"""Where the console may listen: beyond loopback only encrypted; and where others find it."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from housefly.config.site import Site
 from housefly.config.state import users_file
 from housefly.errors import ConfigError, HouseflyError
+from housefly.web.own_names import lan_addresses
 from housefly.web.security import LOOPBACK_NAMES
 from housefly.web.tls import ServerCertificate, load_certificate
 from housefly.web.users import UserBook
 
 _WILDCARDS = frozenset({"0.0.0.0", "::"})
 _WAY_OUT = (
-    "To let them in: `housefly cert`, then the two lines that it prints in the site file, and"
-    ' `housefly user add NAME --role fly` for everybody. Otherwise web.host = "127.0.0.1", and'
-    " from elsewhere an SSH tunnel"
+    "To let them in: `housefly cert`, then `housefly run --lan`. Otherwise"
+    ' web.host = "127.0.0.1", and from elsewhere an SSH tunnel'
 )
 
 
@@ -41,16 +41,16 @@ def checked_exposure(site: Site, host: str = "") -> Exposure:
         host: listen there instead of at ``web.host``.
 
     Raises:
-        ConfigError: others could reach it without encryption or without a password.
+        ConfigError: others could reach it without encryption; or the file of the users is bad.
         MissingPartError: the certificate cannot be read without the extra ``lan``.
     """
     host = host or site.web.host
     certificate = load_certificate(site.web)
+    users = UserBook(users_file(site))
     if not is_loopback(host):
         if certificate is None:
             raise _refused(host, "the link would not be encrypted")
-        if not UserBook(users_file(site)).all():
-            raise _refused(host, "there is nobody who could log in")
+        users.all()  # a file that is damaged, or that others may read, is told before the start
     names = LOOPBACK_NAMES | frozenset(certificate.names if certificate else ())
     return Exposure(certificate, names if host in _WILDCARDS else names | {host.lower()})
 
@@ -64,18 +64,25 @@ def is_loopback(host: str) -> bool:
 
 
 def console_address(site: Site) -> str:
-    """Return the address that browsers open, without a path; for a wildcard the first name."""
-    host = _first_name(site) if site.web.host in _WILDCARDS else site.web.host
+    """Return the address that browsers open, without a path; for a wildcard that of the network."""
+    host = _found_host(site) if site.web.host in _WILDCARDS else site.web.host
     host = f"[{host}]" if ":" in host else host
     return f"http{'s' if site.web.tls_certificate else ''}://{host}:{site.web.port}"
 
 
-def _first_name(site: Site) -> str:
+def guest_address(site: Site) -> str:
+    """Return the address that other machines open, without a path; "" where none gets in."""
+    return "" if is_loopback(site.web.host) else console_address(site)
+
+
+def _found_host(site: Site) -> str:
+    """Return the likeliest of this machine's addresses that its certificate names."""
     try:
         certificate = load_certificate(site.web)
     except HouseflyError:  # whoever starts a console checks it, and says so
         certificate = None
-    return certificate.names[0] if certificate else "127.0.0.1"
+    names = certificate.names if certificate else ()
+    return next((one for one in (*lan_addresses(), *names) if one in names), "127.0.0.1")
 
 
 def _refused(host: str, problem: str) -> ConfigError:

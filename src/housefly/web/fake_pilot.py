@@ -73,6 +73,8 @@ class FakePilot:
         clock: its time.
         orders: every order it received, oldest first.
         checks: what its pre-flight checks find.
+        telemetry_age: how long ago the drone was heard [s].
+        connected: whether its wires are well.
         notes: what the drone notes of its settings and sensors.
         link_notes: what the pilot notes of its wires.
     """
@@ -93,6 +95,8 @@ class FakePilot:
     waypoint: int = 0
     looking_until: float = 0.0
     pose_age: float = 0.024
+    telemetry_age: float = 0.03
+    connected: bool = True
     sequence: int = 0
     publishing: bool = True
     checks: tuple[PreflightCheck, ...] = EXAMPLE_CHECKS
@@ -119,15 +123,15 @@ class FakePilot:
                 self.publish_link()
 
     def publish_link(self) -> None:
-        """Publish the status of wires that are well."""
+        """Publish the status of the wires."""
         if self.publishing:
             self.bus.publish(
                 LINK_TOPIC,
                 LinkStatus(
                     at=self.clock.now(),
-                    tracking_connected=True,
-                    drone_connected=True,
-                    video_connected=True,
+                    tracking_connected=self.connected,
+                    drone_connected=self.connected,
+                    video_connected=self.connected,
                     tracking_rate_hz=100.0,
                     telemetry_rate_hz=15.0,
                     video_rate_hz=30.0,
@@ -288,7 +292,11 @@ class FakePilot:
         if self.room.visitor is not None:
             sightings = (Sighting("visitor", Pose((*self.room.visitor, 1.0)), now, now),)
         telemetry = Telemetry(
-            now - 0.03, self.status, self.battery, height=self.height, notes=self.notes
+            now - self.telemetry_age,
+            self.status,
+            self.battery,
+            height=self.height,
+            notes=self.notes,
         )
         outputs = Outputs(
             Command(Action.FLY if self.status is DroneStatus.FLYING else Action.IDLE),

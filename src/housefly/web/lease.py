@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 LEASE_TIMEOUT = 3.0
 """Control is lost when its holder was not heard for this long [s]."""
+RETURN_TIMEOUT = 10.0
+"""After a restart of the console control waits this long for its holder [s]."""
 
 
 @dataclass(slots=True)
@@ -19,6 +21,10 @@ class Lease:
 
     holder: int | None = None
     renewed_at: float = 0.0
+
+    def reserve(self, viewer: int, now: float) -> None:
+        """Keep control for who had it before a restart of the console, and soon comes back."""
+        self.holder, self.renewed_at = viewer, now + RETURN_TIMEOUT - LEASE_TIMEOUT
 
     def acquire(self, viewer: int, now: float, *, flying: bool, held: bool) -> str:
         """Give control to the viewer; returns "" or, in words, why not."""
@@ -44,7 +50,7 @@ class Lease:
     def renew(self, viewer: int, now: float) -> None:
         """Note a sign of life of the holder."""
         if viewer == self.holder:
-            self.renewed_at = now
+            self.renewed_at = max(self.renewed_at, now)
 
     def expire(self, now: float) -> bool:
         """Free the lease when its holder was silent too long; returns whether it did."""

@@ -34,16 +34,22 @@ class PilotLink:
         self._questions = ThreadPoolExecutor(2, "questions")
         self._stopping: Future[str] | None = None
 
-    def stop(self, sender: str) -> None:
-        """Send STOP on its own path before anything else, then over the bus as well."""
+    def stop(self, sender: str) -> object:
+        """Send STOP on its own path before anything else, then over the bus as well.
+
+        Returns:
+            What the path gives: a future of its acknowledgement, where there is one.
+        """
+        sent: object = None
         try:
-            self._stop()
+            sent = self._stop()
         except (OSError, HouseflyError):
             _LOG.exception("the STOP path failed; STOP goes over the bus alone")
         if self._stopping is None or self._stopping.done():  # a key held down fills no queue
             by = person_sender(sender)
             order = Order(OrderKind.STOP, issued_at=self._clock.now(), sender=by)
             self._stopping = self._orders.submit(self._publish, order)
+        return sent
 
     def send(self, order: Order) -> asyncio.Future[str]:
         """Publish an order after earlier ones; the future holds "" or what went wrong."""

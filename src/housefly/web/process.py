@@ -29,7 +29,13 @@ from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
 from housefly.config.site import Site, changed, site_from_file
-from housefly.config.state import clips_folder, edits_folder, users_file, webhook_key_file
+from housefly.config.state import (
+    clips_folder,
+    edits_folder,
+    flights_folder,
+    users_file,
+    webhook_key_file,
+)
 from housefly.errors import ConfigError, HouseflyError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
@@ -37,13 +43,15 @@ from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.live_blanker import LiveBlanker
 from housefly.web.audit_log import AuditLog
 from housefly.web.connections import ConnectionLimiter, limited_protocol
+from housefly.web.console_memory import ConsoleMemory
 from housefly.web.coverage_layer import coverage_view
 from housefly.web.edit_service import EditService
-from housefly.web.exposure import checked_exposure, console_address
+from housefly.web.exposure import checked_exposure, console_address, guest_address
 from housefly.web.handshakes import HandshakeListener
 from housefly.web.server import create_app
 from housefly.web.session import EndedSessions
 from housefly.web.simulated_bell import SimulatedBell
+from housefly.web.tls import authority_of
 from housefly.web.users import UserBook
 from housefly.web.webhook_key import webhook_key
 
@@ -93,10 +101,11 @@ async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
     token = os.environ.get(TOKEN_VARIABLE) or secrets.token_urlsafe(24)
     stop = _stop_sender()
     with listening(site.web.host, site.web.port) as listener, ZenohBus(connect=endpoint) as bus:
+        site = changed(site, web__port=listener.getsockname()[1])
         app = create_app(
             bus,
             token,
-            lambda: stop.send().add_done_callback(_report_stop),
+            lambda: _reported(stop.send()),
             hosts=exposure.names,
             secret=os.environ.get(SECRET_VARIABLE, ""),
             drone_body=site.tracking.body,
@@ -114,11 +123,15 @@ async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
             hook_key=_hook_key(site),
             privacy=LiveBlanker(site.tasks),
             bell=SimulatedBell(bus) if site.twin.enabled else None,
+            memory=ConsoleMemory(folder),
+            flights=flights_folder(site),
+            site_name=site.name,
+            guest_address=guest_address(site),
+            authority=authority_of(site.web),
         )
-        site = changed(site, web__port=listener.getsockname()[1])
         # Later collections skip what lives for the whole run, so that nobody waits for them.
         gc.freeze()
-        print(f"console ready: {console_address(site)}/?token={token}", flush=True)
+        print(f"console ready: {console_address(site)}", flush=True)
         await make_server(app, certificate.context if certificate else None).serve([listener])
 
 
@@ -186,6 +199,11 @@ def listening(host: str, port: int) -> HandshakeListener:
             f"cannot listen on {host} port {port} ({error.strerror}); choose another port",
         ) from error
     return listener
+
+
+def _reported(sent: Future[bool]) -> Future[bool]:
+    sent.add_done_callback(_report_stop)
+    return sent
 
 
 def _report_stop(outcome: Future[bool]) -> None:

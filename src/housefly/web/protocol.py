@@ -26,6 +26,9 @@ from housefly.messages import (
     Severity,
 )
 from housefly.tasks.api.answers import TaskBoard
+from housefly.web.qr_code import QrView
+from housefly.web.role import Role
+from housefly.web.verdict_message import ConsoleVerdict
 
 _STRICT = ConfigDict(extra="forbid", allow_inf_nan=False, str_strip_whitespace=True)
 _PLACE_MAX, _NAME_MAX = 60, 24
@@ -111,11 +114,12 @@ class LeaseRequest:
 
 @dataclass(frozen=True, slots=True)
 class InviteRequest:
-    """Make a one-time link for another browser."""
+    """Make a one-time link for another browser, which then may do what the role allows."""
 
     __pydantic_config__: ClassVar[ConfigDict] = _STRICT
     type: Literal["invite"]
     id: _RequestId
+    role: Literal["watch", "ask", "fly"] = "watch"
 
 
 ClientMessage = (
@@ -142,9 +146,10 @@ class EventView:
 
 @dataclass(frozen=True, slots=True)
 class Welcome:
-    """Answer to Hello: the viewer's number, and what happened before."""
+    """Answer to Hello: the viewer's number, what the role may do, and what happened before."""
 
     you: int
+    role: Role
     now: float
     events: tuple[EventView, ...]
     trail: tuple[Vec2, ...]
@@ -190,6 +195,8 @@ class StateMessage:
         height: the drone's own height sensor [m].
         wanted: reference position [m].
         path: number of the path in use; the path itself comes as PathMessage.
+        stopping_distance: that a drone this fast needs to come to rest, reaction included [m].
+        height_std: one-sigma uncertainty of the height [m].
     """
 
     sequence: int
@@ -217,16 +224,25 @@ class StateMessage:
     path: int
     waypoint: int
     others: tuple[OtherBody, ...]
+    stopping_distance: float | None = None
+    height_std: float | None = None
     type: Literal["state"] = "state"
 
 
 @dataclass(frozen=True, slots=True)
 class PathMessage:
-    """The path that the pilot flies; empty when there is none."""
+    """The path that the pilot flies; empty when there is none.
+
+    Attributes:
+        heights, times, speeds: planned at the waypoints [m, s, m/s]; empty of a path in the plane.
+    """
 
     number: int
     waypoints: tuple[Vec2, ...]
     length: float
+    heights: tuple[float, ...] = ()
+    times: tuple[float, ...] = ()
+    speeds: tuple[float, ...] = ()
     type: Literal["path"] = "path"
 
 
@@ -317,11 +333,31 @@ class PongReply:
 
 @dataclass(frozen=True, slots=True)
 class InviteReply:
-    """Answer to InviteRequest: the one-time link's path below the console's own address."""
+    """Answer to InviteRequest.
+
+    Attributes:
+        name: of the link, by which InvitationUsed tells it.
+        origin: address of the console for other machines; "" where none gets in.
+        path: the one-time link below it.
+        until: when it is over [s].
+        qr: the link as a QR code, for a phone; None where none gets in.
+    """
 
     id: int
+    name: str
+    origin: str
     path: str
+    until: float
+    qr: QrView | None
     type: Literal["invite"] = "invite"
+
+
+@dataclass(frozen=True, slots=True)
+class InvitationUsed:
+    """The link with this name has opened a browser; told to who made it."""
+
+    name: str
+    type: Literal["invitation_used"] = "invitation_used"
 
 
 ServerMessage = (
@@ -331,6 +367,7 @@ ServerMessage = (
     | StateMessage
     | PathMessage
     | LinkMessage
+    | ConsoleVerdict
     | EventsMessage
     | ViewersMessage
     | TasksMessage
@@ -339,6 +376,7 @@ ServerMessage = (
     | RefusedReply
     | PongReply
     | InviteReply
+    | InvitationUsed
 )
 
 _SERVER_MESSAGE: TypeAdapter[ServerMessage] = TypeAdapter(ServerMessage)

@@ -6,7 +6,6 @@ safer. What is not in a table needs the highest role.
 
 from __future__ import annotations
 
-from enum import Enum
 from typing import Any
 
 from housefly.hub.api.endpoints import API_PREFIX
@@ -20,22 +19,7 @@ from housefly.web.protocol import (
     PlanQuestion,
     StopRequest,
 )
-
-
-class Role(Enum):
-    """What somebody may do; each role includes the ones before it."""
-
-    WATCH = "watch"
-    ASK = "ask"
-    FLY = "fly"
-    ADMIN = "admin"
-
-    def includes(self, other: Role) -> bool:
-        """Return whether this role may do what another may."""
-        return _RANKS[self] >= _RANKS[other]
-
-
-_RANKS = {role: rank for rank, role in enumerate(Role)}
+from housefly.web.role import Role as Role
 
 ROLE_OF_MESSAGE: dict[type, Role] = {
     Hello: Role.WATCH,
@@ -60,7 +44,10 @@ ROLE_OF_ORDER: dict[OrderKind, Role] = {
     OrderKind.RESET: Role.FLY,
 }
 
-OPEN_PATHS = ("/", "/login", "/logout", "/account", f"{API_PREFIX}/openapi.json")
+OPEN_PATHS = (
+    *("/", "/login", "/logout", "/account", "/service-worker.js", "/authority.crt"),
+    f"{API_PREFIX}/openapi.json",
+)
 """They ask for themselves who is there, or tell nothing."""
 OPEN_FOLDERS = ("/static/",)
 
@@ -70,6 +57,7 @@ ROLE_OF_PATH: dict[str, Role] = {
     "/video": Role.WATCH,
     "/video.mjpeg": Role.WATCH,
     "/coverage": Role.WATCH,
+    "/flights": Role.WATCH,
     "/edits": Role.WATCH,
     "/bell": Role.WATCH,
     f"{API_PREFIX}/watch": Role.WATCH,
@@ -90,6 +78,7 @@ ROLE_OF_PATH: dict[str, Role] = {
 }
 """For reading, and for WebSockets."""
 ROLE_OF_FOLDER: dict[str, Role] = {
+    "/flights/": Role.WATCH,
     f"{API_PREFIX}/where/": Role.ASK,
     f"{API_PREFIX}/contents/": Role.ASK,
     f"{API_PREFIX}/trajectory/": Role.ASK,

@@ -4,10 +4,12 @@
 /login, /logout  POST: a user's name and password for a session, and its end
 /account         who one is, and the way out
 /static/...      the built client
+/service-worker.js  keeps the page's shell on a phone; ``/authority.crt``: whom a phone is to trust
 /socket          WebSocket: state to the browser, orders from it
 /stop            POST: STOP, for a browser whose socket is down
 /video           WebSocket: the drone's H.264; ``/video.mjpeg`` the same as JPEG
 /coverage        which parts of the room the tracking cameras see
+/flights         flights that can be looked at again; ``/flights/{id}`` one of them
 /api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
 /edits           places and no-fly zones: shown, saved, undone
 /bell            the doorbell of a simulated room; POST presses it
@@ -21,6 +23,7 @@ import secrets
 import signal
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager, suppress
+from pathlib import Path
 
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
@@ -34,14 +37,19 @@ from housefly.web.bell_routes import BellRoutes
 from housefly.web.broadcast import Broadcast
 from housefly.web.clip_files import ClipBook, ClipFiles
 from housefly.web.console import Console
+from housefly.web.console_memory import ConsoleMemory
 from housefly.web.console_routes import console_routes
 from housefly.web.coverage_layer import CoverageLayer, CoverageView
 from housefly.web.coverage_routes import coverage_routes
 from housefly.web.edit_service import EditService
 from housefly.web.edits_api import EditsApi
+from housefly.web.flight_book import FlightBook
+from housefly.web.flight_log_writer import FlightLogWriter
+from housefly.web.flight_routes import flight_routes
 from housefly.web.logins import Logins
 from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
+from housefly.web.protocol import EventView
 from housefly.web.role_guard import RoleGuard
 from housefly.web.room_api import RoomApi
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
@@ -78,13 +86,19 @@ def create_app(
     hook_key: str = "",
     privacy: LiveBlanker | None = None,
     bell: SimulatedBell | None = None,
+    memory: ConsoleMemory | None = None,
+    flights: Path | None = None,
+    site_name: str = "",
+    guest_address: str = "",
+    authority: bytes | None = None,
 ) -> Starlette:
     """Build the application.
 
     Args:
         bus: where the pilot is.
         token: one-time token of the first link.
-        stop: sends STOP on its own path, past the bus; must return at once.
+        stop: sends STOP on its own path, past the bus; must return at once. A future that it
+            returns tells whether the pilot acknowledged it.
         hosts: names that the server answers to.
         secret: key of the sessions; the same secret keeps browsers logged in over a restart. Empty
             makes a fresh one.
@@ -100,13 +114,20 @@ def create_app(
         hook_key: bearer token of webhooks; "" lets none in.
         privacy: blanks the privacy zones in the video; None where there are none.
         bell: the doorbell of a simulated room; None where the room is real.
+        memory: keeps control, STOP and the event log over a restart; None forgets them.
+        flights: folder into which flights are kept, to be looked at again; None keeps none.
+        site_name: of the site, for those.
+        guest_address: where other machines open the console; "" where they cannot.
+        authority: the certificate that they are to trust, in DER; None when there is none.
     """
     clock = clock or RealClock()
     auth = SessionAuth(token, secret or secrets.token_urlsafe(32), users, ended, clock)
     logins = Logins(users, clock, audit) if users else None
     link = PilotLink(bus, stop, clock)
     board = TaskFeed(bus, clock)
-    console = Console(StateFeed(clock, drone_body, furniture), link, auth, clock, audit, board)
+    kept = FlightLogWriter(flights, site_name) if flights else None
+    feed = StateFeed(clock, drone_body, furniture, memory.keep_event if memory else _forget, kept)
+    console = Console(feed, link, auth, clock, audit, board, memory, guest_address)
     video = VideoRelay(bus, privacy, board.mode)
     layer = CoverageLayer(coverage) if coverage else None
     key = api_key(secret) if secret else ""
@@ -126,16 +147,19 @@ def create_app(
     closing = [link.close, room_api.close, edits_api.close, tasks_api.close, board.close]
     closing += [bell_routes.close]
     closing += [layer.close] if layer else []
+    closing += [memory.close] if memory else []
+    closing += [kept.close] if kept else []
     closing += [audit.close] if audit else []
     closing += [clips.close] if clips else []
     closing += [logins.close] if logins else []
     return Starlette(
         routes=[
-            *page_routes(auth, logins),
+            *page_routes(auth, logins, authority),
             *session_routes(auth, logins, audit),
             *console_routes(console, auth),
             *video_routes(video, auth),
             *coverage_routes(layer, auth),
+            *flight_routes(FlightBook(flights) if flights else None, auth),
             *room_api.routes([*tasks_api.routes(), *clip_routes]),
             *edits_api.routes(),
             *bell_routes.routes(),
@@ -143,6 +167,10 @@ def create_app(
         middleware=[Middleware(HostGuard, hosts=hosts), Middleware(RoleGuard, auth=auth)],
         lifespan=_lifespan(bus, console, board, video, closing),
     )
+
+
+def _forget(event: EventView) -> None:
+    pass
 
 
 def _lifespan(

@@ -1,4 +1,4 @@
-"""One session, and those that were ended before their time, also over a restart of the console."""
+"""One session; and what is over for good, also over a restart of the console."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Session:
 
 
 class EndedSessions:
-    """Names of sessions that are over.
+    """Names of sessions that are over, and of one-time links that were used.
 
     Args:
         file: where they are kept over a restart; None keeps them in memory only.
@@ -60,4 +60,4 @@ class EndedSessions:
             with os.fdopen(os.open(self._file, flags, 0o600), "a", encoding="ascii") as file:
                 file.write(f"{name}\n")
         except OSError as error:
-            _LOG.error("a logout is not kept over a restart: %s", error.strerror)
+            _LOG.error("a logout, or a used link, is not kept over a restart: %s", error.strerror)

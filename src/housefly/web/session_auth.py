@@ -1,8 +1,9 @@
 """Who may use the console: one-time links, signed sessions, and the key of the room API.
 
-A link ``/?token=...`` works in one browser. It is exchanged for a signed session cookie that
-scripts cannot read and other sites cannot send, and for a proof that only the page knows: browsers
-send cookies to every port of a host, so another server of this machine may come by the cookie.
+A link ``/?token=...`` works in one browser, also after a restart of the console. It is exchanged
+for a signed session cookie that scripts cannot read and other sites cannot send, and for a proof
+that only the page knows: browsers send cookies to every port of a host, so another server of this
+machine may come by the cookie.
 WebSockets must name their own page as Origin.
 """
 
@@ -10,12 +11,14 @@ from __future__ import annotations
 
 import hmac
 import secrets
+from collections.abc import Callable
 from hashlib import sha256
 
 from starlette.requests import HTTPConnection
 from starlette.websockets import WebSocket
 
 from housefly.clock import Clock, RealClock
+from housefly.web.invitations import Invitation, Invitations
 from housefly.web.roles import Role
 from housefly.web.session import EndedSessions, Session
 from housefly.web.users import User, UserBook
@@ -27,25 +30,29 @@ _PROOF_PREFIX = "proof."
 _COOKIE = "housefly"
 _SECURE_PREFIX = "__Host-"
 """Browsers take such a cookie only over TLS and from this host itself."""
-_MAX_INVITES = 20
-_LOGIN = "~"
-"""What the grant of a login begins with."""
+_LOGIN, _GUEST = "~", "+"
+"""What the grant of a login begins with, and that of an invitation."""
 LONGEST_LOGIN = 12 * 3600.0
-"""A login is over after this time [s]; a session of a link lives as long as the run."""
+"""A login is over after this time [s], and so is the visit of who was invited; the session of the
+first link lives as long as the run.
+"""
 
 
 class SessionAuth:
-    """Holds the open one-time links and checks the sessions that were made from them or by login.
+    """Takes one-time links and checks the sessions that were made from them or by login.
 
-    Sessions are signed, not stored: a console that restarts with the same secret still knows its
-    browsers. What a user may do is looked up anew each time.
+    Links and sessions are signed, not stored: a console that restarts with the same secret still
+    knows its browsers. What a user may do is looked up anew each time.
 
     Args:
         token: the first one-time link's token; it opens a session of the highest role.
         secret: key of the sessions.
         users: who may log in; None for nobody.
-        ended: sessions that are over.
-        clock: tells the age of a login.
+        ended: sessions that are over, and links that were used.
+        clock: tells the age of a login, and of a link.
+
+    Attributes:
+        on_guest: is told of each invitation that was used.
     """
 
     def __init__(
@@ -56,30 +63,30 @@ class SessionAuth:
         ended: EndedSessions | None = None,
         clock: Clock | None = None,
     ) -> None:
-        self._open: dict[str, Role] = {token: Role.ADMIN}
+        self.on_guest: Callable[[Invitation], None] = lambda invitation: None
+        self._first = token
         self._key = hmac.digest(secret.encode(), b"housefly console session", sha256)
         self._users, self._clock = users, clock or RealClock()
         self._ended = EndedSessions() if ended is None else ended
+        self._invitations = Invitations(secret, self._clock, self._ended)
 
-    def invite(self, role: Role = Role.ADMIN) -> str:
-        """Return a new one-time token; too many open ones expire the oldest."""
-        while len(self._open) >= _MAX_INVITES:
-            del self._open[next(iter(self._open))]
-        token = secrets.token_urlsafe(24)
-        self._open[token] = role
-        return token
+    def invite(self, role: Role) -> Invitation:
+        """Return a new one-time link."""
+        return self._invitations.new(role)
 
     def redeem(self, token: str) -> str | None:
         """Exchange a one-time token for a session cookie's value; None for an invalid token."""
-        for known in self._open:
-            if hmac.compare_digest(known.encode(), token.encode()):
-                return self._new_cookie(self._open.pop(known).value)
-        return None
+        if hmac.compare_digest(self._first.encode(), token.encode()):
+            return self._redeem_first()
+        invitation = self._invitations.redeemed(token)
+        if invitation is None:
+            return None
+        self.on_guest(invitation)
+        return self._new_cookie(f"{_GUEST}{invitation.role.value}:{self._second}")
 
     def log_in(self, user: User) -> str:
         """Return the cookie's value of a new session of a user whose password was right."""
-        begun = int(self._clock.now())
-        return self._new_cookie(f"{_LOGIN}{user.name}:{user.fingerprint}:{begun}")
+        return self._new_cookie(f"{_LOGIN}{user.name}:{user.fingerprint}:{self._second}")
 
     def log_out(self, session: Session) -> None:
         """End a session for good."""
@@ -122,6 +129,17 @@ class SessionAuth:
         await websocket.close(1008, "this page may not open the console")
         return None
 
+    @property
+    def _second(self) -> int:
+        return int(self._clock.now())
+
+    def _redeem_first(self) -> str | None:
+        used = sha256(self._first.encode()).hexdigest()[:32]
+        if used in self._ended:
+            return None
+        self._ended.add(used)
+        return self._new_cookie(Role.ADMIN.value)
+
     def _new_cookie(self, grant: str) -> str:
         named = f"{secrets.token_urlsafe(24)}.{grant}"
         return f"{named}.{self._sign(named)}"
@@ -129,15 +147,24 @@ class SessionAuth:
     def _session(self, name: str, grant: str) -> Session | None:
         if name in self._ended:
             return None
+        if grant.startswith(_GUEST):
+            return self._guest(name, grant)
         if not grant.startswith(_LOGIN):
             return Session(name, grant, Role(grant))
         user_name, fingerprint, begun = grant.removeprefix(_LOGIN).split(":")
         user = self._users.find(user_name) if self._users else None
         if user is None or user.fingerprint != fingerprint:
             return None
-        if self._clock.now() - int(begun) > LONGEST_LOGIN:
+        if self._is_too_old(begun):
             return None
         return Session(name, grant, user.role, user.name)
+
+    def _guest(self, name: str, grant: str) -> Session | None:
+        role, begun = grant.removeprefix(_GUEST).split(":")
+        return None if self._is_too_old(begun) else Session(name, grant, Role(role))
+
+    def _is_too_old(self, begun: str) -> bool:
+        return self._clock.now() - int(begun) > LONGEST_LOGIN
 
     def _sign(self, text: str) -> str:
         return hmac.new(self._key, text.encode(), sha256).hexdigest()

@@ -4,17 +4,30 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from dataclasses import dataclass, field
-from math import dist, inf
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from math import dist, hypot, inf
 
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC
+from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import Clock
 from housefly.config.furniture import FurnitureConfig
-from housefly.geometry import Vec2
-from housefly.messages import DroneStatus, LinkStatus, Path, PilotStep, Severity, Sighting
+from housefly.geometry import Vec2, stopping_distance
+from housefly.messages import (
+    DroneStatus,
+    LinkStatus,
+    Path,
+    PilotStep,
+    PlannedTrajectory,
+    Severity,
+    Sighting,
+    TrajectoryPoint,
+)
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
+from housefly.web.flight_log_writer import FlightListener
 from housefly.web.protocol import EventView, LinkMessage, OtherBody, PathMessage, StateMessage
+from housefly.web.stop_latch import StopLatch
 
 _RATED_ENDURANCE = 720.0
 """Flight time of a full battery [s]: an AR.Drone 2.0 is rated 12 minutes on 1000 mAh."""
@@ -40,11 +53,15 @@ class StateFeed:
         clock: the server's clock.
         drone_body: name of the drone among the tracked bodies; the map shows the others beside it.
         furniture: the tracked bodies that are furniture.
+        keep_event: is told each line of the event log; must return at once.
+        flights: hears each step, and keeps the flights.
     """
 
     clock: Clock
     drone_body: str
     furniture: tuple[FurnitureConfig, ...] = ()
+    keep_event: Callable[[EventView], None] = lambda event: None
+    flights: FlightListener | None = None
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _step: PilotStep | None = None
     _heard_at: float = 0.0
@@ -55,17 +72,38 @@ class StateFeed:
     _others: dict[str, _TrackedBody] = field(default_factory=dict)
     _path: Path | None = None
     _path_number: int = 0
+    _trajectory: tuple[TrajectoryPoint, ...] = ()
     _restarts: int = 0
+    _stop: StopLatch = field(default_factory=StopLatch)
 
     def listen(self, bus: Bus) -> None:
         """Subscribe to the pilot; the bus closes the subscriptions."""
         bus.subscribe(STEP_TOPIC, self._on_step)
         bus.subscribe(LINK_TOPIC, self._on_link)
+        bus.subscribe(TRAJECTORY_TOPIC, self._on_trajectory)
 
     def log_event(self, severity: Severity, code: str, text: str) -> None:
         """Add a line of the console's own to the event log."""
         with self._lock:
             self._add_event(severity, code, text)
+
+    def restore(self, events: Sequence[EventView], stop: StopLatch) -> None:
+        """Go on with the event log and the STOP that an earlier console kept."""
+        with self._lock:
+            self._events.extend(events)
+            self._event_number = events[-1].number if events else 0
+            self._stop = stop
+
+    @property
+    def stop(self) -> StopLatch:
+        """The STOP that holds."""
+        with self._lock:
+            return self._stop
+
+    def change_stop(self, change: Callable[[StopLatch], StopLatch]) -> None:
+        """Note what happened to STOP."""
+        with self._lock:
+            self._stop = change(self._stop)
 
     @property
     def step(self) -> PilotStep | None:
@@ -105,14 +143,24 @@ class StateFeed:
         with self._lock:
             if self._path is None:
                 return PathMessage(self._path_number, (), 0.0)
-            return PathMessage(self._path_number, self._path.waypoints, self._path.length)
+            points = self._trajectory if self._is_planned_in_space() else ()
+            return PathMessage(
+                self._path_number,
+                self._path.waypoints,
+                self._path.length,
+                tuple(point.position[2] for point in points),
+                tuple(point.time for point in points),
+                tuple(point.speed for point in points),
+            )
 
     def state(self, home_s: float) -> StateMessage | None:
         """Return the newest step for the browser; ``home_s`` is the flight time home [s]."""
         with self._lock:
             if self._step is None:
                 return None
-            return _state(self._step, self._heard_at, home_s, self._path_number, self._bodies())
+            told = _state(self._step, self._heard_at, home_s, self._path_number, self._bodies())
+            link = self._link.link if self._link else None
+            return replace(told, height_std=link.height_std if link else None)
 
     def _bodies(self) -> tuple[OtherBody, ...]:
         now = self.clock.now()
@@ -133,9 +181,11 @@ class StateFeed:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self._restarts += 1
+                self._stop = self._stop.pilot_restarted(now)
             if on_the_ground(self._step) and not on_the_ground(step):
                 self._trail.clear()
             self._step, self._heard_at = step, now
+            self._stop = self._stop.heard(step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
             for sighting in step.inputs.sightings:
@@ -148,6 +198,22 @@ class StateFeed:
                 not self._trail or dist(self._trail[-1], estimate.position[:2]) > _TRAIL_STEP
             ):
                 self._trail.append(estimate.position[:2])
+            number = self._path_number
+        if self.flights is not None:
+            self.flights.hear(step, number, self.path)
+
+    def _on_trajectory(self, planned: PlannedTrajectory) -> None:
+        """Keep what is planned in space; the path is sent anew as soon as both are known."""
+        with self._lock:
+            is_new = planned.points != self._trajectory
+            self._trajectory = planned.points
+            if is_new and self._is_planned_in_space():
+                self._path_number += 1
+
+    def _is_planned_in_space(self) -> bool:
+        """Return whether what is known in space is the path in use."""
+        path = self._path.waypoints if self._path else ()
+        return bool(path) and tuple(point.position[:2] for point in self._trajectory) == path
 
     def _on_link(self, link: LinkStatus) -> None:
         with self._lock:
@@ -155,7 +221,9 @@ class StateFeed:
 
     def _add_event(self, severity: Severity, code: str, text: str) -> None:
         self._event_number += 1
-        self._events.append(EventView(self._event_number, self.clock.now(), severity, code, text))
+        event = EventView(self._event_number, self.clock.now(), severity, code, text)
+        self._events.append(event)
+        self.keep_event(event)
 
 
 def on_the_ground(step: PilotStep | None) -> bool:
@@ -199,4 +267,9 @@ def _state(
         path=path,
         waypoint=out.waypoint,
         others=others,
+        stopping_distance=(
+            stopping_distance(hypot(*estimate.velocity), BRAKING_DECELERATION, REACTION_TIME)
+            if estimate
+            else None
+        ),
     )

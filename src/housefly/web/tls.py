@@ -6,17 +6,19 @@ import os
 import ssl
 import stat
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from housefly.config.text import read_text_file, shortened
 from housefly.config.web import WebConfig
-from housefly.errors import ConfigError, MissingPartError
+from housefly.errors import ConfigError, HouseflyError, MissingPartError
 
 if TYPE_CHECKING:
     from cryptography.x509 import Certificate
 
+AUTHORITY_FILE = "authority.pem"
+"""The certificate of the authority, beside the console's."""
 _OPEN_TO_OTHERS = 0o077
 _REMEDY = "make one with `housefly cert`"
 
@@ -32,6 +34,14 @@ class ServerCertificate:
 
     context: ssl.SSLContext
     names: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class CertificateState:
+    """For which names, in small letters, and for how long a certificate is good."""
+
+    names: tuple[str, ...]
+    left: timedelta
 
 
 def load_certificate(web: WebConfig) -> ServerCertificate | None:
@@ -59,6 +69,32 @@ def load_certificate(web: WebConfig) -> ServerCertificate | None:
             f" {_REMEDY}",
         ) from error
     return ServerCertificate(context, names)
+
+
+def authority_of(web: WebConfig) -> bytes | None:
+    """Return the certificate that browsers are to trust, in DER; None when there is none.
+
+    It is the one beside the site's certificate, as `housefly cert` leaves it there, and must have
+    vouched for it.
+    """
+    if not web.tls_certificate:
+        return None
+    from cryptography.exceptions import InvalidSignature
+    from cryptography.hazmat.primitives.serialization import Encoding
+
+    certificate = _path(web.tls_certificate)
+    try:
+        authority = _parsed(certificate.with_name(AUTHORITY_FILE))
+        _parsed(certificate).verify_directly_issued_by(authority)
+    except (HouseflyError, InvalidSignature, ValueError, TypeError):
+        return None
+    return authority.public_bytes(Encoding.DER)
+
+
+def certificate_state(certificate: Path) -> CertificateState:
+    """Return for which names and how long a certificate is good; raises ConfigError."""
+    parsed = _parsed(certificate)
+    return CertificateState(_names_of(parsed), parsed.not_valid_after_utc - datetime.now(UTC))
 
 
 def _path(name: str) -> Path:

@@ -12,6 +12,7 @@ from housefly.hub.api import answers as room_answers
 from housefly.tasks.api.answers import TaskAnswer
 from housefly.web.coverage_layer import CoverageView
 from housefly.web.edit_service import EditsView
+from housefly.web.flight_book import FlightReplay, FlightsView
 from housefly.web.new_site.draft_answers import HeardView, WrittenView
 from housefly.web.new_site.draft_view import DraftView
 from housefly.web.protocol import ClientMessage, ServerMessage
@@ -52,7 +53,12 @@ def _socket_types() -> str:
 def _room_types() -> str:
     """Return the TypeScript text of the answers of the room's API and of its news."""
     unions = {
-        "RoomAnswer": room_answers.Answer | CoverageView | EditsView | BellView,
+        "RoomAnswer": room_answers.Answer
+        | CoverageView
+        | EditsView
+        | BellView
+        | FlightsView
+        | FlightReplay,
         "RoomNews": room_answers.News,
     }
     return _text("housefly/hub/api/answers.py", unions)

@@ -53,6 +53,27 @@ def test_an_open_address_is_refused_in_words_before_anything_starts(
     assert not (tmp_path / "out").exists() and not list((tmp_path).glob("run/housefly/running/*"))
 
 
+@pytest.mark.parametrize("command", ["run", "demo"])
+def test_the_network_is_refused_without_a_certificate_before_anything_starts(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], command: str
+) -> None:
+    def started(*_: object) -> None:
+        raise AssertionError("something was started")
+
+    monkeypatch.setattr(launcher.Launcher, "__enter__", started)
+    monkeypatch.setattr("housefly.app.compiling.compile_once", started)
+    assert main([command, "--lan"]) == 2
+    told = capsys.readouterr().err
+    assert told.startswith("housefly: --lan: needs a certificate")
+    assert "`housefly cert --site bsen`" in told
+    assert main(["cert"]) == 0
+    printed = capsys.readouterr().out
+    assert "`housefly run --lan`" in printed and "authority.crt" in printed
+    assert re.search(r"SHA-256 fingerprint is\s+(?:[0-9A-F]{2} ){31}[0-9A-F]{2}", printed)
+    with pytest.raises(AssertionError, match="something was started"):
+        main([command, "--lan"])
+
+
 def test_what_the_refusal_says_mends_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

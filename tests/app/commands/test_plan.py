@@ -23,4 +23,4 @@ def test_clearance_is_that_of_the_hull_and_numbers_are_short(
     hull = path.clearance - hypot(drone.hull_length, drone.hull_width) / 2
     assert f"clearance of the hull at least {hull:.2f} m" in told
     assert told.count("clearance") == 1
-    assert not re.search(r"\.\d{5}", told + str(path.waypoints))
+    assert not re.search(r"\.\d{5}", told + str(path))

@@ -110,7 +110,7 @@ def test_the_flights_of_a_run_that_was_stopped_are_kept_and_the_next_one_flies_n
 def test_the_demanded_acceleration_is_the_controllers_and_the_position_is_true(
     made: Path,
 ) -> None:
-    loaded = open_site(read_site("bsen", twin__seed=1))
+    loaded = open_site(read_site("bsen", twin__seed=1, map__planner="grid"))
     service = read_service(loaded, made / "flights" / "default")
     flight = service.flight
     demanded = demanded_accelerations(loaded, flight.steps)

@@ -54,7 +54,7 @@ async def test_connecting_sets_limits_and_reads_them_back(flight) -> None:
     assert flight.drone.configuration["control:euler_angle_max"] == "2.1000000e-01"
     assert flight.drone.configuration["video:max_bitrate"] == "4000"
     assert flight.world.limits.tilt == pytest.approx(0.21)
-    assert flight.world.limits.climb == pytest.approx(0.7)
+    assert flight.world.limits.climb == pytest.approx(1.0)
     assert flight.server.counters.refused_settings == 0
     assert status(flight) is DroneStatus.LANDED
 
@@ -66,7 +66,7 @@ async def test_a_whole_flight(flight) -> None:
     assert flight.world.asked.forward == pytest.approx(0.1 / 0.21, rel=1e-3)
     assert flight.drone.telemetry.theta == pytest.approx(0.1, abs=0.01)
     assert flight.drone.telemetry.velocity[0] > 0.1
-    await flight.hold(Action.FLY, Setpoint(phi=0.1, vz=0.35, yaw_rate=1.75), seconds=0.3)
+    await flight.hold(Action.FLY, Setpoint(phi=0.1, vz=0.5, yaw_rate=1.75), seconds=0.3)
     asked = flight.world.asked
     assert (asked.left, asked.up, asked.turn) == pytest.approx((-0.1 / 0.21, 0.5, 1.0), rel=1e-3)
     await flight.hold(Action.HOVER, seconds=0.2)
@@ -332,7 +332,7 @@ async def test_it_does_not_take_off_while_it_is_being_configured(flight) -> None
 
 
 @pytest.mark.parametrize(
-    ("key", "stays_down"), [("control:altitude_max", True), ("video:bitrate", False)]
+    ("key", "stays_down"), [("control:control_yaw", True), ("video:bitrate", False)]
 )
 async def test_a_setting_that_the_drone_keeps_is_told_and_a_limit_keeps_it_down(
     flight, monkeypatch, key: str, stays_down: bool

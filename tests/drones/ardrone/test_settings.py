@@ -15,7 +15,9 @@ from housefly.drones.ardrone.settings import (
 from housefly.wires.ardrone.config import encode_dump, format_value, key_named, parse_dump
 from housefly.wires.ardrone.conversions import Maxima
 
-LIMITS = LimitsConfig(tilt_max=0.15, vertical_speed_max=0.5, yaw_rate_max=1.0, height_max=2.5)
+LIMITS = LimitsConfig(
+    tilt_max=0.15, vertical_speed_max=0.5, climb_command_max=0.0, yaw_rate_max=1.0, height_max=2.5
+)
 
 
 def test_every_setting_is_a_writable_key_with_a_value_of_its_type() -> None:
@@ -30,6 +32,12 @@ def test_limits_go_out_in_the_drones_units() -> None:
     assert wanted["control:control_vz_max"] == pytest.approx(500.0)
     assert wanted["control:control_yaw"] == 1.0
     assert wanted["control:altitude_max"] == 2500
+
+
+def test_a_drone_that_may_carry_more_is_given_the_stick_and_the_room_for_it() -> None:
+    wanted = dict(wanted_settings(LIMITS.model_copy(update={"climb_command_max": 0.8})))
+    assert wanted["control:control_vz_max"] == pytest.approx(800.0)
+    assert wanted["control:altitude_max"] == 3500
 
 
 def test_outdoor_comes_before_the_limits_that_it_replaces() -> None:

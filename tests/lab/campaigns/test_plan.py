@@ -10,11 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from housefly.config.site import Site
+from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.lab.campaigns.draws import Draw, shares_of
 from housefly.lab.campaigns.notes import notes
 from housefly.lab.campaigns.plan import MAX_CHUNK, MIN_CHUNK, Plan, chunk_size, plan_campaign
+from housefly.lab.campaigns.provenance import describe_plan
 from housefly.lab.campaigns.spec import spec_from_tree
 from housefly.lab.experiments.cases import BY_NAME, DEFAULT, PAPER, PARAMETERS, cases
 
@@ -133,11 +134,45 @@ def test_each_mode_flies_its_own_way_with_its_own_tolerances() -> None:
     )
     plan = plan_campaign(spec, Site())
     default, paper = plan.groups
-    assert len(paper.mission.waypoints) > 2 * len(default.mission.waypoints)
+    corners = plan_campaign(spec, changed(Site(), map__planner="grid")).groups[0].mission
+    assert len(paper.mission.waypoints) > 2 * len(corners.waypoints)
+    assert paper.mission.trajectory is None and corners.trajectory is None
+    trajectory = default.mission.trajectory
+    assert trajectory is not None and trajectory.motion[-1, :2] == pytest.approx(
+        corners.waypoints[-1], abs=0.05
+    )
     assert default.cells == (1,) and paper.cells == (0,)
     table, cells = plan.cases_of(plan.chunks[1])
     assert (table == cases(plan.groups[1].site, 2, mode=PAPER, seed=[0, 1])).all()
     assert (cells == 0).all()
+
+
+def to_the_entrance(**keys: Any) -> Plan:
+    """Two speeds through B-sen in space; mode paper has one way for both."""
+    tree = {"name": "a", "mission": {"goal": "entrance", "duration_s": 12.0}, "seeds": 2} | keys
+    return plan_campaign(spec_from_tree(tree), Site())
+
+
+def test_in_space_a_trajectory_is_planned_for_each_speed() -> None:
+    grid = {"speed": [0.5, 1.0], "mode": ["default", "paper"], "mocap_rate_hz": [10, 100]}
+    plan = to_the_entrance(grid=grid)
+    assert [group.name for group in plan.groups] == [
+        "default, speed 0.5",
+        "default, speed 1",
+        "paper",
+    ]
+    assert [group.cells for group in plan.groups] == [(0, 1), (4, 5), (2, 3, 6, 7)]
+    slow, fast = (group.mission.trajectory for group in plan.groups[:2])
+    assert slow is not None and fast is not None
+    for trajectory, speed in ((slow, 0.5), (fast, 1.0)):
+        assert np.hypot(*trajectory.motion[:, 3:5].T).max() == pytest.approx(speed, abs=0.01)
+    assert all((plan.cases_of(chunk)[0]["speed"] > 0.0).all() for chunk in plan.chunks)
+    digests = describe_plan(plan)["trajectory"]
+    assert len(set(digests.values())) == 2 and "paper" not in digests
+    (note,) = notes(plan)
+    assert "in mode default, speed 0.5 take at least" in note
+    with pytest.raises(ConfigError, match=r"draw\.speed"):
+        to_the_entrance(draw={"speed": {"uniform": [0.4, 0.6]}})
 
 
 def test_a_flight_that_cannot_end_in_time_is_noted() -> None:

@@ -4,8 +4,8 @@ of a drone that flies.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
 
@@ -18,6 +18,7 @@ from housefly.geometry import Vec2, quaternion_from_euler
 from housefly.lab.experiments.cases import Cases, cases
 from housefly.lab.experiments.engine import fly_recorded
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
+from housefly.lab.experiments.planned_flight import planned_flight
 from housefly.messages import (
     Action,
     DroneStatus,
@@ -38,7 +39,20 @@ SETTLE = 0.3
 """The drone is found in the air and waits so long before it is ordered to go [s]."""
 SIGNALS = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
 ESTIMATES = ("est_x", "est_y", "est_z", "est_vx", "est_vy", "est_vz", "est_psi", "pose_age")
-REFERENCES = ("ref_x", "ref_y", "ref_vx", "ref_vy", "ref_psi")
+REFERENCES = ("ref_x", "ref_y", "ref_z", "ref_vx", "ref_vy", "ref_vz", "ref_psi")
+SCREEN = {
+    "kind": "keep_out",
+    "polygon": ((7.0, -1.0), (7.5, -1.0), (7.5, 8.5), (7.0, 8.5)),
+    "top": 1.5,
+    "reason": "a screen across the room",
+}
+WAYS: dict[str, dict[str, Any]] = {
+    "space": {},
+    "over a screen": {"volumes": (SCREEN,), "limits__speed": 1.0},
+    "grid": {"map__planner": "grid"},
+    "paper": {"mode": "paper"},
+}
+"""What a pilot flies along, and the site that makes it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,41 +72,68 @@ class Twins:
 FlyBoth = Callable[..., Twins]
 
 
-def path_to(premises: LoadedSite, site: Site, start: Vec2, goal: Vec2) -> tuple[Vec2, ...]:
-    """Return the waypoints that the live pilot would plan."""
-    answer = RoomNavigator(site, premises.room, premises.grid).route(start, goal)
-    assert answer.path is not None, answer.reason
-    return answer.path.waypoints
+class Live:
+    """A live pilot that sees what a drone of the batch was seen to do, and is ordered to a goal."""
+
+    def __init__(self, premises: LoadedSite, goal: Vec2) -> None:
+        self._site, self._goal = premises.site, goal
+        self._pilot = make_pilot(premises.site, premises.room, premises.grid)
+        self._seen = self._ordered = False
+
+    def answers(self, ticks: Any, seen: Any, first: int = 0) -> Iterator[Outputs]:
+        """Yield its answer to each tick from the first on."""
+        for tick in range(first, len(ticks)):
+            now = float(ticks["t"][tick])
+            sightings = tuple(_sighting(self._site, row) for row in seen[seen["tick"] == tick])
+            self._seen = self._seen or bool(sightings)
+            orders: tuple[Order, ...] = ()
+            if not self._ordered and now >= SETTLE - 1e-9:
+                self._ordered = True
+                orders = (Order(OrderKind.GO, goal=self._goal, issued_at=now),)
+            telemetry = Telemetry(now, DroneStatus.FLYING, 1.0) if self._seen else None
+            yield self._pilot.step(now, Inputs(sightings, telemetry, orders))
 
 
-def fly_both(
-    premises: LoadedSite, drone: Cases, waypoints: tuple[Vec2, ...], goal: Vec2, duration: float
-) -> Twins:
-    """Fly one case along a path, and let a live pilot that is ordered to the goal answer to what
-    was seen.
+def fly_both(premises: LoadedSite, drone: Cases, goal: Vec2, duration: float) -> Twins:
+    """Fly one case from the pad to a goal, and let a live pilot that is ordered there answer to
+    what was seen.
+
+    The way is planned from where the live pilot believes the drone at its order.
     """
-    batch, seen = fly_recorded(drone, FlightPlan(Task.PATH, waypoints, duration, settle=SETTLE))
-    pilot = make_pilot(premises.site, premises.room, premises.grid)
+    navigator = RoomNavigator(premises.site, premises.room, premises.grid)
+    way, height = navigator.route(premises.room.home, goal).path, premises.site.map.flight_height
+    assert way is not None
+    start = way.waypoints[:1]
+    waiting = FlightPlan(Task.PATH, start, SETTLE, height, settle=SETTLE)
+    ticks, seen = fly_recorded(drone, waiting)
+    pilot = Live(premises, goal)
+    before = list(pilot.answers(ticks, seen))
+    found = before[-1].estimate
+    assert found is not None and before[-1].path is not None
+    planned = planned_flight(navigator, found.position, found.yaw, goal, duration, settle=SETTLE)
+    assert isinstance(planned, FlightPlan), planned
+    assert planned.waypoints == before[-1].path.waypoints
+    assert (planned.trajectory is not None) == navigator.in_space
+    waypoints = (*start, *planned.waypoints[1:])
+    planned = replace(planned, waypoints=waypoints, height=height, yaw=0.0)
+    batch, seen = fly_recorded(drone, planned)
+    assert batch[: len(ticks) - 1].tobytes() == ticks[:-1].tobytes()
     live = np.zeros_like(batch)
-    was_seen, ordered = False, False
-    for tick, now in enumerate(batch["t"].tolist()):
-        sightings = tuple(_sighting(premises.site, row) for row in seen[seen["tick"] == tick])
-        was_seen = was_seen or bool(sightings)
-        orders: tuple[Order, ...] = ()
-        if not ordered and now >= SETTLE - 1e-9:
-            ordered, orders = True, (Order(OrderKind.GO, goal=goal, issued_at=now),)
-        telemetry = Telemetry(now, DroneStatus.FLYING, 1.0) if was_seen else None
-        outputs = pilot.step(now, Inputs(sightings, telemetry, orders))
-        _write(live[tick], outputs)
-        assert not ordered or (outputs.path is not None and outputs.path.waypoints == waypoints)
+    for row, outputs in zip(live, (*before, *pilot.answers(batch, seen, len(before))), strict=True):
+        _write(row, outputs)
     first = int(seen["tick"][0])
     return Twins(batch[first:], live[first:])
 
 
 @cache
-def premises_of(mode: str) -> LoadedSite:
-    """The real room B-sen with the map of a mode."""
-    return open_site(changed(read_site("bsen"), mode=mode))
+def _premises_of(way: str) -> LoadedSite:
+    return open_site(changed(read_site("bsen"), **WAYS[way]))
+
+
+@pytest.fixture
+def premises_of() -> Callable[[str], LoadedSite]:
+    """Return a maker of the real room B-sen with the map of a way of flying."""
+    return _premises_of
 
 
 @pytest.fixture
@@ -101,13 +142,10 @@ def fly_twice() -> FlyBoth:
     entrance of B-sen.
     """
 
-    def make(mode: str, site: Site | None = None, **columns: float) -> Twins:
-        premises = premises_of(mode)
-        goal = premises.room.place("entrance").viewpoint
-        waypoints = path_to(premises, premises.site, premises.room.home, goal)
-        return fly_both(
-            premises, cases(site or premises.site, 1, seed=7, **columns), waypoints, goal, 40.0
-        )
+    def make(way: str, place: str = "entrance", **columns: float) -> Twins:
+        premises = _premises_of(way)
+        goal = premises.room.place(place).viewpoint
+        return fly_both(premises, cases(premises.site, 1, seed=7, **columns), goal, 40.0)
 
     return make
 
@@ -133,6 +171,6 @@ def _write(row: Any, outputs: Outputs) -> None:
         for name, value in zip(ESTIMATES, numbers, strict=True):
             row[name] = value
     if reference is not None:
-        wanted = (*reference.position[:2], *reference.velocity[:2], reference.yaw)
+        wanted = (*reference.position, *reference.velocity, reference.yaw)
         for name, value in zip(REFERENCES, wanted, strict=True):
             row[name] = value

@@ -5,19 +5,21 @@ what is measured is compared, within a factor.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from housefly.app.loaded_site import LoadedSite, open_site, read_site
+from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep import fly_lockstep
-from housefly.config.site import changed
 from housefly.geometry import Vec2, distance
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many
-from housefly.lab.experiments.flight_plan import FlightPlan, Task
+from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan
+from housefly.lab.experiments.planned_flight import planned_flight
 from housefly.messages import Order, OrderKind, Phase, PilotStep
+from housefly.pilot.navigator import RoomNavigator
 
 
 def flown_on_the_twin(premises: LoadedSite) -> tuple[tuple[Vec2, ...], float, float]:
@@ -53,14 +55,22 @@ def off_path(here: Vec2, waypoints: tuple[Vec2, ...]) -> float:
     return min(legs)
 
 
-@pytest.mark.parametrize("mode", ["default", "paper"])
-def test_the_batch_flies_the_same_path_in_about_the_time_and_as_well_as_the_twin(mode: str) -> None:
-    premises = open_site(changed(read_site("bsen"), mode=mode))
+@pytest.mark.parametrize("way", ["space", "grid", "paper"])
+def test_the_batch_flies_the_same_path_in_about_the_time_and_as_well_as_the_twin(
+    way: str, premises_of: Callable[[str], LoadedSite]
+) -> None:
+    premises = premises_of(way)
     waypoints, duration, rms = flown_on_the_twin(premises)
     drones = cases(premises.site, 20, seed=np.arange(20), yaw_lag=25.0, climb_lag=1.4)
-    flights = fly_many(
-        drones, FlightPlan(Task.PATH, waypoints, 2.0 + 2.0 * duration, yaw=premises.room.home_yaw)
+    mission = planned_flight(
+        RoomNavigator(premises.site, premises.room, premises.grid),
+        (*waypoints[0], premises.site.map.flight_height),
+        premises.room.home_yaw,
+        waypoints[-1],
+        SETTLE + 2.0 * duration,
     )
+    assert isinstance(mission, FlightPlan)
+    flights = fly_many(drones, mission)
     assert flights["stable"].all()
     assert np.median(flights["arrival_time"]) == pytest.approx(duration, rel=0.35)
     assert 0.3 < np.median(flights["rms_error"]) / rms < 3.0

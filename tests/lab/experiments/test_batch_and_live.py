@@ -14,7 +14,7 @@ call the same functions.
 """
 SIGNALS = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
 ESTIMATES = ("est_x", "est_y", "est_z", "est_vx", "est_vy", "est_vz", "est_psi", "pose_age")
-REFERENCES = ("ref_x", "ref_y", "ref_vx", "ref_vy", "ref_psi")
+REFERENCES = ("ref_x", "ref_y", "ref_z", "ref_vx", "ref_vy", "ref_vz", "ref_psi")
 STREAMS = {
     "100 Hz": {"mocap_rate_hz": 100.0},
     "10 Hz, late and lossy": {
@@ -33,9 +33,9 @@ STREAMS = {
 
 
 @pytest.mark.parametrize("stream", list(STREAMS))
-@pytest.mark.parametrize("mode", ["default", "paper"])
-def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, mode: str, stream: str) -> None:
-    twins = fly_twice(mode, **STREAMS[stream])
+@pytest.mark.parametrize("way", ["space", "grid", "paper"])
+def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, way: str, stream: str) -> None:
+    twins = fly_twice(way, **STREAMS[stream])
     for column in ("flying", "behavior", "safety"):
         assert np.array_equal(twins.batch[column], twins.live[column]), column
     assert twins.apart(SIGNALS) < SAME
@@ -44,18 +44,27 @@ def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, mode: str, s
     assert np.ptp(twins.batch["x"]) > 3.0
 
 
+def test_a_way_over_a_screen_is_climbed_in_the_batch_as_in_the_live_pilot(fly_twice: Fly) -> None:
+    twins = fly_twice("over a screen", **STREAMS["10 Hz, late and lossy"])
+    assert twins.apart((*SIGNALS, *ESTIMATES, *REFERENCES)) < SAME
+    assert np.ptp(twins.batch["ref_z"]) > 0.4 and np.ptp(twins.batch["z"]) > 0.4
+
+
 @pytest.mark.parametrize(
-    ("mode", "column", "value"),
+    ("way", "column", "value"),
     [
-        ("default", "alpha", 3.61),
-        ("default", "model_lag", 7.01),
-        ("default", "model_delay", 0.061),
-        ("default", "model_drag", 0.581),
-        ("default", "position_noise", 0.0031),
-        ("default", "height_gain", 1.21),
-        ("default", "speed", 0.501),
-        ("default", "epsilon_yaw", 0.34),
-        ("default", "pose_age_level", 0.05),
+        ("space", "feed_forward", 0.99),
+        ("space", "model_climb_lag", 1.41),
+        ("space", "yaw_gain", 1.51),
+        ("grid", "alpha", 3.61),
+        ("grid", "model_lag", 7.01),
+        ("grid", "model_delay", 0.061),
+        ("grid", "model_drag", 0.581),
+        ("grid", "position_noise", 0.0031),
+        ("grid", "height_gain", 1.21),
+        ("grid", "speed", 0.501),
+        ("grid", "epsilon_yaw", 0.34),
+        ("grid", "pose_age_level", 0.05),
         ("paper", "beta", 3.25),
         ("paper", "yaw_gain", 1.51),
         ("paper", "acceleration_noise", 0.41),
@@ -63,10 +72,10 @@ def test_every_step_of_the_batch_is_the_live_pilots(fly_twice: Fly, mode: str, s
     ],
 )
 def test_the_comparison_notices_any_constant_that_differs(
-    fly_twice: Fly, mode: str, column: str, value: float
+    fly_twice: Fly, way: str, column: str, value: float
 ) -> None:
     stream = {"mocap_rate_hz": 10.0, "mocap_latency": 0.05}
-    twins = fly_twice(mode, **stream, **{column: value})
+    twins = fly_twice(way, **stream, **{column: value})
     states = any(
         not np.array_equal(twins.batch[name], twins.live[name])
         for name in ("flying", "behavior", "safety")

@@ -9,7 +9,7 @@ from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.guidance import guided, parameters_of_case, task_created
 from housefly.lab.experiments.route import route_of
-from housefly.pilot.estimation.estimator import PoseEstimate
+from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.site_parameters import pilot_parameters
 from housefly.pilot.step import INITIAL_STEP, Guidance
 
@@ -45,7 +45,7 @@ def test_the_batch_and_the_live_pilot_have_the_same_parameters_of_a_site(
 ) -> None:
     assert len(set(values.values())) == len(values)
     site = changed(Site(), mode=mode, **values)
-    live = pilot_parameters(mode == "paper", site.drone, site.control, site.limits)
+    live = pilot_parameters(mode == "paper", site.drone, site.control, site.limits, site.estimation)
     assert parameters_of_case(cases(site)[0]) == live
 
 

@@ -4,13 +4,17 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from housefly.config.site import Site, changed
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_many, fly_traced
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
 from housefly.lab.experiments.outcomes import OUTCOME
-from housefly.lab.experiments.route import off_line, route_of
+from housefly.lab.experiments.route import CURVE_TOLERANCE, off_line, off_line_near, route_of
+from housefly.pilot.behavior.trajectory_profile import trajectory_profile
+from housefly.pilot.planning.trajectory.kinematic_state import TICK
 from housefly.pilot.safety.limits import SafetyCode
 
 CORNER = ((1.0, 1.0), (1.5, 1.0), (2.0, 1.0), (3.0, 1.0), (3.0, 2.5))
@@ -94,6 +98,48 @@ def test_distance_from_a_line_is_the_smallest_over_its_legs() -> None:
     assert [off_line(route.line, x, y) for x, y in points] == pytest.approx(
         np.min(legs, axis=0).tolist(), abs=1e-12
     )
+
+
+def curve(rows: int) -> FlightPlan:
+    """A trajectory that leads a full circle and climbs by a metre meanwhile."""
+    share = np.linspace(0.0, 1.0, rows)
+    at = 2.0 * np.pi * share**3 * (10.0 - 15.0 * share + 6.0 * share**2)
+    places = np.column_stack((np.cos(at), np.sin(at), 1.1 + at / (2.0 * np.pi)))
+    velocities = np.gradient(places, TICK, axis=0)
+    motion = np.column_stack((places, velocities, np.gradient(velocities, TICK, axis=0)))
+    trajectory = trajectory_profile(motion, 0.0, 0.0)
+    return FlightPlan(Task.PATH, ((1.0, 0.0), (1.0, 0.0)), 20.0, trajectory=trajectory)
+
+
+def test_a_trajectory_is_measured_on_its_curve_and_by_its_heights() -> None:
+    mission = curve(600)
+    route = route_of(mission)
+    assert 20 < len(route.line) < 200
+    points = np.random.default_rng(1).uniform(-2.0, 2.0, (100, 2))
+    for x, y in points:
+        off = abs(np.hypot(x, y) - 1.0)
+        assert off_line(route.line, x, y) == pytest.approx(off, abs=2.0 * CURVE_TOLERANCE)
+    trace, outcome = fly_traced(cases(Site()), mission), fly_many(cases(Site()), mission)[0]
+    late = trace[trace["t"] >= mission.settle]
+    assert outcome["height_error"] == pytest.approx(
+        np.abs(late["z"] - late["ref_z"]).max(), rel=0.1
+    )
+    assert trace["z"][-1] == pytest.approx(2.1, abs=0.02) and outcome["height_error"] < 0.1
+    assert outcome["rms_error"] < 0.02 and outcome["max_error"] < 0.1
+
+
+@given(
+    st.lists(st.tuples(st.floats(-5.0, 5.0), st.floats(-5.0, 5.0)), min_size=2, max_size=40),
+    st.floats(-6.0, 6.0),
+    st.floats(-6.0, 6.0),
+    st.floats(0.0, 3.0),
+)
+def test_what_is_skipped_of_a_line_is_never_the_nearest(
+    corners: list[tuple[float, float]], x: float, y: float, reach: float
+) -> None:
+    route = route_of(FlightPlan(Task.PATH, tuple(corners), 1.0))
+    found = off_line_near(route.line, route.marks, x, y, reach)
+    assert found == off_line(route.line, x, y)
 
 
 @pytest.mark.parametrize(

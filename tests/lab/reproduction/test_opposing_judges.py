@@ -28,7 +28,7 @@ from housefly.lab.reproduction.trial_list import (
     step_key,
 )
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 OURS, PAPERS = EstimatorKind.DELAY_COMPENSATED, EstimatorKind.ON_ARRIVAL
 

@@ -28,7 +28,7 @@ from housefly.lab.reproduction.routes import hold_plan
 from housefly.lab.reproduction.stability_limit import limit_of, stability_limit
 from housefly.lab.reproduction.stability_plot import drones_counted
 from housefly.lab.reproduction.streams import LATENCIES, RATES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 ONE_STEP = FREQUENCIES[1] / FREQUENCIES[0]
 PAPER = {"estimator": np.array([EstimatorKind.ON_ARRIVAL])}

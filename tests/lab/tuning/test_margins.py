@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import Cases, cases
 from housefly.lab.experiments.engine import fly_many
@@ -22,7 +23,7 @@ from housefly.lab.tuning.margins import (
     margins_of,
     phase_margin,
 )
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 STEP = 0.02
 """So small that nothing saturates [m]."""
@@ -44,7 +45,7 @@ def settles(loop: Loop, **truth: float) -> bool:
     """Fly the batch engine's nonlinear loop; frames fall anywhere between ticks."""
     drones = 6
     case: Cases = cases(
-        Site(),
+        Site(estimation=ONLY_LEVEL_PUSHES),
         drones,
         seed=np.arange(drones),
         estimator=EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED,

@@ -13,6 +13,7 @@ from housefly.pilot.control.laws import (
     acceleration,
     climb_rate,
     clipped_per_axis,
+    compensated_climb_rate,
     demand,
     paper_tilt,
     saturated_jointly,
@@ -118,7 +119,7 @@ def test_clipped_is_numpy_clip(value: float, bound: float) -> None:
 
 @given(headings, headings)
 def test_yaw_law_turns_the_short_way(reference: float, psi: float) -> None:
-    rate = yaw_rate(reference, psi, 1.0, 10.0)
+    rate = yaw_rate(reference, psi, 1.0, 0.0, 10.0)
     off = np.angle(np.exp(1j * (reference - psi)))
     assert abs(rate) <= pi + 1e-9
     assert abs(abs(rate) - abs(off)) < 1e-6
@@ -126,13 +127,13 @@ def test_yaw_law_turns_the_short_way(reference: float, psi: float) -> None:
 
 def test_yaw_law_at_the_cut_would_spin_without_the_wrap() -> None:
     psi, reference = -pi + 0.002, pi
-    assert abs(yaw_rate(reference, psi, 1.5, 1.75)) == pytest.approx(0.003, rel=1e-6)
+    assert abs(yaw_rate(reference, psi, 1.5, 0.0, 1.75)) == pytest.approx(0.003, rel=1e-6)
     assert 1.5 * abs(psi - reference) > 9.0
 
 
 def test_height_law_climbs_when_too_low_whatever_the_printed_sign() -> None:
-    assert climb_rate(1.1, 0.5, 1.2, 0.7) == 0.7
-    assert climb_rate(1.1, 1.2, 1.2, 0.7) == pytest.approx(-0.12)
+    assert climb_rate(1.1, 0.5, 1.2, 0.0, 0.7) == 0.7
+    assert climb_rate(1.1, 1.2, 1.2, 0.0, 0.7) == pytest.approx(-0.12)
 
 
 def _distance_after_ten_seconds(alpha: float, beta: float, psi: float, psi_in_law: float) -> float:
@@ -162,3 +163,14 @@ def test_law_for_heading_zero_diverges_at_ninety_degrees_and_the_general_law_doe
 def test_tilt_of_a_pure_forward_push_is_the_plain_arc_tangent() -> None:
     assert tilt(1.0, 0.0, 0.0, 1.0)[0] == pytest.approx(atan(1.0 / GRAVITY))
     assert tan(tilt(0.0, 1.0, 0.0, 1.0)[1]) == pytest.approx(-1.0 / GRAVITY)
+
+
+@given(st.floats(0.3, 3.0), st.floats(0.5, 20.0), st.floats(-1.0, 1.0), st.floats(-0.5, 0.5))
+def test_a_climb_is_made_as_wanted_against_lag_and_push(
+    gain: float, pole: float, lift: float, wanted: float
+) -> None:
+    climb = 0.1
+    asked = compensated_climb_rate(wanted, climb, lift, gain, pole)
+    acceleration_made = pole * (asked - climb) + lift
+    faster = max(4.0 * gain, pole)
+    assert acceleration_made == pytest.approx(faster * (wanted - climb), abs=1e-9)

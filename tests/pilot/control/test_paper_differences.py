@@ -18,7 +18,7 @@ from housefly.pilot.behavior.acceptor import AcceptorState
 from housefly.pilot.control.laws import acceleration, saturated_jointly, tilt
 from housefly.pilot.control.steering import ControlReference, control_output
 from housefly.pilot.estimation.constant_velocity import ConstantVelocity, cv_predicted
-from housefly.pilot.estimation.estimator import ControlState
+from housefly.pilot.estimation.estimator_state import ControlState
 from housefly.pilot.estimation.lagged_axis import (
     initial_covariance,
     predicted_covariance,

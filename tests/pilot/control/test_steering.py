@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from math import atan2, hypot, pi
+from math import atan2, hypot, inf, pi
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ from housefly.pilot.control.steering import (
     control_output,
     paper_control_output,
 )
-from housefly.pilot.estimation.estimator import ControlState
+from housefly.pilot.estimation.estimator_state import ControlState
 from housefly.pilot.site_parameters import gains_of
 
 SITE = Site()
@@ -26,8 +26,24 @@ HERE = ControlState((1.0, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
 AT_REST = ControlReference((1.0, 2.0), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
 pair = st.tuples(st.floats(-5.0, 5.0), st.floats(-5.0, 5.0))
 pairs = st.tuples(st.floats(-0.4, 0.4), st.floats(-0.4, 0.4))
-aims = st.builds(ControlReference, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
-wheres = st.builds(ControlState, pairs, pairs, pairs, st.floats(0.5, 2.0), st.floats(-pi, pi))
+aims = st.builds(
+    ControlReference,
+    *(pairs, pairs, pairs),
+    *(st.floats(0.5, 2.0), st.floats(-pi, pi)),
+    *(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0), st.floats(0.0, 0.5)),
+)
+wheres = st.builds(
+    ControlState,
+    pairs,
+    pairs,
+    pairs,
+    st.floats(0.5, 2.0),
+    st.floats(-pi, pi),
+    climb=st.just(0.0),
+    lift=st.just(0.0),
+    delay_change=st.just(0.0),
+    bandwidth=st.just(inf),
+)
 
 
 def twin(aim: ControlReference, where: ControlState, g: Gains) -> ControlOutput:
@@ -41,15 +57,17 @@ def twin(aim: ControlReference, where: ControlState, g: Gains) -> ControlOutput:
         + g.drag * np.array(aim.velocity)
         - where.disturbance
     )
-    c, s = np.cos(where.yaw), np.sin(where.yaw)
+    turn = np.angle(np.exp(1j * (aim.yaw - where.yaw)))
+    spin = float(np.clip(g.yaw * turn + aim.turn, -g.turn_max, g.turn_max))
+    heading = where.yaw + aim.lead * spin
+    c, s = np.cos(heading), np.sin(heading)
     forward, left = np.array([[c, s], [-s, c]]) @ a
     theta = np.arctan(forward / GRAVITY)
     angles = np.array([theta, -np.arctan(np.cos(theta) * left / GRAVITY)]) / g.gain
     wish = float(np.linalg.norm(angles))
     angles = angles * min(1.0, g.tilt_max / max(wish, 1e-12))
-    turn = np.angle(np.exp(1j * (aim.yaw - where.yaw)))
-    climb = np.clip(g.height * (aim.height - where.height), -g.climb_max, g.climb_max)
-    spin = float(np.clip(g.yaw * turn, -g.turn_max, g.turn_max))
+    climb = g.height * (aim.height - where.height) + aim.climb
+    climb = np.clip(climb, -g.climb_max, g.climb_max)
     tilt = float(angles[0]), float(angles[1])
     return ControlOutput(*tilt, float(climb), spin, wish, float(a[0]), float(a[1]))
 
@@ -60,7 +78,8 @@ def test_mode_default_matches_its_vector_twin(
 ) -> None:
     gains = GAINS._replace(gain=gain)
     expected = twin(aim, where, gains)
-    if abs(abs(np.angle(np.exp(1j * (aim.yaw - where.yaw)))) - pi) < 1e-6:
+    turn = aim.yaw - where.yaw
+    if abs(abs(np.angle(np.exp(1j * turn))) - pi) < 1e-6:
         return
     assert tuple(control_output(aim, where, gains)) == pytest.approx(tuple(expected), abs=1e-12)
 
@@ -159,3 +178,46 @@ def test_mode_paper_clips_each_axis_by_itself() -> None:
     far = ControlReference((9.0, 2.3), (0.0, 0.0), (0.0, 0.0), 1.1, 0.0)
     s = paper_control_output(AcceptorState.PATH_TRACKING, far, HERE, GAINS)
     assert s.theta == SITE.limits.tilt_max and 0.0 < -s.phi < SITE.limits.tilt_max
+
+
+COMPENSATED = GAINS._replace(climb_lag=1.4, inverts_climb=True, sink_gain=2.0)
+
+
+def test_a_load_is_carried_by_a_commanded_climb_and_an_updraught_by_half_the_sinking() -> None:
+    loaded, lifted = HERE._replace(lift=-0.49), HERE._replace(lift=0.49)
+    assert control_output(AT_REST, loaded, COMPENSATED).vz == pytest.approx(0.35)
+    assert control_output(AT_REST, lifted, COMPENSATED).vz == pytest.approx(-0.175)
+    assert control_output(AT_REST, loaded, GAINS).vz == 0.0
+
+
+def test_however_heavy_the_load_the_climb_stays_within_its_limit() -> None:
+    heavy = HERE._replace(lift=-1.5, height=0.2)
+    assert control_output(AT_REST, heavy, COMPENSATED).vz == GAINS.climb_max
+
+
+@given(aims, wheres, st.floats(0.2, 1.7))
+def test_little_bandwidth_softens_the_loop_and_keeps_its_damping(
+    aim: ControlReference, where: ControlState, bandwidth: float
+) -> None:
+    share = bandwidth / GAINS.beta**0.5
+    soft = GAINS._replace(alpha=share * GAINS.alpha, beta=share * share * GAINS.beta)
+    limited = control_output(aim, where._replace(bandwidth=bandwidth), GAINS)
+    assert tuple(limited) == pytest.approx(tuple(control_output(aim, where, soft)), abs=1e-9)
+
+
+@given(aims, wheres)
+def test_without_feed_forward_the_reference_only_stands_still(
+    aim: ControlReference, where: ControlState
+) -> None:
+    still = aim._replace(velocity=(0.0, 0.0), acceleration=(0.0, 0.0))
+    unled = control_output(aim, where, GAINS._replace(feed_forward=0.0))
+    assert tuple(unled) == pytest.approx(tuple(control_output(still, where, GAINS)), abs=1e-12)
+
+
+@given(aims, wheres, st.floats(-0.05, 0.1))
+def test_a_delay_found_in_flight_counts_as_one_of_the_site(
+    aim: ControlReference, where: ControlState, change: float
+) -> None:
+    found = control_output(aim, where._replace(delay_change=change), GAINS)
+    known = control_output(aim, where, GAINS._replace(delay=GAINS.delay + change))
+    assert tuple(found) == pytest.approx(tuple(known), abs=1e-9)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler, wrap_angle
 from housefly.messages import Pose, Sighting
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.pilot.estimation.validation import RejectionReason
 
 SITE = Site()

@@ -26,8 +26,10 @@ from housefly.pilot.estimation.tracking_monitor import TrackingMonitor
 
 CRUISING = 12.0
 """The drone is under way at full speed by then [s]."""
-HARMLESS = 0.65
-"""A drone that flies a service is no faster [m/s]."""
+HARMLESS = 0.75
+"""A drone that is told 9 cm after it began to move becomes no faster [m/s]: trajectories push
+harder from the start than the flight along corners did.
+"""
 
 
 @pytest.fixture(scope="module")
@@ -184,11 +186,11 @@ def test_a_drone_that_was_carried_is_found_where_it_is_now(site: LoadedSite) -> 
     assert abs(flight.outputs.estimate.position[0] - x - 1.0) < 0.05
 
 
-def test_an_honest_flight_shows_nothing(site: LoadedSite) -> None:
+def test_an_honest_flight_over_a_table_shows_nothing(site: LoadedSite) -> None:
     flight = LiedFlight(housefly.Simulation(site))
     monitor: list[float] = []
     flight.run(0.5)
-    flight.step(Order(OrderKind.GO, place="entrance"))
+    flight.step(Order(OrderKind.GO, place="tv"))
     while flight.sim.now < 20.0:
         flight.step()
         known = flight.sim.pilot.consistency

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from housefly.app.loaded_site import load_site
@@ -39,3 +41,16 @@ def test_who_moved_or_is_new_keeps_the_drone_away(
     seen(around, PLACE[0] + 0.8, 0.0, name="before")
     seen(around, PLACE[0] + 0.8 + moved, 20.0, name=name)
     assert around.landing_fault((PLACE[0] + 0.05, PLACE[1]), UNMOVED_TIME + 1.0)
+
+
+def test_furniture_is_no_floor_to_land_on_but_the_pad_is_wherever_it_lies() -> None:
+    loaded = load_site("bsen", hub__enabled=False)
+    around = PeopleMap(loaded.site, loaded.room, loaded.grid)
+    sofa = next(solid for solid in loaded.room.solids if solid.name.startswith("sofa"))
+    beside = (sofa.position[0], sofa.position[1])
+    assert "furniture" in around.ground_fault(beside)
+    assert not around.ground_fault(PLACE)
+    on_sofa = replace(loaded.room, home=beside)
+    assert not PeopleMap(loaded.site, on_sofa, loaded.grid).ground_fault(beside)
+    paper = load_site("bsen", hub__enabled=False, mode="paper")
+    assert not PeopleMap(paper.site, paper.room, paper.grid).ground_fault(beside)

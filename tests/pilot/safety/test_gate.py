@@ -223,7 +223,7 @@ def test_a_landing_for_a_wrong_height_is_steered_until_the_drone_is_low_and_then
     gate, inputs = blown_up()
     inputs = replace(inputs, phase=Phase.LANDING, now=inputs.now + 0.05)
     assert gate.judge(FLY, inputs).command == FLY
-    low = replace(inputs, position=(5.0, 2.0, 0.49), now=inputs.now + 3.0)
+    low = replace(inputs, position=(5.0, 2.0, 0.29), now=inputs.now + 3.0)
     assert gate.judge(FLY, low).command.action is Action.LAND
     assert gate.judge(FLY, replace(inputs, now=low.now + 0.05)).command.action is Action.LAND
 

@@ -6,7 +6,7 @@ from math import exp, isnan
 import pytest
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Phase, Setpoint, Telemetry
+from housefly.messages import DroneStatus, Phase, Reference, Setpoint, Telemetry
 from housefly.pilot.safety.inputs import GateInputs
 from housefly.pilot.safety.observer import TILT_TIME, FlightObserver
 
@@ -65,6 +65,26 @@ def test_a_velocity_that_is_put_right_after_blindness_is_no_blow(
     assert seen.velocity_change == 0.0
 
 
+@pytest.mark.parametrize(
+    "disturbed",
+    [{"pose_age": 0.3}, {"late": 0.06}, {}],
+    ids=["after old poses", "after a late step", "on time"],
+)
+def test_a_velocity_is_off_by_what_was_missed_only_where_something_was(
+    disturbed: dict[str, float],
+) -> None:
+    observer = FlightObserver(LimitsConfig())
+    for n in range(1000):
+        inputs = replace(FINE, now=TICK * n, velocity=(0.3, 0.0, 0.0), flown=Setpoint())
+        inputs = replace(inputs, reference=Reference((5.0, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0))
+        if n % 80 == 0:
+            inputs = replace(inputs, **disturbed)
+        seen = observer.observe(inputs, held=False, landing=False)
+    assert (seen.velocity_error > 0.25) == (not disturbed)
+    if disturbed:
+        assert seen.velocity_error == 0.0
+
+
 def test_the_time_at_a_height_starts_anew_with_another_height_and_another_flight() -> None:
     observer, times = FlightObserver(LimitsConfig()), []
     for n in range(30):
@@ -77,3 +97,17 @@ def test_the_time_at_a_height_starts_anew_with_another_height_and_another_flight
     assert seen.climbing_for == 0.0 and seen.landing_for == 0.0
     later = observer.observe(replace(landing, now=3.5), held=False, landing=False)
     assert later.landing_for == pytest.approx(0.5)
+
+
+def test_a_height_that_moves_with_a_trajectory_is_the_same_height_until_it_jumps() -> None:
+    def climbed(step: float, follows: bool) -> float:
+        observer = FlightObserver(LimitsConfig())
+        for n in range(20):
+            inputs = replace(
+                FINE, now=0.1 * n, flight_height=1.1 + step * n, height_follows=follows
+            )
+            seen = observer.observe(inputs, held=False, landing=False)
+        return seen.climbing_for
+
+    assert climbed(0.01, follows=True) == pytest.approx(1.8)
+    assert climbed(0.01, follows=False) == climbed(0.2, follows=True) == 0.0

@@ -410,5 +410,7 @@ def test_a_drone_that_tells_little_breaks_nothing(report: Telemetry | None) -> N
 
 def test_a_drone_that_is_nowhere_breaks_only_what_is_about_that() -> None:
     lost = now(position=None, velocity=None, reference=None, pose_age=inf, flight_height=nan)
-    codes = {rule.code for _, each in assessed(lost, 1.0) for rule in each.broken}
+    found = [each for _, each in assessed(lost, 1.0)]
+    codes = {rule.code for each in found for rule in each.broken}
     assert codes == {"tracking_lost", "tracking_old"}
+    assert "tracking has not shown the drone yet" in found[-1].reason

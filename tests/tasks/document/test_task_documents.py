@@ -327,7 +327,7 @@ def test_every_shipped_document_is_sound_and_says_what_it_is() -> None:
     library = load_library()
     assert set(library) == {
         *("visitor", "look", "where", "patrol", "come", "follow"),
-        *("inventory", "night_round", "all_right", "panorama"),
+        *("inventory", "night_round", "all_right", "panorama", "find"),
     }
     for name, document in library.items():
         info = document.info()

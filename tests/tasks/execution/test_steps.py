@@ -11,7 +11,7 @@ import pytest
 from scripted_pilot import UNIX_BEGIN, Flight, ScriptedPilot, ScriptedRoom, view
 
 from housefly.errors import LinkError
-from housefly.geometry import distance, wrap_angle
+from housefly.geometry import Vec2, distance, wrap_angle
 from housefly.hub.api.answers import (
     AlternativePlace,
     EventAnswer,
@@ -93,6 +93,13 @@ class WalkingRoom(ScriptedRoom):
     def place(self) -> tuple[float, float, float]:
         return (4.0, self.speed * (self.clock.now - 10.0), 0.0)
 
+    def sees(self, place: Vec2) -> bool:
+        return False
+
+    def view_from(self, subject: str, place: Vec2) -> Viewpoint | None:
+        x, y, z = self.place()
+        return Viewpoint("p1", place, (x, y, z + 1.4), 2.0, "") if self.sees(place) else None
+
     def people(self) -> tuple[SeenPerson, ...]:
         if self.clock.now > self.gone_at:
             return ()
@@ -141,6 +148,37 @@ def test_a_person_who_is_lost_is_not_followed_for_ever() -> None:
     assert flown.stands_on_pad()
 
 
+def assert_turns_only(flown: Flight, since: int) -> None:
+    """Assert that the drone was ordered nowhere else, and then home."""
+    *turns, last = flown.orders[since:]
+    assert last.kind is OrderKind.HOME and turns
+    stood = turns[0].goal
+    assert stood is not None
+    assert all(order.goal and distance(order.goal, stood) < 0.1 for order in turns)
+
+
+def test_who_is_seen_from_where_the_drone_hovers_is_turned_to_and_not_flown_after() -> None:
+    flown, known = walking("  - follow: {person: p1, time: 20 s}")
+    known.sees = lambda place: abs(place[1] - known.place()[1]) < 3.0  # type: ignore[method-assign]
+    flown.fly()
+    assert flown.run.stage is TaskStage.DONE
+    goals = [order.goal for order in flown.orders if order.kind is OrderKind.GO]
+    looks = [order.look_at for order in flown.orders if order.kind is OrderKind.GO]
+    places = [goal for n, goal in enumerate(goals) if n == 0 or goal != goals[n - 1]]
+    assert 2 <= len(places) <= 4 < len(set(looks))
+
+
+def test_who_stands_beside_the_drone_is_left_to_the_pilot() -> None:
+    flown, known = walking("  - follow: {person: p1, time: 20 s}")
+    while flown.pilot.now < 20.0:
+        flown.tick()
+    before = len(flown.orders)
+    x, y, _ = flown.pilot.position
+    known.place = lambda: (x + 1.0, y, 0.0)  # type: ignore[method-assign]
+    flown.fly()
+    assert [order.kind for order in flown.orders[before:]] == [OrderKind.HOME]
+
+
 def test_no_goal_is_nearer_to_anybody_than_the_comfort_distance() -> None:
     flown, known = walking("  - follow: {person: p1, time: 15 s}")
     near = lambda subject, drone=None: Viewpoint("p1", known.place()[:2], known.place(), 0.1, "")  # noqa: E731
@@ -149,7 +187,7 @@ def test_no_goal_is_nearer_to_anybody_than_the_comfort_distance() -> None:
     before = len(flown.orders)
     known.viewpoint = near  # type: ignore[method-assign]
     flown.fly()
-    assert [order.kind for order in flown.orders[before:]] == [OrderKind.HOME]
+    assert_turns_only(flown, before)
 
 
 def test_a_subject_that_moves_on_the_way_is_flown_after() -> None:
@@ -337,7 +375,9 @@ def test_a_patrol_looks_at_every_place_the_nearest_first_and_goes_on_without_one
     flown = service("patrol", known, dwell=1.0).fly()
     assert flown.run.stage is TaskStage.DONE
     assert [order.goal for order in flown.orders] == [(1.0, 0.0), (4.0, 0.0), None]
-    assert reported(flown) == ["hidden could not be looked at"]
+    assert reported(flown) == [
+        "hidden could not be looked at", "The pictures show 20 % of the floor that can be seen",
+    ]  # fmt: skip
     assert len(flown.of(TakeSnapshot)) == 2
 
 
@@ -351,6 +391,15 @@ def test_a_patrol_without_named_places_goes_round_the_floor(has_memory: bool) ->
     assert flown.run.stage is TaskStage.DONE
     assert [order.goal for order in flown.orders] == [(1.0, 0.0), (2.0, 0.0), None]
     assert len(flown.of(TakeSnapshot)) == 2
+
+
+def test_a_patrol_of_the_whole_floor_looks_at_all_of_its_parts() -> None:
+    known = room()
+    known.views |= {f"whole floor {n}": view(f"whole floor {n}", 1.0 * n, 0.0) for n in (1, 2, 3)}
+    flown = service("patrol", known, dwell=1.0, places="whole floor").fly()
+    assert flown.run.stage is TaskStage.DONE
+    assert [order.goal for order in flown.orders] == [(1.0, 0.0), (2.0, 0.0), (3.0, 0.0), None]
+    assert reported(flown) == ["The pictures show 30 % of the floor that can be seen"]
 
 
 class Amnesia(ScriptedRoom):
@@ -613,7 +662,7 @@ def test_who_is_seen_again_beside_the_goal_is_not_flown_to() -> None:
     near = lambda subject, drone=None: Viewpoint("p1", known.place()[:2], known.place(), 0.1, "")  # noqa: E731
     known.viewpoint = near  # type: ignore[method-assign]
     flown.fly()
-    assert OrderKind.GO not in [order.kind for order in flown.orders[before:]]
+    assert_turns_only(flown, before)
 
 
 def test_coming_to_somebody_who_is_not_there_any_more_is_said() -> None:

@@ -33,7 +33,7 @@ from housefly.tasks.intents.names import names_of
 from housefly.tasks.intents.recognizer import recognize
 
 VISITOR = TaskRequest("visitor")
-FIND_BOOK = TaskRequest("where", {"thing": "book", "look": "always"})
+FIND_BOOK = TaskRequest("find", {"thing": "book"})
 LIST_FRIDGE = TaskRequest("inventory", {"subject": "refrigerator"})
 CARER: dict[
     Language, tuple[tuple[str, tuple[str, ...], TaskRequest | None, TaskRequest | None], ...]
@@ -122,10 +122,19 @@ def test_what_was_just_seen_is_told_without_an_offer_and_find_goes_at_once(
     assert "in the cabinet" in found.words and "go and look" in found.words
 
 
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "find the book"), ("de", "such das Buch"), ("ja", "本を探して")]
+)
+def test_what_may_be_elsewhere_is_searched_for(
+    room: RememberedRoom, language: Language, words: str
+) -> None:
+    assert asked(room, words, language).request == FIND_BOOK
+
+
 def test_what_nobody_has_ever_seen_is_said_to_be_so(room: RememberedRoom) -> None:
     reply = asked(room, "where are the glasses")
     assert "Nobody has seen" in reply.words
-    assert reply.offer == TaskRequest("where", {"thing": "glasses", "look": "always"})
+    assert reply.offer == TaskRequest("find", {"thing": "glasses"})
 
 
 def test_a_refrigerator_that_lists_nothing_is_empty_and_one_with_a_cup_is_not(

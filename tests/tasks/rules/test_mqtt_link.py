@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import importlib.util
 import json
-import sys
 import threading
 import time
 from collections.abc import AsyncIterator, Callable
@@ -14,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mqtt_broker import Broker, running_broker, until
 from rule_bench import make_rule
 
 from housefly.config.devices import MqttConfig
@@ -22,16 +21,14 @@ from housefly.sensors.mqtt import MqttSensors
 from housefly.tasks.rules.mqtt_link import MqttLink
 from housefly.tasks.rules.trigger import MqttTrigger
 
-_FILE = Path(__file__).parents[2] / "sensors" / "conftest.py"
-_spec = importlib.util.spec_from_file_location("sensors_conftest", _FILE)
-assert _spec is not None and _spec.loader is not None
-sensors_conftest: Any = importlib.util.module_from_spec(_spec)
-sys.modules[_spec.name] = sensors_conftest
-_spec.loader.exec_module(sensors_conftest)
-broker, until = sensors_conftest.broker, sensors_conftest.until
-
 pytestmark = pytest.mark.wire
 REQUEST, ANSWER = "housefly/home/task/request", "housefly/home/task/answer"
+
+
+@pytest.fixture
+async def broker(tmp_path: Path) -> AsyncIterator[Broker]:
+    async with running_broker(tmp_path) as started:
+        yield started
 
 
 class Asked:

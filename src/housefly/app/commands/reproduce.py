@@ -75,7 +75,8 @@ def _run(options: Namespace) -> int:
     from housefly.app.ports import refuse_taken_ports
     from housefly.app.reproduction_store import ReproductionStore
 
-    site = read_site(options.site, twin__seed=options.seed)
+    # The paper flies in a plane: both modes fly the same corners, so that only control differs.
+    site = read_site(options.site, twin__seed=options.seed, map__planner="grid")
     if not options.no_wires:
         refuse_taken_ports(site, web=False)
     inputs = f"{site.model_dump_json()} {open_site(site).room}"

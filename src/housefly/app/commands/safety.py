@@ -65,8 +65,9 @@ def _run(options: Namespace) -> int:
     """Fly; 0 when no flight was unsafe."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.safety_case.plan import flown_rows
+    from housefly.app.safety_case.wired_flight import wired_rows
 
-    known = [row.number for row in flown_rows()]
+    known = sorted({row.number for row in (*flown_rows(), *wired_rows())})
     for row in options.rows:
         if row not in known:
             raise ConfigError("--rows", f"{row!r} is not flown here; there are {', '.join(known)}")

@@ -27,8 +27,13 @@ def add_site_arguments(parser: ArgumentParser) -> None:
 
 
 def add_console_arguments(parser: ArgumentParser) -> None:
-    """Add ``--port`` and ``--record``."""
+    """Add ``--port``, ``--lan`` and ``--record``."""
     parser.add_argument("--port", type=int, help="port of the console (default: the site's, 8080)")
+    parser.add_argument(
+        "--lan",
+        action="store_true",
+        help="let phones and other machines in, over TLS (`housefly cert` first); prints a QR code",
+    )
     parser.add_argument(
         "--record", metavar="DIR", help="record everything that is flown into this folder"
     )
@@ -76,6 +81,12 @@ def load(options: Namespace, *, with_edits: bool = False) -> LoadedSite:
         "twin__mocap_rate_hz": getattr(options, "mocap_rate", None),
     }
     site = read_site(options.site, **given(changes))
+    if getattr(options, "lan", False):
+        from housefly.app.lan import lan_site
+
+        site, words = lan_site(site, options.site)
+        if words:
+            console.print(f"tls:      {words}", markup=False, soft_wrap=True)
     if getattr(options, "lively", False):
         site, words = lively_site(site, find_mosquitto() is not None)
         console.print(f"lively:   {words}", markup=False, soft_wrap=True)

@@ -124,7 +124,7 @@ class Oracle:
         limits, s = self.site.limits, step.outputs.command.setpoint
         if not all(map(isfinite, (s.theta, s.phi, s.vz, s.yaw_rate))):
             self._break("I3", "a command was not a number")
-        bounds = (limits.tilt_max, limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
+        bounds = (limits.tilt_max, limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
         asked = (s.theta, s.phi, s.vz, s.yaw_rate)
         if any(abs(a) > b + _COMMAND_SLACK for a, b in zip(asked, bounds, strict=True)):
             self._break("I3", "a command was above its limit")

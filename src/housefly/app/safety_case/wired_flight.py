@@ -92,6 +92,11 @@ def wired_keys(flights: int, rows: tuple[str, ...] = ()) -> list[WiredKey]:
     ]
 
 
+def wired_rows() -> tuple[FaultRow, ...]:
+    """Return the rows that can be flown in real processes."""
+    return tuple(row for row in FAULT_CATALOGUE if _variants_wired(row))
+
+
 def _variants_wired(row: FaultRow) -> tuple[str, ...]:
     processes = tuple(name for name in PROCESS_FAULTS if name.startswith(row.number))
     return processes + tuple(
@@ -117,10 +122,13 @@ def fly_wired(key: WiredKey, folder: Path) -> WiredResult:
     ]
     with (folder / "printed.txt").open("wb") as printed:
         process = subprocess.Popen(command, stdout=printed, stderr=subprocess.STDOUT)
-        if struck is not None and wait_for_take_off(folder, _TIMEOUT):
-            time.sleep(begin)
-            struck.strike(process.pid)
-        late = not _has_ended(process)
+        try:
+            if struck is not None and wait_for_take_off(folder, _TIMEOUT):
+                time.sleep(begin)
+                struck.strike(process.pid)
+            late = not _has_ended(process)
+        finally:
+            _end(process)
     outcome = _outcome(folder)
     truth = read_truth(folder / TRUTH_FILE)
     return WiredResult(key, round(begin, 1), _violations(truth, outcome, late), outcome)
@@ -131,10 +139,16 @@ def _has_ended(process: subprocess.Popen[bytes]) -> bool:
     try:
         process.wait(_TIMEOUT)
     except subprocess.TimeoutExpired:
-        process.send_signal(signal.SIGINT)
-        process.wait()
+        _end(process)
         return False
     return True
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    """Let a flight that still goes on land and end."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+        process.wait()
 
 
 def _scanned_site(folder: Path) -> Path:

@@ -21,9 +21,9 @@ def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, ConfigValue], ...]
         ("control:outdoor", False),
         ("control:flight_without_shell", False),
         ("control:euler_angle_max", limits.tilt_max),
-        ("control:control_vz_max", 1000.0 * limits.vertical_speed_max),
+        ("control:control_vz_max", 1000.0 * limits.full_climb),
         ("control:control_yaw", limits.yaw_rate_max),
-        ("control:altitude_max", round(1000.0 * limits.height_max)),
+        ("control:altitude_max", round(1000.0 * limits.onboard_height_max)),
         ("control:flying_mode", _FREE_FLIGHT),
         ("detect:detect_type", _NO_DETECTION),
         ("video:video_codec", int(VideoCodec.H264_360P)),
@@ -36,7 +36,7 @@ def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, ConfigValue], ...]
 
 def maxima_of(limits: LimitsConfig) -> Maxima:
     """Return what a full stick means once the limits are set."""
-    return Maxima(limits.tilt_max, limits.vertical_speed_max, limits.yaw_rate_max)
+    return Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)
 
 
 def maxima_in(dump: Dump, wanted: Maxima) -> Maxima:

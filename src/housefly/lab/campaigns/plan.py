@@ -1,4 +1,4 @@
-"""From a campaign to drones: one group per mode (their paths differ), cut into equal chunks.
+"""From a campaign to drones: one group for each way that is flown, cut into equal chunks.
 
 A drone is one point of the grid with one seed. Which drone has which number depends on the campaign
 alone, so chunks can be flown in any order, anywhere, and again.
@@ -20,6 +20,8 @@ from housefly.lab.campaigns.draws import shares_of
 from housefly.lab.campaigns.spec import CampaignSpec
 from housefly.lab.experiments.cases import BY_NAME, DEFAULT, PAPER, Cases, cases
 from housefly.lab.experiments.flight_plan import FlightPlan, Task
+from housefly.lab.experiments.planned_flight import planned_flight
+from housefly.pilot.behavior.mission import Refused
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.files import load_room
 from housefly.room.grid import build_grid
@@ -29,19 +31,29 @@ MIN_CHUNK, MAX_CHUNK = 250, 4000
 _CHUNKS_WANTED = 200
 """Number of chunks of a medium campaign, so that every worker gets some."""
 MODE_NAMES: dict[int, Mode] = {DEFAULT: "default", PAPER: "paper"}
+PLANNED_WITH = {
+    "speed": "limits__speed",
+    "vertical_speed_max": "limits__vertical_speed_max",
+    "tilt_max": "limits__tilt_max",
+    "model_drag": "drone__drag",
+}
+"""Columns that a trajectory in space is planned with, and the keys of a site that they stand for.
+"""
 
 
 @dataclass(frozen=True, slots=True)
-class ModeGroup:
-    """The grid points of one mode, which share one flight plan.
+class PlanGroup:
+    """The grid points that share one flight plan: those of a mode, and in space also of a speed.
 
     Attributes:
+        name: the mode, and what else the way was planned with.
         site: in the group's mode.
         mission: what they fly.
         cells: numbers of the points in the whole grid.
         points: values of the grid's columns, one row a point.
     """
 
+    name: str
     site: Site
     mission: FlightPlan
     cells: tuple[int, ...]
@@ -69,12 +81,12 @@ class Plan:
 
     Attributes:
         spec: the campaign.
-        groups: by mode.
+        groups: by mode and way.
         chunks: of all groups.
     """
 
     spec: CampaignSpec
-    groups: tuple[ModeGroup, ...]
+    groups: tuple[PlanGroup, ...]
     chunks: tuple[Chunk, ...]
 
     @property
@@ -112,20 +124,43 @@ def plan_campaign(spec: CampaignSpec, site: Site, chunk: int | None = None) -> P
         ConfigError: the site's room has no such place, or no way leads there.
     """
     points = tuple(product(*spec.grid.values()))
-    mode_of = [_mode(spec, site, point) for point in points]
-    groups = []
+    groups: list[PlanGroup] = []
     for number, mode in MODE_NAMES.items():
-        cells = tuple(cell for cell, own in enumerate(mode_of) if own == number)
-        if cells:
-            in_mode = changed(site, mode=mode)
-            values = tuple(tuple(float(value) for value in points[cell]) for cell in cells)
-            groups.append(ModeGroup(in_mode, _flight_plan(spec, in_mode), cells, values))
+        own = [cell for cell, point in enumerate(points) if _mode(spec, site, point) == number]
+        if own:
+            groups.extend(_groups_of_mode(spec, changed(site, mode=mode), own, points))
     return Plan(
         spec, tuple(groups), tuple(_chunks(groups, spec.seeds, chunk or chunk_size(spec.drones)))
     )
 
 
-def _chunks(groups: list[ModeGroup], seeds: int, size: int) -> Iterator[Chunk]:
+def _groups_of_mode(
+    spec: CampaignSpec, site: Site, cells: list[int], points: tuple[tuple[Any, ...], ...]
+) -> Iterator[PlanGroup]:
+    """Yield the points of a mode by the way that they fly."""
+    is_in_space = bool(spec.mission.goal) and site.flies_in_space
+    if is_in_space and "speed" in spec.draw:
+        raise ConfigError(
+            "draw.speed",
+            "a trajectory is planned for each speed beforehand: put speed into [grid] or [fixed]",
+        )
+    by_limits: dict[tuple[tuple[str, float], ...], list[int]] = {}
+    for cell in cells:
+        columns = dict(zip(spec.grid, points[cell], strict=True)) | spec.fixed
+        limits = [(name, float(columns[name])) for name in PLANNED_WITH if name in columns]
+        by_limits.setdefault(tuple(limits) if is_in_space else (), []).append(cell)
+    for limits_of, own in by_limits.items():
+        planned_on = changed(site, **{PLANNED_WITH[name]: value for name, value in limits_of})
+        yield PlanGroup(
+            name=", ".join((site.mode, *(f"{name} {value:g}" for name, value in limits_of))),
+            site=site,
+            mission=_flight_plan(spec, planned_on),
+            cells=tuple(own),
+            points=tuple(tuple(float(value) for value in points[cell]) for cell in own),
+        )
+
+
+def _chunks(groups: list[PlanGroup], seeds: int, size: int) -> Iterator[Chunk]:
     number = 0
     for index, group in enumerate(groups):
         drones = len(group.points) * seeds
@@ -140,7 +175,7 @@ def _mode(spec: CampaignSpec, site: Site, point: tuple[Any, ...]) -> int:
 
 
 def _flight_plan(spec: CampaignSpec, site: Site) -> FlightPlan:
-    """Return the flight plan of one mode."""
+    """Return the flight plan of one mode; a way through the room is what the live pilot flies."""
     given, height = spec.mission, site.map.flight_height
     if given.waypoints:
         return FlightPlan(Task(given.task), given.waypoints, given.duration_s, height)
@@ -149,12 +184,17 @@ def _flight_plan(spec: CampaignSpec, site: Site) -> FlightPlan:
         start, goal = room.place(given.start), room.place(given.goal)
     except KeyError as error:
         raise ConfigError("mission", str(error.args[0])) from error
-    answer = RoomNavigator(site, room, build_grid(room, site)).plan(start.viewpoint, goal.viewpoint)
-    if answer.path is None:
+    planned = planned_flight(
+        RoomNavigator(site, room, build_grid(room, site)),
+        (*start.viewpoint, height),
+        room.home_yaw,
+        goal.viewpoint,
+        given.duration_s,
+        Task(given.task),
+    )
+    if isinstance(planned, Refused):
         raise ConfigError(
             "mission.goal",
-            f"no way from {given.start} to {given.goal} in mode {site.mode}: {answer.reason}",
+            f"no way from {given.start} to {given.goal} in mode {site.mode}: {planned.reason}",
         )
-    return FlightPlan(
-        Task(given.task), answer.path.waypoints, given.duration_s, height, room.home_yaw
-    )
+    return planned

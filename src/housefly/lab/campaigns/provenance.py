@@ -10,7 +10,7 @@ from typing import Any
 
 import llvmlite.binding as llvm  # type: ignore[import-untyped]
 
-from housefly.lab.campaigns.plan import MODE_NAMES, Plan
+from housefly.lab.campaigns.plan import Plan
 from housefly.lab.experiments.cases import CASE, cases
 
 _PACKAGES = ("housefly", "numba", "numpy")
@@ -19,7 +19,9 @@ _FLIGHT_CODE = (
     "pilot/behavior",
     "pilot/control",
     "pilot/estimation",
+    "pilot/planning/trajectory",
     "pilot/safety",
+    "pilot/step.py",
     "lab/experiments",
     "geometry.py",
     "numeric.py",
@@ -50,21 +52,26 @@ def processor() -> str:
 
 def describe_plan(plan: Plan) -> dict[str, Any]:
     """Return everything that the numbers depend on as plain values, without names and plots."""
-    groups = {MODE_NAMES[int(cases(group.site)["mode"][0])]: group for group in plan.groups}
+    modes = {group.site.mode: group.site for group in plan.groups}
+    missions = {group.name: group.mission for group in plan.groups}
     return {
         "spec": plan.spec.model_dump(
             mode="json", exclude={"name", "site", "plot"}, exclude_none=True
         ),
         "drone": {
-            mode: {name: cases(group.site)[name][0].item() for name in CASE.names or ()}
-            for mode, group in groups.items()
+            mode: {name: cases(site)[name][0].item() for name in CASE.names or ()}
+            for mode, site in modes.items()
         },
         "way": {
-            mode: [list(point) for point in group.mission.waypoints]
-            for mode, group in groups.items()
+            name: [list(point) for point in mission.waypoints] for name, mission in missions.items()
         },
-        "height": {mode: group.mission.height for mode, group in groups.items()},
-        "yaw": {mode: group.mission.yaw for mode, group in groups.items()},
+        "trajectory": {
+            name: mission.digest
+            for name, mission in missions.items()
+            if mission.trajectory is not None
+        },
+        "height": {name: mission.height for name, mission in missions.items()},
+        "yaw": {name: mission.yaw for name, mission in missions.items()},
         "chunk": max(chunk.drones for chunk in plan.chunks),
         "made_by": versions(),
     }

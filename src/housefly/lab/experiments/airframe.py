@@ -40,6 +40,8 @@ class Airframe(NamedTuple):
         early_steps, late_steps: how many.
         tilt_max: of its own hover [rad].
         wind_x, wind_y: steady push [m/s^2].
+        climb_beside: climb rate at rest beside the commanded one, by a steady push upwards [m/s].
+        sink_gain: what it makes of a commanded sinking, over what was commanded.
         gust: one sigma of the push that changes [m/s^2].
         gust_kept: share of it that is left after a tick.
     """
@@ -53,6 +55,8 @@ class Airframe(NamedTuple):
     tilt_max: float
     wind_x: float
     wind_y: float
+    climb_beside: float
+    sink_gain: float
     gust: float
     gust_kept: float
 
@@ -77,6 +81,8 @@ def airframe_of(case: Any) -> Airframe:
         case.tilt_max,
         case.wind_x,
         case.wind_y,
+        case.lift / case.climb_lag,
+        case.sink_gain,
         case.gust,
         exp(-tick / GUST_TIME),
     )
@@ -130,8 +136,8 @@ def _pushed(
 ) -> DroneState:
     order = orders[sent & (orders.size - 1)]
     if sent >= 0 and order.flying > 0:
-        return moved(
-            body, order.theta, order.phi, order.vz, order.yaw_rate, wind, air.constants, beat
-        )
+        vz = order.vz if order.vz >= 0.0 else air.sink_gain * order.vz
+        vz += air.climb_beside
+        return moved(body, order.theta, order.phi, vz, order.yaw_rate, wind, air.constants, beat)
     theta, phi = hover_tilt(body, wind, air.tilt_max)
-    return moved(body, theta, phi, 0.0, 0.0, wind, air.constants, beat)
+    return moved(body, theta, phi, air.climb_beside, 0.0, wind, air.constants, beat)

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from housefly.config.site import Site
 from housefly.errors import ConfigError
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.wires.ardrone.command_delay import simulated_command_delay
 
 DEFAULT, PAPER = 0, 1
@@ -45,6 +46,26 @@ class Parameter(NamedTuple):
 
 def _is_paper(site: Site) -> bool:
     return site.mode == "paper"
+
+
+def _believed_delay(site: Site) -> float:
+    is_known = _is_paper(site) or site.estimation.delay_compensated
+    return site.drone.command_delay if is_known else 0.0
+
+
+def _estimated(value: Callable[[Site], float], without: float = 0.0) -> Callable[[Site], float]:
+    """Return a value of the site that mode paper has not."""
+    return lambda site: without if _is_paper(site) else value(site)
+
+
+def _sink_gain(site: Site) -> float:
+    is_counted = not _is_paper(site) and site.estimation.lift_wander > 0.0
+    return site.drone.sink_gain if is_counted else 1.0
+
+
+def _climb_command_max(site: Site) -> float:
+    is_counted = not _is_paper(site) and site.estimation.lift_wander > 0.0
+    return site.limits.full_climb if is_counted else site.limits.vertical_speed_max
 
 
 # fmt: off
@@ -84,11 +105,32 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("model_gain", "1", 0.2, 2.0, lambda s: s.drone.attitude_gain,
        "c / lambda that the pilot believes"),
     _P("model_drag", "1/s", 0.0, 5.0, lambda s: s.drone.drag, "drag that the pilot believes"),
-    _P("model_delay", "s", 0.0, 0.5, lambda s: s.drone.command_delay,
-       "command delay that the pilot believes"),
+    _P("model_delay", "s", 0.0, 0.5, _believed_delay, "command delay that the pilot believes"),
+    _P("model_climb_lag", "1/s", 0.2, 50.0, lambda s: s.drone.climb_lag,
+       "pole of the climb rate that the pilot believes"),
+    _P("model_sink_gain", "1", 0.5, 3.0, _sink_gain,
+       "what the pilot believes of a commanded sinking: done over commanded"),
+    _P("feed_forward", "1", 0.0, 1.0, lambda s: s.control.feed_forward,
+       "share of the reference's velocity and acceleration that is led with"),
+    _P("disturbance_wander", "m/s^2/sqrt(s)", 0.0, 2.0,
+       _estimated(lambda s: s.estimation.disturbance_wander, DISTURBANCE_WANDER),
+       "how fast a push in the plane may change; 0 knows of none"),
+    _P("lift_wander", "m/s^2/sqrt(s)", 0.0, 5.0, _estimated(lambda s: s.estimation.lift_wander),
+       "how fast a push up or down may change; 0 knows of none"),
+    _P("climb_noise", "m/s^1.5", 0.001, 5.0, lambda s: s.estimation.climb_noise,
+       "unmodelled vertical acceleration; counts with lift_wander"),
+    _P("delay_deviation", "s", 0.0, 0.2,
+       _estimated(
+           lambda s: s.estimation.delay_deviation if s.estimation.delay_compensated else 0.0
+       ),
+       "one sigma by which model_delay may be wrong; 0 believes it"),
+    _P("mistrust", "1", 0.0, 1.0, _estimated(lambda s: s.estimation.mistrust),
+       "share by which delays and lag may be wrong, by which gains are lowered"),
     _P("tilt_max", "rad", 0.02, 0.5, lambda s: s.limits.tilt_max, "largest pitch or roll"),
     _P("vertical_speed_max", "m/s", 0.05, 2.0, lambda s: s.limits.vertical_speed_max,
        "largest climb rate"),
+    _P("climb_command_max", "m/s", 0.05, 2.0, _climb_command_max,
+       "largest climb rate asked of the drone's own loop; counts with lift_wander"),
     _P("yaw_rate_max", "rad/s", 0.1, 6.2, lambda s: s.limits.yaw_rate_max, "largest yaw rate"),
     _P("speed", "m/s", 0.05, 2.0, lambda s: s.limits.speed, "cruise speed of the reference"),
     _P("pose_age_level", "s", 0.05, inf, lambda s: s.limits.pose_age_level,
@@ -105,6 +147,9 @@ PARAMETERS: tuple[Parameter, ...] = (
     _P("yaw_lag", "1/s", 0.2, 50.0, lambda s: s.drone.yaw_lag, "pole of the drone's yaw rate"),
     _P("wind_x", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along x"),
     _P("wind_y", "m/s^2", -2.0, 2.0, lambda s: 0.0, "steady push along y"),
+    _P("lift", "m/s^2", -2.0, 2.0, lambda s: 0.0,
+       "steady push upwards: a tenth of the weight is 0.98"),
+    _P("sink_gain", "1", 0.5, 3.0, _sink_gain, "what the drone makes of a commanded sinking"),
     _P("gust", "m/s^2", 0.0, 2.0, lambda s: 0.0,
        "one sigma of a push that changes within a second"),
     _P("mocap_rate_hz", "Hz", 1.0, 400.0, lambda s: s.twin.mocap_rate_hz,

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
+from hashlib import sha256
 
 from housefly.geometry import Vec2
+from housefly.pilot.behavior.path_profile import PathProfile
 
 
 class Task(Enum):
     """How the reference moves.
 
-    PATH: along the waypoints, as the live pilot moves it in the case's mode. STEP: stands at the
+    PATH: along the waypoints or the trajectory, as the live pilot moves it in the case's mode.
+    STEP: stands at the
         first waypoint for
     ``SETTLE`` seconds, then at the last one. HOLD: stands at the first one.
     """
@@ -37,6 +40,8 @@ class FlightPlan:
         yaw: heading at the start [rad].
         arrival_yaw: heading wanted at the end [rad]; None keeps the path's.
         settle: how long the drone hovers before the task begins [s].
+        trajectory: through space, which a PATH in mode default flies in place of corners; None
+            for none.
     """
 
     task: Task
@@ -46,3 +51,12 @@ class FlightPlan:
     yaw: float = 0.0
     arrival_yaw: float | None = None
     settle: float = SETTLE
+    trajectory: PathProfile | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def digest(self) -> str:
+        """A mark of all that it asks, down to the last bit of a trajectory."""
+        mark = sha256(repr(self).encode())
+        for numbers in self.trajectory or ():
+            mark.update(repr(numbers.shape).encode() + numbers.tobytes())
+        return mark.hexdigest()[:16]

@@ -10,8 +10,13 @@ from housefly.numeric import compiled
 from housefly.pilot.behavior.acceptor import Tolerances
 from housefly.pilot.behavior.path_progress import PathProgress
 from housefly.pilot.control.steering import Gains
+from housefly.pilot.estimation.climb_axis import ClimbModel
 from housefly.pilot.estimation.delay_filter import TIME_TOLERANCE
-from housefly.pilot.estimation.estimator import EstimatorParameters, PoseEstimate, axis_model
+from housefly.pilot.estimation.estimator import axis_model
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorParameters,
+    PoseEstimate,
+)
 from housefly.pilot.safety.limits import CommandLimits
 from housefly.pilot.step import Guidance, PilotParameters, StepState, progress_started
 
@@ -38,10 +43,20 @@ def parameters_of_case(case: Any) -> PilotParameters:
         is_paper=case.mode > 0,
         estimator=EstimatorParameters(
             kind=case.estimator,
-            model=axis_model(case.model_lag, case.model_gain, case.model_drag, noise),
+            model=axis_model(
+                case.model_lag, case.model_gain, case.model_drag, noise, case.disturbance_wander
+            ),
             delay=case.model_delay,
             acceleration_noise=noise,
             position_noise=case.position_noise,
+            climb=ClimbModel(
+                pole=case.model_climb_lag,
+                sink_gain=case.model_sink_gain,
+                noise=case.climb_noise,
+                wander=case.lift_wander,
+            ),
+            delay_deviation=case.delay_deviation,
+            mistrust=case.mistrust,
         ),
         tolerances=Tolerances(
             height=case.epsilon_height,
@@ -61,9 +76,17 @@ def parameters_of_case(case: Any) -> PilotParameters:
             drag=case.model_drag,
             delay=case.model_delay,
             wraps=case.wrap_yaw > 0.5,
+            lag=case.model_lag,
+            climb_lag=case.model_climb_lag,
+            inverts_climb=case.lift_wander > 0.0,
+            sink_gain=case.model_sink_gain,
+            feed_forward=case.feed_forward,
+            climb_command_max=case.climb_command_max,
         ),
         limits=CommandLimits(
-            tilt_max=limits[0], vertical_speed_max=limits[1], yaw_rate_max=case.yaw_rate_max
+            tilt_max=limits[0],
+            vertical_speed_max=case.climb_command_max,
+            yaw_rate_max=case.yaw_rate_max,
         ),
         speed=case.speed,
     )
@@ -72,8 +95,7 @@ def parameters_of_case(case: Any) -> PilotParameters:
 @compiled
 def task_created(route: Route) -> TaskState:
     """Return the task before anything was seen."""
-    start = route.path.waypoints
-    return TaskState(begun=False, x=start[0, 0], y=start[0, 1], yaw=nan)
+    return TaskState(begun=False, x=route.start_x, y=route.start_y, yaw=nan)
 
 
 @compiled
@@ -129,5 +151,4 @@ def _found(route: Route, here: PoseEstimate) -> TaskState:
     """
     if route.task == PATH:
         return TaskState(begun=False, x=here.x, y=here.y, yaw=here.yaw)
-    start = route.path.waypoints
-    return TaskState(begun=False, x=start[0, 0], y=start[0, 1], yaw=route.yaw)
+    return TaskState(begun=False, x=route.start_x, y=route.start_y, yaw=route.yaw)

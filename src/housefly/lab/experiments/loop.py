@@ -42,15 +42,18 @@ from housefly.lab.experiments.tracking_noise import (
 )
 from housefly.numeric import compiled
 from housefly.pilot.control.model import DroneState
+from housefly.pilot.estimation.delay_estimate import DELAY_CHANGE_MAX
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, TIME_TOLERANCE, CommandHistory
 from housefly.pilot.estimation.estimator import (
-    EstimatorParameters,
-    EstimatorState,
-    PoseEstimate,
     estimator_advanced,
     estimator_created,
     estimator_updated,
     pose_estimate,
+)
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorParameters,
+    EstimatorState,
+    PoseEstimate,
 )
 from housefly.pilot.estimation.validation import SIGHTING_AGE_MAX
 from housefly.pilot.safety.limits import GatedCommand, SafetyCode, pose_age_mode
@@ -86,6 +89,8 @@ class Record(NamedTuple):
 def flight_buffers(cases: NDArray[Any]) -> FlightBuffers:
     """Return the rings for flights of these cases."""
     seconds = SIGHTING_AGE_MAX + 0.1 + float(cases["model_delay"].max(initial=0.0))
+    if np.any(cases["delay_deviation"] > 0.0):
+        seconds += DELAY_CHANGE_MAX
     spans = int(seconds * float(cases["rate_hz"].max(initial=1.0))) + 8
     return FlightBuffers(
         np.zeros(1 << (spans - 1).bit_length(), COMMAND_SPAN),
@@ -119,9 +124,8 @@ def _fly_case(
     params, air = parameters_of_case(case), airframe_of(case)
     camera = _prepared(case, flight_buffers)
     score, stream, gust = flight_buffers.score[0], stream_begun(camera), (0.0, 0.0)
-    start = route.path.waypoints
     body = DroneState(
-        start[0, 0], start[0, 1], route.height, route.yaw, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        route.start_x, route.start_y, route.height, route.yaw, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     )
     estimator = estimator_created(flight_buffers.history, params.estimator, 0.0)
     state, task = INITIAL_STEP, task_created(route)
@@ -140,7 +144,13 @@ def _fly_case(
         age = now - max(estimator.gate.last_capture, 0.0)
         acceptor = state.acceptor.state
         state, estimator, output = step_commanded(
-            StepState(progress=progress, yaw=state.yaw, acceptor=state.acceptor, gate=state.gate),
+            StepState(
+                progress=progress,
+                yaw=state.yaw,
+                acceptor=state.acceptor,
+                gate=state.gate,
+                scale=state.scale,
+            ),
             estimator,
             flight_buffers.history,
             params,
@@ -156,7 +166,7 @@ def _fly_case(
         order = flight_buffers.orders[tick & (flight_buffers.orders.size - 1)]
         _send(order, output.command)
         if tick < record.ticks.size:
-            _write(record.ticks[tick], now, body, here, age, state, output, order, route.height)
+            _write(record.ticks[tick], now, body, here, age, state, output, order)
         if now >= route.settle - TIME_TOLERANCE:
             _counted(score, state, acceptor, output, case.tilt_max)
             eps3 = params.tolerances.position
@@ -254,8 +264,7 @@ def _write(
     state: StepState,
     output: StepOutput,
     order: Any,
-    height: float,
 ) -> None:
     traced_truth(row, now, body)
-    traced_thoughts(row, here, age, output.target, height, state.yaw.reference, output.asked)
+    traced_thoughts(row, here, age, output.target, state.yaw.reference, output.asked)
     traced_command(row, order, state.acceptor.state, state.gate)

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.lab.experiments.route import HOLD, STEP, Route, off_line
+from housefly.lab.experiments.route import CURVE_TOLERANCE, HOLD, STEP, Route, off_line_near
 from housefly.numeric import compiled
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.control.model import DroneState
-from housefly.pilot.estimation.estimator import PoseEstimate
+from housefly.pilot.estimation.estimator_state import PoseEstimate
 
 LAST = 2.0
 """Arrival and what still oscillates are judged over the last seconds [s]."""
@@ -91,14 +91,16 @@ def looked_at(
     now: float,
 ) -> bool:
     """Take one look at a drone on its task; return whether it is still where it can be measured."""
-    off = off_line(route.line, body.x, body.y)
+    behind = sqrt((body.x - target.x) ** 2 + (body.y - target.y) ** 2)
+    reach = behind + 2.0 * CURVE_TOLERANCE
+    off = off_line_near(route.line, route.marks, body.x, body.y, reach)
     if not off < LOST or not abs(body.z) < LOST:
         return False
     score.looks += 1.0
     score.path_sum += off * off
     score.path_max = max(score.path_max, off)
     score.reference_sum += (body.x - target.x) ** 2 + (body.y - target.y) ** 2
-    score.height_error = max(score.height_error, abs(body.z - route.height))
+    score.height_error = max(score.height_error, abs(body.z - target.z))
     score.estimate_sum += (here.x - body.x) ** 2 + (here.y - body.y) ** 2 + (here.z - body.z) ** 2
     _near_goal(score, route, body, eps3, now)
     if now >= route.duration - LAST - 1e-9:

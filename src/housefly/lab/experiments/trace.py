@@ -12,11 +12,11 @@ from housefly.numeric import compiled
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.control.model import DroneState
 from housefly.pilot.control.steering import ControlOutput
-from housefly.pilot.estimation.estimator import PoseEstimate
+from housefly.pilot.estimation.estimator_state import PoseEstimate
 
 TRUTH = ("x", "y", "z", "psi", "vx", "vy", "vz", "theta", "phi")
 ESTIMATE = ("est_x", "est_y", "est_z", "est_vx", "est_vy", "est_vz", "est_psi", "pose_age")
-REFERENCE = ("ref_x", "ref_y", "ref_z", "ref_vx", "ref_vy", "ref_psi")
+REFERENCE = ("ref_x", "ref_y", "ref_z", "ref_vx", "ref_vy", "ref_vz", "ref_psi")
 ASKED = ("ask_theta", "ask_phi", "ask_vz", "ask_yaw_rate", "ask_tilt")
 COMMAND = ("cmd_theta", "cmd_phi", "cmd_vz", "cmd_yaw_rate")
 TRACE = np.dtype(
@@ -67,7 +67,6 @@ def traced_thoughts(
     here: PoseEstimate,
     age: float,
     target: TrajectorySetpoint,
-    height: float,
     yaw: float,
     asked: ControlOutput,
 ) -> None:
@@ -80,8 +79,9 @@ def traced_thoughts(
         here.yaw,
         age,
     )
-    row.ref_x, row.ref_y, row.ref_z = target.x, target.y, height
-    row.ref_vx, row.ref_vy, row.ref_psi, row.waypoint = target.vx, target.vy, yaw, target.waypoint
+    row.ref_x, row.ref_y, row.ref_z = target.x, target.y, target.z
+    row.ref_vx, row.ref_vy, row.ref_vz = target.vx, target.vy, target.vz
+    row.ref_psi, row.waypoint = yaw, target.waypoint
     row.ask_theta, row.ask_phi, row.ask_vz = asked.theta, asked.phi, asked.vz
     row.ask_yaw_rate, row.ask_tilt = asked.yaw_rate, asked.wish
 

@@ -21,7 +21,7 @@ from housefly.lab.reproduction.fleet import fleet
 from housefly.lab.reproduction.kept_flights import FlyBatch
 from housefly.lab.reproduction.routes import step_plan
 from housefly.lab.reproduction.streams import LATENCIES, RATES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 ESTIMATORS: dict[int, str] = {
     EstimatorKind.FINITE_DIFFERENCE: "held sample, finite difference",

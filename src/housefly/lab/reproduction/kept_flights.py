@@ -70,7 +70,7 @@ class KeptFlights:
         return flown
 
     def _name(self, cases: Cases, mission: FlightPlan) -> str:
-        inputs = sha256(f"{self._sources} {mission} {cases.dtype}".encode())
+        inputs = sha256(f"{self._sources} {mission.digest} {cases.dtype}".encode())
         inputs.update(np.ascontiguousarray(cases).tobytes())
         return inputs.hexdigest()[:24]
 

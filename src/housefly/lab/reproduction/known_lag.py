@@ -14,7 +14,7 @@ from housefly.lab.reproduction.edges import FREQUENCIES, largest_settling, settl
 from housefly.lab.reproduction.kept_flights import FlyBatch
 from housefly.lab.reproduction.stability_limit import StabilityLimit, limit_of
 from housefly.lab.reproduction.streams import TYPICAL_LATENCY, TYPICAL_RATE
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 UNKNOWN_LAG = 50.0
 """Lambda of a filter that takes the angles for reached at once [1/s]: the largest accepted."""

@@ -24,7 +24,7 @@ from housefly.lab.reproduction.trial_list import (
 )
 from housefly.numeric import FloatArray
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 _ALL_FLIGHTS = 0.95
 """Share of flights that counts as all of them."""

@@ -8,7 +8,9 @@ from housefly.config.site import Mode, Site, changed
 from housefly.errors import RoomError
 from housefly.geometry import Vec2
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
+from housefly.lab.experiments.planned_flight import planned_flight
 from housefly.messages import Path
+from housefly.pilot.behavior.mission import Refused
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.files import load_room
 from housefly.room.grid import OccupancyGrid, build_grid
@@ -41,7 +43,7 @@ def mapped_site(site: Site, mode: Mode) -> MappedSite:
 
 
 def service_path(here: MappedSite, goal: str = _GOAL) -> Path:
-    """Return the planned way from home to a place, as the pilot plans it in the mode.
+    """Return the way from home to a place on the mode's grid, which the paper's figures show.
 
     Raises:
         RoomError: when there is none; the reason is the planner's.
@@ -54,12 +56,22 @@ def service_path(here: MappedSite, goal: str = _GOAL) -> Path:
 
 
 def service_plan(here: MappedSite) -> FlightPlan:
-    """Return the outbound flight of the service."""
-    path = service_path(here)
-    duration = SETTLE + _DURATION_FACTOR * path.length / here.site.limits.speed
-    return FlightPlan(
-        Task.PATH, path.waypoints, duration, here.site.map.flight_height, here.room.home_yaw
+    """Return the outbound flight of the service, along what the pilot flies in the mode.
+
+    Raises:
+        RoomError: when there is no way; the reason is the planner's.
+    """
+    duration = SETTLE + _DURATION_FACTOR * service_path(here).length / here.site.limits.speed
+    planned = planned_flight(
+        RoomNavigator(here.site, here.room, here.grid),
+        (*here.room.home, here.site.map.flight_height),
+        here.room.home_yaw,
+        here.room.place(_GOAL).viewpoint,
+        duration,
     )
+    if isinstance(planned, Refused):
+        raise RoomError(f"no way to {_GOAL} in mode {here.site.mode}: {planned.reason}")
+    return planned
 
 
 def step_plan(site: Site, length: float = PAPER_CELL, duration: float = 12.0) -> FlightPlan:

@@ -22,7 +22,7 @@ from housefly.lab.reproduction.streams import (
     TYPICAL_LATENCY,
     TYPICAL_LOSS,
 )
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 _SLOW, _FAST = RATES[0], RATES[-1]
 _PROMPT, _LATE = LATENCIES[0], LATENCIES[-1]

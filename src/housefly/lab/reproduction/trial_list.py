@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 from housefly.config.site import Mode
 from housefly.lab.reproduction.edges import STILL_AIR, TRACKING_ALWAYS
 from housefly.pilot.behavior.acceptor import PAPER_TOLERANCES
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 
 
 class TrialKind(Enum):

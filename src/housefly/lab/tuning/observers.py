@@ -16,7 +16,10 @@ from numpy.typing import NDArray
 
 from housefly.pilot.estimation.constant_velocity import ConstantVelocity, cv_predicted, cv_updated
 from housefly.pilot.estimation.delay_filter import PREDICTION_STEP_MAX
-from housefly.pilot.estimation.estimator import DISTURBANCE_WANDER, HOVER_BRAKING
+from housefly.pilot.estimation.estimator import (
+    DISTURBANCE_WANDER,
+    HOVER_BRAKING,
+)
 from housefly.pilot.estimation.lagged_axis import (
     AxisModel,
     AxisState,

@@ -12,13 +12,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from housefly.config.estimation import ONLY_LEVEL_PUSHES
 from housefly.config.site import Site
 from housefly.lab.experiments.cases import cases
 from housefly.lab.experiments.engine import fly_traced
 from housefly.lab.experiments.flight_plan import SETTLE, FlightPlan, Task
 from housefly.lab.tuning.advice import MIN_GAIN_MARGIN, GainQuestion, Judgement, stiffness_bound
 from housefly.lab.tuning.loop import Loop, growth_of
-from housefly.pilot.estimation.estimator import EstimatorKind
+from housefly.pilot.estimation.estimator_state import EstimatorKind
 from housefly.record.plot_style import BLUE, GREEN, ORANGE, PLOT_STYLE, save_figure
 
 _DARK_GREY = "#666666"
@@ -69,7 +70,7 @@ def _response(axes: Any, judgement: Judgement, question: GainQuestion) -> None:
 def _fly_step(loop: Loop, question: GainQuestion) -> NDArray[Any]:
     """Return the flight of a step, tick by tick (``experiments.trace``)."""
     case = cases(
-        Site(),
+        Site(estimation=ONLY_LEVEL_PUSHES),
         1,
         estimator=EstimatorKind.ON_ARRIVAL if loop.paper else EstimatorKind.DELAY_COMPENSATED,
         rate_hz=loop.rate_hz,

@@ -7,11 +7,13 @@ BRAKING_DECELERATION = 1.0
 REACTION_TIME = 0.3
 """Time from the cause, or the order, to braking that distances allow for [s]."""
 LAST_HEIGHT = 0.45
-"""The pilot steers a landing down to here; the last bit is the drone's own [m]."""
+"""The pilot steers a landing down to here, unless the site says otherwise
+(``limits.landing_height``); the last bit is the drone's own [m].
+"""
 SINK_LEAD = 0.33
 """The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
 
 
-def sink_height(height: float) -> float:
-    """Return the height to want next while sinking from a height [m]."""
-    return max(LAST_HEIGHT, height - SINK_LEAD)
+def sink_height(height: float, lowest: float = LAST_HEIGHT) -> float:
+    """Return the height to want next while sinking from a height; the lowest to want [m]."""
+    return max(lowest, height - SINK_LEAD)

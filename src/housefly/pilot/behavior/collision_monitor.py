@@ -58,7 +58,10 @@ class CollisionMonitor:
         """
         commander = self._commander
         if commander.task is not self._task:
-            self._task, target = commander.task, None
+            is_same = (
+                self._task.profile is not None and commander.task.profile is self._task.profile
+            )
+            self._task, target = commander.task, target if is_same else None
         state = commander.state
         if state.phase not in ON_THE_WAY or state.stopped or vehicle.estimate is None or paused:
             return []
@@ -109,7 +112,7 @@ class CollisionMonitor:
 
     def _block(self, vehicle: VehicleStatus, target: TrajectorySetpoint | None) -> PathBlock | None:
         path, place = self._commander.task.path, vehicle.place
-        if path is None or self._commander.task.profile is None or place is None:
+        if path is None or not self._commander.task.is_following or place is None:
             return None
         waypoint = min(target.waypoint, len(path.waypoints) - 1) if target else 0
         return self._navigator.block(place, path, waypoint)

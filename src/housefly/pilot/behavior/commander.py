@@ -11,7 +11,7 @@ from housefly.messages.flight import TASK_SENDER, Event, Order, OrderKind, Phase
 from housefly.messages.order_fault import shown_name
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.messages.sensing import DroneStatus
-from housefly.messages.steering import PlanAnswer
+from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.charge import charge_refusal
 from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import (
@@ -25,11 +25,8 @@ from housefly.pilot.behavior.mission import (
 from housefly.pilot.behavior.mission_tables import ORDERS, SIGNALS, Response, Signal
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
-from housefly.pilot.behavior.path_profile import path_profile
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
-
-COAST_TIME = 0.4
-"""A drone told to stay is held where it comes to rest: this far ahead at its speed [s]."""
+from housefly.pilot.behavior.way_planner import coasted, planned_task, refusal_of
 
 LANDING_PLACE = "a clear place to land"
 """Name of the mission that lands elsewhere than at home."""
@@ -122,14 +119,13 @@ class Commander:
 
     def depart(self, mission: Mission, vehicle: VehicleStatus) -> Refused | None:
         """Set off on a mission from where the drone is."""
-        answer = self._route(mission, vehicle)
-        if isinstance(answer, Refused):
-            return answer
-        if answer is None or answer.path is None:
+        task = planned_task(self._navigator, mission, self._task, vehicle)
+        if isinstance(task, Refused):
+            return task
+        if task is None:
             self.stay(vehicle)
             return None
-        profile = path_profile(answer.path.waypoints)
-        self._task = TrackingTask(profile, answer.path, answer.duration)
+        self._task = task
         self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
         return None
 
@@ -139,7 +135,7 @@ class Commander:
 
     def stay(self, vehicle: VehicleStatus) -> None:
         """Hold the place where the drone comes to rest."""
-        self._task = _hold_here(vehicle)
+        self._task = self._halt(vehicle)
         self._state = self._state.entering(Phase.HOLDING, vehicle.now, STAY)
 
     def rest(self) -> None:
@@ -159,22 +155,39 @@ class Commander:
             vehicle: where the drone is.
             mission: what to wait for, when it is another than that under way.
         """
-        here, duration = _hold_here(vehicle), self._task.duration
+        here, duration = self._halt(vehicle), self._task.duration
         self._task = replace(here, waiting=why, since=vehicle.now, duration=duration)
         if mission is not None:
             self._state = self._state.entering(_flying_phase(mission), vehicle.now, mission)
 
     def go_around(self, vehicle: VehicleStatus) -> Refused | None:
         """Plan again from where the drone is, in the phase that it is in."""
-        answer = self._route(self._state.mission, vehicle)
-        if isinstance(answer, Refused):
-            return answer
-        if answer is None or answer.path is None or vehicle.estimate is None:
-            return Refused("there is nowhere to go")
-        profile = path_profile(answer.path.waypoints)
-        duration = max(answer.duration, self._task.duration)
-        self._task = TrackingTask(profile, answer.path, duration)
+        task = self.other_way(vehicle)
+        if isinstance(task, Refused):
+            return task
+        self.take(task)
         return None
+
+    def other_way(self, vehicle: VehicleStatus) -> TrackingTask | Refused:
+        """Return a new task for the same mission, from where the drone is."""
+        task = planned_task(self._navigator, self._state.mission, self._task, vehicle)
+        return Refused("there is nowhere to go") if task is None else task
+
+    def take(self, task: TrackingTask) -> None:
+        """Track another task of the same mission."""
+        self._task = replace(task, duration=max(task.duration, self._task.duration))
+
+    def show(self, path: Path) -> None:
+        """Show people the same path with other times."""
+        self._task = replace(self._task, path=path)
+
+    def wait_on_way(self, why: str, since: float) -> None:
+        """Come to rest on the trajectory in use; in words why, and since when it waits [s]."""
+        self._task = replace(self._task, halted=True, waiting=why, since=since)
+
+    def go_on(self) -> None:
+        """Fly on along the trajectory on which the drone waits."""
+        self._task = replace(self._task, halted=False, waiting="")
 
     def give_way(self, hold: Vec2, yaw: float, why: str, vehicle: VehicleStatus) -> None:
         """Make for a place out of somebody's way, in the phase that the drone is in.
@@ -188,17 +201,22 @@ class Commander:
         before = self._task
         since = before.since if before.waiting else vehicle.now
         self._task = TrackingTask(
-            duration=before.duration, hold=hold, hold_yaw=yaw, waiting=why, since=since
+            duration=before.duration,
+            hold=hold,
+            hold_yaw=yaw,
+            waiting=why,
+            since=since,
+            height=self._height(vehicle),
         )
 
     def go_back(self, place: Vec2, vehicle: VehicleStatus) -> Refused | None:
         """Return to a place [m] that was left for somebody, in the phase that the drone is in."""
-        answer = self._route(replace(self._state.mission, goal=place), vehicle)
-        if isinstance(answer, Refused):
-            return answer
-        if answer is not None and answer.path is not None:
-            profile = path_profile(answer.path.waypoints)
-            self._task = TrackingTask(profile, answer.path, self._task.duration)
+        mission = replace(self._state.mission, goal=place)
+        task = planned_task(self._navigator, mission, self._task, vehicle)
+        if isinstance(task, Refused):
+            return task
+        if task is not None:
+            self._task = replace(task, duration=self._task.duration)
         return None
 
     def land_at(self, spot: Vec2, vehicle: VehicleStatus) -> Refused | None:
@@ -212,7 +230,7 @@ class Commander:
 
     def hold_at(self, place: Vec2, vehicle: VehicleStatus) -> None:
         """Hold a place [m] in the phase that the drone is in."""
-        here = _hold_here(vehicle)
+        here = self._hold_here(vehicle)
         self._task = replace(here, hold=place, duration=self._task.duration)
 
     def descend_to(self, height: float | None) -> None:
@@ -226,12 +244,32 @@ class Commander:
         if vehicle.place is None:
             return Refused("tracking has not seen the drone yet")
         answer = self._navigator.route(vehicle.place, mission.goal)
-        if answer.path is not None:
-            return answer
-        if answer.suggestion is None:
-            return Refused(answer.reason)
-        x, y = answer.suggestion
-        return Refused(f"{answer.reason}; nearest free place: ({x:.2f}, {y:.2f}) m")
+        return answer if answer.path is not None else refusal_of(answer)
+
+    def _halt(self, vehicle: VehicleStatus) -> TrackingTask:
+        """Return the task of coming to rest: on a trajectory in space along its own curve."""
+        task = self._task
+        if vehicle.reference is None or task.profile is None:
+            return self._hold_here(vehicle)
+        return TrackingTask(
+            task.profile, task.path, halted=True, comfort=task.comfort, arrival=task.arrival
+        )
+
+    def _hold_here(self, vehicle: VehicleStatus) -> TrackingTask:
+        if vehicle.estimate is None:
+            return TrackingTask()
+        place, velocity = vehicle.estimate.position[:2], vehicle.estimate.velocity[:2]
+        return TrackingTask(
+            hold=coasted(place, velocity),
+            hold_yaw=vehicle.estimate.yaw,
+            height=self._height(vehicle),
+        )
+
+    def _height(self, vehicle: VehicleStatus) -> float | None:
+        """Return the height to keep where a trajectory in space ends early [m]; else None."""
+        if not self._navigator.in_space:
+            return None
+        return vehicle.reference.target.z if vehicle.reference else self._task.height
 
     def _start(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
         mission = self._navigator.mission(order)
@@ -269,13 +307,13 @@ class Commander:
     def _land(self, order: Order, vehicle: VehicleStatus) -> None:
         if self._must_wait_to_land(order, vehicle):
             here = Mission(OrderKind.HOME, LANDING_PLACE, vehicle.place)
-            self._task = _hold_here(vehicle)
+            self._task = self._hold_here(vehicle)
             self._state = self._state.entering(Phase.RETURNING, vehicle.now, here)
         elif self._state.phase is not Phase.LANDING:
             self.land_here(vehicle)
 
     def _must_wait_to_land(self, order: Order, vehicle: VehicleStatus) -> bool:
-        """Return whether somebody is below the drone; a person's second order lands all the same.
+        """Return whether somebody or something is below; a second order lands all the same.
 
         A task cannot see who is below: it never insists.
         """
@@ -283,21 +321,26 @@ class Commander:
         is_second = is_insisted and self._state.mission.name == LANDING_PLACE
         if self._state.phase not in AIRBORNE_PHASES or self._state.stopped or is_second:
             return False
-        return vehicle.place is not None and bool(
-            self._navigator.people.landing_fault(vehicle.place, vehicle.now)
+        if vehicle.place is None:
+            return False
+        people, rest = self._navigator.people, self._hold_here(vehicle).hold
+        return bool(
+            people.landing_fault(vehicle.place, vehicle.now)
+            or people.ground_fault(vehicle.place)
+            or (rest is not None and people.ground_fault(rest))
             or height_gap(vehicle) > HEIGHT_GAP_MAX
         )
 
     def _stop(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.stopping(vehicle.now, vehicle.status is DroneStatus.LANDED)
         is_holding = self._state.phase is Phase.HOLDING
-        self._task = _hold_here(vehicle) if is_holding else TrackingTask()
+        self._task = self._hold_here(vehicle) if is_holding else TrackingTask()
 
     def _resume(self, order: Order, vehicle: VehicleStatus) -> None:
         if self._state.stopped:
             self._state = replace(self._state, stopped=False)
             is_holding = self._state.phase is Phase.HOLDING
-            self._task = _hold_here(vehicle) if is_holding else self._task
+            self._task = self._hold_here(vehicle) if is_holding else self._task
 
     def _cut(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=True)
@@ -308,11 +351,3 @@ class Commander:
 
 def _flying_phase(mission: Mission) -> Phase:
     return Phase.RETURNING if mission.kind is OrderKind.HOME else Phase.OUTBOUND
-
-
-def _hold_here(vehicle: VehicleStatus) -> TrackingTask:
-    if vehicle.estimate is None:
-        return TrackingTask()
-    (x, y, _), (vx, vy, _) = vehicle.estimate.position, vehicle.estimate.velocity
-    hold = (x + COAST_TIME * vx, y + COAST_TIME * vy)
-    return TrackingTask(hold=hold, hold_yaw=vehicle.estimate.yaw)

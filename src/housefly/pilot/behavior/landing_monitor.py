@@ -7,17 +7,18 @@ Whoever has not moved for long counts as a thing here, beside which the drone ma
 that is taken for a person keeps it in the air.
 
 The drone's own landing cannot be called back, and drifts with a draught. The pilot therefore sinks
-to ``LAST_HEIGHT`` itself, above its spot, and rises again when somebody comes. What the safety gate
-lands is landed, and in mode paper the drone lands by itself where nobody is near.
+to ``limits.landing_height`` itself, above its spot, and rises again when somebody comes. What the
+safety gate lands is landed, and in mode paper the drone lands by itself where nobody is near.
 """
 
 from __future__ import annotations
 
 from math import inf
 
+from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
 from housefly.messages.flight import Event, Phase, Severity
-from housefly.pilot.behavior.braking import LAST_HEIGHT, sink_height
+from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.height_gap import HEIGHT_GAP_MAX, height_gap
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
@@ -48,9 +49,17 @@ class LandingMonitor:
         commander: whose landings.
         navigator: who knows people and things.
         paper: whether the drone lands by itself where nobody comes, as in the paper.
+        limits: down to where the pilot sinks itself.
     """
 
-    def __init__(self, commander: Commander, navigator: Navigator, paper: bool) -> None:
+    def __init__(
+        self,
+        commander: Commander,
+        navigator: Navigator,
+        paper: bool,
+        limits: LimitsConfig,
+    ) -> None:
+        self._lowest, self._lead = limits.landing_height, limits.landing_lead
         self._commander, self._people = commander, navigator.people
         self._guided = navigator.sees_people or not paper
         self._gap_since = inf
@@ -93,7 +102,8 @@ class LandingMonitor:
         if not self._told:
             text = f"not landing: {fault}"
             events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
-            self._told, self._asked_at = fault, vehicle.now
+            is_room = vehicle.place is not None and self._people.ground_fault(vehicle.place)
+            self._told, self._asked_at = fault, -inf if is_room else vehicle.now
         if vehicle.now - self._asked_at >= SPOT_PERIOD:
             self._asked_at = vehicle.now
             events.extend(self._elsewhere(vehicle))
@@ -110,6 +120,7 @@ class LandingMonitor:
         if vehicle.place is None:
             return ""
         fault = self._people.landing_fault(vehicle.place, vehicle.now)
+        fault = fault or self._people.ground_fault(vehicle.place)
         if not fault and self._has_gap(vehicle):
             return f"something {height_gap(vehicle):.1f} m high seems to stand below"
         return fault
@@ -130,14 +141,14 @@ class LandingMonitor:
         """Sink a little further; return whether there is still a way to go."""
         assert vehicle.estimate is not None
         x, y, z = vehicle.estimate.position
-        if z <= LAST_HEIGHT + 0.05:
+        if z <= self._lowest + 0.05:
             return False
         commander = self._commander
         if self._sinking is None:
             goal = commander.state.mission.goal
             is_there = goal is not None and distance(goal, (x, y)) < ON_GOAL
             commander.hold_at(goal if goal is not None and is_there else (x, y), vehicle)
-        commander.descend_to(sink_height(z))
+        commander.descend_to(sink_height(z, self._lowest - self._lead))
         self._sinking = commander.task
         return True
 

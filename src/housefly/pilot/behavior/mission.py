@@ -11,7 +11,9 @@ from housefly.messages.sensing import DroneStatus, Estimate, Telemetry
 from housefly.messages.steering import Path
 from housefly.pilot.behavior.drone_faults import GROUNDING_FAULTS
 from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
+from housefly.pilot.planning.trajectory.time_scale import TimeScale
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +113,10 @@ class TrackingTask:
         waiting: why it waits for the way to become free, in words; "" when it does not.
         since: since when it waits [s].
         height: to fly at [m], None for the usual one.
+        halted: a trajectory in space is braked to a stop on its own curve, and kept there.
+        comfort: what a trajectory in space keeps from people [m]; 0 where there was nobody.
+        arrival: when it was to arrive, from its beginning on [s]; infinite when people might keep
+            it from that.
     """
 
     profile: PathProfile | None = None
@@ -121,6 +127,29 @@ class TrackingTask:
     waiting: str = ""
     since: float = 0.0
     height: float | None = None
+    halted: bool = False
+    comfort: float = 0.0
+    arrival: float = inf
+
+    @property
+    def is_following(self) -> bool:
+        """Whether the drone is to move along a path."""
+        return self.profile is not None and not self.halted
+
+
+@dataclass(frozen=True, slots=True)
+class TrajectoryReference:
+    """The moving reference on a trajectory in space.
+
+    Attributes:
+        target: where the drone should be.
+        yaw: heading to ask for [rad].
+        scale: how far the trajectory has been flown.
+    """
+
+    target: TrajectorySetpoint
+    yaw: float
+    scale: TimeScale
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,6 +168,7 @@ class VehicleStatus:
         consistency: tracking held against the drone's own report.
         standing_height: tracked height of the drone when it stood [m].
         maneuvering: a maneuver flies the drone.
+        reference: where the trajectory that is flown has come to; None where none is.
     """
 
     now: float
@@ -152,6 +182,7 @@ class VehicleStatus:
     consistency: TrackingConsistency = NOTHING_KNOWN
     standing_height: float = 0.0
     maneuvering: bool = False
+    reference: TrajectoryReference | None = None
 
     @property
     def place(self) -> Vec2 | None:

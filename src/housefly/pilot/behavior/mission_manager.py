@@ -7,10 +7,12 @@ from housefly.messages.flight import Event, Order
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown, PreflightCheck
 from housefly.pilot.behavior.collision_monitor import CollisionMonitor
 from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.faster_way import FasterWayMonitor
 from housefly.pilot.behavior.landing_monitor import LandingMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
 
@@ -28,8 +30,10 @@ class MissionManager:
     ) -> None:
         self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
+        self._passing = PassingMonitor(self._commander, navigator)
+        self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
-        self._landings = LandingMonitor(self._commander, navigator, paper)
+        self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
         )
@@ -47,7 +51,7 @@ class MissionManager:
     @property
     def speed_factor(self) -> float:
         """Share of the cruise speed to fly at near people, 0 to 1."""
-        return self._separation.speed_factor
+        return min(self._separation.speed_factor, self._passing.rate)
 
     @property
     def is_yielding(self) -> bool:
@@ -76,6 +80,10 @@ class MissionManager:
         events = [self._commander.obey(order, vehicle) for order in orders]
         events.extend(self._monitor.step(vehicle, target, facing))
         events.extend(self._landings.step(vehicle))
-        events.extend(self._collisions.step(vehicle, target, paused=self._separation.is_yielding))
-        events.extend(self._separation.step(vehicle))
+        is_yielding = self._separation.is_yielding
+        is_paused = is_yielding or self._passing.is_waiting
+        events.extend(self._collisions.step(vehicle, target, paused=is_paused))
+        events.extend(self._passing.step(vehicle, paused=is_yielding))
+        events.extend(self._faster.step(vehicle, paused=is_yielding))
+        events.extend(self._separation.step(vehicle, self._passing.rate))
         return events

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import hypot, inf
+from math import dist, hypot, inf, isfinite
 
 from housefly.config.limits import LimitsConfig
 from housefly.geometry import distance
@@ -21,7 +21,11 @@ HOME_TIMEOUT = 6.0
 ARRIVAL_SPEED = 0.15
 """The drone has arrived only when slower than this [m/s]."""
 ARRIVAL_TIME = 0.4
-"""The conditions of arrival must hold for this long [s]."""
+"""The conditions of arrival must hold for this long [s] ..."""
+REST_DISTANCE, REST_SPEED = 0.05, 0.1
+"""... or, at the end of a trajectory in space, which comes to rest by itself, the drone is as near
+to it and as slow as this [m, m/s].
+"""
 FACING_TIMEOUT = 5.0
 """Looking counts from here when the drone never quite faces the subject [s]."""
 OVERDUE_FACTOR, OVERDUE_EXTRA = 3.0, 30.0
@@ -87,6 +91,16 @@ def is_near(
     return hypot(vx, vy) < ARRIVAL_SPEED and off < nearest
 
 
+def is_at_rest(vehicle: VehicleStatus) -> bool:
+    """Return whether the drone stands where a trajectory in space has ended."""
+    if vehicle.reference is None or vehicle.estimate is None:
+        return False
+    target, estimate = vehicle.reference.target, vehicle.estimate
+    off = dist(estimate.position, (target.x, target.y, target.z))
+    slow = hypot(*estimate.velocity) < REST_SPEED
+    return target.finished and slow and off < REST_DISTANCE
+
+
 def signals(
     state: MissionState,
     task: TrackingTask,
@@ -111,7 +125,9 @@ def signals(
         found.append(Signal.FORCED_DOWN)
     if vehicle.return_wanted:
         found.append(Signal.RETURN_WANTED)
-    has_settled = now - timers.near >= ARRIVAL_TIME and not task.waiting
+    is_settled = now - timers.near >= ARRIVAL_TIME
+    is_settled = is_settled or (isfinite(timers.near) and is_at_rest(vehicle))
+    has_settled = is_settled and not task.waiting
     if phase in (Phase.OUTBOUND, Phase.RETURNING) and has_settled:
         found.extend(_arrivals(state, facing))
     if task.waiting and now - task.since > WAITING_TIMEOUT:

@@ -11,7 +11,12 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.pilot.behavior.mission import Mission, Refused
+from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.planning.people_map import PeopleMap
+from housefly.pilot.planning.space.answer import SpaceAnswer
+from housefly.pilot.planning.space.passage import Passage
+from housefly.pilot.planning.trajectory.kinematic_state import KinematicState
+from housefly.pilot.planning.trajectory.time_scale import TimeScale
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +41,11 @@ class Navigator(Protocol):
         ...
 
     @property
+    def openings(self) -> int:
+        """How often something that stood was taken away or moved on."""
+        ...
+
+    @property
     def sees_people(self) -> bool:
         """Whether a sensor of the site sees people."""
         ...
@@ -56,6 +66,29 @@ class Navigator(Protocol):
 
     def route(self, start: Vec2, goal: Vec2) -> PlanAnswer:
         """Return the way; a start in a blocked cell is left by the shortest straight line first."""
+        ...
+
+    @property
+    def in_space(self) -> bool:
+        """Whether trajectories in space are flown, and not corners in the plane."""
+        ...
+
+    @property
+    def hull_radius(self) -> float:
+        """How far the hull reaches from the drone's middle, in the plane [m]."""
+        ...
+
+    def way(self, start: KinematicState, goal: Vec2, yaw: float, lead: float = 0.0) -> SpaceAnswer:
+        """Return the trajectory in space from a state, at a heading [rad], to rest at a goal.
+
+        It begins so much later [s].
+        """
+        ...
+
+    def passages(
+        self, scale: TimeScale, profile: PathProfile, comfort: float, now: float
+    ) -> list[Passage]:
+        """Return how a trajectory in space gets past people who walk, earliest arrival first."""
         ...
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:

@@ -25,6 +25,9 @@ class PathProfile(NamedTuple):
         along: direction of each leg, shape (n - 1, 2).
         headings: the same as angles [rad], shape (n - 1,).
         waypoints: corners as planned, for mode paper [m], shape (m, 2).
+        motion: of a trajectory in space, which then is what is flown: place [m], velocity [m/s],
+            acceleration [m/s^2] and heading [rad] every ``timing.TICK``, shape (k, 10); ``marks``
+            are the times of ``points`` [s]. Without rows there is none.
     """
 
     points: FloatArray
@@ -33,6 +36,11 @@ class PathProfile(NamedTuple):
     along: FloatArray
     headings: FloatArray
     waypoints: FloatArray
+    motion: FloatArray
+
+
+NO_MOTION: FloatArray = np.zeros((0, 10))
+"""Of a path in the plane."""
 
 
 def path_profile(waypoints: tuple[Vec2, ...]) -> PathProfile:
@@ -49,6 +57,7 @@ def path_profile(waypoints: tuple[Vec2, ...]) -> PathProfile:
         along=along,
         headings=np.arctan2(along[:, 1], along[:, 0]),
         waypoints=np.array(waypoints, dtype=float),
+        motion=NO_MOTION,
     )
 
 

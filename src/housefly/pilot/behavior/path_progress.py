@@ -47,7 +47,10 @@ class PathProgress(NamedTuple):
 
 
 class TrajectorySetpoint(NamedTuple):
-    """Place [m], velocity [m/s], acceleration [m/s^2] and heading [rad, nan keeps it] to track."""
+    """Place [m], velocity [m/s], acceleration [m/s^2] and heading [rad, nan keeps it] to track.
+
+    What moves in the plane leaves its height to ``at_height``.
+    """
 
     x: float
     y: float
@@ -58,6 +61,28 @@ class TrajectorySetpoint(NamedTuple):
     yaw: float
     waypoint: int
     finished: bool
+    z: float
+    vz: float
+    az: float
+
+
+@compiled
+def at_height(target: TrajectorySetpoint, z: float) -> TrajectorySetpoint:
+    """Return the same reference, level at a height [m]."""
+    return TrajectorySetpoint(
+        x=target.x,
+        y=target.y,
+        vx=target.vx,
+        vy=target.vy,
+        ax=target.ax,
+        ay=target.ay,
+        yaw=target.yaw,
+        waypoint=target.waypoint,
+        finished=target.finished,
+        z=z,
+        vz=0.0,
+        az=0.0,
+    )
 
 
 @compiled
@@ -174,7 +199,18 @@ def standing_setpoint(
 ) -> TrajectorySetpoint:
     """Return the reference that stands at a place [m] with a heading [rad]."""
     return TrajectorySetpoint(
-        x=x, y=y, vx=0.0, vy=0.0, ax=0.0, ay=0.0, yaw=yaw, waypoint=waypoint, finished=finished
+        x=x,
+        y=y,
+        vx=0.0,
+        vy=0.0,
+        ax=0.0,
+        ay=0.0,
+        yaw=yaw,
+        waypoint=waypoint,
+        finished=finished,
+        z=0.0,
+        vz=0.0,
+        az=0.0,
     )
 
 
@@ -202,4 +238,7 @@ def setpoint_at(progress: PathProgress, profile: PathProfile) -> TrajectorySetpo
         yaw=progress.yaw,
         waypoint=progress.leg + 1,
         finished=finished,
+        z=0.0,
+        vz=0.0,
+        az=0.0,
     )

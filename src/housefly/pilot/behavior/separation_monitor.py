@@ -15,14 +15,16 @@ import numpy as np
 from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.messages.sensing import DroneStatus
+from housefly.numeric import FloatArray
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.behavior.commander import AIRBORNE_PHASES, Commander
 from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
 from housefly.pilot.behavior.navigator import Navigator
-from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME
-from housefly.pilot.planning.separation import Refuge, Separation, approach_speed
+from housefly.pilot.planning.people import SPEED_UNCERTAINTY, UNCERTAIN_TIME, speed_share
+from housefly.pilot.planning.separation import STEP, Refuge, Separation, approach_speed
+from housefly.pilot.planning.trajectory.kinematic_state import TICK
+from housefly.pilot.planning.trajectory.time_scale import motion_at, scale_advanced
 
-SPEED_FACTOR_MIN = 0.3
-"""Share of the cruise speed at the comfort distance from people, and nearer."""
 YIELD_HORIZON = 3.0
 """A standing drone makes way for who comes too near within this time [s] ..."""
 CRUISE_HORIZON = 1.5
@@ -68,6 +70,10 @@ LIKELY_DISTANCE = -SPEED_UNCERTAINTY * UNCERTAIN_TIME
 QUIET_TIME = 3.0
 """Making way again so soon after the last time is not told again [s]."""
 _GUIDED = frozenset({Phase.OUTBOUND, Phase.RETURNING})
+
+
+_SAME = 0.1
+"""A reference nearer to its trajectory than this is on it [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,8 +122,13 @@ class SeparationMonitor:
         """Whether the drone makes way now."""
         return self._yielding is not None and self._commander.task is self._task
 
-    def step(self, vehicle: VehicleStatus) -> list[Event]:
-        """Look at people once, and say what is done about them."""
+    def step(self, vehicle: VehicleStatus, rate: float = 1.0) -> list[Event]:
+        """Look at people once, and say what is done about them.
+
+        Args:
+            vehicle: status and place of the drone.
+            rate: at which the time of a trajectory in space is to pass.
+        """
         place, state = vehicle.place, self._commander.state
         if place is None or (not len(self._people) and self._yielding is None):
             self.speed_factor = 1.0
@@ -137,7 +148,7 @@ class SeparationMonitor:
             self.is_yielding and self._yielding.phase is state.phase
         ):
             self._yielding = None
-        threat = self._threat(vehicle, place)
+        threat = self._threat(vehicle, place, rate)
         if threat is not None:
             return self._make_way(threat, vehicle, place)
         return self._calm(vehicle, place) if self._yielding is not None else []
@@ -175,21 +186,21 @@ class SeparationMonitor:
     def _factor(self, distance_now: float) -> float:
         """Return the share of the cruise speed at a distance from people [m]."""
         config = self._people.config
-        if distance_now >= config.slow_distance:
-            return 1.0
-        span = max(config.slow_distance - config.comfort_distance, 1e-6)
-        share = max(0.0, (distance_now - config.comfort_distance) / span)
-        return SPEED_FACTOR_MIN + (1.0 - SPEED_FACTOR_MIN) * share
+        return speed_share(distance_now, config.slow_distance, config.comfort_distance)
 
-    def _threat(self, vehicle: VehicleStatus, place: Vec2) -> Separation | None:
+    def _threat(self, vehicle: VehicleStatus, place: Vec2, rate: float) -> Separation | None:
         """Return who comes too near, or None."""
         config, task = self._people.config, self._commander.task
-        following = task.profile is not None and self._commander.state.phase in _GUIDED
+        following = task.is_following and self._commander.state.phase in _GUIDED
         if following and vehicle.estimate is not None:
             velocity = vehicle.estimate.velocity[:2]
-            found = self._people.separation(
-                place, velocity, vehicle.now, CRUISE_HORIZON, walking=True
-            )
+            places = self._places_ahead(vehicle, min(self.speed_factor, rate))
+            if places is None:
+                found = self._people.separation(
+                    place, velocity, vehicle.now, CRUISE_HORIZON, walking=True
+                )
+            else:
+                found = self._people.separation_along(places, vehicle.now)
             if found.closest < config.min_distance:
                 return found
             return self._trap(vehicle, place, velocity)
@@ -199,6 +210,34 @@ class SeparationMonitor:
             return found
         is_close = found.now < config.min_distance
         return found if is_close and not self._people.is_still(found.name, vehicle.now) else None
+
+    def _places_ahead(self, vehicle: VehicleStatus, wanted: float) -> FloatArray | None:
+        """Return where a trajectory in space leads the drone [m], shape (n, 2).
+
+        None where none is flown. Nearer to people it will be slower.
+
+        Args:
+            vehicle: where the drone is, and how far it has flown the trajectory.
+            wanted: rate of the trajectory's time that is asked for now.
+        """
+        reference, profile = vehicle.reference, self._commander.task.profile
+        place = vehicle.place
+        if reference is None or profile is None or place is None or len(profile.motion) < 2:
+            return None
+        scale, rows, config = reference.scale, profile.motion, self._people.config
+        people, places = self._people.walking(vehicle.now), []
+        for n in range(round(CRUISE_HORIZON / STEP) + 1):
+            here = motion_at(scale, rows, TICK)
+            places.append((here.x, here.y))
+            apart = people.nearest(places[-1], n * STEP) - self._people.hull
+            share = speed_share(apart, config.slow_distance, config.comfort_distance)
+            rate = min(wanted, share)
+            scale = scale_advanced(scale, rows, TICK, rate, BRAKING_DECELERATION, STEP)
+        target = (reference.target.x, reference.target.y)
+        if distance(target, places[0]) > _SAME:
+            return None  # the task is newer than the reference
+        result: FloatArray = np.array(places) + (np.array(place) - np.array(target))
+        return result
 
     def _trap(self, vehicle: VehicleStatus, place: Vec2, velocity: Vec2) -> Separation | None:
         """Return who reaches a drone on its way that could get nowhere, while it can still land.
@@ -244,10 +283,11 @@ class SeparationMonitor:
         """Return where to go and how fast [m/s]: no faster than usual where that is enough."""
         kept = self._yielding.refuge if self._yielding else None
         usual = self._people.config.yield_speed
-        found = self._people.refuge(place, velocity, vehicle.now, usual, kept)
+        height = vehicle.estimate.position[2] if vehicle.estimate else None
+        found = self._people.refuge(place, velocity, vehicle.now, usual, kept, height)
         if found.separation >= CORNERED_DISTANCE or usual >= EVASION_SPEED:
             return found, usual
-        faster = self._people.refuge(place, velocity, vehicle.now, EVASION_SPEED, kept)
+        faster = self._people.refuge(place, velocity, vehicle.now, EVASION_SPEED, kept, height)
         is_better = faster.separation > found.separation
         return (faster, EVASION_SPEED) if is_better else (found, usual)
 
@@ -321,7 +361,7 @@ class SeparationMonitor:
     def _post(self, place: Vec2) -> Vec2:
         """Return where the drone should be in this phase [m]."""
         task = self._commander.task
-        if task.path is not None and task.profile is not None:
+        if task.path is not None and task.is_following:
             return task.path.waypoints[-1]
         return task.hold or place
 

@@ -9,8 +9,10 @@ from housefly.config.limits import LimitsConfig
 from housefly.geometry import Vec2, distance
 from housefly.messages.steering import PlanAnswer
 
-ASKING_PERIOD = 1.0
-"""How often the planner is asked [s]."""
+ASKING_PERIOD, ASKING_PERIOD_IN_SPACE = 1.0, 5.0
+"""How often the planner is asked [s]; a trajectory costs milliseconds, so what the drone has moved
+since then is added to the last answer.
+"""
 DETOUR_FACTOR = 2.0
 """Where there is no way at present, one this much longer than the straight line is counted on."""
 LANDING_TIME = 15.0
@@ -27,9 +29,18 @@ class WayHome:
         exists: the planner has a way.
     """
 
-    def __init__(self, route: Callable[[Vec2, Vec2], PlanAnswer], home: Vec2, speed: float) -> None:
-        self.duration = 0.0
+    def __init__(
+        self,
+        route: Callable[[Vec2, Vec2], PlanAnswer],
+        home: Vec2,
+        speed: float,
+        *,
+        in_space: bool = False,
+    ) -> None:
+        self.duration = self._answered = 0.0
         self.exists = True
+        self._period = ASKING_PERIOD_IN_SPACE if in_space else ASKING_PERIOD
+        self._in_space, self._asked_from = in_space, home
         self._route = route
         self._home = home
         self._speed = speed
@@ -37,13 +48,16 @@ class WayHome:
 
     def update(self, here: Vec2, now: float) -> None:
         """Ask anew from a place [m], when the last answer is old at a time [s]."""
-        if now - self._asked_at < ASKING_PERIOD:
+        if now - self._asked_at < self._period:
+            if self._in_space:
+                self.duration = self._answered + distance(here, self._asked_from) / self._speed
             return
-        self._asked_at = now
+        self._asked_at, self._asked_from = now, here
         answer = self._route(here, self._home)
         self.exists = answer.path is not None
         straight = distance(here, self._home) / self._speed
-        self.duration = answer.duration if self.exists else DETOUR_FACTOR * straight
+        self._answered = answer.duration if self.exists else DETOUR_FACTOR * straight
+        self.duration = self._answered
 
 
 def charge_for(seconds: float, drain: float, limits: LimitsConfig) -> float:

@@ -92,12 +92,39 @@ def acceleration(theta: float, phi: float, psi: float) -> tuple[float, float]:
 
 
 @compiled
-def climb_rate(reference: float, height: float, gain: float, bound: float) -> float:
-    """Return the climb rate [m/s] of the altitude law, u_z = K2 (z_ref - z), clipped."""
-    return clipped(gain * (reference - height), bound)
+def climb_rate(reference: float, height: float, gain: float, ahead: float, bound: float) -> float:
+    """Return the climb rate [m/s] of the altitude law, u_z = K2 (z_ref - z), clipped.
+
+    ``ahead`` is the climb rate of the reference itself [m/s].
+    """
+    return clipped(gain * (reference - height) + ahead, bound)
 
 
 @compiled
-def yaw_rate(reference: float, psi: float, gain: float, bound: float) -> float:
-    """Return the yaw rate [rad/s] of the yaw law, u_psi = K1 wrap(psi_ref - psi), clipped."""
-    return clipped(gain * wrapped(reference - psi), bound)
+def compensated_climb_rate(
+    wanted: float, climb: float, lift: float, gain: float, pole: float
+) -> float:
+    """Return the climb rate [m/s] to command to a drone that answers slowly and is pushed.
+
+    v_w + k (v_w - v) - d / p with k = 4 K2 / p - 1: the rate then follows with a pole of 4 K2, both
+    poles of the height lie at -2 K2, and a steady push leaves no error. A drone that answers
+    faster than that needs no k.
+
+    Args:
+        wanted: climb rate v_w that the altitude law wants [m/s].
+        climb: climb rate v [m/s].
+        lift: steady vertical push d [m/s^2].
+        gain: K2 [1/s].
+        pole: p [1/s].
+    """
+    lead = max(4.0 * gain / pole - 1.0, 0.0)
+    return wanted + lead * (wanted - climb) - lift / pole
+
+
+@compiled
+def yaw_rate(reference: float, psi: float, gain: float, ahead: float, bound: float) -> float:
+    """Return the yaw rate [rad/s] of the yaw law, u_psi = K1 wrap(psi_ref - psi), clipped.
+
+    ``ahead`` is the yaw rate of the reference itself [rad/s].
+    """
+    return clipped(gain * wrapped(reference - psi) + ahead, bound)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import sqrt
+from math import inf, sqrt
 from typing import NamedTuple
 
 from housefly.geometry import Vec2
@@ -11,13 +11,14 @@ from housefly.pilot.behavior.acceptor import AcceptorState
 from housefly.pilot.control.laws import (
     climb_rate,
     clipped_per_axis,
+    compensated_climb_rate,
     demand,
     paper_tilt,
     saturated_jointly,
     tilt,
     yaw_rate,
 )
-from housefly.pilot.estimation.estimator import ControlState
+from housefly.pilot.estimation.estimator_state import ControlState
 
 
 class ControlReference(NamedTuple):
@@ -27,6 +28,9 @@ class ControlReference(NamedTuple):
         position, velocity, acceleration: of the reference in the plane [m, m/s, m/s^2].
         height: [m].
         yaw: [rad].
+        climb: climb rate to ask for where the height is right [m/s].
+        turn: yaw rate to ask for where the heading is right [rad/s].
+        lead: how long after a command the tilt is reached [s]; meanwhile the drone turns.
     """
 
     position: Vec2
@@ -34,6 +38,9 @@ class ControlReference(NamedTuple):
     acceleration: Vec2
     height: float
     yaw: float
+    climb: float = 0.0
+    turn: float = 0.0
+    lead: float = 0.0
 
 
 class Gains(NamedTuple):
@@ -47,6 +54,13 @@ class Gains(NamedTuple):
         drag: linear drag over mass [1/s].
         delay: from command to first reaction [s].
         wraps: whether the heading error is wrapped; without, as the paper prints it.
+        lag: lambda, for the feed-forward of a trajectory [1/s].
+        climb_lag: pole of the climb rate response [1/s].
+        inverts_climb: whether that pole and the lift are inverted; else the height is flown by
+            eq. (17) alone.
+        sink_gain: what the drone makes of a commanded sinking, over what was commanded.
+        feed_forward: share of the reference's velocity and acceleration that is led with.
+        climb_command_max: largest climb rate to ask for where lag and lift are inverted [m/s].
     """
 
     alpha: float
@@ -60,6 +74,12 @@ class Gains(NamedTuple):
     drag: float
     delay: float
     wraps: bool = True
+    lag: float = inf
+    climb_lag: float = inf
+    inverts_climb: bool = False
+    sink_gain: float = 1.0
+    feed_forward: float = 1.0
+    climb_command_max: float = inf
 
 
 class ControlOutput(NamedTuple):
@@ -81,6 +101,8 @@ class ControlOutput(NamedTuple):
     ay: float
 
 
+BETA_MIN = 1e-6
+"""A smaller stiffness is none [1/s^2]; campaigns fly negative ones."""
 AT_REST = ControlOutput(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 """Nothing is asked."""
 
@@ -93,10 +115,10 @@ def control_output(aim: ControlReference, where: ControlState, gains: Gains) -> 
     cancelled.
     """
     ax, ay = _wanted(aim, where, gains, 0), _wanted(aim, where, gains, 1)
-    theta, phi = tilt(ax, ay, where.yaw, gains.gain)
+    climb, turn = _climb(aim, where, gains), _turn(aim, where, gains)
+    theta, phi = tilt(ax, ay, where.yaw + aim.lead * turn, gains.gain)
     wish = sqrt(theta * theta + phi * phi)
     theta, phi = saturated_jointly(theta, phi, gains.tilt_max)
-    climb, turn = _climb(aim, where, gains), _turn(aim, where, gains)
     return ControlOutput(theta, phi, climb, turn, wish, ax, ay)
 
 
@@ -126,22 +148,31 @@ def paper_control_output(
 
 @compiled
 def _wanted(aim: ControlReference, where: ControlState, gains: Gains, axis: int) -> float:
+    softer = min(1.0, where.bandwidth / sqrt(max(gains.beta, BETA_MIN)))
+    velocity = gains.feed_forward * aim.velocity[axis]
+    led = gains.feed_forward * aim.acceleration[axis]
+    delay = gains.delay + where.delay_change
     return demand(
-        aim.position[axis] + gains.delay * aim.velocity[axis] - where.position[axis],
-        aim.velocity[axis] - where.velocity[axis],
-        aim.acceleration[axis] + gains.drag * aim.velocity[axis] - where.disturbance[axis],
-        gains.alpha,
-        gains.beta,
+        aim.position[axis] + delay * velocity - where.position[axis],
+        velocity - where.velocity[axis],
+        led + gains.drag * velocity - where.disturbance[axis],
+        gains.alpha * softer,
+        gains.beta * softer * softer,
     )
 
 
 @compiled
 def _climb(aim: ControlReference, where: ControlState, gains: Gains) -> float:
-    return climb_rate(aim.height, where.height, gains.height, gains.climb_max)
+    wanted = climb_rate(aim.height, where.height, gains.height, aim.climb, gains.climb_max)
+    if not gains.inverts_climb:
+        return wanted
+    asked = compensated_climb_rate(wanted, where.climb, where.lift, gains.height, gains.climb_lag)
+    asked = clipped(asked, gains.climb_command_max)
+    return asked if asked >= 0.0 else asked / gains.sink_gain
 
 
 @compiled
 def _turn(aim: ControlReference, where: ControlState, gains: Gains) -> float:
     if gains.wraps:
-        return yaw_rate(aim.yaw, where.yaw, gains.yaw, gains.turn_max)
+        return yaw_rate(aim.yaw, where.yaw, gains.yaw, aim.turn, gains.turn_max)
     return clipped(gains.yaw * (aim.yaw - where.yaw), gains.turn_max)

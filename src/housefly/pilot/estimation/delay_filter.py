@@ -44,12 +44,13 @@ COMMAND_SPAN = np.dtype(
         ("flown", "i8"),
         ("ux", "f8"),
         ("uy", "f8"),
+        ("uz", "f8"),
     ]
     + [(name, "f8") for name in Transition._fields]
     + [(f"{axis}_{name}", "f8") for axis in "xy" for name in AxisState._fields]
 )
-"""One span: when its command was sent, how long it lasts, the command, one of its equal steps, the
-state where it begins.
+"""One span: when its command was sent, how long it lasts, the command (accelerations in the plane,
+climb rate), one of its equal steps, the state where it begins.
 """
 CommandHistory = NDArray[Any]
 """Ring of spans, its length a power of two."""
@@ -72,13 +73,26 @@ class DelayFilterState(NamedTuple):
     covariance: AxisCovariance
 
 
+NO_WAY = Transition(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+"""Stands where a span is at its beginning."""
+
+
 class AxesAt(NamedTuple):
-    """The state carried to one time, and the span in which that lies."""
+    """The state carried to one time, and the span in which that lies.
+
+    Attributes:
+        span: its number.
+        x, y: both axes.
+        covariance: of each.
+        pieces, step: the way into the span, in equal steps; none at its beginning.
+    """
 
     span: int
     x: AxisState
     y: AxisState
     covariance: AxisCovariance
+    pieces: int
+    step: Transition
 
 
 @compiled
@@ -88,7 +102,7 @@ def delay_filter_created(
     """Return the beginning: nothing was seen, and nothing is commanded from now [s] on."""
     nowhere = AxisState(0.0, 0.0, 0.0, 0.0)
     row = spans[0]
-    row.sent, row.flown, row.ux, row.uy = now, 0, 0.0, 0.0
+    row.sent, row.flown, row.ux, row.uy, row.uz = now, 0, 0.0, 0.0, 0.0
     _set_axes(row, nowhere, nowhere)
     return DelayFilterState(at=now, span=0, newest=0, covariance=first)
 
@@ -106,10 +120,12 @@ def delay_filter_initialized(
 ) -> DelayFilterState:
     """Return the state of a drone first seen at rest at (x, y) [m] at a time [s]."""
     there = AxesAt(
-        _span_index(h, spans, delay, at),
+        span_index(h, spans, delay, at),
         AxisState(x, 0.0, 0.0, 0.0),
         AxisState(y, 0.0, 0.0, 0.0),
         first,
+        0,
+        NO_WAY,
     )
     made = _span_split(h, spans, model, delay, at, there)
     _repropagate(made, spans)
@@ -118,13 +134,21 @@ def delay_filter_initialized(
 
 @compiled
 def command_recorded(
-    h: DelayFilterState, spans: CommandHistory, ux: float, uy: float, flown: bool
+    h: DelayFilterState,
+    spans: CommandHistory,
+    ux: float,
+    uy: float,
+    flown: bool,
+    uz: float = 0.0,
 ) -> None:
-    """Put the newest span under a world acceleration [m/s^2], or the drone's own hover."""
+    """Put the newest span under a world acceleration [m/s^2] and a climb rate [m/s], or the
+    drone's own hover.
+    """
     row = spans[h.newest & (spans.size - 1)]
     row.flown = 1 if flown else 0
     row.ux = ux if flown else 0.0
     row.uy = uy if flown else 0.0
+    row.uz = uz if flown else 0.0
 
 
 @compiled
@@ -139,7 +163,8 @@ def delay_filter_advanced(
     if h.newest - h.span >= ring - 1:
         h = history_trimmed(h, spans, model, delay, spans[(h.span + 1) & ring].sent + delay)
     _end_span(row, spans[(h.newest - 1) & ring], model, now)
-    following.sent, following.flown, following.ux, following.uy = now, row.flown, row.ux, row.uy
+    following.sent, following.flown = now, row.flown
+    following.ux, following.uy, following.uz = row.ux, row.uy, row.uz
     _propagate_span(row, following)
     return DelayFilterState(at=h.at, span=h.span, newest=h.newest + 1, covariance=h.covariance)
 
@@ -149,11 +174,11 @@ def axes_at(
     h: DelayFilterState, spans: CommandHistory, model: AxisModel, delay: float, at: float
 ) -> tuple[AxisState, AxisState]:
     """Return both axes at a time [s] not before the last measurement."""
-    row = spans[_span_index(h, spans, delay, at) & (spans.size - 1)]
+    row = spans[span_index(h, spans, delay, at) & (spans.size - 1)]
     x, y, seconds = _axis_x(row), _axis_y(row), at - row.sent - delay
     if seconds <= TIME_TOLERANCE:
         return x, y
-    pieces = _step_count(seconds)
+    pieces = step_count(seconds)
     step = transition(model, row.flown > 0, seconds / pieces)
     for _ in range(pieces):
         x, y = predicted_axis(x, row.ux, step), predicted_axis(y, row.uy, step)
@@ -169,15 +194,15 @@ def axes_and_covariance_at(
     p, span = h.covariance, h.span
     while span < h.newest and spans[(span + 1) & ring].sent + delay <= at + TIME_TOLERANCE:
         row = spans[span & ring]
-        step = _transition_of(row)
+        step = span_transition(row)
         for _ in range(row.pieces):
             p = predicted_covariance(p, step)
         span += 1
     row = spans[span & ring]
     x, y, seconds = _axis_x(row), _axis_y(row), at - row.sent - delay
     if seconds <= TIME_TOLERANCE:
-        return AxesAt(span, x, y, p)
-    pieces = _step_count(seconds)
+        return AxesAt(span, x, y, p, 0, NO_WAY)
+    pieces = step_count(seconds)
     step = transition(model, row.flown > 0, seconds / pieces)
     for _ in range(pieces):
         x, y, p = (
@@ -185,7 +210,7 @@ def axes_and_covariance_at(
             predicted_axis(y, row.uy, step),
             predicted_covariance(p, step),
         )
-    return AxesAt(span, x, y, p)
+    return AxesAt(span, x, y, p, pieces, step)
 
 
 @compiled
@@ -200,13 +225,18 @@ def delay_filter_updated(
     y: float,
     variance: float,
 ) -> DelayFilterState:
-    """Return the state after a measurement (x, y) [m] of a variance [m^2] at a time [s]."""
+    """Return the state after a measurement (x, y) [m] of a variance [m^2] at a time [s].
+
+    The delay may be another than that by which the state was carried here.
+    """
     p = there.covariance
     known = AxesAt(
-        there.span,
+        span_index(h, spans, delay, at),
         updated_axis(there.x, p, x, variance),
         updated_axis(there.y, p, y, variance),
         updated_covariance(p, variance),
+        0,
+        NO_WAY,
     )
     made = _span_split(h, spans, model, delay, at, known)
     _repropagate(made, spans)
@@ -255,7 +285,7 @@ def _repropagate(h: DelayFilterState, spans: CommandHistory) -> None:
 @compiled
 def _propagate_span(row: Any, following: Any) -> None:
     """Carry the state through a span that has ended to the beginning of the next."""
-    x, y, step = _axis_x(row), _axis_y(row), _transition_of(row)
+    x, y, step = _axis_x(row), _axis_y(row), span_transition(row)
     for _ in range(row.pieces):
         x, y = predicted_axis(x, row.ux, step), predicted_axis(y, row.uy, step)
     _set_axes(following, x, y)
@@ -271,21 +301,21 @@ def _end_span(row: Any, like: Any, model: AxisModel, now: float) -> None:
         and like.pieces > 0
     ):
         row.pieces = like.pieces
-        _set_transition(row, _transition_of(like))
+        _set_transition(row, span_transition(like))
     else:
-        row.pieces = max(_step_count(seconds), 1)
+        row.pieces = max(step_count(seconds), 1)
         _set_transition(row, transition(model, row.flown > 0, seconds / row.pieces))
     row.seconds = seconds
 
 
 @compiled
-def _step_count(seconds: float) -> int:
+def step_count(seconds: float) -> int:
     """Return in how many equal steps a time [s] is gone through."""
     return ceil(seconds / PREDICTION_STEP_MAX - TIME_TOLERANCE)
 
 
 @compiled
-def _span_index(h: DelayFilterState, spans: CommandHistory, delay: float, at: float) -> int:
+def span_index(h: DelayFilterState, spans: CommandHistory, delay: float, at: float) -> int:
     """Return the number of the span whose command acts at a time [s]."""
     ring = spans.size - 1
     span = h.newest
@@ -311,7 +341,8 @@ def _set_axes(row: Any, x: AxisState, y: AxisState) -> None:
 
 
 @compiled
-def _transition_of(row: Any) -> Transition:
+def span_transition(row: Any) -> Transition:
+    """Return one of the equal steps of a span that has ended."""
     return Transition(
         row.xv,
         row.xa,

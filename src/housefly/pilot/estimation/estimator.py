@@ -6,16 +6,31 @@ two of the four exist only to be compared with.
 
 from __future__ import annotations
 
-from enum import IntEnum
-from math import inf
-from typing import Any, NamedTuple
+from math import inf, nan
+from typing import Any
 
 from housefly.geometry import Vec2
 from housefly.numeric import compiled
+from housefly.pilot.estimation.bandwidth import bandwidth
+from housefly.pilot.estimation.climb_axis import ClimbAxis
+from housefly.pilot.estimation.climb_filter import (
+    climb_and_covariance_at,
+    climb_at,
+    climb_carried,
+    climb_initialized,
+    climb_tick_known,
+    climb_updated,
+)
 from housefly.pilot.estimation.constant_velocity import ConstantVelocity
+from housefly.pilot.estimation.delay_estimate import (
+    DelayEstimate,
+    delay_known,
+    delay_learned,
+    sensitivity_at,
+)
 from housefly.pilot.estimation.delay_filter import (
+    AxesAt,
     CommandHistory,
-    DelayFilterState,
     axes_and_covariance_at,
     axes_at,
     command_recorded,
@@ -25,15 +40,26 @@ from housefly.pilot.estimation.delay_filter import (
     delay_filter_updated,
     history_trimmed,
 )
+from housefly.pilot.estimation.estimator_state import (
+    ControlState,
+    EstimatorKind,
+    EstimatorParameters,
+    EstimatorState,
+    HeldSample,
+    PoseEstimate,
+    PoseGate,
+)
 from housefly.pilot.estimation.height_yaw import (
     POSITION_GATE_FLOOR,
-    HeightYawState,
     height_yaw_at,
     height_yaw_initialized,
     height_yaw_updated,
     within_gate,
 )
-from housefly.pilot.estimation.lagged_axis import AxisModel, initial_covariance
+from housefly.pilot.estimation.lagged_axis import (
+    AxisModel,
+    initial_covariance,
+)
 from housefly.pilot.estimation.paper_filter import (
     PaperFilterState,
     paper_filter_advanced,
@@ -42,6 +68,7 @@ from housefly.pilot.estimation.paper_filter import (
     paper_filter_initialized,
     paper_filter_updated,
 )
+from housefly.pilot.estimation.stream_health import StreamHealth, health_updated
 from housefly.pilot.estimation.validation import SIGHTING_AGE_MAX, stamp_fault
 
 HOVER_BRAKING = 1.5
@@ -50,118 +77,24 @@ DISTURBANCE_WANDER = 0.2
 """How fast the disturbance may change [m/s^2 per sqrt(s)]."""
 
 
-class EstimatorKind(IntEnum):
-    """The horizontal filter: ours, the paper's, the paper's fed the held sample each tick, none."""
-
-    DELAY_COMPENSATED = 0
-    ON_ARRIVAL = 1
-    HELD_SAMPLE = 2
-    FINITE_DIFFERENCE = 3
-
-
-class EstimatorParameters(NamedTuple):
-    """What the estimator is told beforehand.
-
-    Attributes:
-        kind: an ``EstimatorKind``.
-        model: prediction of the delay-compensated filter.
-        delay: command delay [s].
-        acceleration_noise: one-sigma unmodelled acceleration [m/s^2]; for the paper's filter a
-            spectral density [m/s^1.5].
-        position_noise: one sigma of a sighting [m].
-    """
-
-    kind: int
-    model: AxisModel
-    delay: float
-    acceleration_noise: float
-    position_noise: float
-
-
-class Measurement(NamedTuple):
-    """One sighting as numbers: time of capture [s], position [m], heading [rad]."""
-
-    captured_at: float
-    x: float
-    y: float
-    z: float
-    yaw: float
-
-
-class PoseGate(NamedTuple):
-    """What decides whether the next sighting is accepted.
-
-    Attributes:
-        initialized: a sighting was accepted.
-        rejecting: the last one was rejected.
-        last_capture: of the last one accepted [s].
-        innovation_variance: by which the delay-compensated filter judges [m^2].
-    """
-
-    initialized: bool
-    rejecting: bool
-    last_capture: float
-    innovation_variance: float
-
-
-class HeldSample(NamedTuple):
-    """The newest sample and its finite difference [m, m/s]."""
-
-    x: float
-    y: float
-    vx: float
-    vy: float
-
-
-class EstimatorState(NamedTuple):
-    """Everything that the estimator remembers; of the horizontal filters only one is kept up."""
-
-    gate: PoseGate
-    height_yaw: HeightYawState
-    delay_filter: DelayFilterState
-    paper_filter: PaperFilterState
-    sample: HeldSample
-
-
-class PoseEstimate(NamedTuple):
-    """Where the drone is now: position [m], velocity [m/s], heading [rad]."""
-
-    x: float
-    y: float
-    z: float
-    vx: float
-    vy: float
-    vz: float
-    yaw: float
-
-
-class ControlState(NamedTuple):
-    """Where the drone is when a command given now begins to act.
-
-    Attributes:
-        position, velocity: in the plane [m, m/s].
-        disturbance: steady push to be cancelled [m/s^2].
-        height: [m].
-        yaw: [rad].
-    """
-
-    position: Vec2
-    velocity: Vec2
-    disturbance: Vec2
-    height: float
-    yaw: float
-
-
 @compiled
-def axis_model(lag: float, gain: float, drag: float, acceleration_noise: float) -> AxisModel:
-    """Return the prediction of a drone: lambda [1/s], c / lambda, drag [1/s], noise [m/s^2]."""
+def axis_model(
+    lag: float,
+    gain: float,
+    drag: float,
+    acceleration_noise: float,
+    wander: float = DISTURBANCE_WANDER,
+) -> AxisModel:
+    """Return the prediction of a drone: lambda [1/s], c / lambda, drag [1/s], noise [m/s^2], and
+    how fast the disturbance may change [m/s^2 per sqrt(s)].
+    """
     return AxisModel(
         lag=lag,
         gain=gain,
         drag=drag,
         hover_drag=drag + HOVER_BRAKING,
         noise=acceleration_noise,
-        wander=DISTURBANCE_WANDER,
+        wander=wander,
     )
 
 
@@ -171,7 +104,7 @@ def estimator_created(
 ) -> EstimatorState:
     """Return the state at a time [s] before any sighting."""
     noise = params.position_noise
-    covariance = initial_covariance(noise * noise, params.acceleration_noise)
+    covariance = initial_covariance(noise * noise, params.acceleration_noise, params.model.wander)
     nowhere = ConstantVelocity(0.0, 0.0, 0.0, 0.0, 0.0)
     return EstimatorState(
         gate=PoseGate(False, False, -inf, noise * noise),
@@ -181,6 +114,9 @@ def estimator_created(
             x=nowhere, y=nowhere, ux=0.0, uy=0.0, at=0.0, innovation_variance=noise * noise
         ),
         sample=HeldSample(0.0, 0.0, 0.0, 0.0),
+        climb=climb_initialized(0.0, now, noise * noise),
+        delay=delay_known(params.delay, params.delay_deviation),
+        health=StreamHealth(nan, nan, nan, nan),
     )
 
 
@@ -194,17 +130,21 @@ def estimator_initialized(
 ) -> EstimatorState:
     """Return the state of a drone at rest at its first ``Measurement``; the command stays."""
     at, noise = seen.captured_at, params.position_noise
-    covariance = initial_covariance(noise * noise, params.acceleration_noise)
+    covariance = initial_covariance(noise * noise, params.acceleration_noise, params.model.wander)
+    delay = delay_known(state.delay.delay, params.delay_deviation)
     return EstimatorState(
         gate=PoseGate(True, False, at, state.gate.innovation_variance),
         height_yaw=height_yaw_initialized(seen.z, seen.yaw, at, noise),
         delay_filter=delay_filter_initialized(
-            state.delay_filter, history, params.model, params.delay, at, seen.x, seen.y, covariance
+            state.delay_filter, history, params.model, delay.delay, at, seen.x, seen.y, covariance
         ),
         paper_filter=paper_filter_initialized(
             state.paper_filter, seen.x, seen.y, now, noise * noise
         ),
         sample=HeldSample(seen.x, seen.y, 0.0, 0.0),
+        climb=climb_initialized(seen.z, at, noise * noise, state.climb.axis.d),
+        delay=delay,
+        health=state.health,
     )
 
 
@@ -222,7 +162,7 @@ def estimator_updated(
     if not state.gate.initialized:
         return True, estimator_initialized(state, history, params, seen, now)
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
-        return _delay_compensated_update(state, history, params, seen)
+        return _delay_compensated_update(state, history, params, seen, now)
     return _on_arrival_update(state, params, seen, now)
 
 
@@ -231,17 +171,16 @@ def estimator_advanced(
     state: EstimatorState, history: CommandHistory, params: EstimatorParameters, now: float
 ) -> EstimatorState:
     """Return the state carried forward to now [s]."""
-    delay_filter, paper_filter, initialized = (
-        state.delay_filter,
-        state.paper_filter,
-        state.gate.initialized,
-    )
+    delay_filter, paper_filter, climb = state.delay_filter, state.paper_filter, state.climb
+    initialized = state.gate.initialized
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
-        model, delay = params.model, params.delay
+        model, delay = params.model, state.delay.delay
         delay_filter = delay_filter_advanced(delay_filter, history, model, delay, now)
         if initialized:
             oldest = now - SIGHTING_AGE_MAX
             delay_filter = history_trimmed(delay_filter, history, model, delay, oldest)
+            if params.climb.wander > 0.0:
+                climb = climb_tick_known(climb, delay_filter, history, params.climb)
     else:
         paper_filter = paper_filter_advanced(paper_filter, params.acceleration_noise, now)
         if params.kind == EstimatorKind.HELD_SAMPLE and initialized:
@@ -254,6 +193,9 @@ def estimator_advanced(
         delay_filter=delay_filter,
         paper_filter=paper_filter,
         sample=state.sample,
+        climb=climb,
+        delay=state.delay,
+        health=state.health,
     )
 
 
@@ -264,7 +206,11 @@ def pose_estimate(
     """Return where the drone is now [s], by a state advanced to now."""
     z, vz, yaw = height_yaw_at(state.height_yaw, now)
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
-        x, y = axes_at(state.delay_filter, history, params.model, params.delay, now)
+        delay = state.delay.delay
+        x, y = axes_at(state.delay_filter, history, params.model, delay, now)
+        if params.climb.wander > 0.0:
+            climb = climb_at(state.climb, state.delay_filter, history, params.climb, delay, now)
+            z, vz = climb.z, climb.w
         return PoseEstimate(x.x, y.x, z, x.v, y.v, vz, yaw)
     if params.kind == EstimatorKind.FINITE_DIFFERENCE:
         held = state.sample
@@ -280,9 +226,15 @@ def position_variance(
     """Return the variance of x and y [m^2] now [s], by a state advanced to now."""
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
         return axes_and_covariance_at(
-            state.delay_filter, history, params.model, params.delay, now
+            state.delay_filter, history, params.model, state.delay.delay, now
         ).covariance.xx
     return state.paper_filter.x.xx
+
+
+def disturbance_of(state: EstimatorState, history: CommandHistory) -> Vec2:
+    """Return the steady push in the plane [m/s^2], as of the last sighting."""
+    row = history[state.delay_filter.newest & (history.size - 1)]
+    return float(row["x_d"]), float(row["y_d"])
 
 
 @compiled
@@ -308,10 +260,47 @@ def control_state(
 ) -> ControlState:
     """Return the state for control: of our filter one command delay ahead, of the others now."""
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
-        model, delay = params.model, params.delay
+        model, delay = params.model, state.delay.delay
         x, y = axes_at(state.delay_filter, history, model, delay, now + delay)
-        return ControlState((x.x, y.x), (x.v, y.v), (x.d, y.d), here.z, here.yaw)
-    return ControlState((here.x, here.y), (here.vx, here.vy), (0.0, 0.0), here.z, here.yaw)
+        z, climb, lift = here.z, 0.0, 0.0
+        if params.climb.wander > 0.0:
+            ahead = climb_carried(
+                state.climb,
+                state.delay_filter,
+                history,
+                params.climb,
+                delay,
+                ClimbAxis(here.z, here.vz, state.climb.axis.d),
+                now,
+                now + delay,
+            )
+            z, climb, lift = ahead.z, ahead.w, ahead.d
+        limit = inf
+        if params.mistrust > 0.0:
+            health = state.health
+            limit = bandwidth(delay, health.latency, health.interval, model.lag, params.mistrust)
+        return ControlState(
+            position=(x.x, y.x),
+            velocity=(x.v, y.v),
+            disturbance=(x.d, y.d),
+            height=z,
+            yaw=here.yaw,
+            climb=climb,
+            lift=lift,
+            delay_change=delay - params.delay,
+            bandwidth=limit,
+        )
+    return ControlState(
+        position=(here.x, here.y),
+        velocity=(here.vx, here.vy),
+        disturbance=(0.0, 0.0),
+        height=here.z,
+        yaw=here.yaw,
+        climb=0.0,
+        lift=0.0,
+        delay_change=0.0,
+        bandwidth=inf,
+    )
 
 
 @compiled
@@ -322,13 +311,15 @@ def estimator_commanded(
     ux: float,
     uy: float,
     flown: bool,
+    uz: float = 0.0,
 ) -> EstimatorState:
-    """Return the state under a commanded world acceleration [m/s^2], or the drone's own hover.
+    """Return the state under a commanded world acceleration [m/s^2] and climb rate [m/s], or the
+    drone's own hover.
 
-    The drone reaches c / lambda of it; both filters expect that.
+    The drone reaches c / lambda of the acceleration; both filters expect that.
     """
     if params.kind == EstimatorKind.DELAY_COMPENSATED:
-        command_recorded(state.delay_filter, history, ux, uy, flown)
+        command_recorded(state.delay_filter, history, ux, uy, flown, uz)
         return state
     return EstimatorState(
         gate=state.gate,
@@ -338,19 +329,26 @@ def estimator_commanded(
             state.paper_filter, params.model.gain * ux, params.model.gain * uy, flown
         ),
         sample=state.sample,
+        climb=state.climb,
+        delay=state.delay,
+        health=state.health,
     )
 
 
 @compiled
 def _delay_compensated_update(
-    state: EstimatorState, history: CommandHistory, params: EstimatorParameters, seen: Any
+    state: EstimatorState,
+    history: CommandHistory,
+    params: EstimatorParameters,
+    seen: Any,
+    now: float,
 ) -> tuple[bool, EstimatorState]:
     gate, at, noise = state.gate, seen.captured_at, params.position_noise
-    model, delay, variance = params.model, params.delay, noise * noise
+    model, variance = params.model, params.position_noise * params.position_noise
     plausible, rejected, accepted = height_yaw_updated(
         state.height_yaw, seen.z, seen.yaw, at, gate.rejecting, noise
     )
-    there = axes_and_covariance_at(state.delay_filter, history, model, delay, at)
+    there = axes_and_covariance_at(state.delay_filter, history, model, state.delay.delay, at)
     innovation = gate.innovation_variance if gate.rejecting else there.covariance.xx + variance
     dx, dy = seen.x - there.x.x, seen.y - there.y.x
     if not (within_gate(dx * dx + dy * dy, innovation, POSITION_GATE_FLOOR) and plausible):
@@ -360,15 +358,61 @@ def _delay_compensated_update(
             delay_filter=state.delay_filter,
             paper_filter=state.paper_filter,
             sample=state.sample,
+            climb=state.climb,
+            delay=state.delay,
+            health=state.health,
         )
+    rise = seen.z - state.height_yaw.z.x - (at - state.height_yaw.at) * state.height_yaw.z.v
+    height_nis = rise * rise / accepted.z_innovation
+    climb = state.climb
+    if params.climb.wander > 0.0:
+        axis, p = climb_and_covariance_at(
+            climb, state.delay_filter, history, params.climb, state.delay.delay, at
+        )
+        climb = climb_updated(climb, axis, p, seen.z, at, variance)
+        height_nis = (seen.z - axis.z) * (seen.z - axis.z) / (p.zz + variance)
+    nis = 0.5 * (dx * dx + dy * dy) / (there.covariance.xx + variance)
+    delay = _delay_updated(state, history, params, there, dx, dy, at)
     return True, EstimatorState(
         gate=PoseGate(True, False, at, innovation),
         height_yaw=accepted,
         delay_filter=delay_filter_updated(
-            state.delay_filter, history, model, delay, at, there, seen.x, seen.y, variance
+            state.delay_filter, history, model, delay.delay, at, there, seen.x, seen.y, variance
         ),
         paper_filter=state.paper_filter,
         sample=HeldSample(seen.x, seen.y, 0.0, 0.0),
+        climb=climb,
+        delay=delay,
+        health=health_updated(state.health, at - gate.last_capture, now - at, nis, height_nis),
+    )
+
+
+@compiled
+def _delay_updated(
+    state: EstimatorState,
+    history: CommandHistory,
+    params: EstimatorParameters,
+    there: AxesAt,
+    dx: float,
+    dy: float,
+    at: float,
+) -> DelayEstimate:
+    """Return what is known of the command delay after a sighting off by (dx, dy) [m]."""
+    if params.delay_deviation <= 0.0:
+        return state.delay
+    x, y = sensitivity_at(state.delay, state.delay_filter, history, params.model, there)
+    return delay_learned(
+        state.delay,
+        x,
+        y,
+        there.covariance,
+        dx,
+        dy,
+        params.position_noise * params.position_noise,
+        state.health.nis,
+        at - state.gate.last_capture,
+        params.delay,
+        params.delay_deviation,
     )
 
 
@@ -390,6 +434,9 @@ def _on_arrival_update(
             delay_filter=state.delay_filter,
             paper_filter=paper,
             sample=state.sample,
+            climb=state.climb,
+            delay=state.delay,
+            health=state.health,
         )
     if params.kind == EstimatorKind.ON_ARRIVAL:
         paper = paper_filter_updated(paper, seen.x, seen.y, variance)
@@ -401,4 +448,7 @@ def _on_arrival_update(
         delay_filter=state.delay_filter,
         paper_filter=paper,
         sample=HeldSample(seen.x, seen.y, vx, vy),
+        climb=state.climb,
+        delay=state.delay,
+        health=health_updated(state.health, seconds, now - at, nan, nan),
     )

@@ -60,7 +60,7 @@ class AxisModel(NamedTuple):
         drag: linear drag over mass [1/s].
         hover_drag: how quickly the drone's own hover brakes, in place of drag [1/s].
         noise: one-sigma acceleration that the model misses, correlated over 1 / lambda [m/s^2].
-        wander: how fast the disturbance may change [m/s^2 per sqrt(s)].
+        wander: how fast the disturbance may change [m/s^2 per sqrt(s)]; 0 knows of none.
     """
 
     lag: float
@@ -129,9 +129,12 @@ def transition(model: AxisModel, flown: bool, dt: float) -> Transition:
 
 
 @compiled
-def initial_covariance(variance: float, noise: float) -> AxisCovariance:
-    """Return the covariance at the first sighting, of its variance [m^2] and the model's noise."""
-    disturbance = INITIAL_DISTURBANCE * INITIAL_DISTURBANCE
+def initial_covariance(variance: float, noise: float, wander: float = 1.0) -> AxisCovariance:
+    """Return the covariance at the first sighting, of its variance [m^2] and the model's noise.
+
+    A disturbance that cannot wander is none.
+    """
+    disturbance = INITIAL_DISTURBANCE * INITIAL_DISTURBANCE if wander > 0.0 else 0.0
     return AxisCovariance(
         variance,
         0.0,

@@ -1,7 +1,8 @@
 """How much older poses are than their stamps say, compiled.
 
 A bank of lags: if the poses are late by one of them, then they agree with what the drone itself
-told that much earlier. Place, height and heading all count; a drone that hovers shows nothing.
+told that much earlier. Place and heading count, and the height where the floor below is known; a
+drone that hovers shows nothing.
 """
 
 from __future__ import annotations
@@ -64,7 +65,8 @@ def latency_advanced(
 ) -> LatencyState:
     """Return the latency after a sighting stamped with a time [s].
 
-    Nothing is compared before the odometry reaches back by the longest lag.
+    Nothing is compared before the odometry reaches back by the longest lag. A height z that is nan
+    does not count: over furniture the drone's own height is another one.
     """
     if odometry.since > at - (LAG_COUNT - 1) * LAG_STEP:
         return s
@@ -85,10 +87,10 @@ def latency_advanced(
 def _followed(
     bank: FloatArray, lag: int, channel: int, value: float, weight: float, is_first: bool
 ) -> None:
-    if is_first:
+    if is_first or isnan(bank[lag, channel, 0]):
         bank[lag, channel, 0], bank[lag, channel, 1] = value, 0.0
         return
-    off = value - bank[lag, channel, 0]
+    off = 0.0 if isnan(value) else value - bank[lag, channel, 0]
     bank[lag, channel, 0] += weight * off
     bank[lag, channel, 1] = (1.0 - weight) * (bank[lag, channel, 1] + weight * off * off)
 

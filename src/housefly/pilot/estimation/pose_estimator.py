@@ -12,15 +12,17 @@ from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
 from housefly.pilot.estimation.estimator import (
-    EstimatorParameters,
-    EstimatorState,
-    Measurement,
-    PoseEstimate,
     estimate_at,
     estimator_created,
     estimator_initialized,
     estimator_updated,
     pose_estimate,
+)
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorParameters,
+    EstimatorState,
+    Measurement,
+    PoseEstimate,
 )
 from housefly.pilot.estimation.track_windows import OdometryTolerance
 from housefly.pilot.estimation.tracking_monitor import GAP_MIN, TrackingMonitor

@@ -187,8 +187,9 @@ class TrackingMonitor:
         self._windows = windows_advanced(
             self._windows, self._rows, at, x, y, pose.yaw, onboard, self._tolerance
         )
+        height = z if self._is_over_known_floor() else nan
         self._latency = latency_advanced(
-            self._latency, self._bank, self._odometry, self._motion, at, x, y, z, pose.yaw
+            self._latency, self._bank, self._odometry, self._motion, at, x, y, height, pose.yaw
         )
 
     def _rest_at(self, position: Vec3) -> None:
@@ -229,13 +230,17 @@ class TrackingMonitor:
 
     def _told_height_error(self) -> float:
         """Return the error of the height where the floor below is known, or where it is too low."""
-        error, start = self._height_error, self._start
+        error = self._height_error
         if not self._airborne or error < 0.0:
             return error
-        if start is None or self._last is None:
-            return nan
+        return error if self._is_over_known_floor() else nan
+
+    def _is_over_known_floor(self) -> bool:
+        """Return whether the drone flies near where it took off."""
+        if self._start is None or self._last is None:
+            return False
         x, y, _ = self._last[0].pose.position
-        return error if hypot(x - start[0], y - start[1]) < START_RADIUS else nan
+        return hypot(x - self._start[0], y - self._start[1]) < START_RADIUS
 
 
 def _near(sighting: Sighting, place: Vec2) -> bool:

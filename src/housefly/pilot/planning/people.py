@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import hypot
+from math import hypot, inf
 
 import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.messages.obstacles import Obstacle, ObstacleKind
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, compiled
 from housefly.room.grid import OccupancyGrid
 
 PREDICTED_SPEED_MAX = 3.0
@@ -25,6 +25,8 @@ WALKING_TIME_MAX = 6.0
 """Nobody is thought to walk straight on for longer than this [s]."""
 PERSON_WALL_DISTANCE = 0.15
 """Who walks stops where the next wall is nearer to their middle than this [m]."""
+SPEED_SHARE_MIN = 0.3
+"""Share of the cruise speed at the comfort distance from people, and nearer."""
 MOVING_SPEED = 0.2
 """What is faster may be a person, whatever its source says [m/s]."""
 
@@ -37,6 +39,26 @@ def may_be_person(obstacle: Obstacle) -> bool:
     if obstacle.kind is ObstacleKind.UNKNOWN:
         return hypot(*obstacle.velocity) > MOVING_SPEED
     return obstacle.kind is ObstacleKind.PERSON
+
+
+def is_walking(obstacle: Obstacle) -> bool:
+    """Return whether to think of an obstacle as somebody who walks on."""
+    return may_be_person(obstacle) and hypot(*predicted_velocity(obstacle)) > WALKING_SPEED
+
+
+@compiled
+def speed_share(apart: float, slow: float, comfort: float) -> float:
+    """Return the share of the usual speed to fly at near people.
+
+    Args:
+        apart: from hull to body [m].
+        slow: nearer than this the drone is slower [m].
+        comfort: here and nearer it is slowest [m].
+    """
+    if apart >= slow:
+        return 1.0
+    share = max(0.0, (apart - comfort) / max(slow - comfort, 1e-6))
+    return SPEED_SHARE_MIN + (1.0 - SPEED_SHARE_MIN) * share
 
 
 def predicted_velocity(obstacle: Obstacle) -> Vec2:
@@ -89,6 +111,17 @@ class ObservedPeople:
         unsure = SPEED_UNCERTAINTY * min(ahead, UNCERTAIN_TIME)
         result: FloatArray = apart - self.rows[:, 4] - unsure * walks
         return result
+
+    def nearest(self, place: Vec2, ahead: float) -> float:
+        """Return how far a place [m] is from the next body in so long [s]; infinite for nobody."""
+        return min(
+            (
+                hypot(place[0] - x - vx * min(ahead, room), place[1] - y - vy * min(ahead, room))
+                - radius
+                for x, y, vx, vy, radius, room in self.rows.tolist()
+            ),
+            default=inf,
+        )
 
 
 NOBODY = ObservedPeople(np.zeros((0, 6)))

@@ -9,9 +9,16 @@ import numpy as np
 from housefly.config.site import Site
 from housefly.geometry import Vec2, distance
 from housefly.messages.obstacles import Obstacle
+from housefly.numeric import FloatArray
 from housefly.pilot.planning.column import StaticColumns, column_fault, spots_around
 from housefly.pilot.planning.people import NOBODY, ObservedPeople, people_at
-from housefly.pilot.planning.separation import Refuge, Separation, refuge, separation
+from housefly.pilot.planning.separation import (
+    Refuge,
+    Separation,
+    refuge,
+    separation,
+    separation_along,
+)
 from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room
@@ -22,6 +29,8 @@ TAKE_OFF_LEAD = 2.0
 """Nobody may come near a drone within this time when it takes off [s] ..."""
 LANDING_LEAD = 1.5
 """... or lands [s]."""
+ON_PAD = 0.3
+"""So near to the pad it is landed on, whatever stands there [m]."""
 UNMOVED_TIME = 30.0
 """Who has not moved for so long is landed beside, as a thing is [s] ..."""
 UNMOVED_RADIUS = 0.1
@@ -30,20 +39,25 @@ UNMOVED_DISTANCE = 0.25
 """... but no nearer to the hull than this [m]."""
 
 
+ThingsMap = Callable[[float | None], OccupancyGrid]
+"""Makes the map of things at a height of the drone [m], at the usual one for None."""
+
+
 class PeopleMap:
     """Distances from people and free columns; without people it costs nothing.
 
     Attributes:
         config: distances to keep.
+        hull: radius of the disc around the drone [m].
     """
 
     def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
         self.config = site.people
-        self._hull = half_diagonal(site.drone.hull_length, site.drone.hull_width)
+        self.hull = half_diagonal(site.drone.hull_length, site.drone.hull_width)
         self._static = StaticColumns(room, site.map.flight_height + site.map.half_band)
-        self._grid = grid
+        self._grid, self._pad = grid, None if site.mode == "paper" else room.home
         self._obstacles: tuple[Obstacle, ...] = ()
-        self._things: Callable[[], OccupancyGrid] = lambda: grid
+        self._things: ThingsMap = lambda height: grid
         self._people: ObservedPeople = NOBODY
         self._stood: dict[str, tuple[Vec2, float]] = {}
         self._at = 0.0
@@ -51,9 +65,7 @@ class PeopleMap:
     def __len__(self) -> int:
         return len(self._people)
 
-    def update(
-        self, obstacles: Iterable[Obstacle], things: Callable[[], OccupancyGrid], now: float
-    ) -> None:
+    def update(self, obstacles: Iterable[Obstacle], things: ThingsMap, now: float) -> None:
         """Take in what is known at a time [s]; ``things`` makes the map without people."""
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
         self._people = people_at(self._obstacles, now, self._grid)
@@ -86,15 +98,37 @@ class PeopleMap:
             return Separation()
         people = self._now(now)
         people = people.walking() if walking else people
-        return separation(people, place, velocity, self._hull, horizon)
+        return separation(people, place, velocity, self.hull, horizon)
+
+    def separation_along(self, places: FloatArray, now: float) -> Separation:
+        """Return how near who walks comes to a drone on its way.
+
+        Args:
+            places: where it is now and every ``separation.STEP`` from then on [m], shape (n, 2).
+            now: time [s].
+        """
+        return separation_along(self.walking(now), places, self.hull)
+
+    def walking(self, now: float) -> ObservedPeople:
+        """Return everybody who walks, where they are at a time [s]."""
+        return self._now(now).walking() if len(self._people) else NOBODY
 
     def refuge(
-        self, place: Vec2, velocity: Vec2, now: float, speed: float, kept: Vec2 | None
+        self,
+        place: Vec2,
+        velocity: Vec2,
+        now: float,
+        speed: float,
+        kept: Vec2 | None,
+        height: float | None = None,
     ) -> Refuge:
-        """Return where to make way to from a place [m], with a velocity and up to a speed [m/s]."""
+        """Return where to make way to from a place [m], with a velocity and up to a speed [m/s].
+
+        The drone keeps its height [m]; None stands for the usual one.
+        """
         enough = self.config.comfort_distance + 0.2
         people = self._now(now)
-        return refuge(people, self._things(), place, velocity, self._hull, speed, enough, kept)
+        return refuge(people, self._things(height), place, velocity, self.hull, speed, enough, kept)
 
     def landing_fault(self, place: Vec2, now: float, lead: float = LANDING_LEAD) -> str:
         """Return who or what stands below or beside a landing at a place [m], in words, or ""."""
@@ -104,14 +138,24 @@ class PeopleMap:
         people = self._now(now)
         still = np.array([self.is_still(name, now) for name in people.names], dtype=bool)
         distances = np.where(still, min(UNMOVED_DISTANCE, least), least)
-        return column_fault(self._obstacles, people, place, self._hull, distances, lead)
+        return column_fault(self._obstacles, people, place, self.hull, distances, lead)
+
+    def ground_fault(self, place: Vec2) -> str:
+        """Return why a place of the room [m] is no floor to land on, in words, or "".
+
+        The pad may lie on a thing; mode paper lands where it is, as the paper's drone.
+        """
+        if self._pad is None or distance(place, self._pad) < ON_PAD:
+            return ""
+        is_clear = self._static.clearance(place) > self.hull + HULL_MARGIN
+        return "" if is_clear else "furniture or a wall stands below or beside it"
 
     def landing_spot(self, place: Vec2, now: float, least: float = 0.0) -> Vec2 | None:
         """Return the nearest place within 2 m where a landing hurts nobody and nothing [m].
 
         It is at least ``least`` metres away.
         """
-        grid, wide = self._things(), self._hull + HULL_MARGIN
+        grid, wide = self._things(None), self.hull + HULL_MARGIN
         for spot in spots_around(place, least):
             is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
             if is_open and not self.landing_fault(spot, now):
@@ -122,7 +166,7 @@ class PeopleMap:
         """Return why not to take off from a place [m], in words, or ""."""
         if self._grid.kind(self._grid.cell_of(place)) is Cell.VIRTUAL:
             return "the drone stands in a no-fly area: carry it out"
-        if self._static.overhang(place) < self._hull + HULL_MARGIN:
+        if self._static.overhang(place) < self.hull + HULL_MARGIN:
             return "something hangs over the drone: carry it to where the air above is free"
         fault = self.landing_fault(place, now, TAKE_OFF_LEAD)
         return f"{fault}: the air around the drone must be free" if fault else ""

@@ -94,7 +94,20 @@ def separation(
     if not len(people):
         return Separation()
     times = np.arange(0.0, horizon + STEP / 2, STEP)
-    places = np.array(place) + times[:, None] * np.array(velocity)
+    return separation_along(people, np.array(place) + times[:, None] * np.array(velocity), hull)
+
+
+def separation_along(people: ObservedPeople, places: FloatArray, hull: float) -> Separation:
+    """Return how near people come to a drone whose way is known.
+
+    Args:
+        people: everybody.
+        places: of the drone, now and every ``STEP`` [m], shape (n, 2).
+        hull: half the diagonal of its hull [m].
+    """
+    if not len(people):
+        return Separation()
+    times = np.arange(len(places)) * STEP
     apart = np.array(
         [people.distances(places[n : n + 1], at)[0] for n, at in enumerate(times.tolist())]
     )

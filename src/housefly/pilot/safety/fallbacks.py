@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
-from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.drone_faults import DEAF_SONAR
 from housefly.pilot.safety.drone_rules import lies_on_floor
 from housefly.pilot.safety.limits import DESCENT_RATE, too_old
@@ -42,7 +41,8 @@ def knows_way_home(c: RuleContext) -> bool:
 def can_steer_landing(c: RuleContext) -> bool:
     """Return whether the pilot can still steer a landing; the last bit is the drone's own."""
     is_flying = c.now.status is DroneStatus.FLYING and c.now.position is not None
-    is_high = c.now.position is not None and c.now.position[2] > LAST_HEIGHT + 0.05
+    lowest = c.limits.landing_height + 0.05
+    is_high = c.now.position is not None and c.now.position[2] > lowest
     is_in_time = c.seen.landing_for < STEERED_MAX and not c.seen.late_steps
     is_near = control_error(c.now) < STEERED_ERROR_MAX
     is_free = is_flying and not c.now.stopped

@@ -32,6 +32,7 @@ class GateInputs:
         velocity: estimated, world [m/s].
         reference: of the last step, None where no trajectory is followed or a maneuver flies.
         flight_height: z_ref [m]; nan while none is wanted.
+        height_follows: it moves with a trajectory in space, which the drone can follow.
         flown: the setpoint that flew the drone in the last step; None where it flew itself.
         telemetry: the drone's newest report, None before the first.
         consistency: tracking held against that report.
@@ -52,6 +53,7 @@ class GateInputs:
     velocity: Vec3 | None = None
     reference: Reference | None = None
     flight_height: float = nan
+    height_follows: bool = False
     flown: Setpoint | None = None
     telemetry: Telemetry | None = None
     consistency: TrackingConsistency = NOTHING_KNOWN

@@ -19,6 +19,8 @@ VELOCITY_SPAN = 0.2
 """Velocities are compared over this span [s]."""
 SETTLING_TIME = 0.5
 """After old poses or late steps the estimated velocity is put right for so long [s]."""
+RECOVERY_TIME = 1.0
+"""After old poses or late steps the drone's own velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
 """How far back holding is added up [s]."""
 DRIFT_TIME = 0.15
@@ -31,6 +33,10 @@ LATE_SPAN = 1.0
 """How far back late steps are counted [s]."""
 LATE_STEP = 0.05
 """A step later than this is a late one [s]."""
+FOLLOWED_STEP = 0.1
+"""The height of a trajectory is another one only when it jumps by more than this in a step [m]:
+as long as it moves smoothly the drone is to be at it.
+"""
 STEP_MAX = 0.1
 """A step counts for no more than this [s]."""
 
@@ -118,6 +124,7 @@ class FlightObserver:
         self._now = now
         self._stand(inputs)
         self._tilt(inputs, dt)
+        steady = self._steady_for(inputs)
         wants_down = inputs.airborne and (landing or inputs.phase is Phase.LANDING)
         return FlightObservations(
             climbing_for=self._climbing_for(inputs),
@@ -126,8 +133,8 @@ class FlightObserver:
             drift=self._drifting(inputs, dt),
             tilt_asked=hypot(*self._asked) if self._asked else nan,
             tilt_error=self._tilt_error(inputs),
-            velocity_change=self._velocity_change(inputs),
-            velocity_error=self._velocity_error(inputs, dt),
+            velocity_change=self._velocity_change(inputs, steady),
+            velocity_error=self._velocity_error(inputs, steady, dt),
             held_for=self._held_for(now, dt if held and inputs.airborne else 0.0),
             late_steps=self._late_steps(inputs),
             landing_for=self._landing.update(wants_down, now),
@@ -152,7 +159,9 @@ class FlightObserver:
         return self._drift
 
     def _climbing_for(self, inputs: GateInputs) -> float:
-        is_same = inputs.flight_height == self._height
+        is_same = inputs.flight_height == self._height or (
+            inputs.height_follows and abs(inputs.flight_height - self._height) <= FOLLOWED_STEP
+        )
         self._height = inputs.flight_height
         return self._climbing.update(inputs.cruising and is_same, inputs.now)
 
@@ -174,11 +183,15 @@ class FlightObserver:
             return nan
         return hypot(self._asked[0] - heard.theta, self._asked[1] - heard.phi)
 
-    def _velocity_change(self, inputs: GateInputs) -> float:
-        """Return how much the velocity changed; what blindness made of it is no change."""
+    def _steady_for(self, inputs: GateInputs) -> float:
+        """Return for how long poses have been fresh and steps on time [s]."""
         is_late = inputs.late > LATE_STEP
         is_seen = inputs.pose_age <= self._limits.pose_age_level and not is_late
-        is_steady = self._steady.update(is_seen, inputs.now) >= SETTLING_TIME
+        return self._steady.update(is_seen, inputs.now)
+
+    def _velocity_change(self, inputs: GateInputs, steady: float) -> float:
+        """Return how much the velocity changed; what blindness made of it is no change."""
+        is_steady = steady >= SETTLING_TIME
         if inputs.velocity is None or not inputs.cruising or not is_steady:
             self._velocities.clear()
             return 0.0
@@ -187,12 +200,21 @@ class FlightObserver:
         before_x, before_y = self._velocities.values(inputs.now)[0]
         return hypot(vx - before_x, vy - before_y)
 
-    def _velocity_error(self, inputs: GateInputs, dt: float) -> float:
-        """Return the rms velocity error of this flight; it rests while the drone flies itself."""
+    def _velocity_error(self, inputs: GateInputs, steady: float, dt: float) -> float:
+        """Return the rms velocity error of this flight.
+
+        It rests while the drone flies itself, and while it catches up with what was missed: a
+        late pilot is no wind.
+        """
         error = min(velocity_error(inputs), VELOCITY_ERROR_CAP)
         if not inputs.airborne:
             self._error_squared = 0.0
-        elif inputs.cruising and inputs.flown is not None and isfinite(error):
+        elif (
+            inputs.cruising
+            and inputs.flown is not None
+            and isfinite(error)
+            and steady >= RECOVERY_TIME
+        ):
             share = 1.0 - exp(-dt / VELOCITY_ERROR_SPAN)
             self._error_squared += share * (error * error - self._error_squared)
         return sqrt(self._error_squared)

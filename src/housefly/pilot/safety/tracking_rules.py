@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import degrees, radians
+from math import degrees, isfinite, radians
 
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.safety.limits import too_old
@@ -36,6 +36,11 @@ def is_misplaced_on_ground(c: RuleContext) -> bool:
     return abs(known.height_error) > HEIGHT_DISAGREES or known.drift > DRIFT_LAND
 
 
+def _tracking_lost(age: float, limit: float) -> str:
+    since = f"lost for {age:.1f} s" if isfinite(age) else "has not shown the drone yet"
+    return f"tracking {since} (limit {limit:g} s)"
+
+
 def _height_words(c: RuleContext) -> str:
     error = c.now.consistency.height_error
     limit = f"(limit {HEIGHT_DISAGREES} m)"
@@ -66,10 +71,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         counts=N.AIRBORNE,
         condition="pose too old",
         broken=lambda c: too_old(c.now.pose_age, c.limits.pose_age_land),
-        words=lambda c: (
-            f"tracking lost for {c.now.pose_age:.1f} s"
-            f" (limit {c.limits.pose_age_land:g} s): landing"
-        ),
+        words=lambda c: f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_land)}: landing",
         clears=Clearing.GROUND,
     ),
     SafetyRule(
@@ -132,8 +134,7 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="pose old",
         broken=lambda c: too_old(c.now.pose_age, c.limits.pose_age_level),
         words=lambda c: (
-            f"tracking lost for {c.now.pose_age:.1f} s"
-            f" (limit {c.limits.pose_age_level:g} s): the drone holds itself"
+            f"{_tracking_lost(c.now.pose_age, c.limits.pose_age_level)}: the drone holds itself"
         ),
     ),
     SafetyRule(

@@ -11,7 +11,7 @@ TIME_MAX = 86_400.0
 """Longest time in a document [s]."""
 COUNT_MAX = 1_000.0
 """Most rounds of a step."""
-EVERY = ("every place", "every person")
+EVERY = ("every place", "every person", "whole floor")
 """What may stand for a list of names: the room's memory has them when the task runs."""
 BLOCK_WORDS = ("do", "then", "else", "otherwise")
 """What the steps inside a step stand under."""
@@ -30,7 +30,7 @@ class ArgumentType(Enum):
     COUNT = "a whole number"
     FLAG = "true or false"
     CHOICE = "a choice"
-    NAMES = "a list of names, a parameter with names, every place or every person"
+    NAMES = "a list of names, a parameter with names, every place, every person or whole floor"
     GIVEN = "parameters, such as {subject: $subject}"
     CONDITION = "a condition"
     POINT = "a point [x, y] in the room, in metres"
@@ -188,6 +188,22 @@ FORMS: dict[StepKind, StepForm] = {
             _A("subject", _T.SUBJECT, "what to look for", required=True),
             _A("say", _T.FLAG, "tell people, too", False),
         ),
+    ),
+    StepKind.SEARCH: StepForm(
+        "Fly to where a lost thing shows most likely soonest; begun again, to the next best place.",
+        (
+            _A("subject", _T.SUBJECT, "what to look for", required=True),
+            _A("time", _T.TIME, "for all looks together", 240.0, low=10.0, high=1800.0),
+            _A("look", _T.TIME, "what each look takes beside the way", 10.0, high=600.0),
+            _A("least", _T.COUNT, "percent from which a look is flown", 3.0, low=1.0, high=50.0),
+            _A("reply", _T.NAME, "name of the reply, yes or no, to the last picture", "seen"),
+            _A("as", _T.NAME, "name for what is looked at", "spot"),
+            _A("ended", _T.NAME, "name that is set when the search is over", "ended"),
+        ),
+        flies=True,
+    ),
+    StepKind.COVERAGE: StepForm(
+        "Report how much of the floor the pictures of this task show, of what can be seen at all."
     ),
     StepKind.CONTENTS: StepForm(
         "Report what the room's memory knows to be in a thing.",

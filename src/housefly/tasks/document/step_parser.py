@@ -42,7 +42,12 @@ STEP_WORDS = {kind.value: kind for kind in StepKind}
 _CONDITION_WORDS = {kind.value: kind for kind in ConditionKind}
 _EVERY_STEP = ("name", "timeout", "may_fail")
 _TIMEOUT = StepArgument("timeout", ArgumentType.TIME, "of the step", low=0.1, high=TIME_MAX)
-FOUND_NAMES = {"ask": ("as",), "look_at": ("as",), "check_people": ("as", "missing", "unsure")}
+FOUND_NAMES = {
+    "ask": ("as",),
+    "look_at": ("as",),
+    "search": ("as", "ended"),
+    "check_people": ("as", "missing", "unsure"),
+}
 """Arguments that name what a step finds."""
 EACH = "each"
 """The name of the present one inside for_each."""

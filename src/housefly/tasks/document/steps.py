@@ -26,6 +26,8 @@ class StepKind(Enum):
     ASK = "ask"
     WAIT = "wait"
     FIND = "find"
+    SEARCH = "search"
+    COVERAGE = "coverage"
     CONTENTS = "contents"
     CHANGES = "changes"
     CHECK_PEOPLE = "check_people"

@@ -1,4 +1,4 @@
-"""The names that "every place" and "every person" stand for."""
+"""The names that "every place", "every person" and "whole floor" stand for."""
 
 from __future__ import annotations
 
@@ -16,8 +16,11 @@ _PLACE, _HOME = "place-", "home"
 def every_name(every: str, context: RunContext) -> list[str]:
     """Return ids: of places, each the nearest to the one before; or of people who are here.
 
-    A room without named places is gone round by viewpoints that together see its floor.
+    A room without named places is gone round by viewpoints that together see its floor; "whole
+    floor" is gone round by viewpoints that see all of it.
     """
+    if every == "whole floor":
+        return list(context.room.round_names(whole=True))[:NAMES_MAX]
     if every == "every person":
         people = context.room.ask(PeopleQuestion()).people
         found = [each for each in people if each.present != "no"]

@@ -1,4 +1,4 @@
-"""Steps that ask the room's memory and report what it says."""
+"""Steps that report what the room's memory says, and what the pictures of a task show."""
 
 from __future__ import annotations
 
@@ -61,6 +61,17 @@ def _duration(seconds: float) -> str:
         if seconds >= 2.0 * length:
             return f"{seconds / length:.0f} {unit}"
     return f"{seconds:.0f} s"
+
+
+class Coverage(StepBehavior):
+    """Reports how much of the floor the pictures of this task show."""
+
+    def begin(self) -> None:
+        """Work it out and report."""
+        poses = tuple(self.context.picture_poses)
+        share = self.context.room.shown_share(poses)
+        words = f"The pictures show {100.0 * share:.0f} % of the floor that can be seen"
+        self.context.actions.append(Report(words))
 
 
 class CheckPeople(StepBehavior):

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 from housefly.errors import HouseflyError
+from housefly.geometry import Vec2
 from housefly.hub.api.questions import WhereQuestion
 from housefly.messages import DroneStatus, Order, OrderKind, Phase
 from housefly.messages.flight import TASK_SENDER
@@ -56,6 +57,7 @@ class RunContext:
         home_refused_at: when the pilot refused the way home for good, on its clock [s].
         flights: steps that fly now.
         clips: clips that steps record now, inside each other.
+        picture_poses: where the drone was at each picture: world xy [m], heading [rad].
     """
 
     service: str
@@ -76,6 +78,7 @@ class RunContext:
     home_refused_at: float = -inf
     flights: int = 0
     clips: int = 0
+    picture_poses: list[tuple[Vec2, float]] = field(default_factory=list)
 
     def text(self, template: str) -> str:
         """Return a text with what steps found filled in: ids, for the room."""
@@ -108,7 +111,10 @@ class RunContext:
         return StartClip(before, *self._shown(subject))
 
     def snapshot(self, subject: str) -> TakeSnapshot:
-        """Return the picture of a subject."""
+        """Return the picture of a subject, and note where it is taken."""
+        position, yaw = self.inputs.position, self.inputs.yaw
+        if position is not None and yaw is not None:
+            self.picture_poses.append((position[:2], yaw))
         return TakeSnapshot(*self._shown(subject))
 
     def _shown(self, subject: str) -> tuple[str, str, tuple[str, ...]]:

@@ -23,6 +23,8 @@ _WORDS: dict[StepKind, str] = {
     StepKind.ASK: "ask: {question}",
     StepKind.WAIT: "wait up to {time} s",
     StepKind.FIND: "ask the memory where {subject} is",
+    StepKind.SEARCH: "look for {subject}",
+    StepKind.COVERAGE: "say how much of the floor was seen",
     StepKind.CONTENTS: "see what is in {thing}",
     StepKind.CHANGES: "see what changed",
     StepKind.CHECK_PEOPLE: "see how everybody is",

@@ -21,7 +21,7 @@ from housefly.tasks.execution.composition import (
 )
 from housefly.tasks.execution.descents import Land, ReturnHome
 from housefly.tasks.execution.flight_steps import GoTo, LookAt, TakeOff
-from housefly.tasks.execution.memory_steps import Changes, CheckPeople, Contents, Find
+from housefly.tasks.execution.memory_steps import Changes, CheckPeople, Contents, Coverage, Find
 from housefly.tasks.execution.room_steps import (
     Announce,
     Ask,
@@ -34,6 +34,7 @@ from housefly.tasks.execution.room_steps import (
     WaitFor,
 )
 from housefly.tasks.execution.run_context import RunContext
+from housefly.tasks.execution.search_step import Search
 from housefly.tasks.execution.step_behavior import StepBehavior
 from housefly.tasks.execution.step_words import open_words, step_words
 from housefly.tasks.execution.watching_steps import Follow, Sweep
@@ -55,6 +56,8 @@ STEPS: dict[StepKind, type[StepBehavior]] = {
     StepKind.ASK: Ask,
     StepKind.WAIT: WaitFor,
     StepKind.FIND: Find,
+    StepKind.SEARCH: Search,
+    StepKind.COVERAGE: Coverage,
     StepKind.CONTENTS: Contents,
     StepKind.CHANGES: Changes,
     StepKind.CHECK_PEOPLE: CheckPeople,

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import cos, pi, radians, sin
 
 from housefly.config.people import PeopleConfig
 from housefly.errors import HouseflyError
-from housefly.geometry import Vec3, distance, wrap_angle
+from housefly.geometry import Vec2, Vec3, distance, heading_to, wrap_angle
 from housefly.messages import Order, OrderKind
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.flight_steps import (
+    ARRIVED_WITHIN,
+    FACE_HEIGHT,
     FACING_TIME,
     FACING_WITHIN,
     REGO_PERIOD,
@@ -20,6 +23,7 @@ from housefly.tasks.execution.flight_steps import (
 from housefly.tasks.execution.last_seen import ANYBODY, age_of
 from housefly.tasks.execution.step_behavior import StepFailed
 from housefly.tasks.execution.values import Say
+from housefly.tasks.vantage.camera import FRONT_CAMERA
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
 SWEEP_RADIUS = 2.0
@@ -28,6 +32,10 @@ UNSEEN_TIME = 3.0
 """Whom nothing saw for longer [s] is not flown after, wherever the memory has them."""
 COMFORT_DISTANCE = PeopleConfig().comfort_distance + PeopleConfig().body_radius
 """No step asks to hover nearer to where somebody stands [m]; the pilot keeps its own distance."""
+TURN_FROM = 0.25
+"""Who is so far beside the middle of the picture is turned to [rad]."""
+PICTURE_EDGE = FRONT_CAMERA.width / 2.0
+"""From the middle of the picture to its edge [rad]."""
 
 
 class Sweep(FlightStep):
@@ -85,8 +93,10 @@ class Sweep(FlightStep):
 class Follow(FlightStep):
     """Keeps a person in view: flies anew when where they are seen from moved.
 
-    Where the memory has somebody is no sight of them: whoever is not seen for a time is lost. Then
-    the drone hovers, says so, looks where they were last if it is told to, and gives up.
+    Whoever flies looks where it flies: as long as the drone sees the person from where it is, or is
+    about to be, it only turns. Where the memory has somebody is no sight of them: whoever is not
+    seen for a time is lost. Then the drone hovers, says so, looks where they were last if it is
+    told to, and gives up.
     """
 
     def begin(self) -> None:
@@ -137,20 +147,52 @@ class Follow(FlightStep):
             self._seen = max(self._seen, self.context.time - age)
         if age is None or age > UNSEEN_TIME:
             return
-        try:
-            view = self.context.room.viewpoint(self._who, self.context.inputs.position)
-        except HouseflyError:
+        view = self._view_now()
+        if view is None:
             return
         self._fresh = view
-        if self._is_too_near(view):
-            return
         if self._waits:
             self._waits = self._searches = False
             self._view = view
             self._turn("is seen again")
-        elif has_moved(self._view, view):
+        elif has_moved(self._view, view) or _turn_between(self._view, view) > TURN_FROM:
             self._view, self._tries = view, 0
             self.send()
+
+    def _view_now(self) -> Viewpoint | None:
+        """Return from where the person is seen now; None leaves everything as it is.
+
+        Who comes too near is made way for by the pilot; nothing is ordered meanwhile.
+        """
+        here = self.context.inputs.position
+        if here is None or not self._is_free(here[:2]):
+            return None
+        place, goal, room = here[:2], self._view.position, self.context.room
+        is_on_way = distance(place, goal) > ARRIVED_WITHIN
+        try:
+            stays = room.view_from(self._who, place)
+            if stays is not None and (not is_on_way or self._is_beside(stays)):
+                return stays
+            there = room.view_from(self._who, goal) if is_on_way else None
+            view = there or room.viewpoint(self._who, here)
+        except HouseflyError:
+            return self._turned(place)
+        return view if self._is_free(view.position) else self._turned(place)
+
+    def _is_beside(self, view: Viewpoint) -> bool:
+        """Return whether the drone looks elsewhere, as it does when it flies elsewhere."""
+        yaw = self.context.inputs.yaw
+        aim = heading_to(view.position, view.look_at[:2])
+        return yaw is not None and abs(wrap_angle(aim - yaw)) > PICTURE_EDGE
+
+    def _turned(self, here: Vec2) -> Viewpoint | None:
+        """Return the view from here towards a person who is not seen well from anywhere."""
+        seen = (one.position for one in self.context.room.people() if one.id == self._who)
+        place = next(seen, None)
+        if place is None:
+            return None
+        x, y, z = place
+        return replace(self._view, position=here, look_at=(x, y, z + FACE_HEIGHT))
 
     def _turn(self, what: str) -> None:
         """Say what became of the person, and order what follows from it."""
@@ -159,8 +201,14 @@ class Follow(FlightStep):
         self._tries = 0
         self.send()
 
-    def _is_too_near(self, view: Viewpoint) -> bool:
-        return any(
-            distance(view.position, person.position[:2]) < COMFORT_DISTANCE
+    def _is_free(self, place: Vec2) -> bool:
+        return all(
+            distance(place, person.position[:2]) >= COMFORT_DISTANCE
             for person in self.context.room.people()
         )
+
+
+def _turn_between(before: Viewpoint, now: Viewpoint) -> float:
+    """Return by how much the drone would have to turn at its new place [rad]."""
+    old, new = (heading_to(now.position, view.look_at[:2]) for view in (before, now))
+    return abs(wrap_angle(new - old))

@@ -24,10 +24,15 @@ _WORTH_TELLING = 0.1
 
 
 def answer_where(asking: Asking) -> IntentReply:
-    """Return where a thing is; with ``go``, or a yes when it is stale, the drone goes and looks."""
+    """Return where a thing is; with ``go``, or a yes when it is stale, the drone goes and looks.
+
+    What may well be elsewhere is searched for; all else is looked at where it is.
+    """
     subject = _subject(asking)
-    request = TaskRequest("where", {"thing": subject.id, "look": "always"})
     found = asking.room.where(subject.thing)
+    request = TaskRequest("where", {"thing": subject.id, "look": "always"})
+    if is_lost(found):
+        request = TaskRequest("find", {"thing": subject.id})
     joined = asking.say.joined
     words = joined(_place_words(asking, subject, found), *_doubts(asking, found))
     if asking.slots.go:
@@ -42,6 +47,12 @@ def is_stale(found: WhereAnswer) -> bool:
     if found.seen_at is None:
         return found.kind in (ThingKind.OBJECT.value, ThingKind.PERSON.value)
     return (found.age or 0.0) > STALE_AFTER or found.confidence < _UNSURE
+
+
+def is_lost(found: WhereAnswer) -> bool:
+    """Return whether a thing is one that gets lost, and may be elsewhere."""
+    is_doubted = is_stale(found) or bool(found.alternatives)
+    return found.kind == ThingKind.OBJECT.value and is_doubted
 
 
 def answer_contents(asking: Asking) -> IntentReply:

@@ -9,7 +9,7 @@ from math import isfinite
 from typing import Any
 
 from housefly.errors import LinkError, TaskError, ThingError
-from housefly.geometry import Vec3, distance
+from housefly.geometry import Vec2, Vec3, distance
 from housefly.hub.api.answers import WhereAnswer
 from housefly.hub.api.questions import PeopleQuestion, Question, WhereQuestion
 from housefly.hub.things_of_room import place_id
@@ -17,7 +17,7 @@ from housefly.messages import Obstacle, ObstacleKind
 from housefly.room.model import Place, Room, Solid
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.execution.task_room import SeenPerson
-from housefly.tasks.vantage.patrol import patrol_viewpoints
+from housefly.tasks.vantage.patrol import FLOOR, WHOLE_FLOOR, patrol_viewpoints
 from housefly.tasks.vantage.subject import (
     Subject,
     furniture_subject,
@@ -28,12 +28,12 @@ from housefly.tasks.vantage.subject import (
 )
 from housefly.tasks.vantage.viewing_room import ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
-from housefly.tasks.vantage.viewpoints import find_viewpoint, is_reachable
+from housefly.tasks.vantage.viewpoints import find_viewpoint, is_reachable, viewpoint_at
 
 AskMemory = Callable[[Question], Any]
 """Returns the memory's answer; raises ThingError or LinkError."""
 
-_FLOOR = re.compile(r"floor ([0-9]{1,2})")
+_FLOOR = re.compile(rf"({FLOOR}|{WHOLE_FLOOR}) ([0-9]{{1,2}})")
 _HOME = "home"
 _VISITOR = "visitor"
 _PERSON_KIND = "person"
@@ -57,7 +57,8 @@ def viewpoint_of(
 
     Args:
         name: of a place, or name, alias or id of a thing or person; "floor 1", "floor 2" ... are
-            the viewpoints of a round that sees the floor.
+            the viewpoints of a round that sees the floor, "whole floor 1" ... of one that sees all
+            of it.
         viewing: the room.
         ask: of the room's memory.
         people: who is seen now; they are kept away from as obstacles are.
@@ -71,7 +72,7 @@ def viewpoint_of(
     seen = tuple(people)
     known = (*obstacles, *(_obstacle(person, viewing, now) for person in seen))
     if (floor := _FLOOR.fullmatch(name.strip().lower())) is not None:
-        return _floor_view(viewing, int(floor[1]), drone, known, now)
+        return _floor_view(viewing, floor[1], int(floor[2]), drone, known, now)
     place = _place(viewing.room, name)
     if place is None:
         subject = named_subject(name, viewing.room, ask, seen)
@@ -85,19 +86,49 @@ def viewpoint_of(
     return find_viewpoint(viewing, place_subject(place.name, place.look_at), drone, known, now)
 
 
-def round_names(viewing: ViewingRoom) -> tuple[str, ...]:
-    """Return the names of a room's places but home, or, where it has none, "floor 1" and on."""
+def view_from(
+    name: str,
+    viewing: ViewingRoom,
+    ask: AskMemory,
+    place: Vec2,
+    people: Iterable[SeenPerson] = (),
+    obstacles: Iterable[Obstacle] = (),
+    now: float = 0.0,
+) -> Viewpoint | None:
+    """Return the viewpoint at a place [m] itself when it shows somebody or something well, or None.
+
+    The other arguments and errors as ``viewpoint_of``.
+    """
+    seen = tuple(people)
+    known = (*obstacles, *(_obstacle(person, viewing, now) for person in seen))
+    return viewpoint_at(viewing, named_subject(name, viewing.room, ask, seen), place, known)
+
+
+def round_names(viewing: ViewingRoom, *, whole: bool = False) -> tuple[str, ...]:
+    """Return the names of a room's places but home, or, where it has none, "floor 1" and on.
+
+    With ``whole`` they are "whole floor 1" and on: together they see all of the floor.
+    """
+    if whole:
+        return tuple(view.subject for view in _floor_views(viewing, WHOLE_FLOOR))
     places = tuple(place.name for place in viewing.room.places if place.name != _HOME)
-    return places or tuple(view.subject for view in _floor_views(viewing))
+    return places or tuple(view.subject for view in _floor_views(viewing, FLOOR))
 
 
 def _floor_view(
-    viewing: ViewingRoom, number: int, drone: Vec3 | None, known: tuple[Obstacle, ...], now: float
+    viewing: ViewingRoom,
+    name: str,
+    number: int,
+    drone: Vec3 | None,
+    known: tuple[Obstacle, ...],
+    now: float,
 ) -> Viewpoint:
     """Return one viewpoint of the round over the floor."""
-    views = _floor_views(viewing)
+    views = _floor_views(viewing, name)
     if not 1 <= number <= len(views):
-        words = f"the round over the floor has {len(views)} viewpoints; there is no floor {number}"
+        words = (
+            f"the round over the {name} has {len(views)} viewpoints: there is no {name} {number}"
+        )
         raise TaskError(words, ReasonCode.UNKNOWN_PLACE.value)
     view = views[number - 1]
     if is_reachable(viewing, view.position, drone, known, now):
@@ -107,9 +138,9 @@ def _floor_view(
 
 
 @lru_cache(maxsize=4)
-def _floor_views(viewing: ViewingRoom) -> tuple[Viewpoint, ...]:
+def _floor_views(viewing: ViewingRoom, name: str) -> tuple[Viewpoint, ...]:
     """Return the round from the pad through the room as it was built: its numbers stay."""
-    return patrol_viewpoints(viewing)
+    return patrol_viewpoints(viewing, whole=name == WHOLE_FLOOR)
 
 
 def named_subject(

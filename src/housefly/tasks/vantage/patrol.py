@@ -1,57 +1,39 @@
 """Viewpoints that together see the floor of a room, and the order in which to fly them.
 
-Each step takes the view that shows most of what none has shown yet (greedy cover), as long as a
-view shows something worth a flight. The order is the shortest round that exchanging ends finds.
+Each step takes the view that shows most of what none has shown yet (greedy cover, at most ln n + 1
+times as many views as there must be: V. Chvatal, Mathematics of Operations Research 4, 1979), as
+long as a view shows something worth a flight; what others show as well is left out again. The order
+is the shortest round that exchanging ends finds.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations, pairwise
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 
 from housefly.geometry import Vec2, Vec3, distance
 from housefly.messages import Obstacle
 from housefly.numeric import FloatArray
-from housefly.pilot.planning.dijkstra import UNREACHED, CellDistances, distances
+from housefly.pilot.planning.dijkstra import CellDistances, distances
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.reach import Mask
-from housefly.room.sight import in_sight
-from housefly.tasks.vantage.camera import FRONT_CAMERA
+from housefly.tasks.vantage.camera_views import CameraViews, camera_views, lattice, shown_from
 from housefly.tasks.vantage.viewing_room import ReachableMap, ViewingRoom
 from housefly.tasks.vantage.viewpoint import Viewpoint
 
+FLOOR, WHOLE_FLOOR = "floor", "whole floor"
+"""What the viewpoints of a round are called, with their numbers."""
 _FLOOR_EDGE = 0.4
 _FLOOR_HEIGHT = 0.2
 """The floor is looked at in points so far apart, at the height of somebody who lies there [m]."""
-_PLACE_EDGE = 0.6
-"""Views are tried from places so far apart [m] ..."""
-_HEADINGS = 12
-"""... in so many directions."""
-_VIEW_RANGE = 7.0
-"""The floor is not judged from farther away [m]."""
 _LEAST = 0.03
-"""A view that adds less than this share of the floor is not flown."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class FloorViews:
-    """Everything that could be seen: one row a place and heading.
-
-    Attributes:
-        places: world xy [m], shape (n, 2).
-        headings: [rad], shape (n,).
-        shown: which points of the floor, shape (n, points).
-        floor: the points, world [m], shape (points, 3).
-    """
-
-    places: FloatArray
-    headings: FloatArray
-    shown: Mask
-    floor: FloatArray
+"""A view that adds a smaller share of the floor is not flown, but on a round over all of it."""
+_MOST, WHOLE_MOST = 8, 30
+"""Most viewpoints of a round, and of one over all of the floor."""
 
 
 def patrol_viewpoints(
@@ -59,7 +41,9 @@ def patrol_viewpoints(
     drone: Vec3 | None = None,
     obstacles: Iterable[Obstacle] = (),
     now: float = 0.0,
-    most: int = 8,
+    most: int = _MOST,
+    *,
+    whole: bool = False,
 ) -> tuple[Viewpoint, ...]:
     """Return viewpoints that together see the floor, in flying order; () when there are none.
 
@@ -69,87 +53,96 @@ def patrol_viewpoints(
         obstacles: people and things that no map shows.
         now: time [s], for their ages.
         most: no more viewpoints than this.
+        whole: every part of the floor that can be seen is, by up to WHOLE_MOST views.
     """
     start = viewing.room.home if drone is None else drone[:2]
     known = tuple(obstacles)
     there = viewing.reachable(start, known, viewing.site.people.comfort_distance, now)
     views = _floor_views(viewing, there, known)
-    seen = np.zeros(len(views.floor), dtype=np.bool_)
     visible = max(1, int(views.shown.any(axis=0).sum()))
-    chosen: list[tuple[int, Mask]] = []
-    while len(chosen) < most and len(views.places):
-        gains = (views.shown & ~seen).sum(axis=1)
-        best = int(np.argmax(gains))
-        if gains[best] < _LEAST * visible:
-            break
-        chosen.append((best, views.shown[best] & ~seen))
-        seen |= views.shown[best]
+    chosen = (
+        _cover(views.shown, WHOLE_MOST, 1) if whole else _cover(views.shown, most, _LEAST * visible)
+    )
     order = _round(there, start, [_point(views.places[n]) for n, _ in chosen])
+    name = WHOLE_FLOOR if whole else FLOOR
     return tuple(
-        _viewpoint(views, *chosen[n], f"floor {number}", visible)
+        _viewpoint(views, *chosen[n], f"{name} {number}", visible)
         for number, n in enumerate(order, 1)
     )
 
 
 def floor_share(views: Iterable[Viewpoint], viewing: ViewingRoom) -> float:
     """Return the share of the floor, of what can be seen at all, that viewpoints show."""
+    poses = (
+        (
+            view.position,
+            atan2(view.look_at[1] - view.position[1], view.look_at[0] - view.position[0]),
+        )
+        for view in views
+    )
+    return shown_share(poses, viewing)
+
+
+def shown_share(poses: Iterable[tuple[Vec2, float]], viewing: ViewingRoom) -> float:
+    """Return the share of the floor, of what can be seen at all, that pictures showed.
+
+    Args:
+        poses: of the drone at each picture: world xy [m], heading [rad].
+        viewing: the room.
+    """
+    floor, visible = visible_floor(viewing)
+    known = tuple(poses)
+    if not known or not visible.any():
+        return 0.0
+    places = np.array([place for place, _ in known])
+    headings = np.array([heading for _, heading in known])
+    seen = shown_from(viewing, places, headings, floor).any(axis=0)
+    return float((seen & visible).sum() / visible.sum())
+
+
+@lru_cache(maxsize=4)
+def visible_floor(viewing: ViewingRoom) -> tuple[FloatArray, Mask]:
+    """Return the points of the floor [m], and which of them can be seen at all, nobody in it."""
     there = viewing.reachable(viewing.room.home, (), 0.0, 0.0)
-    all_views = _floor_views(viewing, there, ())
-    visible = all_views.shown.any(axis=0)
-    seen = np.zeros(len(all_views.floor), dtype=np.bool_)
-    for view in views:
-        heading = atan2(view.look_at[1] - view.position[1], view.look_at[0] - view.position[0])
-        places, headings = np.array([view.position]), np.array([heading])
-        seen |= _shown(viewing, places, headings, all_views.floor, ())[0]
-    return float((seen & visible).sum() / max(1, visible.sum()))
+    views = _floor_views(viewing, there, ())
+    return views.points, np.asarray(views.shown.any(axis=0), dtype=np.bool_)
+
+
+def _cover(shown: Mask, most: int, least: float) -> list[tuple[int, Mask]]:
+    """Return views that show most together, and what each shows that the ones before do not.
+
+    Args:
+        shown: which views show which points, shape (views, points).
+        most: no more views than this.
+        least: a view that adds fewer points than this is left out.
+    """
+    rows: list[int] = []
+    seen = np.zeros(shown.shape[1], dtype=np.bool_)
+    while len(rows) < most and len(shown):
+        gains = (shown & ~seen).sum(axis=1)
+        best = int(np.argmax(gains))
+        if gains[best] < least or gains[best] == 0:
+            break
+        rows.append(best)
+        seen |= shown[best]
+    times = shown[rows].sum(axis=0)
+    for row in tuple(rows):
+        if not np.any(shown[row] & (times == 1)):
+            rows.remove(row)
+            times = shown[rows].sum(axis=0)
+    fresh, seen = [], np.zeros(shown.shape[1], dtype=np.bool_)
+    for row in rows:
+        fresh.append((row, shown[row] & ~seen))
+        seen |= shown[row]
+    return fresh
 
 
 def _floor_views(
     viewing: ViewingRoom, there: ReachableMap, obstacles: tuple[Obstacle, ...]
-) -> FloorViews:
-    grid = there.grid
-    floor = _lattice(grid, grid.cells != Cell.OUTSIDE, _FLOOR_EDGE)
-    places = _lattice(grid, there.moves != UNREACHED, _PLACE_EDGE)
-    turns = np.arange(_HEADINGS) * 2.0 * pi / _HEADINGS
+) -> CameraViews:
+    floor = lattice(there.grid, there.grid.cells != Cell.OUTSIDE, _FLOOR_EDGE)
     points = np.column_stack([floor, np.full(len(floor), _FLOOR_HEIGHT)])
-    places, headings = np.repeat(places, _HEADINGS, axis=0), np.tile(turns, len(places))
-    return FloorViews(
-        places, headings, _shown(viewing, places, headings, points, obstacles), points
-    )
-
-
-def _shown(
-    viewing: ViewingRoom,
-    places: FloatArray,
-    headings: FloatArray,
-    floor: FloatArray,
-    obstacles: tuple[Obstacle, ...],
-) -> Mask:
-    """Return which views show which points; consecutive views from one place share their rays."""
-    shown = np.zeros((len(places), len(floor)), dtype=np.bool_)
-    hiding = viewing.hiding(frozenset(), obstacles, (np.inf, np.inf), 0.0)
-    clear: dict[Vec2, Mask] = {}
-    for row, (place, heading) in enumerate(zip(places.tolist(), headings.tolist(), strict=True)):
-        here = np.array([[*place, viewing.height]])
-        ahead = here[0] + (cos(heading), sin(heading), 0.0)
-        eye = FRONT_CAMERA.eyes(here, ahead)
-        framed = FRONT_CAMERA.frames(eye, ahead, floor)[0]
-        at = place[0], place[1]
-        if at not in clear:
-            near = np.hypot(*(floor[:, :2] - np.array(at)).T) <= _VIEW_RANGE
-            clear[at] = near & in_sight(hiding, here, floor)[0]
-        shown[row] = framed & clear[at]
-    return shown
-
-
-def _lattice(grid: OccupancyGrid, cells: Mask, edge: float) -> FloatArray:
-    """Return the middles of some cells, about ``edge`` [m] apart, shape (n, 2)."""
-    step = max(1, round(edge / grid.resolution))
-    ix, iy = np.nonzero(cells)
-    kept = (ix % step == step // 2) & (iy % step == step // 2)
-    index = np.column_stack([ix[kept], iy[kept]])
-    middles: FloatArray = np.array(grid.origin) + (index + 0.5) * grid.resolution
-    return middles
+    return camera_views(viewing, there, points, obstacles)
 
 
 def _round(there: ReachableMap, start: Vec2, places: list[Vec2]) -> list[int]:
@@ -184,10 +177,10 @@ def _length(ways: FloatArray, order: list[int]) -> float:
     return float(sum(ways[a, b] for a, b in pairwise([*order, order[0]])))
 
 
-def _viewpoint(views: FloorViews, row: int, fresh: Mask, name: str, visible: int) -> Viewpoint:
+def _viewpoint(views: CameraViews, row: int, fresh: Mask, name: str, visible: int) -> Viewpoint:
     """Return a view that faces the middle of what it shows first, in its own heading."""
     x, y = _point(views.places[row])
-    middle = views.floor[fresh].mean(axis=0)
+    middle = views.points[fresh].mean(axis=0)
     away = max(1.0, hypot(middle[0] - x, middle[1] - y))
     heading = float(views.headings[row])
     look_at = (

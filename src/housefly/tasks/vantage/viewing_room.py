@@ -99,6 +99,11 @@ class ViewingRoom:
         """The height that the drone flies at [m]."""
         return self.site.map.flight_height
 
+    @property
+    def grid(self) -> OccupancyGrid:
+        """The map of the room as it was built."""
+        return self._modelled
+
     @cached_property
     def _tracked(self) -> Mask:
         """Which cells enough tracking cameras see at flight height, shape of the map."""

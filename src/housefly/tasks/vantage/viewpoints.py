@@ -27,6 +27,8 @@ _VIEW_RANGE = 5.0
 """Nothing is looked at from farther away [m]."""
 _BEST_DISTANCE = 2.0
 """A picture is best from here, or from where all of the subject is in it [m]."""
+_STAY_RANGE = 4.0
+"""Whom the drone sees from where it is already, it sees well enough up to here [m]."""
 _SHARE_MIN = 0.5
 """A view shows at least this share of the subject's points, and the one that is faced."""
 _OWN_RADIUS = 0.4
@@ -82,6 +84,28 @@ def find_viewpoint(
         who = _who_is_in_the_way(viewing, subject, start, known, now)
         raise TaskError(words + (f": {who} is in the way" if who else ""), ReasonCode.NO_WAY.value)
     raise TaskError(problem, ReasonCode.NO_VIEW.value)
+
+
+def viewpoint_at(
+    viewing: ViewingRoom, subject: Subject, place: Vec2, obstacles: Iterable[Obstacle] = ()
+) -> Viewpoint | None:
+    """Return the viewpoint at a place [m] itself, or None when the subject is not seen well there.
+
+    Args:
+        viewing: the room.
+        subject: what is to be seen.
+        place: where the drone hovers, world xy [m].
+        obstacles: people and things that no map shows.
+    """
+    look_at, points = np.array(subject.look_at), np.array(subject.points)
+    eyes = FRONT_CAMERA.eyes(np.array([[*place, viewing.height]]), look_at)
+    away = float(np.linalg.norm(eyes[0] - look_at))
+    hiding = viewing.hiding(subject.own, obstacles, subject.look_at[:2], _OWN_RADIUS)
+    seen = FRONT_CAMERA.frames(eyes, look_at, points) & in_sight(hiding, eyes, points)
+    if away > _STAY_RANGE or not _shows(seen)[0]:
+        return None
+    words = f"{subject.name} is seen from here, {away:.1f} m away"
+    return Viewpoint(subject.name, place, subject.look_at, away, words)
 
 
 def _who_is_in_the_way(

@@ -1,10 +1,11 @@
 // Builds ../static, or the folder given, from src: `npm run build`. The result is committed, so
 // that Housefly needs no node to run.
 import { build } from "esbuild";
+import { createHash } from "node:crypto";
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 
 const target = process.argv[2] ?? "../static";
-const bundled = ["preact", "@preact/signals", "@preact/signals-core"];
+const bundled = ["preact", "@preact/signals", "@preact/signals-core", "three"];
 
 await mkdir(target, { recursive: true });
 const options = {
@@ -29,7 +30,23 @@ await build({
 await build({ ...options, entryPoints: { new: "src/new/main.tsx" } });
 await copyFile("src/index.html", `${target}/index.html`);
 await copyFile("src/new.html", `${target}/new.html`);
-await copyFile("src/favicon.svg", `${target}/favicon.svg`);
+for (const name of ["favicon.svg", "icon-192.png", "icon-512.png", "manifest.json"])
+  await copyFile(`src/${name}`, `${target}/${name}`);
+// What the service worker keeps, and which build it is of.
+const shell = (await readdir(target))
+  .filter((name) => /^(app|chunk-.*)\.(js|css)$/.test(name))
+  .filter((name) => !name.startsWith("chunk-room-in-space"));
+shell.push("favicon.svg");
+const hash = createHash("sha256");
+for (const name of shell.sort()) hash.update(await readFile(`${target}/${name}`));
+await build({
+  ...options,
+  entryPoints: { "service-worker": "src/service-worker.js" },
+  define: {
+    VERSION: JSON.stringify(hash.digest("hex").slice(0, 12)),
+    FILES: JSON.stringify(shell.map((name) => `/static/${name}`)),
+  },
+});
 const licences = await Promise.all(
   bundled.map(
     async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`,

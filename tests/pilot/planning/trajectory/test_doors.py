@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from math import nan
+from dataclasses import replace
+from math import cos, nan, sin
 
 import numpy as np
 import pytest
 from space_room import LIMITS
 
+from housefly.config.site import Site, changed
+from housefly.geometry import Vec2, Vec3
 from housefly.pilot.planning.space.any_angle import in_metres, in_voxel_edges, taut
 from housefly.pilot.planning.space.clearance import HullCylinder
 from housefly.pilot.planning.space.costs import height_wish, narrowness
 from housefly.pilot.planning.space.oriented_hull import OrientedHull, oriented_clearances
 from housefly.pilot.planning.space.search import CellSearch
 from housefly.pilot.planning.space.solid_rows import room_rows
+from housefly.pilot.planning.space.space_map import SpaceMap
 from housefly.pilot.planning.space.voxels import voxel_map
 from housefly.pilot.planning.trajectory.heading import headings
 from housefly.pilot.planning.trajectory.timing import TICK
 from housefly.pilot.planning.trajectory.trajectory import at_rest, trajectory_along
+from housefly.room.grid import build_grid
 from housefly.room.model import Room, Shape, Solid
 
 HULL = OrientedHull(0.517 / 2, 0.451 / 2, 0.065)
@@ -60,3 +65,50 @@ def test_the_hull_goes_through_a_door_with_its_narrow_side(seed: int) -> None:
     yaws = headings(flown.rows, TICK, ahead, nan, TURN_RATE)
     poses = np.hstack((flown.rows[:, :3], yaws[:, None]))
     assert oriented_clearances(rows, poses, HULL, 1.0).min() >= 0.1
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.3])
+def test_the_map_of_this_moment_leads_through_a_door_with_the_headings_that_fit(
+    turn: float,
+) -> None:
+    room = turned(two_rooms(2.0), turn)
+    site = changed(Site(), map__planner="space")
+    space = SpaceMap(site, room, build_grid(room, site))
+    start, goal = at_rest(np.array((*spun((2.0, 2.6), turn), 1.1))), (*spun((6.0, 1.4), turn), 1.1)
+    assert space.trajectory(start, goal, 0.0, 0.5) is None
+    flight = space.trajectory(start, goal, 0.0, 0.5, yaw=turn + 1.5)
+    assert flight is not None and flight.yaws is not None
+    assert flight.yaws[0] == pytest.approx(turn + 1.5)
+    assert np.abs(np.diff(flight.yaws)).max() <= TURN_RATE * TICK + 1e-9
+    poses = np.hstack((flight.rows[:, :3], flight.yaws[:, None]))
+    near = oriented_clearances(room_rows(room), poses, HULL, 1.0)
+    assert near.min() >= site.map.tracking_bound
+    assert np.hypot(*flight.rows[near < 0.16, 3:5].T).max() < 0.475
+
+
+def spun(place: Vec2, turn: float) -> Vec2:
+    """Return a place turned about the middle of the two rooms [m]."""
+    x, y = place[0] - 4.0, place[1] - 2.0
+    return 4.0 + x * cos(turn) - y * sin(turn), 2.0 + x * sin(turn) + y * cos(turn)
+
+
+def turned(room: Room, turn: float) -> Room:
+    """Return the two rooms with the wall between them turned."""
+    solids = tuple(
+        replace(solid, position=(*spun(solid.position[:2], turn), solid.position[2]), yaw=turn)
+        for solid in room.solids
+    )
+    longer = tuple(
+        replace(one, size=(one.size[0], one.size[1] + 1.0, one.size[2]), position=_outwards(one))
+        if one.name != "lintel"
+        else one
+        for one in solids
+    )
+    return replace(room, solids=longer, home=spun(room.home, turn))
+
+
+def _outwards(wall: Solid) -> Vec3:
+    """Return the middle of a wall that has grown by a metre away from the door [m]."""
+    side = 1.0 if wall.position[1] > 2.0 else -1.0
+    x, y, z = wall.position
+    return x - 0.5 * side * sin(wall.yaw), y + 0.5 * side * cos(wall.yaw), z

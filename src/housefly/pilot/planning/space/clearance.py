@@ -120,11 +120,16 @@ def lower_clearance(
 
 
 @compiled
-def _hull_clearances(rows: Any, points: Any, hull: HullCylinder, cap: float, out: Any) -> None:
+def _hull_clearances(
+    rows: Any, reaches: Any, points: Any, hull: HullCylinder, cap: float, out: Any
+) -> None:
     for n in range(points.shape[0]):
         best = cap
         x, y, z = points[n, 0], points[n, 1], points[n, 2]
         for k in range(rows.shape[0]):
+            far = best + hull.radius + reaches[k]
+            if abs(x - rows[k, 0]) > far or abs(y - rows[k, 1]) > far:
+                continue
             if height_gap_of(rows[k], z, hull.half_height) < best:
                 best = min(best, hull_gap(rows[k], x, y, z, hull))
         out[n] = best
@@ -145,5 +150,7 @@ def hull_clearances(
         Shape (m,).
     """
     out = np.empty(len(points))
-    _hull_clearances(rows, points, hull, cap, out)
+    reaches = np.hypot(rows[:, 2], rows[:, 3]) + rows[:, 6] + np.hypot(rows[:, 7], rows[:, 8])
+    rows, points = np.ascontiguousarray(rows), np.ascontiguousarray(points)  # compiled once
+    _hull_clearances(rows, reaches, points, hull, cap, out)
     return out

@@ -10,12 +10,16 @@ import numpy as np
 
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.live import gap
+from housefly.pilot.planning.space.clearance import lower_clearance
+from housefly.pilot.planning.space.solid_rows import BOTTOM, TOP
 from housefly.pilot.planning.space.voxels import VoxelMap
 from housefly.room.coverage import seen_by
 from housefly.room.model import Room
 
 CAMERAS_WANTED = 3
 """A place seen by so many tracking cameras is tracked well."""
+_LANDING_ROOM = 0.4
+"""A landing goes so far astray [m]."""
 _COARSE = 0.5
 """Coverage is looked up at points so far apart [m]: it changes slowly, and rays are dear."""
 
@@ -87,3 +91,26 @@ def height_wish(voxels: VoxelMap, height: float, gain: float) -> FloatArray:
     nx, ny, nz = voxels.shape
     zs = voxels.origin[2] + (np.arange(nz) + 0.5) * voxels.resolution
     return np.broadcast_to(gain * np.abs(zs - height), (nx, ny, nz)).copy()
+
+
+def above_things(voxels: VoxelMap, rows: FloatArray, gain: float) -> FloatArray:
+    """Return the layer that grows to ``gain`` where the hull would land on furniture.
+
+    A drone that lost its link lands by itself where it is: beside a bed is better than on it.
+
+    Args:
+        voxels: the map.
+        rows: of the room; those that are full from the floor up are furniture, shape (n, 11).
+        gain: of the layer.
+
+    Returns:
+        Shape (nx, ny, nz).
+    """
+    nx, ny, nz = voxels.shape
+    below = rows[np.isneginf(rows[:, BOTTOM])].copy()
+    below[:, TOP] = np.inf
+    apart = np.full((nx, ny, 1), _LANDING_ROOM, dtype=np.float32)
+    box = (0, nx, 0, ny, 0, 1)
+    lower_clearance(below, voxels.origin, voxels.resolution, voxels.hull, _LANDING_ROOM, box, apart)
+    layer = gain * (1.0 - apart.astype(np.float64) / _LANDING_ROOM)
+    return np.repeat(layer, nz, axis=2)

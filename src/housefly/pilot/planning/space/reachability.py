@@ -9,7 +9,7 @@ import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.numeric import compiled_with_arrays
-from housefly.pilot.planning.space.voxels import VoxelMap, VoxelMask
+from housefly.pilot.planning.space.voxels import VoxelIndex, VoxelMap, VoxelMask
 
 
 @compiled_with_arrays
@@ -46,5 +46,16 @@ def within_reach(voxels: VoxelMap, home: Vec2) -> VoxelMap:
     start = np.zeros(free.shape, dtype=np.bool_)
     i, j, _ = voxels.voxel_of((*home, 0.0))
     start[i, j, :] = True
+    return replace(voxels, allowed=voxels.allowed & _reached(free, start))
+
+
+def reached_from_voxel(free: VoxelMask, voxel: VoxelIndex) -> VoxelMask:
+    """Return the free voxels that a way leads to from one of them, shape (nx, ny, nz)."""
+    start = np.zeros(free.shape, dtype=np.bool_)
+    start[voxel] = True
+    return _reached(free, start)
+
+
+def _reached(free: VoxelMask, start: VoxelMask) -> VoxelMask:
     reached: VoxelMask = _flooded(np.pad(free, 1), np.pad(start, 1))[1:-1, 1:-1, 1:-1]
-    return replace(voxels, allowed=voxels.allowed & reached)
+    return reached

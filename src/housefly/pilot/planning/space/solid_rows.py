@@ -16,13 +16,13 @@ from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.obstacles import obstacle_rows
 from housefly.pilot.planning.people import may_be_person
-from housefly.room.model import Room, Shape, Solid
+from housefly.room.model import BUILDING_PARTS, Room, Shape, Solid
 
 BOTTOM, TOP = 9, 10
 """Columns of a row behind those of ``planning.live`` [m]."""
 COLUMNS = 11
 _SLAB = 1.0
-"""Floor and ceiling count as so thick [m]."""
+"""Floor, ceiling and what lies beyond the bounds count as so thick [m]."""
 
 
 def solid_rows(solids: Iterable[Solid]) -> FloatArray:
@@ -31,18 +31,51 @@ def solid_rows(solids: Iterable[Solid]) -> FloatArray:
     return np.array(rows, dtype=np.float64).reshape(-1, COLUMNS)
 
 
+def filled_rows(room: Room, hanging: float) -> FloatArray:
+    """Return the rows of a room with its furniture full from the floor up, shape (n, 11).
+
+    A hull fits under a desk and between shelf boards, where no one wants it. Parts of the building
+    stay as they are: a door is open below its lintel.
+
+    Args:
+        room: solids, floor and ceiling.
+        hanging: what has no solid that begins lower hangs, and may be flown under [m].
+    """
+    lowest: dict[str, float] = {}
+    for solid in room.solids:
+        bottom = solid.position[2] - solid.size[2] / 2
+        lowest[solid.thing] = min(bottom, lowest.get(solid.thing, inf))
+    standing = {thing for thing, bottom in lowest.items() if bottom < hanging} - BUILDING_PARTS
+    solids = [solid for solid in room.solids if solid.collides]
+    rows = room_rows(room)
+    is_full = np.array([solid.thing in standing for solid in solids], dtype=np.bool_)
+    rows[: len(solids)][is_full, BOTTOM] = -inf
+    return rows
+
+
 def room_rows(room: Room) -> FloatArray:
-    """Return the rows of a room: its solids, its floor and its ceiling, shape (n, 11)."""
+    """Return the rows of a room: its solids, its floor, ceiling and bounds, shape (n, 11).
+
+    The map ends at the bounds, whether or not walls stand there: beyond, nothing is known.
+    """
     x_min, y_min, x_max, y_max = room.bounds
-    plan = ((x_min + x_max) / 2, (y_min + y_max) / 2, (x_max - x_min) / 2, (y_max - y_min) / 2)
+    x, y, half = (x_min + x_max) / 2, (y_min + y_max) / 2, _SLAB / 2
+    length, width = (x_max - x_min) / 2, (y_max - y_min) / 2
     slabs = [
-        (*plan, 1.0, 0.0, 0.0, 0.0, 0.0, bottom, bottom + _SLAB) for bottom in (-_SLAB, room.height)
+        *((x, y, length, width, bottom, bottom + _SLAB) for bottom in (-_SLAB, room.height)),
+        *((at, y, half, width + _SLAB, -inf, inf) for at in (x_min - half, x_max + half)),
+        *((x, at, length, half, -inf, inf) for at in (y_min - half, y_max + half)),
     ]
-    return np.concatenate((solid_rows(room.solids), np.array(slabs)))
+    rows = [(*slab[:4], 1.0, 0.0, 0.0, 0.0, 0.0, *slab[4:]) for slab in slabs]
+    return np.concatenate((solid_rows(room.solids), np.array(rows)))
 
 
 def live_rows(
-    obstacles: Iterable[Obstacle], now: float, horizon: float, comfort: float = 0.0
+    obstacles: Iterable[Obstacle],
+    now: float,
+    horizon: float,
+    comfort: float = 0.0,
+    hanging: float = -inf,
 ) -> FloatArray:
     """Return the space that obstacles may cover until a time ahead, shape (n, 11).
 
@@ -53,11 +86,14 @@ def live_rows(
         now: time [s].
         horizon: how far ahead [s].
         comfort: people count as so much larger [m].
+        hanging: what begins lower is full from the floor up [m].
     """
     known = tuple(obstacles)
     rows, _ = obstacle_rows(known, now, horizon, (-inf, inf), comfort)
     heights = [(-inf, inf) if may_be_person(one) else (one.bottom, one.top) for one in known]
-    return np.hstack((rows, np.array(heights, dtype=np.float64).reshape(-1, 2)))
+    live = np.hstack((rows, np.array(heights, dtype=np.float64).reshape(-1, 2)))
+    live[live[:, BOTTOM] < hanging, BOTTOM] = -inf
+    return live
 
 
 def _row_of_solid(solid: Solid) -> tuple[float, ...]:

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import inf
-from typing import Any
 
 import numpy as np
 
 from housefly.geometry import Vec2
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.voxels import VoxelMap, VoxelMask
+from housefly.room.polygon import in_polygon
 
 
 class VolumeKind(Enum):
@@ -50,7 +50,7 @@ def in_volume(voxels: VoxelMap, volume: Volume) -> VoxelMask:
         low + (np.arange(count) + 0.5) * voxels.resolution
         for low, count in zip(voxels.origin, (nx, ny, nz), strict=True)
     )
-    plan = _in_polygon(volume.polygon, xs[:, None], ys[None, :])
+    plan = in_polygon(volume.polygon, xs[:, None], ys[None, :])
     heights = (zs >= volume.bottom) & (zs <= volume.top)
     mask: VoxelMask = plan[:, :, None] & heights
     return mask
@@ -68,6 +68,22 @@ def within_volumes(voxels: VoxelMap, volumes: Iterable[Volume]) -> VoxelMap:
     return replace(voxels, allowed=allowed)
 
 
+def speeds_at(volumes: Iterable[Volume], places: FloatArray) -> FloatArray:
+    """Return the highest speed by order at places [m/s], infinite without one, shape (n,).
+
+    Args:
+        volumes: those that are not SLOW do not count.
+        places: [m], shape (n, 3).
+    """
+    speeds = np.full(len(places), inf)
+    for volume in volumes:
+        if volume.kind is VolumeKind.SLOW:
+            inside = in_polygon(volume.polygon, places[:, 0], places[:, 1])
+            inside &= (places[:, 2] >= volume.bottom) & (places[:, 2] <= volume.top)
+            speeds[inside] = np.minimum(speeds[inside], volume.speed)
+    return speeds
+
+
 def speed_limit(volumes: Iterable[Volume], voxels: VoxelMap, speed: float) -> FloatArray:
     """Return the highest speed in each voxel [m/s], shape (nx, ny, nz)."""
     limit = np.full(voxels.shape, speed)
@@ -76,13 +92,3 @@ def speed_limit(volumes: Iterable[Volume], voxels: VoxelMap, speed: float) -> Fl
             inside = in_volume(voxels, volume)
             limit[inside] = np.minimum(limit[inside], volume.speed)
     return limit
-
-
-def _in_polygon(polygon: tuple[Vec2, ...], x: Any, y: Any) -> VoxelMask:
-    """Return which points are inside: a ray along x crosses an odd number of edges."""
-    inside = np.zeros(np.broadcast_shapes(x.shape, y.shape), dtype=np.bool_)
-    for (x0, y0), (x1, y1) in zip(polygon, polygon[1:] + polygon[:1], strict=True):
-        if y0 != y1:
-            across = (y0 > y) != (y1 > y)
-            inside ^= across & (x < x0 + (y - y0) * (x1 - x0) / (y1 - y0))
-    return inside

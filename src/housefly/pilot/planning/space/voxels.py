@@ -94,13 +94,17 @@ def voxel_map(room: Room, resolution: float, hull: HullCylinder, keep: float) ->
         hull: of the drone.
         keep: the hull keeps this from everything [m].
     """
+    return with_rows(empty_map(room, resolution, hull, keep), room_rows(room))
+
+
+def empty_map(room: Room, resolution: float, hull: HullCylinder, keep: float) -> VoxelMap:
+    """Return the voxels of a room without any solid, as ``voxel_map`` otherwise."""
     x_min, y_min, x_max, y_max = room.bounds
     sizes = (x_max - x_min, y_max - y_min, room.height)
     nx, ny, nz = (max(1, round(size / resolution)) for size in sizes)
     everywhere = np.ones((nx, ny, nz), dtype=np.bool_)
     empty = np.full((nx, ny, nz), CLEARANCE_CAP, dtype=np.float32)
-    bare = VoxelMap((x_min, y_min, 0.0), resolution, hull, keep, empty, everywhere)
-    return with_rows(bare, room_rows(room))
+    return VoxelMap((x_min, y_min, 0.0), resolution, hull, keep, empty, everywhere)
 
 
 def with_rows(static: VoxelMap, rows: FloatArray) -> VoxelMap:
@@ -113,3 +117,18 @@ def with_rows(static: VoxelMap, rows: FloatArray) -> VoxelMap:
         rows, static.origin, static.resolution, static.hull, CLEARANCE_CAP, whole, clearance
     )
     return replace(static, clearance=clearance)
+
+
+def within_heights(voxels: VoxelMap, low: float, high: float, usual: float) -> VoxelMap:
+    """Return the map without the heights that are not flown at; the usual one is always open.
+
+    Args:
+        voxels: the map.
+        low: the middle of the hull is not lower [m] ...
+        high: ... nor higher [m].
+        usual: the usual height [m].
+    """
+    zs = voxels.origin[2] + (np.arange(voxels.shape[2]) + 0.5) * voxels.resolution
+    is_flown = (zs >= low) & (zs <= high)
+    is_flown |= np.abs(zs - usual) <= 0.5 * voxels.resolution + 1e-9
+    return replace(voxels, allowed=voxels.allowed & is_flown)

@@ -68,10 +68,3 @@ def curve_index(marks: FloatArray, s: float, at: int) -> int:
     while at < marks.size - 2 and marks[at + 1] <= s:
         at += 1
     return at
-
-
-@compiled
-def hermite(p0: float, p1: float, m0: float, m1: float, u: float) -> float:
-    """Return the cubic between two numbers with slopes m0 and m1 over the whole, at u in 0 .. 1."""
-    v = 1.0 - u
-    return v * v * ((1.0 + 2.0 * u) * p0 + u * m0) + u * u * ((1.0 + 2.0 * v) * p1 - v * m1)

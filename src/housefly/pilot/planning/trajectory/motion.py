@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from housefly.numeric import FloatArray, compiled
-from housefly.pilot.planning.trajectory.curve import ArcCurve, curve_index, hermite
+from housefly.pilot.planning.trajectory.curve import ArcCurve, curve_index
+from housefly.pilot.planning.trajectory.kinematic_state import hermite
 
 
 @compiled

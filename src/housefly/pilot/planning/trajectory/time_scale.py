@@ -1,17 +1,23 @@
 """How the reference travels through a trajectory: as planned, slower, or to a stop on the curve.
 
 The trajectory's own time runs at a rate between 0 and 1. At 1 it is flown as planned; to slow down
-or to stop, the rate falls as quickly as the drone can be counted on to brake. The curve stays the
-same, so a stop from any state on it needs no other check.
+or to stop, the rate falls as quickly as the drone can be counted on to brake, and no more suddenly
+than it can lean. The curve stays the same, so a stop from any state on it needs no other check.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from housefly.numeric import FloatArray, clipped, compiled
-from housefly.pilot.planning.trajectory.curve import hermite
+import numpy as np
 
+from housefly.numeric import FloatArray, clipped, compiled
+from housefly.pilot.planning.trajectory.kinematic_state import hermite
+
+_JERK = 6.0
+"""How quickly braking and speeding up set in; they end half as quickly, so that the rate never
+shoots over [m/s^3].
+"""
 _SLOWEST = 0.2
 """Below this speed the rate changes as at it [m/s]."""
 
@@ -30,6 +36,10 @@ class TimeScale(NamedTuple):
     change: float
 
 
+TRAJECTORY_START = TimeScale(time=0.0, rate=1.0, change=0.0)
+"""At the first row of a trajectory."""
+
+
 class MotionSetpoint(NamedTuple):
     """Place [m], velocity [m/s] and acceleration [m/s^2] to track."""
 
@@ -45,8 +55,8 @@ class MotionSetpoint(NamedTuple):
 
 
 @compiled
-def _row_at(time: float, tick: float, count: int) -> tuple[int, float]:
-    """Return the row before a time [s] and the share of the tick that has passed since."""
+def row_at(time: float, tick: float, count: int) -> tuple[int, float]:
+    """Return the row before a time [s], never the last, and the share of the tick since."""
     scaled = min(max(time / tick, 0.0), count - 1.0)
     at = min(int(scaled), count - 2)
     return at, scaled - at
@@ -68,19 +78,27 @@ def scale_advanced(
     """
     if dt <= 0.0:
         return scale
-    at, _ = _row_at(scale.time, tick, rows.shape[0])
+    end = tick * (rows.shape[0] - 1)
+    missing = min(max(wanted, 0.0), 1.0) - scale.rate
+    if missing == 0.0 and scale.change == 0.0:
+        # Nearly every tick; all that follows comes to this.
+        return TimeScale(min(scale.time + scale.rate * dt, end), scale.rate, 0.0)
+    at, _ = row_at(scale.time, tick, rows.shape[0])
     vx, vy, vz = rows[at, 3], rows[at, 4], rows[at, 5]
     speed = max((vx * vx + vy * vy + vz * vz) ** 0.5, _SLOWEST)
-    step = clipped(min(max(wanted, 0.0), 1.0) - scale.rate, braking / speed * dt)
-    rate = scale.rate + step
-    time = min(scale.time + 0.5 * (scale.rate + rate) * dt, tick * (rows.shape[0] - 1))
-    return TimeScale(time=time, rate=rate, change=step / dt)
+    # Half the jerk from here to the wanted rate: change^2 = jerk |missing|.
+    ending = min((_JERK / speed * abs(missing)) ** 0.5, abs(missing) / dt, braking / speed)
+    aim = ending if missing > 0.0 else -ending
+    change = scale.change + clipped(aim - scale.change, _JERK / speed * dt)
+    rate = min(max(scale.rate + change * dt, 0.0), 1.0)
+    time = min(scale.time + 0.5 * (scale.rate + rate) * dt, end)
+    return TimeScale(time=time, rate=rate, change=change)
 
 
 @compiled
 def motion_at(scale: TimeScale, rows: FloatArray, tick: float) -> MotionSetpoint:
     """Return what to track at this point of a trajectory."""
-    at, u = _row_at(scale.time, tick, rows.shape[0])
+    at, u = row_at(scale.time, tick, rows.shape[0])
     return MotionSetpoint(
         x=_place(rows, at, u, 0, tick),
         y=_place(rows, at, u, 1, tick),
@@ -109,3 +127,22 @@ def _place(rows: Any, at: int, u: float, axis: int, tick: float) -> float:
 def _push(rows: Any, at: int, u: float, axis: int, scale: TimeScale) -> float:
     velocity, acceleration = _mean(rows, at, u, 3 + axis), _mean(rows, at, u, 6 + axis)
     return scale.rate * scale.rate * acceleration + scale.change * velocity
+
+
+def stopping_rows(scale: TimeScale, rows: FloatArray, tick: float, braking: float) -> FloatArray:
+    """Return the motion that comes to rest on a trajectory, the present row first, shape (m, 9).
+
+    Args:
+        scale: how far the trajectory has been flown.
+        rows: of the trajectory, shape (n, 9) or wider.
+        tick: time between two rows, and between two of the motion [s].
+        braking: deceleration to count on [m/s^2].
+    """
+    motion = [motion_at(scale, rows, tick)]
+    end = tick * (len(rows) - 1)
+    while scale.rate > 0.0 and scale.time < end:
+        scale = scale_advanced(scale, rows, tick, 0.0, braking, tick)
+        motion.append(motion_at(scale, rows, tick))
+    stopped = np.array(motion)
+    stopped[-1, 3:] = 0.0
+    return stopped

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from math import inf
-from typing import NamedTuple
 
 import numpy as np
 
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.trajectory.curve import ArcCurve
+from housefly.pilot.planning.trajectory.kinematic_state import TICK as TICK
+from housefly.pilot.planning.trajectory.kinematic_state import KinematicState as KinematicState
 from housefly.pilot.planning.trajectory.motion import flown_motion
 from housefly.pilot.planning.trajectory.speed_limits import (
     MotionLimits,
@@ -17,10 +18,10 @@ from housefly.pilot.planning.trajectory.speed_limits import (
 )
 from housefly.pilot.planning.trajectory.speed_profile import averaged, swept, timed
 
-TICK = 0.02
-"""Time between two rows of a trajectory [s]."""
 STANDING = 1e-6
 """A slower start is at rest [m/s]."""
+_LONGEST = 600.0
+"""No motion takes longer [s]; a crawl that has to turn on the spot would."""
 _TRIES = 6
 """So often a motion is eased until it keeps its limits."""
 _TOLERANCE = 1.03
@@ -33,26 +34,13 @@ _CRAWL = 0.02
 """Slower motion may turn as it likes [m/s]."""
 
 
-class KinematicState(NamedTuple):
-    """Where a trajectory begins.
-
-    Attributes:
-        place: [m], shape (3,).
-        velocity: [m/s], shape (3,).
-        acceleration: [m/s^2], shape (3,).
-    """
-
-    place: FloatArray
-    velocity: FloatArray
-    acceleration: FloatArray
-
-
 def timed_motion(
     curve: ArcCurve,
     clearance: FloatArray,
     keep: float,
     start: KinematicState,
     limits: MotionLimits,
+    zones: FloatArray | None = None,
 ) -> FloatArray | None:
     """Return place, velocity and acceleration every ``TICK``, shape (n, 9).
 
@@ -64,14 +52,16 @@ def timed_motion(
         keep: what the hull keeps from everything [m].
         start: at the first sample.
         limits: of the drone.
+        zones: highest speed at each sample by order [m/s], shape (n,); None for no orders.
     """
+    slowest = np.full(curve.marks.size, inf) if zones is None else zones
     share = 1.0
     for _ in range(_TRIES):
         eased = limits._replace(
             acceleration=share * limits.acceleration,
             vertical_acceleration=share * limits.vertical_acceleration,
         )
-        motion = _motion_within(curve, clearance, keep, start, eased, limits)
+        motion = _motion_within(curve, clearance, keep, start, eased, limits, slowest)
         if motion is None:
             return None
         excess = _excess(motion, limits)
@@ -88,6 +78,7 @@ def _motion_within(
     start: KinematicState,
     eased: MotionLimits,
     limits: MotionLimits,
+    zones: FloatArray,
 ) -> FloatArray | None:
     """Return the averaged time-optimal motion, or None when it cannot slow down in time.
 
@@ -99,7 +90,6 @@ def _motion_within(
     push = float(start.acceleration @ start.velocity) / speed if speed > STANDING else 0.0
     lead = 0.5 * speed * window + push * window**2 / 12.0
     raw_speed = speed + 0.5 * push * window
-    zones = np.full(curve.marks.size, inf)
     fastest = lowered_around(
         curve.marks, speed_limits(curve, eased, clearance, keep, zones), window
     )
@@ -120,7 +110,10 @@ def _motion_within(
     if raw[0] < raw_speed - STANDING:
         return None
     at_start = np.array([raw_speed, push])
-    travelled = averaged(timed(marks, raw, window), marks, raw, window, at_start, TICK)
+    times = timed(marks, raw, window)
+    if times[-1] > _LONGEST:
+        return None
+    travelled = averaged(times, marks, raw, window, at_start, TICK)
     return flown_motion(curve, travelled)
 
 

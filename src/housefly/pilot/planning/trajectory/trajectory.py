@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,6 +25,8 @@ the first leads to nothing.
 CLEARANCE_GIVE = 0.02
 """A curve may come this much nearer than ``keep``: voxels end at their middles [m]."""
 
+_BEND_MAX = 100.0
+"""A start on a tighter bend, which is one at a crawl, stops first [1/m]."""
 _HALF_DIAGONAL = 0.8661
 """Of a voxel, over its edge."""
 
@@ -37,12 +40,15 @@ class Trajectory:
         length: of the curve [m].
         clearance: of the hull, the smallest on the way [m].
         stops: it is the polyline that stands at every corner, because no curve was good enough.
+        yaws: the heading to hold at each row [rad], shape (n,), where the way leads through a
+            door that is too narrow for the hull's disc; None where the heading is free.
     """
 
     rows: FloatArray
     length: float
     clearance: float
     stops: bool = False
+    yaws: FloatArray | None = None
 
     @property
     def duration(self) -> float:
@@ -62,6 +68,7 @@ def trajectory_along(
     corners: FloatArray,
     start: KinematicState,
     limits: MotionLimits,
+    zones: Callable[[FloatArray], FloatArray] | None = None,
 ) -> Trajectory | None:
     """Return a smooth trajectory near a way; None when no way of flying it keeps the limits.
 
@@ -72,12 +79,15 @@ def trajectory_along(
         corners: of a way through free voxels, from the start to the goal [m], shape (m, 3).
         start: where the drone is and how it moves.
         limits: of the drone.
+        zones: return the highest speeds by order [m/s], shape (k,), at places [m], shape (k, 3).
     """
     boxes = corridor(free, in_voxel_edges(voxels, corners))
     boxes = boxes * voxels.resolution + np.array(voxels.origin)
     boxes[0] = np.minimum(boxes[0, 0], corners[0]), np.maximum(boxes[0, 1], corners[0])
     boxes[-1] = np.minimum(boxes[-1, 0], corners[-1]), np.maximum(boxes[-1, 1], corners[-1])
     is_standing = bool(np.linalg.norm(start.velocity) < STANDING)
+    if not is_standing and _bend_of(start) > _BEND_MAX:
+        return None
     is_chain = bool((boxes[1:, 0] <= boxes[:-1, 1]).all() and (boxes[:-1, 0] <= boxes[1:, 1]).all())
     strides = (STRIDES[:1] if is_standing else STRIDES) if is_chain else ()
     choices = [
@@ -93,10 +103,17 @@ def trajectory_along(
         give = _HALF_DIAGONAL * voxels.resolution if stops else CLEARANCE_GIVE
         if clearance.min() < voxels.keep - give:
             continue
-        motion = timed_motion(curve, clearance, voxels.keep, start, limits)
+        speeds = None if zones is None else zones(curve.places)
+        motion = timed_motion(curve, clearance, voxels.keep, start, limits, speeds)
         if motion is not None:
             return Trajectory(motion, float(curve.marks[-1]), float(clearance.min()), stops)
     return None
+
+
+def _bend_of(start: KinematicState) -> float:
+    """Return the bend of the curve on which a state moves [1/m]."""
+    speed = float(np.linalg.norm(start.velocity))
+    return float(np.linalg.norm(np.cross(start.velocity, start.acceleration))) / speed**3
 
 
 def _first_points(start: KinematicState, stride: float) -> FloatArray:

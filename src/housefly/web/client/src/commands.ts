@@ -1,22 +1,9 @@
-// Everything a person can ask of the drone: when it is possible, and why not.
+// Everything a person can ask of the drone: when it is possible, and why not, by the verdict.
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { goal, forgetGoal, planned } from "./goal";
-import { sentence } from "./format";
 import { createHold } from "./hold";
-import { explain, refusal } from "./preflight";
-import {
-  contact,
-  cut,
-  flying,
-  iFly,
-  inContact,
-  nameOf,
-  notice,
-  room,
-  state,
-  stopped,
-  viewers,
-} from "./store";
+import { explain, refuse, remember } from "./said";
+import { iFly, lineLives, me, notice, room, state, stopPress, verdict } from "./store";
 import type { OrderKind } from "./wire/messages";
 import { ask, stop as sendStop } from "./wire/socket";
 
@@ -34,39 +21,15 @@ function unless(condition: () => boolean, words: () => string): Reason {
 }
 
 const hasLine = unless(
-  () => contact.value === "open",
+  () => lineLives.value,
   () => "No contact with the server.",
-);
-const hasPilot = unless(
-  () => inContact.value,
-  () => "No contact with the pilot.",
 );
 const mayFly = unless(
   () => iFly.value,
   () =>
-    viewers.value.pilot === null
-      ? "Nobody has control: take it first."
-      : `${nameOf(viewers.value.pilot)} has control. You watch.`,
-);
-const notStopped = unless(
-  () => !stopped.value,
-  () => "Stopped: hold Resume first.",
-);
-const notCut = unless(
-  () => !cut.value,
-  () => "Motors are cut: hold Reset first.",
-);
-const inTheAir = unless(
-  () => flying.value,
-  () => "The drone is on the ground.",
-);
-const onTheGround = unless(
-  () => !flying.value,
-  () => "The drone is already flying.",
-);
-const droneHeard = unless(
-  () => state.value?.status != null && state.value.status !== "unknown",
-  () => "The drone does not answer yet.",
+    verdict.value?.control
+      ? `${verdict.value.control} has control. You watch.`
+      : "Nobody has control: take it first.",
 );
 const hasGoal = unless(
   () => goal.value !== null,
@@ -77,83 +40,126 @@ const hasPath = unless(
   () => goal.value?.note || (goal.value?.plan ? goal.value.plan.reason : "Looking for a path …"),
 );
 
-const checked = unless(
-  () => refusal.value === "",
-  () => sentence(`Not ready: ${refusal.value}`),
-);
+/** Why an order would come to nothing, by the server's verdict. */
+function objectionTo(order: OrderKind): Reason {
+  return computed(
+    () =>
+      verdict.value?.orders.find((one) => one.order === order)?.words ??
+      (verdict.value ? "" : "No contact with the pilot."),
+  );
+}
 
-const ready = firstOf(hasLine, hasPilot, mayFly, notCut, notStopped, droneHeard);
-
-async function send(order: OrderKind, withGoal = false): Promise<void> {
+async function send(order: OrderKind, from: Element | null, withGoal = false): Promise<void> {
   const aim = withGoal ? goal.value : null;
   const target = aim ? (aim.place ? { place: aim.place } : { goal: aim.point }) : {};
   notice.value = "";
+  remember(order, from);
   const answer = await ask({ type: "order", order, ...target });
-  if (answer.type === "refused") notice.value = answer.reason;
+  if (answer.type === "refused") refuse(answer.reason, from);
   if (aim && answer.type === "accepted") forgetGoal();
 }
 
+/** STOP: the bar says that it was pressed, then what the server knows of it. */
 export async function stop(): Promise<void> {
-  notice.value = await sendStop();
+  stopPress.value = { state: "sending", words: "" };
+  const trouble = await sendStop();
+  stopPress.value = trouble ? { state: "failed", words: trouble } : { state: "", words: "" };
 }
 
 export const takeOff = createHold(
   HOLD,
-  firstOf(ready, onTheGround, checked),
-  () => void send("take_off"),
+  firstOf(hasLine, mayFly, objectionTo("take_off")),
+  (from) => void send("take_off", from),
 );
 export const service = createHold(
   HOLD,
-  firstOf(ready, checked, hasGoal, hasPath),
-  () => void send("service", true),
+  firstOf(hasLine, mayFly, objectionTo("service"), hasGoal, hasPath),
+  (from) => void send("service", from, true),
 );
 export const go = createHold(
   HOLD,
-  firstOf(ready, checked, hasGoal, hasPath),
-  () => void send("go", true),
+  firstOf(hasLine, mayFly, objectionTo("go"), hasGoal, hasPath),
+  (from) => void send("go", from, true),
 );
 export const resume = createHold(
   HOLD,
-  firstOf(
-    hasLine,
-    hasPilot,
-    mayFly,
-    unless(
-      () => stopped.value,
-      () => "Only after STOP.",
-    ),
-  ),
-  () => void send("resume"),
+  firstOf(hasLine, mayFly, objectionTo("resume")),
+  (from) => void send("resume", from),
 );
-export const reset = createHold(HOLD, firstOf(hasLine, hasPilot, mayFly), () => void send("reset"));
-export const cutMotors = createHold(HOLD_CUT, firstOf(hasLine, mayFly), () => void send("cut"));
-export const takeControl = createHold(HOLD, firstOf(hasLine), () => void takeOver(true));
+export const reset = createHold(
+  HOLD,
+  firstOf(hasLine, mayFly, objectionTo("reset")),
+  (from) => void send("reset", from),
+);
+export const cutMotors = createHold(
+  HOLD_CUT,
+  firstOf(hasLine, mayFly),
+  (from) => void send("cut", from),
+);
+export const serviceObjection = firstOf(hasLine, mayFly, objectionTo("service"));
+/** Look at a place and come back, whatever goal is on the map. */
+export async function lookAt(place: string, from: Element | null): Promise<void> {
+  remember("service", from);
+  const answer = await ask({ type: "order", order: "service", place });
+  if (answer.type === "refused") refuse(answer.reason, from);
+}
+export const takeControl = createHold(HOLD, firstOf(hasLine), (from) => void takeOver(true, from));
 
-export const landObjection = firstOf(hasLine, inTheAir);
-export const hoverObjection = firstOf(ready, inTheAir);
-export const homeObjection = firstOf(ready, inTheAir);
+export const landObjection = firstOf(hasLine, objectionTo("land"));
+export const hoverObjection = firstOf(hasLine, mayFly, objectionTo("hover"));
+export const homeObjection = firstOf(hasLine, mayFly, objectionTo("home"));
 
-function press(objection: Reason, order: OrderKind): void {
-  if (objection.value) explain(objection);
-  else void send(order);
+/** Home on a button is held; the key H is pressed. */
+export const homeHeld = createHold(HOLD, homeObjection, (from) => void send("home", from));
+
+type From = Element | null;
+
+function press(objection: Reason, order: OrderKind, from: From): void {
+  if (objection.value) explain(objection, from);
+  else void send(order, from);
 }
 
-export function land(): void {
-  press(landObjection, "land");
+export function land(from: From = null): void {
+  press(landObjection, "land", from);
 }
 
-export function hover(): void {
-  press(hoverObjection, "hover");
+export function hover(from: From = null): void {
+  press(hoverObjection, "hover", from);
 }
 
-export function home(): void {
-  press(homeObjection, "home");
+export function home(from: From = null): void {
+  press(homeObjection, "home", from);
 }
 
-export async function takeOver(held: boolean): Promise<void> {
+export async function takeOver(held: boolean, from: From = null): Promise<void> {
   const answer = await ask({ type: "lease", action: "take", held });
-  notice.value = answer.type === "refused" ? answer.reason : "";
+  if (answer.type === "refused") refuse(answer.reason, from);
 }
+
+// Kept over a reload: phones discard pages that they froze.
+const HAD_KEY = "housefly had control";
+let had = sessionStorage.getItem(HAD_KEY) !== null;
+let gave = false;
+
+/** Whoever gives control away knows it; whoever loses it must be told. */
+export function givesControl(): void {
+  gave = true;
+}
+
+verdict.subscribe((told) => {
+  if (!told || me.peek() === 0) return;
+  const mine = told.pilot === me.peek();
+  if (had && !mine && !gave) {
+    const now = told.control ? `${told.control} has it now` : "nobody has it: take it again";
+    const why = told.control ? "You lost control" : "This page was silent and lost control";
+    refuse(`${why}; ${now}`, document.querySelector(".who [aria-expanded]"));
+  }
+  if (mine) gave = false;
+  if (had === mine) return;
+  had = mine;
+  if (mine) sessionStorage.setItem(HAD_KEY, "");
+  else sessionStorage.removeItem(HAD_KEY);
+});
 
 /** The first thing that keeps the person from sending the drone, in words. */
 export const hint = computed(() => {

@@ -17,6 +17,9 @@ export interface Goal {
   plan: PlanAnswer | null;
 }
 
+/** Title of a goal that is nothing but a point. */
+export const POINT = "this point";
+
 export const goal = signal<Goal | null>(null);
 
 /** Whether the goal can be flown to, as far as the planner knows. */
@@ -36,13 +39,13 @@ export function choosePlace(place: PlaceView): void {
   void preview();
 }
 
-export function choosePoint(point: Point): void {
+export function choosePoint(point: Point, title = POINT): void {
   const view = room.value;
   if (!view) return;
   const snapped = centreOf(view.grid, cellOf(view.grid, point));
   goal.value = {
     place: "",
-    title: "this point",
+    title,
     point: snapped,
     asked: null,
     note: "",
@@ -80,7 +83,7 @@ function settle(asked: Goal, plan: PlanAnswer): void {
   const note = `${sentence(plan.reason)} ${moved}`;
   goal.value = {
     place: "",
-    title: "this point",
+    title: asked.place ? POINT : asked.title,
     point: plan.suggestion,
     asked: asked.point,
     note,

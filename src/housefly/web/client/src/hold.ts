@@ -1,41 +1,50 @@
 // Hold instead of click: the action runs after a long enough hold that stays allowed throughout.
 import { effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
-import { explain } from "./preflight";
+import { explain, hint } from "./said";
 
 export interface Hold {
   seconds: number;
   /** Why it cannot be done now, in words, or "". */
   objection: ReadonlySignal<string>;
   held: Signal<boolean>;
+  /** The button that shows it, if any is on the screen. */
+  button: Element | null;
   begin(): void;
   cancel(): void;
+  /** End it without a word: its button is gone. */
+  stop(): void;
 }
 
 export function createHold(
   seconds: number,
   objection: ReadonlySignal<string>,
-  action: () => void,
+  action: (button: Element | null) => void,
 ): Hold {
   const held = signal(false);
   let timer = 0;
-  const cancel = (): void => {
+  const stop = (): void => {
     clearTimeout(timer);
     held.value = false;
   };
   const begin = (): void => {
     if (held.peek()) return;
     if (objection.peek()) {
-      explain(objection);
+      explain(objection, hold.button);
       return;
     }
     held.value = true;
     timer = window.setTimeout(() => {
-      cancel();
-      action();
+      stop();
+      action(hold.button);
     }, seconds * 1000);
   };
+  const cancel = (): void => {
+    if (held.peek()) hint(`Hold it for ${seconds} s: a tap does nothing.`, hold.button);
+    stop();
+  };
   effect(() => {
-    if (objection.value) cancel();
+    if (objection.value) stop();
   });
-  return { seconds, objection, held, begin, cancel };
+  const hold: Hold = { seconds, objection, held, button: null, begin, cancel, stop };
+  return hold;
 }

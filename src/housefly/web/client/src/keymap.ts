@@ -1,4 +1,5 @@
 // All keys in one table: the help panel shows it, keys.ts obeys it.
+import { signal } from "@preact/signals";
 import { cutMotors, home, land, service, stop } from "./commands";
 import { nudge } from "./goal";
 import type { Hold } from "./hold";
@@ -23,7 +24,20 @@ const ARROWS: Record<string, [number, number]> = {
 
 export const SPACE = " ";
 
-const toggle = (name: Screen) => (): void => open(screen.value === name ? "fly" : name);
+const LETTERS_KEY = "housefly letters";
+
+/** Whether single letters do something: who speaks to the machine, or trembles, may not want it. */
+export const letters = signal(localStorage.getItem(LETTERS_KEY) !== "off");
+
+export function useLetters(on: boolean): void {
+  letters.value = on;
+  localStorage.setItem(LETTERS_KEY, on ? "on" : "off");
+}
+
+/** Whether a key is a single printed sign; STOP's Space is none. */
+export const isLetter = (key: string): boolean => key.length === 1 && key !== SPACE;
+
+const toggle = (name: Screen) => (): void => open(screen.value === name ? "live" : name);
 const toggleHelp = (): void => void (panel.value = panel.value === "help" ? "" : "help");
 const swapViews = (): void => void (swapped.value = !swapped.value);
 const closePanel = (): void => void (panel.value = "");
@@ -33,7 +47,7 @@ export const KEYS: Key[] = [
   {
     keys: [SPACE],
     shown: "Space",
-    does: "STOP: hover at once, whatever has the focus",
+    does: "STOP: hover at once; in flight whatever has the focus",
     press: () => void stop(),
   },
   {
@@ -43,8 +57,8 @@ export const KEYS: Key[] = [
     does: "Cut motors: the drone falls",
     hold: cutMotors,
   },
-  { keys: ["l"], shown: "L", does: "Land here", press: land },
-  { keys: ["h"], shown: "H", does: "Fly home and land", press: home },
+  { keys: ["l"], shown: "L", does: "Land here", press: () => land() },
+  { keys: ["h"], shown: "H", does: "Fly home and land", press: () => home() },
   {
     keys: Object.keys(ARROWS),
     shown: "Arrow keys",
@@ -58,8 +72,8 @@ export const KEYS: Key[] = [
     hold: service,
   },
   { keys: ["m"], shown: "M", does: "Swap map and picture", press: swapViews },
-  { keys: ["r"], shown: "R", does: "Go to the room, and back to flying", press: toggle("room") },
-  { keys: ["t"], shown: "T", does: "Go to the tasks, and back to flying", press: toggle("tasks") },
+  { keys: ["r"], shown: "R", does: "Edit the room, and back", press: toggle("edit") },
+  { keys: ["t"], shown: "T", does: "Go to the tasks, and back", press: toggle("tasks") },
   { keys: ["?"], shown: "?", does: "Show or hide this list", press: toggleHelp },
   { keys: ["escape"], shown: "Esc", does: "Close a panel", press: closePanel },
 ];

@@ -1,6 +1,6 @@
 // The keyboard: STOP from anywhere, everything else unless the focus has its own use for the key.
 import type { Hold } from "./hold";
-import { KEYS, SPACE, type Key } from "./keymap";
+import { isLetter, KEYS, letters, SPACE, type Key } from "./keymap";
 import { flying, screen } from "./store";
 
 let held: { key: string; hold: Hold } | null = null;
@@ -10,10 +10,13 @@ function inTextField(target: EventTarget | null): boolean {
   return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;
 }
 
+/** What moves by the arrow keys itself: lists that scroll, and sliders. */
+const OWN_ARROWS = "[data-scrolls], input[type=range]";
+
 /** Whether the focus uses Enter itself, as buttons and links do; a chosen place no longer does. */
 function usesEnter(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
-  const control = target.closest("button, a");
+  const control = target.closest("button, a, summary, [role=button]");
   return control !== null && control.getAttribute("aria-pressed") !== "true";
 }
 
@@ -23,21 +26,28 @@ function find(event: KeyboardEvent): Key | undefined {
   return KEYS.find((one) => one.keys.includes(key) && (one.shift ?? false) === shift);
 }
 
+/** Whether Space is for the focused button: on the ground there is nothing to stop. */
+function presses(target: EventTarget | null): boolean {
+  if (flying.peek() || !(target instanceof Element)) return false;
+  return target.closest("button, a, summary") !== null;
+}
+
 function belongsToFocus(event: KeyboardEvent): boolean {
+  if (event.key === SPACE && presses(event.target)) return true;
   // No goal moves and no flight begins where the goal is not on the screen.
-  if (screen.peek() !== "fly" && (event.key === "Enter" || event.key.startsWith("Arrow")))
+  if (screen.peek() !== "live" && (event.key === "Enter" || event.key.startsWith("Arrow")))
     return true;
   // Someone who types a name while the drone flies can still stop it with Space.
   if (inTextField(event.target)) return event.key !== SPACE || !flying.peek();
   if (event.key.startsWith("Arrow"))
-    return event.target instanceof Element && event.target.closest("[data-scrolls]") !== null;
+    return event.target instanceof Element && event.target.closest(OWN_ARROWS) !== null;
   return event.key === "Enter" && usesEnter(event.target);
 }
 
 function down(event: KeyboardEvent): void {
   if (event.ctrlKey || event.altKey || event.metaKey || belongsToFocus(event)) return;
   const key = find(event);
-  if (!key) return;
+  if (!key || (isLetter(event.key) && !letters.peek())) return;
   event.preventDefault();
   event.stopPropagation();
   if (key.hold) {
@@ -50,7 +60,8 @@ function down(event: KeyboardEvent): void {
 }
 
 function up(event: KeyboardEvent): void {
-  if (event.key === SPACE && !inTextField(event.target)) event.preventDefault();
+  if (event.key === SPACE && !inTextField(event.target) && !presses(event.target))
+    event.preventDefault();
   if (held && (event.key === held.key || event.key === "Shift")) letGo();
 }
 

@@ -2,13 +2,14 @@
 import { computed, signal } from "@preact/signals";
 import { now } from "./wire/clock";
 import type {
-  DroneStatus,
   EventView,
   LinkMessage,
   PathMessage,
   PreflightView,
+  Role,
   RoomView,
   StateMessage,
+  ConsoleVerdict,
   ViewersMessage,
 } from "./wire/messages";
 
@@ -17,6 +18,12 @@ export type Point = [number, number];
 
 export const contact = signal<Contact>("connecting");
 export const me = signal(0);
+/** What this browser may do. */
+export const role = signal<Role>("watch");
+/** One-time links of this page that were used, by name. */
+export const usedInvitations = signal<ReadonlySet<string>>(new Set());
+/** All that headline, banner and buttons say of the drone. */
+export const verdict = signal<ConsoleVerdict | null>(null);
 export const state = signal<StateMessage | null>(null);
 export const room = signal<RoomView | null>(null);
 export const preflight = signal<PreflightView>({ ready: false, checks: [] });
@@ -27,20 +34,31 @@ export const events = signal<EventView[]>([]);
 export const trail = signal<Point[]>([]);
 export const notice = signal("");
 
-/** Which of the two views is large; and on a narrow screen, which are shown. */
+/** Whether the picture is large and the map small; scene/stage.ts sets it, and a person. */
 export const swapped = signal(false);
 /** The screen that is open; the address keeps it over a reload. */
-export type Screen = "fly" | "room" | "tasks";
-export const screen = signal<Screen>(
-  location.hash === "#room" ? "room" : /^#(tasks|clip\/)/.test(location.hash) ? "tasks" : "fly",
-);
+export type Screen = "live" | "edit" | "tasks";
+const addressed = (): Screen =>
+  /^#(room|edit)/.test(location.hash)
+    ? "edit"
+    : /^#(tasks|clip\/)/.test(location.hash)
+      ? "tasks"
+      : "live";
+export const screen = signal<Screen>(addressed());
+window.addEventListener("hashchange", () => (screen.value = addressed()));
 
 export function open(name: Screen): void {
   screen.value = name;
-  history.replaceState(null, "", name === "fly" ? location.pathname : `#${name}`);
+  panel.value = "";
+  history.replaceState(null, "", name === "live" ? location.pathname : `#${name}`);
 }
 
-export const panel = signal<"" | "help" | "control" | "checks">("");
+export type Panel = "" | "help" | "control" | "invite" | "checks" | "more" | "side" | "ask";
+export const panel = signal<Panel>("");
+
+export function toggle(name: Panel): void {
+  panel.value = panel.value === name ? "" : name;
+}
 
 const OLD = 0.5;
 const DEAD = 2;
@@ -55,20 +73,24 @@ export function freshness(age: number): Freshness {
   return age < OLD ? "fresh" : age < DEAD ? "old" : "dead";
 }
 
-/** Whether what is on the screen is the drone's present. */
-export const inContact = computed(() => contact.value === "open" && stateAge.value < DEAD);
-
-const ON_THE_GROUND: (DroneStatus | null)[] = [null, "unknown", "landed", "emergency"];
-export const flying = computed(
-  () => state.value !== null && !ON_THE_GROUND.includes(state.value.status),
+/** Time since the server's last verdict [s]; it sends one twice a second. */
+export const silence = computed(() =>
+  verdict.value ? Math.max(0, now.value - verdict.value.at) : Infinity,
 );
-export const stopped = computed(() => state.value?.safety === "stopped");
-export const cut = computed(
-  () => state.value?.status === "emergency" || state.value?.safety === "cut",
-);
+/** Whether what the verdict says is of now. */
+export const lineLives = computed(() => contact.value === "open" && silence.value < DEAD);
 
-export const iFly = computed(() => me.value !== 0 && viewers.value.pilot === me.value);
+/** Time since tracking saw the drone [s]. */
+export const poseAge = computed(() => (state.value?.pose_age ?? Infinity) + stateAge.value);
 
-export function nameOf(viewer: number | null): string {
-  return viewers.value.viewers.find((one) => one.id === viewer)?.name ?? "somebody who left";
-}
+/** Whether one must reckon with a drone in the air. */
+export const flying = computed(() => verdict.value?.may_be_airborne ?? false);
+export const cut = computed(() => verdict.value?.is_cut ?? false);
+
+/** What became of the STOP that was pressed on this page, until the server's word of it. */
+export const stopPress = signal<{ state: "" | "sending" | "failed"; words: string }>({
+  state: "",
+  words: "",
+});
+
+export const iFly = computed(() => me.value !== 0 && verdict.value?.pilot === me.value);

@@ -36,6 +36,9 @@ export const HomeIcon = outline("M4 11l8-7 8 7v9H4zM10 20v-6h4v6");
 export const ResumeIcon = outline("M7 5l12 7-12 7z");
 export const ResetIcon = outline("M5 12a7 7 0 1 0 2-5M5 4v4h4");
 export const SwapIcon = outline("M4 9h14l-4-4M20 15H6l4 4");
+export const MoreIcon = outline("M5 12h.01M12 12h.01M19 12h.01");
+export const AskIcon = outline("M16 16l5 5M10.5 4a6.5 6.5 0 1 0 0 13a6.5 6.5 0 1 0 0-13z");
+export const ListIcon = outline("M5 6h14M5 12h14M5 18h9");
 export const CutIcon = outline("M13 3L6 13h6l-1 8 7-11h-6z");
 export const StopIcon = () => <Icon><path d={OCTAGON} fill="currentColor" /></Icon>;
 export const HoverIcon = () => (

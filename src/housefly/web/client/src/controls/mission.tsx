@@ -1,30 +1,10 @@
-import { go, hint, service } from "../commands";
-import { choosePlace, forgetGoal, goal } from "../goal";
-import { explanation } from "../preflight";
+import { hint } from "../commands";
+import { choosePlace, forgetGoal, goal, POINT } from "../goal";
+import { said } from "../said";
 import { notice, room } from "../store";
-import { HoldButton } from "./hold-button";
 
-/** Where to, how, and the two ways to send the drone there. */
-export function Mission() {
-  return (
-    <div class="mission">
-      <Places />
-      <Plan />
-      <div class="send">
-        <HoldButton hold={service} class="primary" label="Send to look and come back">
-          <span>Send to look and come back</span>
-          <small>hold</small>
-        </HoldButton>
-        <HoldButton hold={go} class="secondary" label="Fly there and stay">
-          <span>Fly there and stay</span>
-          <small>hold</small>
-        </HoldButton>
-      </div>
-    </div>
-  );
-}
-
-function Places() {
+/** What may be looked at, each one tap. */
+export function Places() {
   // Home has a button of its own.
   const places = (room.value?.places ?? []).filter((place) => place.name !== "home");
   return (
@@ -44,14 +24,15 @@ function Places() {
   );
 }
 
-function Plan() {
+/** How it would fly there, or why it would not. */
+export function Plan() {
   return (
     <div class="plan" role="status">
-      <p class="way">
+      <div class="way">
         <Way />
-      </p>
+      </div>
       <p class="why">
-        {explanation.value || notice.value || hint.value || goal.value?.note || clearance()}
+        {said.value?.words || notice.value || hint.value || goal.value?.note || clearance()}
       </p>
     </div>
   );
@@ -66,9 +47,10 @@ function Way() {
   const aim = goal.value;
   if (!aim) return <span class="quiet">Where to?</span>;
   const way = aim.plan?.path;
-  const name = aim.place
-    ? aim.title
-    : `Point ${aim.point[0].toFixed(1)}, ${aim.point[1].toFixed(1)} m`;
+  const name =
+    aim.place || aim.title !== POINT
+      ? aim.title
+      : `Point ${aim.point[0].toFixed(1)}, ${aim.point[1].toFixed(1)} m`;
   return (
     <>
       <strong>{name}</strong>

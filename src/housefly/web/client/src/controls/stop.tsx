@@ -1,29 +1,55 @@
-import { stop } from "../commands";
-import { flying, stopped } from "../store";
-import { StopIcon } from "./icons";
+import { resume, stop } from "../commands";
+import { iFly, lineLives, screen, stopPress, verdict } from "../store";
+import { sentence } from "../format";
+import { HoldButton } from "./hold-button";
+import { ResumeIcon, StopIcon } from "./icons";
 
-/** STOP: always there, always in the same place, one press, for everybody. */
+/** How far STOP is, by the pilot's own word; and by this page's where nothing arrives. */
+function progress(): { state: string; name: string; then: string } {
+  const pressed = stopPress.value;
+  const told = verdict.value?.stop;
+  if (pressed.state === "failed")
+    return { state: "failed", name: "STOP FAILED", then: sentence(pressed.words) };
+  if (told?.progress === "confirmed") {
+    const past = lineLives.value ? "" : "When this page last heard: ";
+    return { state: "confirmed", name: "STOPPED", then: `${past}${told.words}` };
+  }
+  if (told?.progress === "failed")
+    return { state: "failed", name: "STOP FAILED", then: sentence(told.words) };
+  if (told?.progress === "sent") return { state: "sent", name: "STOP sent", then: told.words };
+  if (pressed.state === "sending") return { state: "sent", name: "STOP", then: "sending …" };
+  return { state: "none", name: "STOP", then: "hover at once and stay" };
+}
+
+/** STOP: always there, one press, for everybody; Resume beside it where no larger one is. */
 export function StopBar() {
-  const latched = stopped.value;
-  const then = latched
-    ? flying.value
-      ? "The drone hovers and takes no orders until Resume is held"
-      : "The drone takes no orders until Resume is held"
-    : "hover at once and stay";
+  const { state, name, then } = progress();
+  const holds = (verdict.value?.stop.progress ?? "none") !== "none";
   return (
     <footer class="stopbar">
       <button
         type="button"
         class="stop"
-        data-latched={latched}
+        data-progress={state}
         onPointerDown={press}
         onClick={click}
       >
         <StopIcon />
-        <strong>{latched ? "STOPPED" : "STOP"}</strong>
-        <span class="then">{then}</span>
-        <kbd>Space</kbd>
+        <span class="words">
+          <strong>{name}</strong>
+          <span class="then" role="status">
+            {then}
+          </span>
+        </span>
+        <kbd aria-hidden="true">Space</kbd>
       </button>
+      {holds && (screen.value !== "live" || !iFly.value) && (
+        <HoldButton hold={resume} class="resume" label="Resume after STOP">
+          <ResumeIcon />
+          <span>Resume</span>
+          <small aria-hidden="true">hold</small>
+        </HoldButton>
+      )}
     </footer>
   );
 }

@@ -1,12 +1,14 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { Metres } from "../controls/metres";
+import { open } from "../store";
 import {
   addInTheMiddle,
   aims,
   busy,
   changed,
   choose,
+  editObjection,
   chosen,
   load,
   places,
@@ -16,7 +18,6 @@ import {
   setPlace,
   setZone,
   said,
-  toggleEditing,
   trouble,
   undo,
   zones,
@@ -45,16 +46,26 @@ export function EditPanel() {
               : "never edited")}
         </small>
       </h2>
-      <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
+      {editObjection.value ? (
+        <p class="wrong" role="status">
+          △ {editObjection.value}
+        </p>
+      ) : (
+        <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
+      )}
       <p class="chips">
         <button
           type="button"
-          aria-disabled={!view}
+          aria-disabled={!view || editObjection.value !== ""}
           onClick={() => view && addInTheMiddle("places")}
         >
           Add a place
         </button>
-        <button type="button" aria-disabled={!view} onClick={() => view && addInTheMiddle("zones")}>
+        <button
+          type="button"
+          aria-disabled={!view || editObjection.value !== ""}
+          onClick={() => view && addInTheMiddle("zones")}
+        >
           Add a zone
         </button>
       </p>
@@ -86,16 +97,22 @@ export function EditPanel() {
         </p>
       )}
       <p role="status">{said.value || (changed.value ? "Not saved yet." : "")}</p>
+      {changed.value && (
+        <p class="quiet">
+          The drone keeps the map that it started with: what is saved here counts from the next
+          start of Housefly on.
+        </p>
+      )}
       <div class="chips">
-        <Button words="Save" strong ready={changed.value} press={save} />
+        <Button words="Save" strong ready={changed.value && !editObjection.value} press={save} />
         <Button words="Discard" ready={changed.value || wrong !== null} press={load} />
         <Button
           words="Undo"
           title="Go back to the version before"
-          ready={!changed.value && (view?.undoable ?? false)}
+          ready={!changed.value && !editObjection.value && (view?.undoable ?? false)}
           press={undo}
         />
-        <button type="button" onClick={toggleEditing}>
+        <button type="button" onClick={() => open("live")}>
           Close
         </button>
       </div>
@@ -162,7 +179,12 @@ function Item({ item, name, fixed, children }: ItemProps) {
         >
           {name}
         </button>
-        <button type="button" aria-label={`Remove ${name}`} onClick={() => remove(item)}>
+        <button
+          type="button"
+          aria-label={`Remove ${name}`}
+          aria-disabled={editObjection.value !== ""}
+          onClick={() => remove(item)}
+        >
           Remove
         </button>
       </div>

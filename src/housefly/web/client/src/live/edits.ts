@@ -1,6 +1,6 @@
 // Places and zones as they are being edited; nothing leaves the browser before Save.
-import { batch, computed, signal } from "@preact/signals";
-import { room } from "../store";
+import { batch, computed, effect, signal } from "@preact/signals";
+import { iFly, room, verdict } from "../store";
 import { fetchAsSession } from "../wire/session";
 import { tab } from "../wire/socket";
 import type { EditsView, PlaceView, ZoneView } from "../wire/room-messages";
@@ -22,7 +22,6 @@ const STEP = 20;
 const AHEAD = 1.5;
 const ZONE = 1;
 
-export const editing = signal(false);
 export const saved = signal<EditsView | null>(null);
 export const places = signal<PlaceView[]>([]);
 export const zones = signal<ZoneView[]>([]);
@@ -40,12 +39,54 @@ export const changed = computed(
       JSON.stringify([saved.value.places, saved.value.zones]),
 );
 
-export function toggleEditing(): void {
-  editing.value = !editing.value;
-  if (!editing.value) return;
-  showAt(null);
-  if (!changed.value) void load();
+const DRAFT_KEY = "housefly draft";
+
+interface Draft {
+  saved: EditsView;
+  places: PlaceView[];
+  zones: ZoneView[];
 }
+
+/** What was edited and not saved is still there, after a reload too; else what the server has. */
+export function beginEditing(): void {
+  showAt(null);
+  if (changed.value) return;
+  const draft = keptDraft();
+  if (draft)
+    batch(() => {
+      saved.value = draft.saved;
+      places.value = draft.places;
+      zones.value = draft.zones;
+      said.value = "These changes were not saved before. Save or Discard them.";
+    });
+  else void load();
+}
+
+function keptDraft(): Draft | null {
+  try {
+    const draft = JSON.parse(sessionStorage.getItem(DRAFT_KEY) ?? "null") as Draft | null;
+    return draft?.saved && Array.isArray(draft.places) && Array.isArray(draft.zones) ? draft : null;
+  } catch {
+    return null;
+  }
+}
+
+effect(() => {
+  const view = saved.value;
+  if (!view) return;
+  const draft: Draft = { saved: view, places: places.value, zones: zones.value };
+  if (changed.value) sessionStorage.setItem(DRAFT_KEY, JSON.stringify(draft));
+  else sessionStorage.removeItem(DRAFT_KEY);
+});
+
+/** Why this page may change nothing here, or "": the server refuses the same at Save. */
+export const editObjection = computed(() => {
+  if (iFly.value) return "";
+  const who = verdict.value?.control;
+  return who
+    ? `${who} has control, and only who has control may change the room.`
+    : "Take control first: only who has control may change the room.";
+});
 
 /** Take what the server has; unsaved changes are gone. */
 export function load(): Promise<void> {
@@ -162,6 +203,7 @@ function inside([x, y]: Point): Point {
 }
 
 export function choose(item: Chosen | null): void {
+  if (item && editObjection.peek()) return;
   batch(() => {
     chosen.value = item;
     aims.value = "viewpoint";
@@ -170,6 +212,7 @@ export function choose(item: Chosen | null): void {
 
 /** A new place; it looks away from the middle of the room, where things stand. */
 export function addPlace(at: Point): void {
+  if (editObjection.peek()) return;
   const [x0, y0, x1, y1] = room.value!.bounds;
   const viewpoint = inside(at);
   const [dx, dy] = [viewpoint[0] - (x0 + x1) / 2, viewpoint[1] - (y0 + y1) / 2];
@@ -183,6 +226,7 @@ export function addPlace(at: Point): void {
 }
 
 export function addZone(a: Point, b: Point): void {
+  if (editObjection.peek()) return;
   zones.value = [...zones.value, { rectangle: rectangle(a, b), reason: "" }];
   choose({ kind: "zones", index: zones.value.length - 1 });
 }
@@ -201,14 +245,17 @@ export function rectangle(a: Point, b: Point): ZoneView["rectangle"] {
 }
 
 export function setPlace(index: number, change: Partial<PlaceView>): void {
+  if (editObjection.peek()) return;
   places.value = places.value.map((place, k) => (k === index ? { ...place, ...change } : place));
 }
 
 export function setZone(index: number, change: Partial<ZoneView>): void {
+  if (editObjection.peek()) return;
   zones.value = zones.value.map((zone, k) => (k === index ? { ...zone, ...change } : zone));
 }
 
 export function remove({ kind, index }: Chosen): void {
+  if (editObjection.peek()) return;
   batch(() => {
     if (kind === "places") places.value = places.value.filter((_, k) => k !== index);
     else zones.value = zones.value.filter((_, k) => k !== index);

@@ -22,6 +22,10 @@ const PERIOD = 1000;
 const DEBOUNCE = 120;
 const EVENTS_KEPT = 500;
 const RECENT = 100;
+/** A memory that does not answer is asked less often [ticks]. */
+const RESTS = 2;
+/** How often sensors are asked for that nobody looks at [ticks]. */
+const HEARD_EVERY = 3;
 
 async function get<T extends RoomAnswer>(
   path: string,
@@ -33,7 +37,8 @@ async function get<T extends RoomAnswer>(
   const answer = await fetchAsSession(`${path}?${text}`).catch(() => {
     throw new Error("no contact with the server");
   });
-  const tree = (await answer.json()) as T & { error?: string };
+  // An address that the server does not have is answered with a page.
+  const tree = (await answer.json().catch(() => ({}))) as T & { error?: string };
   if (!answer.ok) throw new Error(tree.error ?? answer.statusText);
   return tree;
 }
@@ -113,18 +118,23 @@ function merge(placed: PlacedThing[], toldAt: number): void {
 }
 
 let ticks = false;
+let rests = 0;
+let beats = 0;
 
 async function tick(): Promise<void> {
-  if (ticks) return;
+  if (ticks || rests-- > 0) return;
   ticks = true;
+  rests = 0;
   try {
-    store.sensors.value = await get<SensorsAnswer>(`${API}/sensors`);
+    // A memory that has fallen silent is noticed by that, too.
+    if (store.wantsSensors.peek() || ++beats % HEARD_EVERY === 0)
+      store.sensors.value = await get<SensorsAnswer>(`${API}/sensors`);
     if (store.trouble.value) await begin();
-    if (store.at.value === null && store.found.value.answer)
-      await where(store.found.value.answer.thing);
+    if (store.at.value === null && store.found.value.answer) await refind();
   } catch (error) {
     store.trouble.value = (error as Error).message;
   }
+  if (store.trouble.value) rests = RESTS;
   ticks = false;
 }
 
@@ -169,7 +179,12 @@ export async function askEvents(): Promise<void> {
     limit: EVENTS_KEPT,
     ...thing,
   });
-  store.events.value = events;
+  // What happened while the answer was on its way is not in it.
+  const last = events.at(-1)?.at ?? since;
+  const newer = store.events.value.filter(
+    (one) => one.at > last && (!store.only.value || one.thing === store.only.value),
+  );
+  store.events.value = [...events, ...newer];
 }
 
 // --- search
@@ -177,33 +192,50 @@ export async function askEvents(): Promise<void> {
 /** Find a thing by what people call it. */
 export async function find(words: string): Promise<void> {
   const wanted = words.trim();
+  unfind();
   store.query.value = wanted;
   if (wanted) await where(wanted);
-  else store.found.value = store.NOTHING;
 }
 
+/** Nothing is searched for any more. */
+export function unfind(): void {
+  turn += 1;
+  store.query.value = "";
+  store.found.value = store.NOTHING;
+}
+
+/** Ask again, about the same thing: it may have moved, or the time that is shown. */
 async function refind(): Promise<void> {
   if (store.query.value) await where(store.found.value.answer?.thing ?? store.query.value);
 }
 
+let turn = 0;
+
+/** Only the newest question is answered, whatever order the answers come in. */
 async function where(thing: string): Promise<void> {
   const time: Record<string, string> =
     store.at.value === null ? {} : { at: store.at.value.toFixed(3) };
-  const asked = store.query.value;
+  const mine = ++turn;
   let found = store.NOTHING;
+  // A name is one part of an address: a stroke in it would be two.
+  const path = `${API}/where/${encodeURIComponent(thing.replace(/[\\/]+/g, " "))}`;
   try {
-    found = {
-      ...found,
-      answer: await get<WhereAnswer>(`${API}/where/${encodeURIComponent(thing)}`, time),
-    };
+    found = { ...found, answer: await get<WhereAnswer>(path, time) };
   } catch (error) {
-    found = {
-      ...found,
-      problem: (error as Error).message,
-      meant: suggestions(thing, store.catalogue.value),
-    };
+    const meant = suggestions(thing, store.catalogue.value);
+    found = { ...found, problem: (error as Error).message, meant };
   }
-  if (store.query.value === asked) store.found.value = found;
+  if (mine === turn) store.found.value = found;
+}
+
+/** Fetch what the tracking cameras see; it stays the same while the house runs. */
+export async function learnCoverage(): Promise<void> {
+  if (store.coverage.value) return;
+  try {
+    store.coverage.value = await get<CoverageView>("/coverage");
+  } catch {
+    store.coverage.value = null; // no cameras are known here
+  }
 }
 
 export async function toggleCoverage(): Promise<void> {

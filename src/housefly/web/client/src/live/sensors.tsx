@@ -1,6 +1,7 @@
+import { useEffect } from "preact/hooks";
 import { milliseconds } from "../format";
 import type { SensorAnswer } from "../wire/room-messages";
-import { sensors, trouble } from "./store";
+import { sensors, trouble, wantsSensors } from "./store";
 import { ago } from "./words";
 
 type Health = "well" | "warning" | "fault";
@@ -12,6 +13,10 @@ const ALL_KEPT = "all is kept";
 
 /** Every sensor: how often it speaks, when it last did, and what is wrong, in words. */
 export function Sensors() {
+  useEffect(() => {
+    wantsSensors.value = true;
+    return () => void (wantsSensors.value = false);
+  }, []);
   const all = sensors.value?.sensors ?? [];
   const memory = sensors.value?.memory;
   const wrong = all.filter((one) => health(one) !== "well").length;

@@ -39,6 +39,8 @@ export const hindering = computed(
 );
 export const events = signal<EventAnswer[]>([]);
 export const sensors = signal<SensorsAnswer | null>(null);
+/** Whether somebody looks at them. */
+export const wantsSensors = signal(false);
 export const catalogue = signal<ThingAnswer[]>([]);
 export const coverage = signal<CoverageView | null>(null);
 /** Why the room is not heard, in words, or "". */

@@ -1,8 +1,9 @@
 // What stands beside the mark of a thing, and where it covers no other mark's words.
-import { blockOf, overlap, type Box } from "../map/labels";
+import { blockOf, namesOf, overlap, type Box } from "../map/labels";
 import type { Projection } from "../map/projection";
 import { at, moment, situations, type Seen } from "./store";
 import { percent } from "../format";
+import { room } from "../store";
 import { ago, isWorry, kindOf, worthSaying } from "./words";
 
 export const LINE = 13;
@@ -31,7 +32,7 @@ export function wordsOf(
   inside: Map<string, Seen[]>,
   to: Projection,
 ): Map<string, Words> {
-  const taken: Box[] = [];
+  const taken: Box[] = room.value ? namesOf(room.value, to) : [];
   const still = (one: Seen): number => (MOVES.includes(kindOf(one)) ? 0 : 1);
   const words = new Map<string, Words>();
   for (const one of [...drawn].sort((a, b) => still(a) - still(b))) {

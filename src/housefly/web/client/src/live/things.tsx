@@ -23,6 +23,8 @@ export function ThingsLayer({ to }: { to: Projection }) {
   const drawn = all.filter(
     (one) =>
       one.position &&
+      // Where the drone is now, the pilot knows better.
+      (kindOf(one) !== "robot" || at.value !== null) &&
       (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)),
   );
   const words = wordsOf(drawn, inside, to);

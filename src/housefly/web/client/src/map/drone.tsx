@@ -1,4 +1,5 @@
-import { state, trail, freshness, stateAge } from "../store";
+import { milliseconds } from "../format";
+import { state, trail, freshness, poseAge } from "../store";
 import { polyline, type Projection } from "./projection";
 
 const HULL = 0.26;
@@ -51,11 +52,12 @@ function Drone({ to }: { to: Projection }) {
   if (!now?.position) return null;
   const [u, v] = to.at([now.position[0], now.position[1]]);
   const radius = Math.max(9, HULL * to.scale);
+  const fresh = freshness(poseAge.value);
   const sigma = (now.position_std ?? 0) * to.scale;
   return (
     <g
       class="drone"
-      data-age={freshness(stateAge.value)}
+      data-age={fresh}
       style={{ transform: `translate(${u.toFixed(1)}px, ${v.toFixed(1)}px)` }}
     >
       <circle class="sigma" r={sigma.toFixed(1)} />
@@ -68,6 +70,11 @@ function Drone({ to }: { to: Projection }) {
         <circle class="hull" r={radius} />
         <path class="arrow" d={arrow(radius)} />
       </g>
+      {fresh !== "fresh" && (
+        <text class="age" y={-radius - 6} text-anchor="middle">
+          seen {milliseconds(poseAge.value)} ago
+        </text>
+      )}
     </g>
   );
 }

@@ -1,5 +1,6 @@
 import { goal } from "../goal";
 import { path, state, type Point } from "../store";
+import { CurveLayer } from "./curve";
 import { polyline, type Projection } from "./projection";
 
 /** The path that is being flown: what is left of it strong, what is done faint. */
@@ -7,6 +8,13 @@ export function PathLayer({ to }: { to: Projection }) {
   const way = path.value?.waypoints ?? [];
   const now = state.value;
   if (way.length < 2) return null;
+  if (path.value!.speeds.length > 1)
+    return (
+      <g class="way">
+        <CurveLayer to={to} />
+        <Target to={to} at={way.at(-1)!} />
+      </g>
+    );
   const here: Point[] = now?.position ? [[now.position[0], now.position[1]]] : [];
   const left = [...here, ...way.slice(now?.waypoint ?? 0)];
   return (

@@ -1,4 +1,4 @@
-import { freshness, room, state, stateAge } from "../store";
+import { freshness, poseAge, room, state } from "../store";
 
 const TICK = 0.5;
 
@@ -15,7 +15,7 @@ export function HeightStrip() {
       class="height"
       role="img"
       aria-label={height === null ? "Height unknown" : `Height ${height.toFixed(1)} metres`}
-      data-age={freshness(stateAge.value)}
+      data-age={freshness(poseAge.value)}
     >
       <span class="value">{height === null ? "–" : height.toFixed(2)}</span>
       <div class="tube">

@@ -32,6 +32,13 @@ export function labels(view: RoomView, to: Projection): Label[] {
   return [...places, ...things];
 }
 
+/** What the names of places cover, for others to keep clear of. */
+export function namesOf(view: RoomView, to: Projection): Box[] {
+  return labels(view, to)
+    .filter((one) => one.kind === "spot")
+    .map((one) => boxOf(one.text, one.x, one.y));
+}
+
 /** The name of a place stands below, above, right or left of its mark: where it covers least. */
 function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
   const [u, v] = to.at(place.viewpoint);

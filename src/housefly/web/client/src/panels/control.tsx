@@ -1,10 +1,9 @@
-import { signal } from "@preact/signals";
-import { takeControl, takeOver } from "../commands";
+import { givesControl, takeControl, takeOver } from "../commands";
 import { HoldButton } from "../controls/hold-button";
-import { flying, iFly, me, notice, panel, viewers } from "../store";
+import { ThisDevice } from "../device/this-device";
+import { refuse } from "../said";
+import { flying, iFly, me, panel, toggle, verdict, viewers } from "../store";
 import { ask, myName, rename } from "../wire/socket";
-
-const invitation = signal("");
 
 /** Who is here, who has control, and how it changes hands. */
 export function Control() {
@@ -32,7 +31,7 @@ export function Control() {
               {one.name}
               {one.id === me.value && " (you)"}
             </span>
-            {viewers.value.pilot === one.id && <strong>has control</strong>}
+            {verdict.value?.pilot === one.id && <strong>has control</strong>}
             {iFly.value && one.id !== me.value && (
               <button type="button" class="quiet-button" onClick={() => void lease("give", one.id)}>
                 Hand over
@@ -43,14 +42,14 @@ export function Control() {
       </ul>
       <div class="row">
         <Take />
-        <button type="button" class="quiet-button" onClick={() => void invite()}>
+        <button type="button" class="quiet-button" onClick={() => toggle("invite")}>
           Invite
         </button>
         <button type="button" class="quiet-button" onClick={() => (panel.value = "")}>
           Close
         </button>
       </div>
-      <p class="invitation">{invitation.value}</p>
+      <ThisDevice />
     </section>
   );
 }
@@ -63,11 +62,11 @@ function Take() {
       </button>
     );
   }
-  if (flying.value && viewers.value.pilot !== null) {
+  if (flying.value && verdict.value?.pilot != null) {
     return (
       <HoldButton hold={takeControl} class="secondary" label="Take over control">
         <span>Take over</span>
-        <small>hold</small>
+        <small aria-hidden="true">hold</small>
       </HoldButton>
     );
   }
@@ -79,12 +78,7 @@ function Take() {
 }
 
 async function lease(action: "release" | "give", to: number): Promise<void> {
+  givesControl();
   const answer = await ask({ type: "lease", action, to });
-  notice.value = answer.type === "refused" ? answer.reason : "";
-}
-
-async function invite(): Promise<void> {
-  const answer = await ask({ type: "invite" });
-  invitation.value =
-    answer.type === "invite" ? `${location.origin}${answer.path}` : "No link could be made.";
+  if (answer.type === "refused") refuse(answer.reason, null);
 }

@@ -1,4 +1,4 @@
-import { KEYS } from "../keymap";
+import { KEYS, letters, useLetters } from "../keymap";
 import { panel } from "../store";
 
 /** All keys. Not modal: STOP stays within reach. */
@@ -21,8 +21,16 @@ export function Help() {
       </table>
       <p class="quiet">
         Space stops the drone even while you type, as long as it flies. On the ground it types a
-        space.
+        space, or presses the button that has the focus.
       </p>
+      <label class="choice">
+        <input
+          type="checkbox"
+          checked={letters.value}
+          onChange={(event) => useLetters(event.currentTarget.checked)}
+        />
+        Letters and ? are keys
+      </label>
       <button type="button" class="quiet-button" onClick={() => (panel.value = "")}>
         Close
       </button>

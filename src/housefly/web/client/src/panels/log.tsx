@@ -1,32 +1,110 @@
-import { standing } from "../preflight";
+import { computed, signal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import { at, events as roomEvents, hubNow, only, things } from "../live/store";
+import { askEvents } from "../live/room-client";
+import { happened } from "../live/words";
+import { RecordedLog } from "../replay/recorded";
+import { replaying } from "../replay/replay";
 import { events } from "../store";
+import { go } from "../timebar/past";
 import { serverNow } from "../wire/clock";
-import type { EventView, Severity } from "../wire/messages";
+import type { Severity } from "../wire/messages";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
 const SHOWN = 100;
+const FILTERS = ["all", "drone", "room", "warnings"] as const;
 
-/** What happened, newest first; every line arrives, whatever the line is like. */
-export function Log() {
-  const shown = events.value.slice(-SHOWN).reverse();
+type Filter = (typeof FILTERS)[number];
+const filter = signal<Filter>("all");
+
+interface Line {
+  key: string;
+  /** On this machine's clock [ms]. */
+  when: number;
+  severity: Severity;
+  words: string;
+  of: "drone" | "room";
+  /** The moment that a press shows [Unix time, s]. */
+  shows: number | null;
+}
+
+/** An event is shown with what it brought about [s]. */
+const AFTER = 0.5;
+
+const lines = computed<Line[]>(() => {
+  const now = serverNow();
+  const own = events.value.slice(-SHOWN).map((one): Line => ({
+    key: `d${one.number}`,
+    when: Date.now() - 1000 * (now - one.at),
+    severity: one.severity,
+    words: one.text.charAt(0).toUpperCase() + one.text.slice(1),
+    of: "drone",
+    shows: null,
+  }));
+  const hub = hubNow.peek();
+  const heard = roomEvents.value.slice(-SHOWN).map((one): Line => ({
+    key: `r${one.at} ${one.kind} ${one.thing}`,
+    when: Date.now() - 1000 * (hub - one.at),
+    severity: "info",
+    words: happened(one),
+    of: "room",
+    shows: one.at + AFTER,
+  }));
+  return [...own, ...heard].sort((a, b) => b.when - a.when);
+});
+
+const shown = computed(() =>
+  lines.value
+    .filter(({ of, severity }) =>
+      filter.value === "all"
+        ? true
+        : filter.value === "warnings"
+          ? severity !== "info"
+          : of === filter.value,
+    )
+    .slice(0, SHOWN),
+);
+
+/** What happened to drone and room, newest first; every line arrives, whatever the line is like. */
+export function Log({ children }: { children?: ComponentChildren }) {
+  if (replaying.value) return <RecordedLog />;
   return (
     <section class="card log" aria-label="Event log">
-      <h2>Log</h2>
-      <ul class="notes" aria-label="What holds now">
-        {standing.value.map((note) => (
-          <li key={note}>
-            <span class="mark">△</span> {note}
-          </li>
-        ))}
-      </ul>
+      <div class="row">
+        <h2>Log</h2>
+        <select
+          aria-label="Which lines"
+          value={filter.value}
+          onChange={(event) => (filter.value = event.currentTarget.value as Filter)}
+        >
+          {FILTERS.map((one) => (
+            <option key={one} value={one}>
+              {one}
+            </option>
+          ))}
+        </select>
+        {filter.value === "room" && <OnlyOf />}
+        {children}
+      </div>
       <ol tabIndex={0} data-scrolls>
-        {shown.map((event) => (
-          <li key={event.number} data-severity={event.severity}>
-            <time>{clock(event)}</time>
-            <span class="mark" aria-label={event.severity}>
-              {MARK[event.severity]}
+        {shown.value.map((one) => (
+          <li key={one.key} data-severity={one.severity}>
+            <time>{new Date(one.when).toTimeString().slice(0, 8)}</time>
+            <span class="mark" aria-label={one.severity}>
+              {MARK[one.severity]}
             </span>
-            <span>{event.text.charAt(0).toUpperCase() + event.text.slice(1)}</span>
+            {one.shows === null ? (
+              <span>{one.words}</span>
+            ) : (
+              <button
+                type="button"
+                aria-current={at.value === one.shows}
+                title="Show the room as it was then"
+                onClick={() => go(one.shows)}
+              >
+                {one.words}
+              </button>
+            )}
           </li>
         ))}
       </ol>
@@ -34,6 +112,23 @@ export function Log() {
   );
 }
 
-function clock(event: EventView): string {
-  return new Date(Date.now() - 1000 * (serverNow() - event.at)).toTimeString().slice(0, 8);
+/** Whose events of the room are listed. */
+function OnlyOf() {
+  return (
+    <select
+      aria-label="Only of"
+      value={only.value}
+      onChange={(event) => {
+        only.value = event.currentTarget.value;
+        void askEvents().catch(() => undefined);
+      }}
+    >
+      <option value="">everything</option>
+      {[...things.value.values()].map((one) => (
+        <option key={one.thing} value={one.thing}>
+          {one.name}
+        </option>
+      ))}
+    </select>
+  );
 }

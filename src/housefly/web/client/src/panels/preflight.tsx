@@ -1,26 +1,21 @@
-import { flying, panel, preflight } from "../store";
+import { flying, lineLives, panel, preflight, verdict } from "../store";
+import { sentence } from "../format";
 import { readiness } from "../preflight";
-import type { PreflightCheck } from "../wire/messages";
+import type { FlightObjection, PreflightCheck } from "../wire/messages";
 
 const toggle = (): void => void (panel.value = panel.value === "checks" ? "" : "checks");
 
 /** Whether the drone may take off: one line on every screen that unfolds to all checks. */
 export function Readiness() {
   const { checks } = preflight.value;
+  const { ready, known } = readiness.value;
   return (
-    <div class="readiness">
-      <button
-        type="button"
-        aria-expanded={panel.value === "checks"}
-        aria-disabled={checks.length === 0}
-        onClick={() => checks.length > 0 && toggle()}
-      >
+    <div class="readiness" data-quiet={ready && known.length === 0}>
+      <button type="button" aria-expanded={panel.value === "checks"} onClick={toggle}>
         <Line />
-        {checks.length > 0 && (
-          <span class="more">
-            <span>{checks.length} checks</span> ▾
-          </span>
-        )}
+        <span class="more">
+          <span>{checks.length > 0 ? `${checks.length} checks` : "more"}</span> ▾
+        </span>
       </button>
     </div>
   );
@@ -46,16 +41,26 @@ function Line() {
 /** All checks, those that need a look first. Not modal: STOP stays within reach. */
 export function Checks() {
   const { checks } = preflight.value;
-  if (panel.value !== "checks" || checks.length === 0) return null;
+  const told = verdict.value;
+  if (panel.value !== "checks" || !told) return null;
+  const codes = checks.map((one) => one.code);
+  const reasons = flying.value ? [] : told.reasons.filter((one) => !codes.includes(one.code));
   return (
     <section class="sheet checks" role="dialog" aria-label="Checks before take-off">
       <div class="row">
-        <h2>Before take-off</h2>
+        <h2>{flying.value ? "In flight" : "Before take-off"}</h2>
         <button type="button" class="quiet-button" onClick={toggle}>
           Close
         </button>
       </div>
+      <p class="without">
+        <strong>{lineLives.value ? "If contact is lost now: " : "As contact was lost: "}</strong>
+        {sentence(told.if_contact_lost)}
+      </p>
       <ul>
+        {reasons.map((one) => (
+          <Reason key={one.code} one={one} />
+        ))}
         {[...checks]
           .sort((a, b) => rank(a) - rank(b))
           .map((one) => (
@@ -71,6 +76,20 @@ const WORDS = ["no take-off", "look", "well"];
 
 function rank(check: PreflightCheck): number {
   return check.passed ? 2 : check.required ? 0 : 1;
+}
+
+function Reason({ one }: { one: FlightObjection }) {
+  return (
+    <li data-rank={0}>
+      <span class="mark" aria-label={WORDS[0]}>
+        {MARKS[0]}
+      </span>
+      <span class="what">{one.words}</span>
+      <p>
+        <strong>{one.mend}</strong>
+      </p>
+    </li>
+  );
 }
 
 function Check({ one }: { one: PreflightCheck }) {

@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
-import { freshness, link, state, stateAge } from "../store";
+import { freshness, link, poseAge, state, stateAge } from "../store";
 import { now } from "../wire/clock";
 import { picture } from "../wire/video";
-import { milliseconds } from "../format";
+import { milliseconds, percent } from "../format";
 
 const LINK_PERIOD = 0.5;
 
@@ -34,7 +34,7 @@ export function Readings() {
   const linkAge = link.value
     ? Math.max(0, now.value - link.value.heard_at - LINK_PERIOD)
     : Infinity;
-  const poseAge = (s?.pose_age ?? Infinity) + age;
+  const seen = poseAge.value;
   const telemetryAge = (s?.telemetry_age ?? Infinity) + age;
   const shown = picture.value;
   // While pictures flow their latency tells more than the age of the last one.
@@ -45,9 +45,9 @@ export function Readings() {
       <Reading
         name="Tracking"
         age={Math.max(linkAge, age)}
-        problem={poseAge > POSE_OLD || wires?.tracking_connected === false}
+        problem={seen > POSE_OLD || wires?.tracking_connected === false}
       >
-        {rate(wires?.tracking_rate_hz)} · {ageWords(poseAge)}
+        {rate(wires?.tracking_rate_hz)} · {ageWords(seen)}
       </Reading>
       <Reading
         name="Drone"
@@ -64,11 +64,21 @@ export function Readings() {
           ? `p99 ${(1000 * wires.loop_p99_s).toFixed(1)} ms late · ${wires.missed_ticks} missed`
           : "–"}
       </Reading>
-      <Reading name="Position" age={age}>
+      <Reading name="Delays" age={linkAge}>
+        tracking {known(wires?.tracking_latency_s)} · command {known(wires?.command_delay_s)}
+        <small> ± {known(wires?.command_delay_std_s)}</small>
+      </Reading>
+      <Reading name="Filter" age={linkAge}>
+        NIS {wires?.nis ? `${wires.nis.toFixed(1)} · height ${wires.height_nis.toFixed(1)}` : "–"}
+      </Reading>
+      <Reading name="Push" age={linkAge}>
+        {wires?.push ? `${wires.push.toFixed(2)} m/s² · load ${percent(wires.load)}` : "–"}
+      </Reading>
+      <Reading name="Position" age={seen}>
         {s?.position ? `${s.position.map((value) => value.toFixed(2)).join("  ")} m` : "–"}
         {s?.position_std != null && <small> ± {milli(s.position_std)}</small>}
       </Reading>
-      <Reading name="Motion" age={age}>
+      <Reading name="Motion" age={seen}>
         {speed === null ? "–" : `${speed.toFixed(2)} m/s`} ·{" "}
         {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
       </Reading>
@@ -77,6 +87,10 @@ export function Readings() {
       </Reading>
     </dl>
   );
+}
+
+function known(seconds: number | undefined): string {
+  return seconds ? milliseconds(seconds) : "–";
 }
 
 function rate(hertz: number | undefined): string {

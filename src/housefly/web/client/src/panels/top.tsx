@@ -1,20 +1,17 @@
-import { cutMotors } from "../commands";
-import { HoldButton } from "../controls/hold-button";
-import { CutIcon, ShapeIcon } from "../controls/icons";
+import { AskIcon, ListIcon, ShapeIcon } from "../controls/icons";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
-import { iFly, nameOf, open, panel, room, screen, state, viewers } from "../store";
+import { iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
 import { lag } from "../wire/clock";
 import { milliseconds } from "../format";
-import { headline } from "../headline";
+import { banner, headline } from "../headline";
 
 const SCREENS = [
-  ["fly", "Fly"],
-  ["room", "Room"],
+  ["live", "Live"],
   ["tasks", "Tasks"],
 ] as const;
 
-/** The state in words, who flies, and far from STOP the button that cuts the motors. */
+/** The state in words, who flies, and the way to the other screen. */
 export function Top() {
   const { shape, text, detail } = headline.value;
   return (
@@ -28,8 +25,10 @@ export function Top() {
       </div>
       <div class="headline" data-shape={shape}>
         <ShapeIcon shape={shape} />
-        <strong>{text}</strong>
-        <span class="detail">{detail}</span>
+        <span class="words">
+          <strong>{text}</strong>
+          <span class="detail">{detail}</span>
+        </span>
       </div>
       <div class="who">
         <nav class="screens" aria-label="Screens">
@@ -49,18 +48,36 @@ export function Top() {
         </nav>
         <div class="facts">
           <House />
-          <span class="charge">
-            {state.value?.battery == null
-              ? ""
-              : `battery ${Math.round(100 * state.value.battery)} %`}
-          </span>
+          <span class="charge">{charge()}</span>
           <span class="lag" title="Round trip between this browser and the server">
             lag {lag.value === null ? "–" : milliseconds(lag.value)}
           </span>
         </div>
+        {screen.value === "live" && (
+          <>
+            <button
+              type="button"
+              class="quiet-button to-ask"
+              aria-label="Ask"
+              aria-expanded={panel.value === "ask"}
+              onClick={() => toggle("ask")}
+            >
+              <AskIcon />
+            </button>
+            <button
+              type="button"
+              class="quiet-button to-side"
+              aria-label="Details"
+              aria-expanded={panel.value === "side"}
+              onClick={() => toggle("side")}
+            >
+              <ListIcon />
+            </button>
+          </>
+        )}
         <button
           type="button"
-          class="quiet-button"
+          class="quiet-button control"
           aria-expanded={panel.value === "control"}
           onClick={() => toggle("control")}
         >
@@ -76,13 +93,16 @@ export function Top() {
           ?
         </button>
       </div>
-      <HoldButton hold={cutMotors} class="cut" label="Cut motors: motors stop, drone falls">
-        <CutIcon />
-        <span>Cut motors</span>
-        <small>hold 1 s, drone falls</small>
-      </HoldButton>
+      <p class="banner" role="alert" hidden={!banner.value}>
+        {banner.value}
+      </p>
     </header>
   );
+}
+
+function charge(): string {
+  const share = state.value?.battery;
+  return share == null ? "" : `battery ${Math.round(100 * share)} %`;
 }
 
 /** The site's name, and its mode when it is not the usual one. */
@@ -95,11 +115,5 @@ function site(): string {
 
 function who(): string {
   if (iFly.value) return "You have control";
-  return viewers.value.pilot === null
-    ? "Take control"
-    : `${nameOf(viewers.value.pilot)} has control`;
-}
-
-function toggle(name: "help" | "control"): void {
-  panel.value = panel.value === name ? "" : name;
+  return verdict.value?.control ? `${verdict.value.control} has control` : "Take control";
 }

@@ -1,5 +1,8 @@
 import { useEffect, useRef } from "preact/hooks";
 import { SwapIcon } from "../controls/icons";
+import { RecordedPicture } from "../replay/recorded";
+import { replaying } from "../replay/replay";
+import { PictureClip } from "../scene/picture-clip";
 import { freshness, swapped } from "../store";
 import { soundRecording } from "../tasks/recording-tone";
 import { now } from "../wire/clock";
@@ -10,6 +13,7 @@ import { milliseconds } from "../format";
 /** The drone's picture. */
 export function VideoView() {
   useEffect(soundRecording, []);
+  if (replaying.value) return <RecordedPicture />;
   return decodesVideo ? <LiveVideo /> : <JpegVideo />;
 }
 
@@ -17,6 +21,7 @@ function JpegVideo() {
   return (
     <section class="view video" aria-label="Picture from the drone">
       <img src={`/video.mjpeg?proof=${proof()}`} alt="Picture from the drone" />
+      <PictureClip />
       <SwapButton to="picture" />
     </section>
   );
@@ -30,6 +35,7 @@ function LiveVideo() {
     <section class="view video" aria-label="Picture from the drone" data-age={freshness(age)}>
       <canvas ref={canvas} width={640} height={360} />
       <p class="veil">{veil(age)}</p>
+      <PictureClip />
       <SwapButton to="picture" />
     </section>
   );

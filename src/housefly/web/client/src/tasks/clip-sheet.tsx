@@ -68,7 +68,7 @@ export function ClipSheet() {
             </button>
             <HoldButton hold={remove} class="danger" label="Delete this clip">
               <span>Delete</span>
-              <small>hold</small>
+              <small aria-hidden="true">hold</small>
             </HoldButton>
           </div>
           <Facts info={info} />

@@ -50,6 +50,7 @@ export function openClip(id: string): void {
   if (opened.value === id) return;
   opened.value = id;
   clipTrouble.value = "";
+  if (!id) return;
   history.replaceState(null, "", `#clip/${id}`);
   void describe(id);
 }
@@ -87,3 +88,6 @@ async function describe(id: string): Promise<void> {
 }
 
 if (opened.value) void describe(opened.value);
+
+// A link to a clip, from the picture.
+window.addEventListener("hashchange", () => openClip(ADDRESS.exec(location.hash)?.[1] ?? ""));

@@ -7,7 +7,7 @@ import { openClip } from "./clip-store";
 import { Steps } from "./open-tasks";
 import { clips, history } from "./tasks-client";
 import { TakeAway } from "./take-away";
-import { details, MARKS, outcome, why } from "./words";
+import { details, MARKS, outcome, rehearsed, why } from "./words";
 import type { ClipInfo, TaskStatus } from "../wire/task-messages";
 
 const PAGE = 50;
@@ -100,7 +100,7 @@ function Chain({ task }: { task: TaskStatus }) {
       <dd>{sentence(why(task) + (given ? `: ${given}` : ""))}</dd>
       <dt>Decision</dt>
       <dd>
-        {task.rehearsal ? sentence(task.rehearsal.words) : "It was not rehearsed."}
+        {task.rehearsal ? rehearsed(task.rehearsal) : "It was not rehearsed."}
         {task.code !== "ok" && <span class="quiet"> ({task.code})</span>}
       </dd>
       <dt>Flight</dt>

@@ -3,7 +3,7 @@ import { sentence } from "../format";
 import { ago } from "../live/words";
 import { board, running, unixNow } from "./board";
 import { change } from "./tasks-client";
-import { details, MARKS, outcome, why } from "./words";
+import { details, MARKS, outcome, rehearsed, why } from "./words";
 import type { TaskStatus, TaskStepState, TaskStepStatus } from "../wire/task-messages";
 
 const trouble = signal({ task: 0, words: "" });
@@ -60,7 +60,7 @@ function Task({ task }: { task: TaskStatus }) {
       </p>
       {task.words && !waits && <p>{sentence(task.words)}</p>}
       {task.rehearsal && !waits && (
-        <p class="quiet">{sentence(task.rehearsal.words)}</p>
+        <p class="quiet">{rehearsed(task.rehearsal)}</p>
       )}
       {!waits && <Steps steps={task.steps} />}
       <div class="row orders">

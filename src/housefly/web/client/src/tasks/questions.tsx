@@ -3,10 +3,12 @@ import { useMemo } from "preact/hooks";
 import { HoldButton } from "../controls/hold-button";
 import { minutes, sentence } from "../format";
 import { createHold } from "../hold";
+import { bellAsks } from "../scene/bell";
+import { BellCard } from "../scene/bell-card";
 import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply } from "./tasks-client";
-import { proposal, why } from "./words";
+import { proposal, rehearsed, why, withAdvice } from "./words";
 
 const HOLD = 0.6;
 const SETTLED = 700;
@@ -26,16 +28,18 @@ export function Questions({ over }: { over: boolean }) {
   const waiting = asked.value;
   const ended = endedBadly.value.filter((one) => !read.value.has(one.id)).slice(0, SHOWN);
   const more = over ? waiting.length - SHOWN : 0;
-  if (waiting.length + ended.length === 0) return null;
+  const rings = over && bellAsks.value;
+  if (waiting.length + ended.length === 0 && !rings) return null;
   return (
     <section class={`questions ${over ? "over" : ""}`} aria-label="Questions">
+      {rings && <BellCard />}
       {(over ? waiting.slice(0, SHOWN) : waiting).map((one) => (
         <Card key={`${one.task.id} ${one.question.id}`} one={one} />
       ))}
       {ended.map((task) => (
         <p class="ended-badly" role="alert" key={task.id}>
           <span>
-            <strong>△ {task.title}:</strong> {sentence(task.words || task.state)}
+            <strong>△ {task.title}:</strong> {withAdvice(task.words || task.state, task.code)}
           </span>
           <button type="button" onClick={() => (read.value = new Set([...read.value, task.id]))}>
             Close
@@ -64,7 +68,7 @@ function Card({ one: { task, question } }: { one: Asked }) {
       </p>
       {task.rehearsal && question.id === CONFIRMATION && (
         <p class="rehearsal" data-may={task.rehearsal.may_fly}>
-          {sentence(task.rehearsal.words)}
+          {rehearsed(task.rehearsal)}
         </p>
       )}
       <div class="choices">
@@ -126,7 +130,7 @@ function Choice({ task, question, choice, first, harmless }: Answer) {
   return (
     <HoldButton hold={hold} class={first ? "primary" : "secondary"} label={capital}>
       <span>{capital}</span>
-      <small>hold</small>
+      <small aria-hidden="true">hold</small>
     </HoldButton>
   );
 }

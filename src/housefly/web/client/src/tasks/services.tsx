@@ -13,6 +13,7 @@ import {
   services as askServices,
   type Parameters,
 } from "./tasks-client";
+import { rehearsed } from "./words";
 import type { ParameterInfo, RehearsalReport, ServiceInfo } from "../wire/task-messages";
 
 const HOLD = 0.6;
@@ -127,7 +128,7 @@ function Form({ service }: { service: ServiceInfo }) {
           <>
             <HoldButton hold={fly} class="primary" label={`Start: ${service.title}`}>
               <span>Start</span>
-              <small>hold</small>
+              <small aria-hidden="true">hold</small>
             </HoldButton>
             <button type="submit" class="secondary" aria-disabled={objection.value !== ""}>
               Rehearse
@@ -147,7 +148,7 @@ function Rehearsed() {
   const found = rehearsal.value;
   if (outcome.value) return <>{sentence(outcome.value)}</>;
   if (found === "…") return <span class="quiet">Rehearsing …</span>;
-  if (found) return <span data-may={found.may_fly}>{sentence(found.words)}</span>;
+  if (found) return <span data-may={found.may_fly}>{rehearsed(found)}</span>;
   return <span class="quiet">{missing.value}</span>;
 }
 

@@ -1,5 +1,6 @@
 // Tasks as people say them.
-import type { TaskStage, TaskStatus } from "../wire/task-messages";
+import { sentence } from "../format";
+import type { RehearsalReport, TaskStage, TaskStatus } from "../wire/task-messages";
 
 const SURFACES: Record<TaskStatus["surface"], string> = {
   "console": "in the console",
@@ -73,4 +74,16 @@ export function details(task: TaskStatus): string {
 function shown(value: string | number | boolean): string {
   if (typeof value === "boolean") return value ? "yes" : "no";
   return typeof value === "number" ? String(Math.round(100 * value) / 100) : value;
+}
+
+const CLOSED = "Who walks there may close the way for a moment: ask again when it is free.";
+
+/** Why something does not fly; a way that is closed now need not stay so. */
+export function withAdvice(words: string, code: string): string {
+  return code === "no_way" ? `${sentence(words)} ${CLOSED}` : sentence(words);
+}
+
+/** What a rehearsal found. */
+export function rehearsed(report: RehearsalReport): string {
+  return report.may_fly ? sentence(report.words) : withAdvice(report.words, report.code);
 }

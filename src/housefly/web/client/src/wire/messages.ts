@@ -55,7 +55,10 @@ export interface LeaseRequest {
 export interface InviteRequest {
   type: "invite";
   id: number;
+  role?: "watch" | "ask" | "fly";
 }
+
+export type Role = "watch" | "ask" | "fly" | "admin";
 
 export type Severity = "info" | "warning" | "fault";
 
@@ -69,6 +72,7 @@ export interface EventView {
 
 export interface Welcome {
   you: number;
+  role: Role;
   now: number;
   events: EventView[];
   trail: [number, number][];
@@ -204,6 +208,8 @@ export interface StateMessage {
   path: number;
   waypoint: number;
   others: OtherBody[];
+  stopping_distance: number | null;
+  height_std: number | null;
   type: "state";
 }
 
@@ -211,6 +217,9 @@ export interface PathMessage {
   number: number;
   waypoints: [number, number][];
   length: number;
+  heights: number[];
+  times: number[];
+  speeds: number[];
   type: "path";
 }
 
@@ -227,12 +236,73 @@ export interface LinkStatus {
   loop_max_s: number;
   missed_ticks: number;
   notes: string[];
+  tracking_latency_s: number;
+  command_delay_s: number;
+  command_delay_std_s: number;
+  nis: number;
+  height_nis: number;
+  push: number;
+  load: number;
+  height_std: number;
 }
 
 export interface LinkMessage {
   heard_at: number;
   link: LinkStatus;
   type: "link";
+}
+
+export type HeadlineShape = "ready" | "moving" | "holding" | "stopped" | "warning" | "lost";
+
+export type Standing =
+  | "on the pad"
+  | "off the pad"
+  | "on the ground, nobody sees where"
+  | "in the air"
+  | "unknown";
+
+export interface FlightObjection {
+  code: string;
+  words: string;
+  mend: string;
+}
+
+export interface OrderObjection {
+  order: OrderKind;
+  words: string;
+}
+
+export type StopProgress = "none" | "sent" | "confirmed" | "failed";
+
+export interface StopView {
+  progress: StopProgress;
+  by: string;
+  words: string;
+}
+
+export interface ConsoleVerdict {
+  at: number;
+  shape: HeadlineShape;
+  headline: string;
+  detail: string;
+  banner: string;
+  standing: Standing;
+  place: string;
+  pad_distance: number | null;
+  airborne: boolean | null;
+  may_be_airborne: boolean;
+  is_cut: boolean;
+  pose_is_old: boolean;
+  may_take_off: boolean;
+  reasons: FlightObjection[];
+  known: string[];
+  orders: OrderObjection[];
+  next_order: OrderKind | null;
+  if_contact_lost: string;
+  stop: StopView;
+  pilot: number | null;
+  control: string;
+  type: "verdict";
 }
 
 export interface EventsMessage {
@@ -418,10 +488,24 @@ export interface PongReply {
   type: "pong";
 }
 
+export interface QrView {
+  size: number;
+  path: string;
+}
+
 export interface InviteReply {
   id: number;
+  name: string;
+  origin: string;
   path: string;
+  until: number;
+  qr: QrView | null;
   type: "invite";
+}
+
+export interface InvitationUsed {
+  name: string;
+  type: "invitation_used";
 }
 
 export type ClientMessage =
@@ -440,6 +524,7 @@ export type ServerMessage =
   | StateMessage
   | PathMessage
   | LinkMessage
+  | ConsoleVerdict
   | EventsMessage
   | ViewersMessage
   | TasksMessage
@@ -447,4 +532,5 @@ export type ServerMessage =
   | AcceptedReply
   | RefusedReply
   | PongReply
-  | InviteReply;
+  | InviteReply
+  | InvitationUsed;

@@ -189,6 +189,13 @@ export interface NightsAnswer {
   nights: NightAnswer[];
 }
 
+export interface CameraCone {
+  name: string;
+  position: [number, number, number];
+  corners: [number, number, number][];
+  reach: number;
+}
+
 export interface CoverageView {
   height: number;
   cameras: number;
@@ -196,6 +203,7 @@ export interface CoverageView {
   origin: [number, number];
   resolution: number;
   rows: string[];
+  lenses: CameraCone[];
 }
 
 export interface PlaceView {
@@ -227,6 +235,78 @@ export interface BellView {
   words: string;
 }
 
+export type Severity = "info" | "warning" | "fault";
+
+export interface FlightView {
+  id: string;
+  started_at: number;
+  duration: number;
+  goal: string;
+  worst: Severity;
+  complete: boolean;
+}
+
+export interface FlightsView {
+  now: number;
+  flights: FlightView[];
+}
+
+export type Phase =
+  | "idle"
+  | "taking off"
+  | "flying to goal"
+  | "looking"
+  | "holding"
+  | "returning"
+  | "landing";
+
+export type SafetyMode =
+  | "nominal"
+  | "warn"
+  | "slow"
+  | "hold"
+  | "return"
+  | "stopped"
+  | "land"
+  | "descend"
+  | "cut";
+
+export interface LoggedStage {
+  t: number;
+  phase: Phase;
+  safety: SafetyMode;
+  goal: string;
+}
+
+export interface FlightPath {
+  t: number;
+  waypoints: [number, number][];
+  heights: number[];
+  times: number[];
+  speeds: number[];
+}
+
+export interface FlightNote {
+  t: number;
+  severity: Severity;
+  code: string;
+  text: string;
+}
+
+export interface FlightReplay {
+  flight: FlightView;
+  t: number[];
+  x: (number | null)[];
+  y: (number | null)[];
+  z: (number | null)[];
+  yaw: number[];
+  speed: number[];
+  battery: number[];
+  stages: LoggedStage[];
+  paths: FlightPath[];
+  notes: FlightNote[];
+}
+
 export interface News {
   at: number;
   things: PlacedThing[];
@@ -248,6 +328,8 @@ export type RoomAnswer =
   | NightsAnswer
   | CoverageView
   | EditsView
-  | BellView;
+  | BellView
+  | FlightsView
+  | FlightReplay;
 
 export type RoomNews = News;

@@ -2,6 +2,7 @@
 import { batch } from "@preact/signals";
 import * as store from "../store";
 import { sentence } from "../format";
+import { tellRefusal } from "../said";
 import { told } from "../tasks/board";
 import { assume, learn, localNow } from "./clock";
 import type {
@@ -23,6 +24,7 @@ type Answer = AcceptedReply | RefusedReply | PlanReply | InviteReply;
 const OPENED_ELSEWHERE = 4001;
 const PING_PERIOD = 1000;
 const STOP_PATIENCE = 300;
+const NOTICE_KEPT = 20_000;
 const EVENTS_KEPT = 300;
 const TRAIL_KEPT = 600;
 const TRAIL_STEP = 0.04;
@@ -134,16 +136,12 @@ function receive(message: ServerMessage): void {
       case "welcome":
         assume(message.now);
         store.me.value = message.you;
+        store.role.value = message.role;
         store.events.value = message.events;
         store.trail.value = message.trail;
         store.contact.value = "open";
         break;
       case "state":
-        // Each flight has a trail of its own.
-        if (!store.flying.value) {
-          store.state.value = message;
-          if (store.flying.value) store.trail.value = [];
-        }
         store.state.value = message;
         if (message.position) extendTrail([message.position[0], message.position[1]]);
         break;
@@ -160,14 +158,23 @@ function receive(message: ServerMessage): void {
         store.link.value = message;
         break;
       case "events":
-        tellRefusal(message.events);
+        tellRefusals(message.events);
         store.events.value = [...store.events.value, ...message.events].slice(-EVENTS_KEPT);
+        break;
+      case "verdict":
+        // Each flight has a trail of its own.
+        if (message.may_be_airborne && !store.flying.value) store.trail.value = [];
+        store.verdict.value = message;
+        if (message.stop.progress !== "none") store.stopPress.value = { state: "", words: "" };
         break;
       case "viewers":
         store.viewers.value = message;
         break;
       case "tasks":
         told.value = message;
+        break;
+      case "invitation_used":
+        store.usedInvitations.value = new Set([...store.usedInvitations.value, message.name]);
         break;
       case "pong":
         learn(message.sent, message.now);
@@ -179,9 +186,13 @@ function receive(message: ServerMessage): void {
 }
 
 /** Say where the person looks what the pilot refused; the log has it, too. */
-function tellRefusal(events: EventView[]): void {
+function tellRefusals(events: EventView[]): void {
   const refused = events.filter((event) => event.code === "order_refused").at(-1);
-  if (refused && store.iFly.value) store.notice.value = sentence(refused.text);
+  if (!refused || !store.iFly.value) return;
+  const words = sentence(refused.text);
+  store.notice.value = words;
+  setTimeout(() => store.notice.value === words && (store.notice.value = ""), NOTICE_KEPT);
+  tellRefusal(refused);
 }
 
 function answer(message: Answer): void {

@@ -1,0 +1,1 @@
+"""The flight-quality gate: how fast, how near, how exact and how steady, scored on the truth."""

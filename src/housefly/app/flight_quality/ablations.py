@@ -1,0 +1,42 @@
+"""What can be switched off, one thing at a time, to show what it is good for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True)
+class Ablation:
+    """One thing switched off by keys of the site.
+
+    Attributes:
+        name: for the table.
+        changes: keys; a tree that does not know them does not offer this.
+    """
+
+    name: str
+    changes: dict[str, Any]
+
+
+ABLATIONS: tuple[Ablation, ...] = (
+    Ablation("nothing, as shipped", {}),
+    Ablation(
+        "all that is found in flight",
+        {
+            "estimation__disturbance_wander": 0.2,
+            "estimation__lift_wander": 0.0,
+            "estimation__delay_deviation": 0.0,
+            "estimation__mistrust": 0.0,
+        },
+    ),
+    Ablation("feed-forward", {"control__feed_forward": 0.0}),
+    Ablation("delay compensation", {"estimation__delay_compensated": False}),
+    Ablation("delay found in flight", {"estimation__delay_deviation": 0.0}),
+    Ablation(
+        "disturbance state",
+        {"estimation__disturbance_wander": 0.0, "estimation__lift_wander": 0.0},
+    ),
+    Ablation("gain schedule", {"estimation__mistrust": 0.0}),
+    Ablation("free heading", {"control__free_heading": False}),
+)

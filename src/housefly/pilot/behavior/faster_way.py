@@ -1,0 +1,58 @@
+"""Takes a faster way in flight when something that stood in the room is gone."""
+
+from __future__ import annotations
+
+from math import inf
+
+from housefly.messages.flight import Event, Severity
+from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import TrackingTask, VehicleStatus
+from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.path_profile import PathProfile
+from housefly.pilot.behavior.trajectory_progress import is_in_space
+from housefly.pilot.planning.trajectory.kinematic_state import TICK
+
+PERIOD = 1.0
+"""How often a faster way is asked for [s]."""
+EARLIER, EARLIER_SHARE = 1.0, 0.1
+"""It must arrive so much earlier [s], and by this share of the time that is left."""
+
+
+class FasterWayMonitor:
+    """Watches for ways that open while one commander flies a trajectory in space."""
+
+    def __init__(self, commander: Commander, navigator: Navigator) -> None:
+        self._commander, self._navigator = commander, navigator
+        self._profile: PathProfile | None = None
+        self._openings = 0
+        self._asked_at = -inf
+
+    def step(self, vehicle: VehicleStatus, *, paused: bool = False) -> list[Event]:
+        """Look for a faster way, and take it.
+
+        Args:
+            vehicle: status and place of the drone.
+            paused: the drone makes way for somebody.
+        """
+        task, state = self._commander.task, self._commander.state
+        profile, self._profile = self._profile, task.profile
+        if task.profile is None or task.profile is not profile or not is_in_space(profile):
+            # A new way has been planned with what is known.
+            self._openings = self._navigator.openings
+            return []
+        is_ours = state.phase in ON_THE_WAY and not state.stopped and not paused
+        is_open = self._navigator.openings != self._openings
+        if not (is_ours and is_open and task.is_following and vehicle.reference is not None):
+            return []
+        if vehicle.now - self._asked_at < PERIOD:
+            return []
+        self._asked_at, self._openings = vehicle.now, self._navigator.openings
+        left = TICK * (len(profile.motion) - 1) - vehicle.reference.scale.time
+        other = self._commander.other_way(vehicle)
+        enough = left - max(EARLIER, EARLIER_SHARE * left)
+        if not isinstance(other, TrackingTask) or other.arrival >= enough:
+            return []
+        self._commander.take(other)
+        text = f"a way has become free that is {left - other.arrival:.0f} s faster: taking it"
+        return [Event(vehicle.now, Severity.INFO, "detour", text)]

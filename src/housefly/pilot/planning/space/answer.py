@@ -1,0 +1,74 @@
+"""What a planner in space answers: a trajectory, or in words why there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+
+from housefly.geometry import Vec3
+from housefly.pilot.planning.space.passage import Passage
+from housefly.pilot.planning.space.voxels import VoxelMap, VoxelMask
+from housefly.pilot.planning.trajectory.trajectory import Trajectory
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpaceAnswer:
+    """The answer to "how do I fly there?".
+
+    Attributes:
+        trajectory: None when there is none.
+        reason: in words, why ("" when there is one).
+        suggestion: nearest place that could be flown to instead [m], when there is one.
+        comfort: what it keeps from people [m].
+        passage: how it gets past people who walk; None when it does not, or nobody walks.
+        arrival: when it arrives, from now on [s]; infinite when people may keep it from that.
+    """
+
+    trajectory: Trajectory | None
+    reason: str = ""
+    suggestion: Vec3 | None = None
+    comfort: float = 0.0
+    passage: Passage | None = None
+    arrival: float = inf
+
+
+def objection(voxels: VoxelMap, open_air: VoxelMask, name: str, point: Vec3) -> str:
+    """Return why the middle of the hull may not be at a point [m], in words, or "".
+
+    Args:
+        voxels: the map.
+        open_air: where no volume forbids it, shape (nx, ny, nz).
+        name: of the point, "start" or "goal".
+        point: [m].
+    """
+    voxel = voxels.voxel_of(point)
+    if not voxels.contains(voxel):
+        return f"the {name} {in_words(point)} lies outside the map"
+    clearance = float(voxels.clearance[voxel])
+    if not open_air[voxel]:
+        return f"the {name} {in_words(point)} lies in a no-fly area"
+    if clearance < voxels.keep:
+        return (
+            f"the {name} {in_words(point)} is too close to an obstacle: {clearance:.2f} m from the"
+            f" hull, which keeps {voxels.keep:.2f} m"
+        )
+    if not voxels.allowed[voxel]:
+        return f"no way leads from home to the {name} {in_words(point)}"
+    return ""
+
+
+def nearest_free(voxels: VoxelMap, free: VoxelMask, point: Vec3) -> Vec3 | None:
+    """Return the middle of the free voxel nearest to a point [m]; the first among equals."""
+    found = np.argwhere(free)
+    if not len(found) or not np.isfinite(point).all():
+        return None
+    middles = np.array(voxels.origin) + (found + 0.5) * voxels.resolution
+    x, y, z = middles[((middles - np.array(point)) ** 2).sum(axis=1).argmin()].tolist()
+    return x, y, z
+
+
+def in_words(point: Vec3) -> str:
+    """Return a point as people read it."""
+    return "({:.2f}, {:.2f}, {:.2f}) m".format(*point)

@@ -1,0 +1,153 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
+import {
+  homeHeld,
+  hover,
+  hoverObjection,
+  land,
+  landObjection,
+  reset,
+  resume,
+  service,
+  takeOver,
+} from "../commands";
+import { goal, POINT } from "../goal";
+import { headline } from "../headline";
+import type { Hold } from "../hold";
+import { flying, iFly, lineLives, me, panel, toggle, verdict } from "../store";
+import { Drawer } from "./drawer";
+import { HoldButton } from "./hold-button";
+import { HomeIcon, HoverIcon, LandIcon, MoreIcon, ResetIcon, ResumeIcon } from "./icons";
+import { Places, Plan } from "./mission";
+
+/** Where to, the one button for what comes next, and what is always beside it. */
+export function Orders() {
+  return (
+    <section class="command card" aria-label="Orders">
+      <Places />
+      <Plan />
+      <div class="acts">
+        <Next />
+        <PressButton label="Land here" objection={landObjection} action={land}>
+          <LandIcon />
+          <span>Land</span>
+        </PressButton>
+        {(iFly.value || me.value === 0) && (
+          <PressButton label="Stay where it is" objection={hoverObjection} action={hover}>
+            <HoverIcon />
+            <span>Hover</span>
+          </PressButton>
+        )}
+        <button
+          type="button"
+          class="action"
+          aria-expanded={panel.value === "more"}
+          onClick={() => toggle("more")}
+        >
+          <MoreIcon />
+          <span>More</span>
+        </button>
+      </div>
+      <Drawer />
+    </section>
+  );
+}
+
+interface Press {
+  label: string;
+  objection: ReadonlySignal<string>;
+  action: (from: Element) => void;
+  children: ComponentChildren;
+}
+
+function PressButton({ label, objection, action, children }: Press) {
+  return (
+    <button
+      type="button"
+      class="action"
+      title={objection.value || label}
+      aria-description={objection.value}
+      aria-disabled={objection.value !== ""}
+      onClick={(event) => action(event.currentTarget)}
+    >
+      {children}
+    </button>
+  );
+}
+
+interface Step {
+  hold: Hold;
+  words: string;
+  label: string;
+  icon?: ComponentChildren;
+}
+
+/** What is held next, by the verdict and the goal that was chosen; null for nothing. */
+const step = computed<Step | null>(() => {
+  const wanted = verdict.value?.next_order ?? null;
+  if (wanted === "resume")
+    return { hold: resume, words: "Resume", label: "Resume after STOP", icon: <ResumeIcon /> };
+  if (wanted === "reset")
+    return { hold: reset, words: "Reset", label: "Reset after a cut", icon: <ResetIcon /> };
+  const aim = goal.value;
+  if (aim && (wanted === "service" || flying.value)) {
+    const where = aim.place || aim.title !== POINT ? `at ${aim.title}` : "there";
+    const words = `Look ${where} and come back`;
+    return { hold: service, words, label: words };
+  }
+  if (wanted === "home")
+    return { hold: homeHeld, words: "Fly home", label: "Fly home and land", icon: <HomeIcon /> };
+  if (wanted === "service")
+    return { hold: service, words: "Choose where to look", label: "Look and come back" };
+  return null;
+});
+
+/** The next sensible thing. Its meaning changes only with a new button, never under a finger. */
+function Next() {
+  if (me.value !== 0 && !iFly.value && lineLives.value) return <Watching />;
+  const next = lineLives.value ? step.value : null;
+  if (!next) return <Nothing />;
+  return (
+    <HoldButton
+      key={next.words}
+      hold={next.hold}
+      class={`primary ${next.hold === resume ? "resume" : ""}`}
+      label={next.label}
+    >
+      {next.icon}
+      <span>{next.words}</span>
+      <small aria-hidden="true">hold</small>
+    </HoldButton>
+  );
+}
+
+/** Nothing to hold: on the ground the way to the reasons, in the air what happens by itself. */
+function Nothing() {
+  if (flying.value || !lineLives.value)
+    return <p class="primary said-only">{lineLives.value ? headline.value.text : "No contact"}</p>;
+  return (
+    <button
+      type="button"
+      class="primary"
+      aria-expanded={panel.value === "checks"}
+      onClick={() => toggle("checks")}
+    >
+      Not ready: see why
+    </button>
+  );
+}
+
+function Watching() {
+  const who = verdict.value?.control;
+  if (!who)
+    return (
+      <button type="button" class="primary" onClick={(e) => void takeOver(false, e.currentTarget)}>
+        Take control
+      </button>
+    );
+  return (
+    <p class="caption">
+      <strong>You watch.</strong> <span>{who} has control; STOP and Land work.</span>
+    </p>
+  );
+}

@@ -1,0 +1,114 @@
+import {
+  braking,
+  curve,
+  pointAt,
+  seconds,
+  speedClass,
+  SPEED_CLASSES,
+  stretch,
+  topSpeed,
+  type Curve,
+} from "./curve-values";
+import { polyline, type Projection } from "./projection";
+
+const DOT = 2.2;
+const REST_BAR = 9;
+const RUN_LEGS = 4;
+
+/** The curve that is flown: colour is the planned speed, a dot each second, and where it stops. */
+export function CurveLayer({ to }: { to: Projection }) {
+  const way = curve.value;
+  if (!way) return null;
+  return (
+    <g class="curve">
+      <SpeedLine to={to} way={way} />
+      <Stopping to={to} way={way} />
+    </g>
+  );
+}
+
+/** A line whose colour is the planned speed; what is flown already is faint. */
+export function SpeedLine({ to, way, top = topSpeed.value }: Props & { top?: number }) {
+  const flown = braking.value && way === curve.value ? braking.value.at : 0;
+  return (
+    <>
+      {runs(way, top).map(({ first, last, kind }) => (
+        <path
+          key={first}
+          class="speed"
+          data-speed={kind}
+          data-flown={way.marks[last]! <= flown}
+          d={polyline(to, way.points.slice(first, last + 1))}
+        />
+      ))}
+      {seconds(way).map((mark, k) => {
+        const [u, v] = to.at(pointAt(way, mark));
+        return <circle key={k} class="second" cx={u} cy={v} r={DOT} data-flown={mark <= flown} />;
+      })}
+    </>
+  );
+}
+
+interface Props {
+  to: Projection;
+  way: Curve;
+}
+
+interface Run {
+  first: number;
+  last: number;
+  kind: number;
+}
+
+/** Neighbouring legs of one class of speed as one run. */
+export function runs(way: Curve, top: number): Run[] {
+  const found: Run[] = [];
+  for (let k = 0; k + 1 < way.points.length; k++) {
+    const kind = speedClass((way.speeds[k]! + way.speeds[k + 1]!) / 2, top);
+    const last = found.at(-1);
+    // Short, so that what is flown already can be told apart.
+    if (last && last.kind === kind && last.last - last.first < RUN_LEGS) last.last = k + 1;
+    else found.push({ first: k, last: k + 1, kind });
+  }
+  return found;
+}
+
+/** How far the drone flies on if it brakes now, along its curve, and a bar where it rests. */
+function Stopping({ to, way }: Props) {
+  const now = braking.value;
+  if (!now || now.distance <= 0 || now.rest <= now.at) return null;
+  const [end, before] = [to.at(pointAt(way, now.rest)), to.at(pointAt(way, now.rest - 0.05))];
+  const length = Math.hypot(end[0] - before[0], end[1] - before[1]) || 1;
+  const [across, down] = [
+    (-(end[1] - before[1]) / length) * REST_BAR,
+    ((end[0] - before[0]) / length) * REST_BAR,
+  ];
+  return (
+    <g class="stopping" data-distance={now.distance.toFixed(2)}>
+      <path class="brakes" d={polyline(to, stretch(way, now.at, now.rest))} />
+      <path
+        class="rest"
+        d={`M${end[0] - across} ${end[1] - down}L${end[0] + across} ${end[1] + down}`}
+      />
+    </g>
+  );
+}
+
+/** What the colours mean, in the legend of the map; nothing while no curve is flown. */
+export function SpeedLegend() {
+  if (!curve.value) return null;
+  const shades = Array.from({ length: SPEED_CLASSES }, (_, k) => k);
+  return (
+    <>
+      <li class="plain speeds">
+        <span aria-hidden="true">
+          {shades.map((kind) => (
+            <i key={kind} data-speed={kind} />
+          ))}
+        </span>
+        0 to {topSpeed.value.toFixed(1)} m/s, a dot each second
+      </li>
+      <li class="plain rests">stops here if it brakes now</li>
+    </>
+  );
+}

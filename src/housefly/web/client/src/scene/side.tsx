@@ -1,0 +1,64 @@
+import { signal } from "@preact/signals";
+import { Sensors } from "../live/sensors";
+import { Battery } from "../panels/battery";
+import { Log } from "../panels/log";
+import { Readings } from "../panels/readings";
+import { lineLives, panel, verdict } from "../store";
+import { sentence } from "../format";
+
+const details = signal(false);
+
+/** What a person should know beside the scene; the engineer's figures behind Details. */
+export function Side() {
+  return (
+    <aside class="side" aria-label="Drone and house">
+      <Reasons />
+      <Battery />
+      {details.value ? (
+        <section class="card details" aria-label="Details" tabIndex={0} data-scrolls>
+          <div class="row">
+            <h2>Details</h2>
+            <Turn />
+          </div>
+          <Readings />
+          <Sensors />
+        </section>
+      ) : (
+        <Log>
+          <Turn />
+        </Log>
+      )}
+      <button type="button" class="shut" onClick={() => (panel.value = "")}>
+        Close
+      </button>
+    </aside>
+  );
+}
+
+/** From the log to the engineer's figures, and back. */
+function Turn() {
+  return (
+    <button type="button" class="turn" onClick={() => (details.value = !details.value)}>
+      {details.value ? "Log" : "Details"}
+    </button>
+  );
+}
+
+/** Each thing that forbids a take-off with its mend, or what the drone does if contact is lost. */
+function Reasons() {
+  const told = verdict.value;
+  if (!told || !lineLives.value) return null;
+  if (told.may_be_airborne)
+    return <p class="card contact">If contact is lost: {sentence(told.if_contact_lost)}</p>;
+  if (told.reasons.length === 0) return null;
+  return (
+    <ul class="card reasons" aria-label="What is to be mended">
+      {told.reasons.map((one) => (
+        <li key={one.code}>
+          ✕ {one.words}
+          {one.mend && <small class="quiet"> {one.mend}</small>}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,25 @@
+// The picture takes the stage by itself while the drone looks and at a bell, and gives it back.
+import { computed, effect } from "@preact/signals";
+import { lineLives, link, state, swapped } from "../store";
+import { bellRings } from "./bell";
+
+const looks = computed(
+  () =>
+    lineLives.value &&
+    link.value?.link.video_connected === true &&
+    (state.value?.phase === "looking" || bellRings.value),
+);
+
+let before: boolean | null = null;
+
+effect(() => {
+  const wanted = looks.value;
+  if (wanted && before === null) {
+    before = swapped.peek();
+    swapped.value = true;
+  } else if (!wanted && before !== null) {
+    // Whoever has made the map large again meanwhile keeps it so.
+    if (swapped.peek()) swapped.value = before;
+    before = null;
+  }
+});

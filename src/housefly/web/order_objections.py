@@ -1,0 +1,138 @@
+"""Why the drone may not take off, each with its mend, and why an order would come to nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from housefly.messages import OrderKind, PreflightCheck, SafetyMode
+from housefly.messages.sensing import DroneStatus
+from housefly.web.console_knowledge import ConsoleKnowledge, last_seen
+from housefly.web.verdict_message import FlightObjection, OrderObjection, StopProgress
+
+_LANDING = {
+    SafetyMode.RETURN: "it comes home for safety",
+    SafetyMode.LAND: "it lands for safety",
+    SafetyMode.DESCEND: "it lands for safety",
+    SafetyMode.CUT: "its motors are being cut",
+}
+_NO_CHECKS = "the checks before a take-off are not in yet"
+
+
+def take_off_objections(known: ConsoleKnowledge) -> tuple[FlightObjection, ...]:
+    """Return everything that speaks against a take-off, worst first; empty when it may."""
+    if not known.pilot_is_heard:
+        mend = "it is started again by itself: wait, or see its log in the run's folder"
+        return (FlightObjection("pilot", "no contact with the pilot", mend),)
+    if known.airborne:
+        return (FlightObjection("airborne", "the drone is already flying", ""),)
+    own = tuple(_own_objections(known))
+    codes = {one.code for one in own}
+    checks = known.preflight.checks
+    failing = [one for one in checks if one.required and not one.passed and one.code not in codes]
+    told = tuple(FlightObjection(one.code, check_in_words(one), one.mend) for one in failing)
+    if not own and not told and not known.preflight.ready:
+        told = (FlightObjection("checks", _NO_CHECKS, "they come within seconds"),)
+    return own + told
+
+
+def _own_objections(known: ConsoleKnowledge) -> list[FlightObjection]:
+    """Return what the newest step says already, a second before the checks do."""
+    found: list[FlightObjection] = []
+    if not known.drone_is_heard:
+        mend = "switch it on, join its Wi-Fi, and see `housefly doctor`"
+        found.append(FlightObjection("drone_answers", "the drone does not answer", mend))
+    elif known.last_status is DroneStatus.EMERGENCY:
+        mend = "see that nobody is near and that it is whole, then hold Reset"
+        found.append(FlightObjection("drone_landed", "its motors are cut", mend))
+    if known.stop.progress is not StopProgress.NONE:
+        found.append(FlightObjection("stop", "STOP is latched", "hold Resume when all is well"))
+    if known.drone_is_heard and not known.is_seen:
+        words = f"tracking {last_seen(known)}".replace(" it", " the drone")
+        mend = (
+            "look at the tracking system: is it running, does it stream the body under this name?"
+        )
+        found.append(FlightObjection("tracking", words, mend))
+    if known.caught_in:
+        words = f"it stands under, on or in {known.caught_in}"
+        found.append(FlightObjection("caught", words, "carry it to its pad"))
+    return found
+
+
+def check_in_words(check: PreflightCheck) -> str:
+    """Return a check that failed, with what was found."""
+    return f"{check.fault} ({check.value})" if check.value else check.fault
+
+
+def order_objections(
+    known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]
+) -> tuple[OrderObjection, ...]:
+    """Return the first objection to each order that would come to nothing now."""
+    found = ((kind, _RULES[kind](known, reasons)) for kind in _RULES)
+    return tuple(OrderObjection(kind, words) for kind, words in found if words)
+
+
+_Rule = Callable[[ConsoleKnowledge, tuple[FlightObjection, ...]], str]
+
+
+def _ready(known: ConsoleKnowledge) -> str:
+    if not known.pilot_is_heard:
+        return "No contact with the pilot."
+    if known.last_status is DroneStatus.EMERGENCY:
+        return "Motors are cut: hold Reset first."
+    if known.stop.progress is not StopProgress.NONE:
+        return "Stopped: hold Resume first."
+    return "" if known.drone_is_heard else "The drone does not answer yet."
+
+
+def _forced(known: ConsoleKnowledge) -> str:
+    words = _LANDING.get(known.step.outputs.safety, "") if known.step and known.airborne else ""
+    return f"Not now: {words}." if words else ""
+
+
+def _take_off(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    if words := _ready(known):
+        return words
+    return "The drone is already flying." if known.airborne else _not_ready(reasons)
+
+
+def _send(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    return _ready(known) or (_forced(known) if known.airborne else _not_ready(reasons))
+
+
+def _not_ready(reasons: tuple[FlightObjection, ...]) -> str:
+    return f"Not ready: {reasons[0].words}." if reasons else ""
+
+
+def _steer(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    return (
+        _ready(known) or ("" if known.airborne else "The drone is on the ground.") or _forced(known)
+    )
+
+
+def _land(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    """Land is open to whatever may be in the air: silence is no reason."""
+    surely_down = not known.may_be_airborne and known.drone_is_heard
+    return "The drone is on the ground." if surely_down else ""
+
+
+def _resume(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    if known.stop.progress is StopProgress.NONE:
+        return "Only after STOP."
+    return "" if known.pilot_is_heard else "No contact with the pilot."
+
+
+def _reset(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    return "" if known.pilot_is_heard else "No contact with the pilot."
+
+
+_RULES: dict[OrderKind, _Rule] = {
+    OrderKind.TAKE_OFF: _take_off,
+    OrderKind.GO: _send,
+    OrderKind.SERVICE: _send,
+    OrderKind.HOVER: _steer,
+    OrderKind.HOME: _steer,
+    OrderKind.LAND: _land,
+    OrderKind.RESUME: _resume,
+    OrderKind.RESET: _reset,
+}
+"""STOP and Cut are never objected to."""
