@@ -9,7 +9,10 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from mcap.writer import MCAP0_MAGIC, Writer
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
+from housefly.bus.codec import to_cdr
+from housefly.bus.interfaces import definition, type_store
 from housefly.errors import RecordingError
 from housefly.messages import Command, Inputs, Outputs, PilotStep, Setpoint
 from housefly.record.mcap_log import McapLog
@@ -119,6 +122,27 @@ def test_a_recording_with_other_definitions_is_refused(tmp_path: Path) -> None:
         writer.finish()
     with pytest.raises(RecordingError, match="other message definitions"):
         list(read_steps(tmp_path))
+
+
+def test_a_recording_whose_reports_lack_a_newer_field_is_read_with_its_default(
+    recording: Path, flight: tuple[PilotStep, ...], tmp_path: Path
+) -> None:
+    kind = "housefly_msgs/msg/PilotStep"
+    schema = definition(kind).replace("float64[<=1] drone_time\n", "")
+    older = get_typestore(Stores.EMPTY)
+    older.register(get_types_from_msg(schema, kind))
+    step = next(step for step in flight if step.inputs.telemetry)
+    report = type_store().deserialize_cdr(to_cdr(step), kind)
+    with (tmp_path / "flight.mcap").open("wb") as file:
+        writer = Writer(file)
+        writer.start(profile="ros2")
+        number = writer.register_schema(kind, "ros2msg", schema.encode())
+        channel = writer.register_channel(STEP_CHANNEL, "cdr", number)
+        writer.add_message(channel, 0, bytes(older.serialize_cdr(report, kind)), 0)
+        writer.finish()
+    (found,) = read_steps(tmp_path)
+    assert found.inputs.telemetry is not None and found.inputs.telemetry.drone_time is None
+    assert found.outputs == step.outputs
 
 
 def test_a_pilot_that_decides_the_same_is_verified(

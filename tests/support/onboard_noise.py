@@ -59,7 +59,7 @@ def _flown(
         bias_y = keep * bias_y + drive * np.random.normal()
         noise_x, noise_y = FLOW_NOISE * np.random.normal(), FLOW_NOISE * np.random.normal()
         report = OnboardReport(
-            at, 0.0, 0.0, 0.0, past[0] + bias_x + noise_x, bias_y + noise_y, 1.0, 0.0, True
+            at, 0.0, 0.0, 0.0, past[0] + bias_x + noise_x, bias_y + noise_y, 1.0, 0.0, True, np.nan
         )
         past[:-1] = past[1:]
         past[-1] = v

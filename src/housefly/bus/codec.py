@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable
+from dataclasses import MISSING, fields
 from enum import Enum
 from functools import cache, lru_cache
 from typing import Any, TypeVar, get_type_hints
@@ -16,6 +17,7 @@ from typing import Any, TypeVar, get_type_hints
 import numpy as np
 from rosbags.interfaces import Nodetype
 from rosbags.serde import SerdeError
+from rosbags.typesys.store import Typestore
 
 from housefly import messages
 from housefly.bus.interfaces import ros_name, type_store
@@ -32,7 +34,7 @@ def to_cdr(message: object) -> bytes:
     """Return the CDR bytes of a message; raises WireError if a value does not fit its field."""
     name = type(message).__name__
     try:
-        to_wire, _ = _record(name)
+        to_wire, _ = _record(name, type_store())
         return bytes(type_store().serialize_cdr(to_wire(message), ros_name(name)))
     except (
         struct.error,
@@ -46,18 +48,27 @@ def to_cdr(message: object) -> bytes:
         raise WireError(f"{name} cannot be encoded: {error}") from error
 
 
-def from_cdr(kind: type[_Message], data: bytes) -> _Message:
-    """Return the message in the CDR bytes; raises WireError for anything else."""
+def from_cdr(kind: type[_Message], data: bytes, store: Typestore | None = None) -> _Message:
+    """Return the message in CDR bytes; raises WireError for anything else.
+
+    Args:
+        kind: of the message.
+        data: its bytes.
+        store: the types it was written with, ours if not given; a field that they lack takes its
+            default.
+    """
     name = kind.__name__
-    _, from_wire = _record(name)
+    store = store or type_store()
     try:
-        message: _Message = from_wire(type_store().deserialize_cdr(data, ros_name(name)))
+        _, from_wire = _record(name, store)
+        message: _Message = from_wire(store.deserialize_cdr(data, ros_name(name)))
     except (
         SerdeError,
         struct.error,
         ValueError,
         IndexError,
         KeyError,
+        TypeError,
         OverflowError,
         MemoryError,
     ) as error:
@@ -65,14 +76,22 @@ def from_cdr(kind: type[_Message], data: bytes) -> _Message:
     return message
 
 
+def check_types(kind: type[Any], store: Typestore) -> None:
+    """Raise WireError when messages written with these types cannot be read as ours."""
+    try:
+        _record(kind.__name__, store)
+    except KeyError as error:
+        raise WireError(f"{kind.__name__}: {error} is not defined") from error
+
+
 def _same(value: Any) -> Any:
     return value
 
 
 @cache
-def _standard(name: str) -> _Conversion | None:
+def _standard(name: str, store: Typestore) -> _Conversion | None:
     """Convert the standard types that our messages hold as tuples or as a Pose."""
-    wire = type_store().types[name]
+    wire = store.types[name]
     if name in ("geometry_msgs/msg/Point", "geometry_msgs/msg/Vector3"):
         return lambda v: wire(*v), lambda w: (w.x, w.y, w.z)
     if name == ros_name("Point2"):
@@ -82,21 +101,23 @@ def _standard(name: str) -> _Conversion | None:
     return None
 
 
-def _nested(name: str) -> _Conversion:
-    return _standard(name) or _record(name.rsplit("/", 1)[1])
+def _nested(name: str, store: Typestore) -> _Conversion:
+    return _standard(name, store) or _record(name.rsplit("/", 1)[1], store)
 
 
 @cache
-def _record(name: str) -> _Conversion:
+def _record(name: str, store: Typestore) -> _Conversion:
     """Convert a whole dataclass, field by field."""
     kind = getattr(messages, name)
     wire_name = "geometry_msgs/msg/Pose" if name == "Pose" else ros_name(name)
-    constants, fields = type_store().fielddefs[wire_name]
+    constants, written = store.fielddefs[wire_name]
     hints = get_type_hints(kind)
+    _check_fields(kind, [field for field, _ in written])
     numbers = {constant: int(value) for constant, _, value in constants}
-    wire = type_store().types[wire_name]
+    wire = store.types[wire_name]
     pairs = [
-        (field, *_field(field, description, hints[field], numbers)) for field, description in fields
+        (field, *_field(field, description, hints[field], numbers, store))
+        for field, description in written
     ]
     out = [(field, to_wire) for field, to_wire, _ in pairs]
     back = [(field, from_wire) for field, _, from_wire in pairs]
@@ -105,12 +126,27 @@ def _record(name: str) -> _Conversion:
         return wire(*[convert(getattr(message, field)) for field, convert in out])
 
     def from_wire(value: Any) -> Any:
-        return kind(*[convert(getattr(value, field)) for field, convert in back])
+        return kind(**{field: convert(getattr(value, field)) for field, convert in back})
 
     return to_wire, from_wire
 
 
-def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> _Conversion:
+def _check_fields(kind: type[Any], written: list[str]) -> None:
+    """Raise WireError when a message cannot be made of the fields that were written."""
+    ours = {field.name: field for field in fields(kind)}
+    unknown = [name for name in written if name not in ours]
+    lacking = [
+        name
+        for name, field in ours.items()
+        if name not in written and field.default is MISSING and field.default_factory is MISSING
+    ]
+    if unknown or lacking:
+        raise WireError(f"{kind.__name__}: other fields: {', '.join(unknown + lacking)}")
+
+
+def _field(
+    name: str, description: Any, hint: Any, numbers: dict[str, int], store: Typestore
+) -> _Conversion:
     shape, content = description
     if shape == Nodetype.BASE:
         return (
@@ -119,15 +155,15 @@ def _field(name: str, description: Any, hint: Any, numbers: dict[str, int]) -> _
             else (_same, _same)
         )
     if shape == Nodetype.NAME:
-        return _nested(content)
+        return _nested(content, store)
     (element, element_content), limit = content
     if element == Nodetype.NAME:
         return (
-            _optional(*_nested(element_content))
+            _optional(*_nested(element_content, store))
             if limit == 1
-            else _tuple(*_nested(element_content))
+            else _tuple(*_nested(element_content, store))
         )
-    return _PLAIN_SEQUENCES[element_content[0]]
+    return _OPTIONAL_NUMBER if limit == 1 else _PLAIN_SEQUENCES[element_content[0]]
 
 
 def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conversion:
@@ -143,6 +179,18 @@ def _optional(to_wire: _Convert, from_wire: _Convert) -> _Conversion:
         return from_wire(found[0]) if found else None
 
     return lambda value: [] if value is None else [to_wire(value)], back
+
+
+def _number(found: Any) -> float | None:
+    if len(found) > 1:
+        raise ValueError(f"{len(found)} values where at most one is allowed")
+    return float(found[0]) if len(found) else None
+
+
+_OPTIONAL_NUMBER: _Conversion = (
+    lambda value: np.array([] if value is None else [value], dtype=np.float64),
+    _number,
+)
 
 
 def _tuple(to_wire: _Convert, from_wire: _Convert) -> _Conversion:

@@ -10,8 +10,10 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+from rosbags.typesys import Stores, TypesysError, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
+
+from housefly.errors import WireError
 
 _PACKAGE = "housefly_msgs"
 """ROS package name of our own types."""
@@ -35,6 +37,27 @@ def type_store() -> Typestore:
             name = entry.name.removesuffix(".msg")
             own.update(get_types_from_msg(entry.read_text(encoding="utf-8"), ros_name(name)))
     store.register(own)
+    return store
+
+
+@cache
+def recorded_store(type_name: str, schema: str) -> Typestore:
+    """Return the types that a recording was written with.
+
+    Args:
+        type_name: of its messages.
+        schema: its own ``ros2msg`` text, nested types included.
+
+    Raises:
+        WireError: the text defines no types.
+    """
+    if schema == definition(type_name):
+        return type_store()
+    store = get_typestore(Stores.EMPTY)
+    try:
+        store.register(get_types_from_msg(schema, type_name))
+    except TypesysError as error:
+        raise WireError(f"{type_name} is not defined: {error}") from error
     return store
 
 

@@ -18,7 +18,7 @@ from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry,
 _MAGIC = b"HFd1"
 _HEADER = struct.Struct("<4sBI")
 _COMMAND = struct.Struct("<B5d")
-_TELEMETRY = struct.Struct("<Bdd4d3d??3d")
+_TELEMETRY = struct.Struct("<Bdd4d3d??3d?d")
 _LINK = struct.Struct("<???d")
 _LIGHT = struct.Struct("<?")
 _VIDEO = struct.Struct("<?HHIdd")
@@ -129,15 +129,15 @@ def _telemetry_bytes(report: Telemetry) -> bytes:
         *report.velocity,
         *(report.configured, report.acceleration is not None),
         *acceleration,
+        *(report.drone_time is not None, report.drone_time or 0.0),
     )
     return numbers + json.dumps([report.faults, report.notes]).encode()
 
 
 def _telemetry(body: bytes) -> Telemetry:
     status, received_at, battery, phi, theta, psi, height, *rest = _TELEMETRY.unpack_from(body)
-    forward, left, up, configured, accelerates, *acceleration = rest
+    forward, left, up, configured, accelerates, x, y, z, has_time, drone_time = rest
     faults, notes = json.loads(body[_TELEMETRY.size :])
-    x, y, z = acceleration
     return Telemetry(
         received_at=received_at,
         status=_STATES[status],
@@ -151,6 +151,7 @@ def _telemetry(body: bytes) -> Telemetry:
         acceleration=(x, y, z) if accelerates else None,
         configured=configured,
         notes=tuple(map(str, notes)),
+        drone_time=drone_time if has_time else None,
     )
 
 

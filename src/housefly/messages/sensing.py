@@ -99,6 +99,7 @@ class Telemetry:
         acceleration: specific force in the body [m/s^2]; None where the drone does not tell it.
         configured: its limits were written, acknowledged and read back; no take-off before.
         notes: what is not as it should be with its settings or sensors, in words.
+        drone_time: when the drone wrote it, by its own clock [s]; None where it does not tell it.
     """
 
     received_at: float
@@ -113,6 +114,7 @@ class Telemetry:
     acceleration: Vec3 | None = None
     configured: bool = True
     notes: tuple[str, ...] = ()
+    drone_time: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,10 +14,11 @@ from mcap.opcode import Opcode
 from mcap.records import Channel, McapRecord, Message, Schema
 from mcap.stream_reader import StreamReader
 from mcap.writer import MCAP0_MAGIC
+from rosbags.typesys.store import Typestore
 from zstandard import ZstdError
 
-from housefly.bus.codec import from_cdr
-from housefly.bus.interfaces import definition, ros_name
+from housefly.bus.codec import check_types, from_cdr
+from housefly.bus.interfaces import recorded_store, ros_name, type_store
 from housefly.errors import RecordingError, WireError
 from housefly.messages import Command, Inputs, Outputs, PilotStep
 
@@ -50,16 +51,16 @@ def read_steps(path: Path) -> Iterator[PilotStep]:
 
 def _steps(file: BinaryIO, path: Path) -> Iterator[PilotStep]:
     schemas: dict[int, Schema] = {}
-    step_channel = -1
+    step_channel, types = -1, type_store()
     for record in _records(file, path):
         if isinstance(record, Schema):
             schemas[record.id] = record
         elif isinstance(record, Channel) and record.topic == STEP_CHANNEL:
-            _check(schemas.get(record.schema_id), path)
+            types = _types_of(schemas.get(record.schema_id), path)
             step_channel = record.id
         elif isinstance(record, Message) and record.channel_id == step_channel:
             try:
-                yield from_cdr(PilotStep, record.data)
+                yield from_cdr(PilotStep, record.data, types)
             except WireError as error:
                 raise RecordingError(f"{path} is damaged: {error}") from error
 
@@ -93,16 +94,19 @@ def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
             raise RecordingError(f"{path} is damaged: {error}") from error
 
 
-def _check(schema: Schema | None, path: Path) -> None:
-    if (
-        schema is None
-        or schema.name != _STEP_TYPE
-        or schema.data.decode(errors="replace") != definition(_STEP_TYPE)
-    ):
+def _types_of(schema: Schema | None, path: Path) -> Typestore:
+    """Return the types of the recorded steps: ours, or older ones that lack newer fields."""
+    try:
+        if schema is None or schema.name != _STEP_TYPE:
+            raise WireError("no steps")
+        types = recorded_store(_STEP_TYPE, schema.data.decode(errors="replace"))
+        check_types(PilotStep, types)
+    except WireError as error:
         raise RecordingError(
-            f"{path} was recorded with other message definitions; replay it with the version that"
-            " recorded it"
-        )
+            f"{path} was recorded with other message definitions ({error}); replay it with the"
+            " version that recorded it"
+        ) from error
+    return types
 
 
 class SteppedPilot(Protocol):

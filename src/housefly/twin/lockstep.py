@@ -228,6 +228,7 @@ def telemetry_of(onboard: OnboardState) -> Telemetry:
         velocity=(forward, left, 0.0),
         faults=tuple(words for words, applies in _FAULTS if applies(onboard)),
         acceleration=onboard.acceleration,
+        drone_time=onboard.at,
     )
 
 

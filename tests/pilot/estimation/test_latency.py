@@ -56,7 +56,7 @@ def found(place: Place, late: float, seconds: float) -> float:
         noise = random.normal(0.0, 1.0, 5).tolist()
         told = z + 0.01 * noise[2] if isfinite(z) else 0.8 * (at % 2.0 > 1.0)
         report = OnboardReport(
-            at, 0.0, 0.0, 0.0, v + 0.02 * noise[0], 0.02 * noise[1], told, 0.0, True
+            at, 0.0, 0.0, 0.0, v + 0.02 * noise[0], 0.02 * noise[1], told, 0.0, True, nan
         )
         odometry = odometry_advanced(odometry, motion, report)
         x, _, z = place(at - late)

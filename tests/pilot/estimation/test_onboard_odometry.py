@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from math import cos, pi, sin
+from math import cos, nan, pi, sin
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_headed,
 )
 
-LEVEL = OnboardReport(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, True)
+LEVEL = OnboardReport(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, True, nan)
 
 
 def ring() -> MotionRing:
@@ -57,7 +57,7 @@ def test_a_circle_at_any_heading_tilt_and_climb_is_followed(
         then = at - FLOW_DELAY
         forward = speed * cos(theta) - vz * sin(theta)
         left = speed * sin(theta) * sin(phi) + vz * cos(theta) * sin(phi)
-        report = OnboardReport(at, theta, phi, psi + rate * at, forward, left, 1.0, vz, True)
+        report = OnboardReport(at, theta, phi, psi + rate * at, forward, left, 1.0, vz, True, nan)
         state = odometry_advanced(state, motion, report)
         heading = yaw + rate * then
         x += 0.01 * speed * cos(heading)
@@ -88,6 +88,31 @@ def test_a_gap_of_the_reports_is_a_hole() -> None:
     after = 0.5 + REPORT_GAP_MAX + 0.01
     state = odometry_advanced(state, motion, LEVEL._replace(at=after, forward=0.5))
     assert state.since == after
+
+
+def test_a_stall_of_the_link_does_not_lengthen_the_way_of_a_drone_that_tells_its_time() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    at = told = 0.0
+    for tick in range(1, 101):
+        at += 0.21 if tick % 25 == 0 else 0.01
+        told += 0.01
+        report = LEVEL._replace(at=at, forward=0.5, drone_time=told)
+        state = odometry_advanced(state, motion, report)
+    found = odometry_at(state, motion, at - FLOW_DELAY)
+    assert found.x == pytest.approx(0.5 * told, abs=0.01)
+
+
+@pytest.mark.parametrize("told", [7.0, nan, -1.0], ids=["stands", "is not told", "goes back"])
+def test_a_clock_of_the_drone_that_does_not_run_does_not_count(told: float) -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 101):
+        at = 0.01 * tick
+        clock = -at if told < 0.0 else told
+        report = LEVEL._replace(at=at, forward=0.5, drone_time=clock)
+        state = odometry_advanced(state, motion, report)
+    assert odometry_at(state, motion, 1.0 - FLOW_DELAY).x == pytest.approx(0.5, abs=0.01)
 
 
 def test_a_velocity_of_exactly_zero_in_flight_is_none() -> None:

@@ -33,11 +33,25 @@ HEADING_TIME = 5.0
 MOTION_RING_SIZE = 512
 """Reports kept: two seconds and a half at 200 Hz; a power of two."""
 ONBOARD_MOTION = np.dtype(
-    [(name, "f8") for name in ("at", "psi", "height", "x", "y", "vx", "vy", "way", "variance")]
+    [
+        (name, "f8")
+        for name in (
+            "at",
+            "psi",
+            "height",
+            "x",
+            "y",
+            "vx",
+            "vy",
+            "way",
+            "variance",
+            "drone_time",
+        )
+    ]
 )
 """One report: when it came [s], heading since the drone's start, unwrapped [rad], height [m], the
-place [m], velocity [m/s] and way [m] of the odometry one ``FLOW_DELAY`` before, and the variance of
-that place by white noise [m^2].
+place [m], velocity [m/s] and way [m] of the odometry one ``FLOW_DELAY`` before, the variance of
+that place by white noise [m^2], and when the drone wrote it by its own clock [s].
 """
 MotionRing = NDArray[Any]
 
@@ -49,6 +63,7 @@ class OnboardReport(NamedTuple):
         at, theta, phi, psi, forward, left, height: as in ``Telemetry``.
         vz: climb rate by tracking, which the wire does not tell [m/s].
         airborne: the propellers carry the drone; on the ground it stands still.
+        drone_time: when the drone wrote it by its own clock [s]; nan where it does not tell it.
     """
 
     at: float
@@ -60,6 +75,7 @@ class OnboardReport(NamedTuple):
     height: float
     vz: float
     airborne: bool
+    drone_time: float
 
 
 class OdometryState(NamedTuple):
@@ -117,7 +133,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     since = s.since
     if dt > REPORT_GAP_MAX or silent or isnan(s.heading):
         since = report.at
-    row.at, row.height = report.at, report.height
+    row.at, row.height, row.drone_time = report.at, report.height, report.drone_time
     row.psi = report.psi if s.reports == 0 else before.psi + wrapped(report.psi - before.psi)
     row.vx, row.vy = _world_velocity(s, ring, report)
     if s.reports == 0 or dt > REPORT_GAP_MAX:
@@ -126,8 +142,9 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
             row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance
     else:
         mean_x, mean_y = 0.5 * (before.vx + row.vx), 0.5 * (before.vy + row.vy)
-        row.x, row.y = before.x + dt * mean_x, before.y + dt * mean_y
-        row.way = before.way + dt * (mean_x * mean_x + mean_y * mean_y) ** 0.5
+        flown = _drone_seconds(before.drone_time, row.drone_time, dt)
+        row.x, row.y = before.x + flown * mean_x, before.y + flown * mean_y
+        row.way = before.way + flown * (mean_x * mean_x + mean_y * mean_y) ** 0.5
         noise = FLOW_NOISE * dt if report.airborne else 0.0
         row.variance = before.variance + noise * noise + (0.1 * dt * dt) ** 2
     return OdometryState(
@@ -137,6 +154,23 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         since=since,
         zero_since=zero_since,
     )
+
+
+@compiled
+def _drone_seconds(before: float, now: float, received: float) -> float:
+    """Return the time between two reports [s] by the drone's clock, or by ours.
+
+    A link that holds reports back, and a simulated drone whose machine stood still, stretch the
+    time in which they are received: not the time in which the drone flew. Its clock wraps, may
+    stand and may jump: then ours counts.
+
+    Args:
+        before: time of the drone's clock [s], nan where it does not tell it.
+        now: the same of the newer report.
+        received: time between the receptions [s].
+    """
+    seconds = now - before
+    return seconds if 0.0 < seconds <= REPORT_GAP_MAX else received
 
 
 @compiled

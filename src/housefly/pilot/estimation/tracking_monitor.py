@@ -103,8 +103,9 @@ class TrackingMonitor:
             height=telemetry.height,
             vz=vz,
             airborne=airborne,
+            drone_time=nan if telemetry.drone_time is None else telemetry.drone_time,
         )
-        if all(map(isfinite, report[:-1])):
+        if all(map(isfinite, report[:-2])):
             self._odometry = odometry_advanced(self._odometry, self._motion, report)
 
     def _leave_or_reach_ground(self, airborne: bool) -> None:

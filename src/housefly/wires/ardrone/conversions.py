@@ -15,7 +15,7 @@ from housefly.geometry import GRAVITY, Vec3, wrap_angle
 from housefly.messages import DroneStatus, Setpoint, Telemetry
 from housefly.wires.ardrone.at import Pcmd, PcmdFlag
 from housefly.wires.ardrone.navdata import NavdataPacket, StateBits
-from housefly.wires.ardrone.navdata_options import Demo, MajorState, PhysMeasures
+from housefly.wires.ardrone.navdata_options import Demo, MajorState, PhysMeasures, Time
 
 _STATUS = {
     MajorState.DEFAULT: DroneStatus.UNKNOWN,
@@ -94,6 +94,7 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         velocity=(demo.vx / 1000.0, -demo.vy / 1000.0, -demo.vz / 1000.0),
         faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
         acceleration=_acceleration(packet),
+        drone_time=time.seconds if (time := packet.option(Time)) else None,
     )
 
 
