@@ -9,8 +9,11 @@ from housefly.twin.contracts import TwinWorld
 
 _TICK_HZ = 200.0
 """Steps per second; the navdata rate of the real drone."""
-MAX_CATCH_UP = 0.1
-"""Longest stall to catch up with [s]; time beyond it is lost and counted."""
+MAX_CATCH_UP = 0.3
+"""Longest stall to catch up with [s]: to the pilot it is a link that stood still.
+
+Time beyond it is lost and counted: a drone would fly too far without its pilot.
+"""
 
 
 class RealTimeRunner:

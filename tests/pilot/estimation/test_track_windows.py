@@ -27,7 +27,7 @@ def turned(angle: float, speed: float = 0.5, seconds: float = 1.0) -> TrackWindo
     for tick in range(round(seconds / ROW_PERIOD) + 1):
         way = speed * tick * ROW_PERIOD
         x, y = way * cos(angle), way * sin(angle)
-        onboard = OdometryAt(0.0, 1.0, way, 0.0, speed, 0.0, way, 1e-6 * tick)
+        onboard = OdometryAt(0.0, 1.0, way, 0.0, speed, 0.0, way, 1e-6 * tick, False)
         windows = windows_advanced(
             windows, rows, tick * ROW_PERIOD, x, y, 0.0, onboard, OdometryTolerance(0.002, 0.001)
         )
@@ -49,7 +49,7 @@ def test_turns_the_other_way_round_are_a_mirror(factor: float, mirrored: bool) -
     rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
     for tick in range(41):
         psi = 0.5 * tick * ROW_PERIOD
-        onboard = OdometryAt(psi, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        onboard = OdometryAt(psi, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
         yaw = factor * psi + 3.0
         windows = windows_advanced(
             windows,
@@ -67,7 +67,7 @@ def test_turns_the_other_way_round_are_a_mirror(factor: float, mirrored: bool) -
 
 def test_a_way_that_comes_back_agrees_again() -> None:
     rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
-    still = OdometryAt(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    still = OdometryAt(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
     drifts = []
     for tick in range(800):
         off = 0.2 if 100 <= tick < 160 else 0.0

@@ -25,6 +25,10 @@ FLOW_BIAS_TIME = 10.0
 """Correlation time of that bias [s]."""
 REPORT_GAP_MAX = 0.25
 """Reports further apart than this leave a hole in the odometry [s]."""
+STALL_MIN, STALL_PERIODS = 0.03, 2.0
+"""The link stood still between reports further apart than this [s] and so many usual periods."""
+PERIOD_SHARE = 0.05
+"""Weight of a new time between two reports in the usual one."""
 UNTOLD_AFTER = 0.3
 """A velocity of exactly zero for this long in flight is no velocity at all [s]."""
 HEADING_TIME = 5.0
@@ -46,12 +50,14 @@ ONBOARD_MOTION = np.dtype(
             "way",
             "variance",
             "drone_time",
+            "stalled",
         )
     ]
 )
 """One report: when it came [s], heading since the drone's start, unwrapped [rad], height [m], the
 place [m], velocity [m/s] and way [m] of the odometry one ``FLOW_DELAY`` before, the variance of
-that place by white noise [m^2], and when the drone wrote it by its own clock [s].
+that place by white noise [m^2], when the drone wrote it by its own clock [s], and whether the link
+stood still before it: 0 or 1.
 """
 MotionRing = NDArray[Any]
 
@@ -87,6 +93,7 @@ class OdometryState(NamedTuple):
         heading_at: when that was brought up to date [s].
         since: the odometry has no hole since then [s]; inf while it is not told.
         zero_since: the velocity is exactly zero since then [s]; inf when it is not.
+        period: usual time between two reports [s].
     """
 
     reports: int
@@ -94,10 +101,16 @@ class OdometryState(NamedTuple):
     heading_at: float
     since: float
     zero_since: float
+    period: float
 
 
 class OdometryAt(NamedTuple):
-    """The odometry at one time; fields as in ``ONBOARD_MOTION``."""
+    """The odometry at one time; fields as in ``ONBOARD_MOTION``.
+
+    Attributes:
+        psi, height, x, y, vx, vy, way, variance: of that time.
+        stalled: between two reports around which the link stood still the place is a guess.
+    """
 
     psi: float
     height: float
@@ -107,9 +120,12 @@ class OdometryAt(NamedTuple):
     vy: float
     way: float
     variance: float
+    stalled: bool
 
 
-NO_ODOMETRY = OdometryState(reports=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf)
+NO_ODOMETRY = OdometryState(
+    reports=0, heading=nan, heading_at=0.0, since=inf, zero_since=inf, period=0.0
+)
 
 
 @compiled
@@ -137,12 +153,14 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     row.psi = report.psi if s.reports == 0 else before.psi + wrapped(report.psi - before.psi)
     row.vx, row.vy = _world_velocity(s, ring, report)
     if s.reports == 0 or dt > REPORT_GAP_MAX:
-        row.x, row.y, row.way, row.variance = 0.0, 0.0, 0.0, 0.0
+        row.x, row.y, row.way, row.variance, row.stalled = 0.0, 0.0, 0.0, 0.0, 0.0
         if s.reports > 0:
             row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance
     else:
         mean_x, mean_y = 0.5 * (before.vx + row.vx), 0.5 * (before.vy + row.vy)
         flown = _drone_seconds(before.drone_time, row.drone_time, dt)
+        is_long = max(dt, flown) > STALL_MIN + STALL_PERIODS * s.period
+        row.stalled = 1.0 if is_long else 0.0
         row.x, row.y = before.x + flown * mean_x, before.y + flown * mean_y
         row.way = before.way + flown * (mean_x * mean_x + mean_y * mean_y) ** 0.5
         noise = FLOW_NOISE * dt if report.airborne else 0.0
@@ -153,6 +171,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
         heading_at=s.heading_at,
         since=since,
         zero_since=zero_since,
+        period=s.period + PERIOD_SHARE * (min(dt, REPORT_GAP_MAX) - s.period),
     )
 
 
@@ -161,8 +180,8 @@ def _drone_seconds(before: float, now: float, received: float) -> float:
     """Return the time between two reports [s] by the drone's clock, or by ours.
 
     A link that holds reports back, and a simulated drone whose machine stood still, stretch the
-    time in which they are received: not the time in which the drone flew. Its clock wraps, may
-    stand and may jump: then ours counts.
+    time in which they are received: not the time in which the drone flew. After a stall the same
+    report may come again. The drone's clock wraps, may stand and may jump: then ours counts.
 
     Args:
         before: time of the drone's clock [s], nan where it does not tell it.
@@ -170,6 +189,8 @@ def _drone_seconds(before: float, now: float, received: float) -> float:
         received: time between the receptions [s].
     """
     seconds = now - before
+    if seconds == 0.0 and received > STALL_MIN:
+        return 0.0
     return seconds if 0.0 < seconds <= REPORT_GAP_MAX else received
 
 
@@ -217,6 +238,7 @@ def odometry_at(s: OdometryState, ring: MotionRing, at: float) -> OdometryAt:
         vy=a.vy + share * (b.vy - a.vy),
         way=a.way + share * (b.way - a.way),
         variance=a.variance + share * (b.variance - a.variance),
+        stalled=b.stalled > 0.5,
     )
 
 
@@ -246,5 +268,10 @@ def odometry_headed(s: OdometryState, ring: MotionRing, at: float, yaw: float) -
         share = min(max(at - s.heading_at, 0.0) / HEADING_TIME, 1.0)
         heading = wrapped(s.heading + share * wrapped(off - s.heading))
     return OdometryState(
-        reports=s.reports, heading=heading, heading_at=at, since=s.since, zero_since=s.zero_since
+        reports=s.reports,
+        heading=heading,
+        heading_at=at,
+        since=s.since,
+        zero_since=s.zero_since,
+        period=s.period,
     )

@@ -154,7 +154,7 @@ def windows_advanced(
     mask = ring.size - 1
     before, row = ring[(w.taken - 1) & mask], ring[w.taken & mask]
     is_first = w.taken == w.first
-    if not is_first and at - before.at < ROW_PERIOD - 1e-6:
+    if onboard.stalled or (not is_first and at - before.at < ROW_PERIOD - 1e-6):
         return w
     row.at, row.px, row.py, row.psi = at, x, y, onboard.psi
     row.ox, row.oy, row.vx, row.vy = onboard.x, onboard.y, onboard.vx, onboard.vy

@@ -147,6 +147,8 @@ class TrackingMonitor:
         white, way = now.variance - then.variance, now.way - then.way
         change = hypot(now.vx - then.vx, now.vy - then.vy)
         bound = displacement_bound(seconds, white, way, change, self._tolerance)
+        if then.stalled or now.stalled:
+            bound += REPORT_GAP_MAX * hypot(now.vx, now.vy)
         turn = wrapped(new.pose.yaw - last.pose.yaw - (now.psi - then.psi))
         return off <= min(JUMP_FLOOR + bound, JUMP_CEILING) and abs(turn) <= TURN_JUMP
 
