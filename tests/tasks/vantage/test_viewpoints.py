@@ -17,6 +17,7 @@ from housefly.errors import TaskError
 from housefly.geometry import Vec2, Vec3, distance, heading_to
 from housefly.messages import Obstacle, ObstacleKind
 from housefly.pilot.assembly import make_pilot
+from housefly.pilot.planning.column import StaticColumns
 from housefly.room.coverage import seen_by
 from housefly.room.distance import half_diagonal
 from housefly.room.sight import hiding_rows, in_sight
@@ -220,3 +221,10 @@ def test_nobody_hovers_where_tracking_does_not_see_the_drone() -> None:
         found += 1
         assert seen_by(room, np.array([[*view.position, few.height]])).sum() >= 2, place.name
     assert 0 < found < len(room.places)
+
+
+@pytest.mark.parametrize("subject", tuple(subjects()), ids=lambda one: one.name)
+def test_the_drone_looks_from_above_clear_floor_where_it_can(subject: Subject) -> None:
+    columns = StaticColumns(site().room, 1.5)
+    place = find_viewpoint(viewing(), subject).position
+    assert columns.clearance(place) > half_diagonal(0.52, 0.52)

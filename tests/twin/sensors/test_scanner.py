@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
 from housefly.config.laser import LaserConfig
@@ -53,6 +53,6 @@ def test_it_measures_walls_and_what_moves_as_one_room(
     seen, there = np.array(scanner.scan()), cast_at_all(physics)
     known = MODELS[LASER.model]
     measurable = (there >= known.shortest) & (there <= known.longest)
-    assert measurable.any()
+    assume(measurable.any())  # unless something stands right before its window
     assert (seen[measurable] == np.rint(there[measurable])).all()
     assert (seen[~measurable] == NO_ECHO[LASER.model]).all()

@@ -23,6 +23,8 @@ OVERHANG_BOTTOM = 0.15
 """What begins higher than this above the floor may hang over a drone that stands [m]."""
 _STEP = 0.25
 """People's ways are looked at every so often [s]."""
+_FAR = 5.0
+"""Farther than this is not measured [m]."""
 _SPOT_DISTANCES = (0.5, 0.8, 1.1, 1.5, 2.0)
 _SPOT_BEARINGS = tuple(2.0 * pi * n / 12 for n in range(12))
 
@@ -85,6 +87,10 @@ class StaticColumns:
         """Return the distance from a place to the nearest solid of any height, up to 5 m."""
         return _distance_to(self._standing, place)
 
+    def clearances(self, x: FloatArray, y: FloatArray) -> FloatArray:
+        """Return the same for every pair of coordinates [m], shape (len(x), len(y))."""
+        return clearance_field(self._standing, x, y, _FAR)
+
     def overhang(self, place: Vec2) -> float:
         """Return the distance from a place to the nearest solid above the floor, up to 5 m."""
         return _distance_to(self._over, place)
@@ -92,4 +98,4 @@ class StaticColumns:
 
 def _distance_to(rows: FloatArray, place: Vec2) -> float:
     x, y = (np.array([number]) for number in place)
-    return float(clearance_field(rows, x, y, 5.0)[0, 0])
+    return float(clearance_field(rows, x, y, _FAR)[0, 0])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -13,11 +14,14 @@ from housefly.geometry import Vec2, distance
 from housefly.messages import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.navigator import ESCAPE_REACH, PLAN_HORIZON
+from housefly.pilot.planning.column import StaticColumns
 from housefly.pilot.planning.dijkstra import UNREACHED, CellDistances, distances
 from housefly.pilot.planning.live import distances_for, live_grid
 from housefly.pilot.planning.obstacles import obstacle_rows
 from housefly.pilot.planning.people import may_be_person
+from housefly.pilot.planning.people_map import HULL_MARGIN
 from housefly.room.coverage import seen_by
+from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, CellIndex, OccupancyGrid, inflation
 from housefly.room.model import Room
 from housefly.room.reach import Mask
@@ -38,11 +42,13 @@ class ReachableMap:
         grid: the map with obstacles, people grown by the distance kept from them.
         free: cells in which it may hover and tracking sees it.
         moves: to each of them from where the drone is, UNREACHED without a way.
+        landable: cells with clear floor below, where a forced landing hurts nothing.
     """
 
     grid: OccupancyGrid
     free: Mask
     moves: CellDistances
+    landable: Mask
 
     def open_cells(self, middle: Vec2, reach: float) -> tuple[FloatArray, FloatArray]:
         """Return the reachable free cells around a point: places [m], and the way to each [m].
@@ -69,13 +75,21 @@ class ReachableMap:
     def everywhere(self) -> ReachableMap:
         """Return the map as if every free cell could be reached at once."""
         moves = np.where(self.free, 0, UNREACHED).astype(np.int32)
-        return ReachableMap(self.grid, self.free, moves)
+        return ReachableMap(self.grid, self.free, moves, self.landable)
 
     def clearances(self, places: FloatArray) -> FloatArray:
         """Return the distance of places on the map from anything [m], shape (n,)."""
-        index = np.floor((places - np.array(self.grid.origin)) / self.grid.resolution).astype(int)
-        found: FloatArray = self.grid.clearance[index[:, 0], index[:, 1]]
+        found: FloatArray = self.grid.clearance[self._cells(places)]
         return found
+
+    def can_land(self, places: FloatArray) -> Mask:
+        """Return which places on the map have clear floor below, shape (n,)."""
+        found: Mask = self.landable[self._cells(places)]
+        return found
+
+    def _cells(self, places: FloatArray) -> tuple[Any, Any]:
+        index = np.floor((places - np.array(self.grid.origin)) / self.grid.resolution).astype(int)
+        return index[:, 0], index[:, 1]
 
 
 class ViewingRoom:
@@ -113,6 +127,17 @@ class ViewingRoom:
         counts = seen_by(self.room, points).sum(axis=1).reshape(nx, ny)
         return np.asarray(counts >= min(_CAMERAS_NEEDED, len(self.room.cameras)), dtype=np.bool_)
 
+    @cached_property
+    def _landable(self) -> Mask:
+        """Which cells have clear floor below, shape of the map."""
+        grid, drone = self._static, self.site.drone
+        columns = StaticColumns(self.room, self.height + self.site.map.half_band)
+        (west, south), (nx, ny) = grid.origin, grid.shape
+        x = west + np.arange(0.5, nx, dtype=np.float64) * grid.resolution
+        y = south + np.arange(0.5, ny, dtype=np.float64) * grid.resolution
+        hull = half_diagonal(drone.hull_length, drone.hull_width)
+        return np.asarray(columns.clearances(x, y) > hull + HULL_MARGIN, dtype=np.bool_)
+
     def reachable(
         self, start: Vec2, obstacles: Iterable[Obstacle], kept: float, now: float
     ) -> ReachableMap:
@@ -135,7 +160,7 @@ class ViewingRoom:
         free = (grid.cells == Cell.FREE) & self._tracked
         moves = distances(free, _start_cell(grid, free, start))
         moves = np.where(free, moves, UNREACHED).astype(np.int32)
-        return ReachableMap(grid, free, moves)
+        return ReachableMap(grid, free, moves, self._landable)
 
     def hiding(
         self, own: frozenset[str], obstacles: Iterable[Obstacle], around: Vec2, apart: float

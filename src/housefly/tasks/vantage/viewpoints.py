@@ -44,6 +44,8 @@ _NEAR = 2.0
 _FRONT = 0.8
 _CLEAR = 0.5
 _SHORT = 1.5
+_LANDABLE = 1.0
+"""Clear floor below: whatever happens there, the drone comes down on nothing."""
 _CLEAR_ENOUGH = 1.0
 """More clearance than this is worth nothing [m]."""
 _LONG_WAY = 15.0
@@ -199,6 +201,7 @@ def _cheap_worth(
     worth = _NEAR * np.maximum(0.0, 1.0 - np.abs(away - _BEST_DISTANCE) / _VIEW_RANGE)
     worth += _CLEAR * np.minimum(there.clearances(flat) / _CLEAR_ENOUGH, 1.0)
     worth += _SHORT * np.maximum(0.0, 1.0 - ways / _LONG_WAY)
+    worth += _LANDABLE * there.can_land(flat)
     if subject.front is not None:
         x, y = (flat - np.array(subject.look_at[:2])).T
         ahead = np.cos(np.arctan2(y, x) - subject.front)
