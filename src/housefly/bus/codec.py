@@ -167,7 +167,8 @@ def _field(
 
 
 def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conversion:
-    code = {member: numbers[f"{name.upper()}_{member.name}"] for member in kind}
+    names = {member: f"{name.upper()}_{member.name}" for member in kind}
+    code = {member: numbers[text] for member, text in names.items() if text in numbers}
     member_of = {number: member for member, number in code.items()}
     return code.__getitem__, member_of.__getitem__
 
