@@ -13,7 +13,7 @@ from housefly.messages import Action, Behavior, OrderKind, SafetyMode
 from housefly.pilot import pilot, step
 from housefly.pilot.behavior.acceptor import STATES, AcceptorState
 from housefly.pilot.behavior.path_profile import NO_PATH
-from housefly.pilot.estimation import estimator, pose_estimator
+from housefly.pilot.estimation import boxed_estimator, estimator, pose_estimator
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN
 from housefly.pilot.estimation.estimator import (
     estimator_created,
@@ -85,11 +85,16 @@ def _names(function: Any) -> tuple[str, ...]:
 
 
 def test_the_live_pilot_and_the_batch_call_the_same_functions() -> None:
-    assert pilot.step_commanded is loop.step_commanded is step.step_commanded
-    for name in ("estimator_created", "estimator_updated", "pose_estimate"):
+    assert pilot.boxed_step is step.boxed_step and "step_commanded" in _names(step.boxed_step)
+    assert loop.step_commanded is step.step_commanded
+    for name in ("estimator_created", "pose_estimate"):
         own = getattr(estimator, name)
         assert getattr(pose_estimator, name) is getattr(loop, name) is own, name
-    assert pose_estimator.estimate_at is estimator.estimate_at
+    assert loop.estimator_updated is boxed_estimator.estimator_updated
+    assert pose_estimator.sighting_taken is boxed_estimator.sighting_taken
+    assert "estimator_updated" in _names(boxed_estimator.sighting_taken)
+    assert pose_estimator.estimated is boxed_estimator.estimated
+    assert "estimate_at" in _names(boxed_estimator.estimated)
     assert {"estimator_advanced", "pose_estimate"} <= set(_names(estimator.estimate_at))
     assert loop.estimator_advanced is estimator.estimator_advanced
 

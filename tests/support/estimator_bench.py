@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from housefly.config.site import Site
 from housefly.messages import Estimate, Event, Sighting
+from housefly.pilot.boxed import boxed
 from housefly.pilot.estimation.estimator import (
     control_state,
     estimator_advanced,
@@ -42,7 +43,8 @@ class EstimatorBench:
         """Give a world acceleration [m/s^2], in force from now on."""
         estimator = self._estimator
         state = estimator_advanced(estimator.state, estimator.history, self.params, now)
-        estimator.state = estimator_commanded(state, estimator.history, self.params, ux, uy, flown)
+        state = estimator_commanded(state, estimator.history, self.params, ux, uy, flown)
+        estimator.box = boxed(state)
 
     def ahead(self, now: float) -> ControlState | None:
         """Return the state for control."""

@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import inf, isfinite, nan, sqrt
 from typing import NamedTuple
 
-from housefly.numeric import compiled, wrapped
+from housefly.numeric import compiled, compiled_with_arrays, wrapped
 from housefly.pilot.behavior.acceptor import (
     REST,
     Acceptor,
@@ -44,6 +44,7 @@ from housefly.pilot.behavior.yaw_reference import (
     YawReference,
     yaw_reference_advanced,
 )
+from housefly.pilot.boxed import Box
 from housefly.pilot.control.feed_forward import feed_forward_reference, tilt_lead
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
@@ -234,6 +235,45 @@ def step_commanded(
         scale=state.scale,
     )
     return state, estimator, StepOutput(target, asked, flying, command)
+
+
+@compiled_with_arrays
+def boxed_step(
+    state: StepState,
+    estimator: Box[EstimatorState],
+    history: CommandHistory,
+    params: Box[PilotParameters],
+    here: PoseEstimate,
+    guidance: Guidance,
+    profile: PathProfile,
+    override: Override,
+    mode: int,
+    airborne: bool,
+    now: float,
+    dt: float,
+) -> tuple[StepState, StepOutput]:
+    """Do ``step_commanded`` on a boxed estimator: what the live pilot calls.
+
+    Args:
+        state: as there, and so are all others.
+        estimator: holds the state that is advanced.
+        history: of commands.
+        params: holds the parameters.
+        here: the estimate for now.
+        guidance: what the mission wants.
+        profile: the path in use.
+        override: what takes the place of control.
+        mode: of the gate.
+        airborne: the propellers carry the drone.
+        now: [s].
+        dt: [s].
+    """
+    state, known, output = step_commanded(
+        state, estimator[0], history, params[0], here, guidance, profile, override,
+        mode, airborne, now, dt,
+    )  # fmt: skip
+    estimator[0] = known
+    return state, output
 
 
 @compiled

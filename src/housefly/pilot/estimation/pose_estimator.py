@@ -10,14 +10,16 @@ from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
-from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
-from housefly.pilot.estimation.estimator import (
-    estimate_at,
-    estimator_created,
-    estimator_initialized,
-    estimator_updated,
-    pose_estimate,
+from housefly.pilot.boxed import Box, boxed, unboxed
+from housefly.pilot.estimation.boxed_estimator import (
+    begun_at,
+    climb_rate,
+    estimated,
+    pose_gate,
+    sighting_taken,
 )
+from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
+from housefly.pilot.estimation.estimator import estimator_created, pose_estimate
 from housefly.pilot.estimation.estimator_state import (
     EstimatorParameters,
     EstimatorState,
@@ -50,7 +52,7 @@ class PoseEstimator:
             controls.
 
     Attributes:
-        state: of the compiled estimator.
+        box: holds the state of the compiled estimator.
         history: the commands given, which the state refers to.
         accepted: the newest sighting that was accepted, None before the first.
         monitor: holds the sightings against the drone's own report.
@@ -65,16 +67,26 @@ class PoseEstimator:
         odometry_error: float = TWIN_ODOMETRY_ERROR,
         trusting: bool = False,
     ) -> None:
-        self._params = params
+        self._params, self._boxed_params = params, boxed(params)
         self._trusting = trusting
         self._body = body
         self._rejections = RejectionLog()
         self._last_position: Vec3 | None = None
         self.history: CommandHistory = np.zeros(HISTORY_SIZE, COMMAND_SPAN)
-        self.state: EstimatorState = estimator_created(self.history, params, now)
+        self.box: Box[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
         tolerance = OdometryTolerance(params.position_noise, odometry_error)
         self.monitor = TrackingMonitor(tolerance)
+
+    @property
+    def state(self) -> EstimatorState:
+        """What the compiled estimator remembers; putting it together takes its time."""
+        return unboxed(self.box)
+
+    @property
+    def climb_rate(self) -> float:
+        """The climb rate by tracking [m/s]."""
+        return climb_rate(self.box)
 
     @property
     def rejected(self) -> dict[RejectionReason, int]:
@@ -96,49 +108,41 @@ class PoseEstimator:
 
         The state is advanced to now in any case.
         """
-        self.state, here, variance = estimate_at(self.state, self.history, self._params, now)
-        if not self.state.gate.initialized:
+        here, variance = estimated(self.box, self.history, self._boxed_params, now)
+        gate = pose_gate(self.box)
+        if not gate.initialized:
             return None
         deviation = sqrt(variance)
         position, velocity = (here.x, here.y, here.z), (here.vx, here.vy, here.vz)
-        age = now - self.state.gate.last_capture
+        age = now - gate.last_capture
         return here, Estimate(now, position, velocity, here.yaw, age, deviation)
 
     def _update(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
-        fault = sighting_fault(sighting, now, self.state.gate.last_capture)
+        gate = pose_gate(self.box)
+        fault = sighting_fault(sighting, now, gate.last_capture)
         if fault is not None:
             return self._rejections.reject(fault, now)
         if self._repeats(sighting) and not grounded and not self._trusting:
             return self._rejections.reject(RejectionReason.FROZEN, now)
-        agrees = self._trusting or self.monitor.agrees(sighting, self._predicted(sighting))
-        if not agrees:
+        is_back = gate.initialized and sighting.captured_at - gate.last_capture >= GAP_MIN
+        predicted = self._predicted(sighting.captured_at) if is_back else None
+        if not (self._trusting or self.monitor.agrees(sighting, predicted)):
             return self._reject(RejectionReason.DISAGREES, sighting, now, grounded)
-        if not self._take(sighting, now):
+        vouched = is_back and self.monitor.vouches(sighting.captured_at)
+        if not self._take(sighting, now, vouched):
             return self._reject(RejectionReason.JUMP, sighting, now, grounded)
         self._accept(sighting)
         return ()
 
-    def _predicted(self, sighting: Sighting) -> Vec2 | None:
-        """Return where the filter expects the drone after a gap [m], None without one."""
-        if not self._is_back(sighting):
-            return None
-        here = pose_estimate(self.state, self.history, self._params, sighting.captured_at)
+    def _predicted(self, at: float) -> Vec2:
+        """Return where the filter expects the drone [m]."""
+        here = pose_estimate(self.state, self.history, self._params, at)
         return here.x, here.y
 
-    def _is_back(self, sighting: Sighting) -> bool:
-        """Return whether a sighting is the first after a gap."""
-        gate = self.state.gate
-        return gate.initialized and sighting.captured_at - gate.last_capture >= GAP_MIN
-
-    def _take(self, sighting: Sighting, now: float) -> bool:
+    def _take(self, sighting: Sighting, now: float, vouched: bool) -> bool:
         """Let the filter judge a sighting; after a gap the odometry vouches for it."""
-        seen, before = _measurement(sighting), self.state
-        accepted, self.state = estimator_updated(before, self.history, self._params, seen, now)
-        vouched = self._is_back(sighting) and self.monitor.vouches(sighting.captured_at)
-        if accepted or not vouched:
-            return accepted
-        self.state = estimator_initialized(before, self.history, self._params, seen, now)
-        return True
+        seen = _measurement(sighting)
+        return sighting_taken(self.box, self.history, self._boxed_params, seen, now, vouched)
 
     def _repeats(self, sighting: Sighting) -> bool:
         """Return whether the position is the last one bit for bit: no flying drone does that."""
@@ -156,8 +160,7 @@ class PoseEstimator:
         since = self._rejections.rejecting_since
         if not grounded or lies_still or since is None or now - since < RESTART_AFTER:
             return events
-        seen = _measurement(sighting)
-        self.state = estimator_initialized(self.state, self.history, self._params, seen, now)
+        begun_at(self.box, self.history, self._boxed_params, _measurement(sighting), now)
         self._accept(sighting)
         text = "the drone was moved on the ground: tracking starts anew"
         return (Event(now, Severity.INFO, "tracking_restarted", text),)

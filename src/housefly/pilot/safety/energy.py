@@ -63,7 +63,7 @@ class EnergyMonitor:
         if isfinite(charge) and (is_higher or not inputs.airborne):
             self._at_take_off = charge
         if isfinite(charge):
-            self._lately.add(now, charge)
+            self._lately.keep(now, charge)
         still = inputs.airborne and charge == self._last
         self._last = charge
         return EnergyBudget(

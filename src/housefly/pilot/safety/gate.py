@@ -208,23 +208,26 @@ class Gate:
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:
         counted = [counts(context) for counts in COUNTED.values()]
+        remembered = self._since.keys() | self._until.keys()
         found = [
             BrokenRule(
                 rule.code, possible_mode(rule.mode, context), rule.words(context), rule.steered
             )
             for rule, kind in self._rules
-            if self._is_broken(rule, counted[kind], context)
+            if ((is_wrong := counted[kind] and rule.broken(context)) or rule.code in remembered)
+            and self._is_broken(rule, is_wrong, context)
         ]
         return tuple(sorted(found, key=lambda rule: MODE_SEVERITY[rule.mode], reverse=True))
 
-    def _is_broken(self, rule: SafetyRule, counts: bool, context: RuleContext) -> bool:
+    def _is_broken(self, rule: SafetyRule, is_wrong: bool, context: RuleContext) -> bool:
         now = context.now.now
-        if not (counts and rule.broken(context)):
+        if not is_wrong:
             self._since.pop(rule.code, None)
             return now < self._until.get(rule.code, -inf) and context.now.airborne
         if now - self._since.setdefault(rule.code, now) < rule.after:
             return False
-        self._until[rule.code] = now + rule.lasts
+        if rule.lasts:
+            self._until[rule.code] = now + rule.lasts
         return True
 
 

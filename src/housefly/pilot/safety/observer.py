@@ -197,7 +197,7 @@ class FlightObserver:
             return 0.0
         vx, vy, _ = inputs.velocity
         self._velocities.add(inputs.now, (vx, vy))
-        before_x, before_y = self._velocities.values(inputs.now)[0]
+        before_x, before_y = self._velocities.oldest(inputs.now)
         return hypot(vx - before_x, vy - before_y)
 
     def _velocity_error(self, inputs: GateInputs, steady: float, dt: float) -> float:

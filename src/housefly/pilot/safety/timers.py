@@ -36,11 +36,25 @@ class Window(Generic[T]):
         """Take in what is seen at a time [s]."""
         self._seen.append((now, value))
 
+    def keep(self, now: float, value: T) -> None:
+        """Take in what is seen at a time [s]; what is seen again has its newest time only."""
+        if self._seen and self._seen[-1][1] == value:
+            self._seen.pop()
+        self._seen.append((now, value))
+
+    def oldest(self, now: float) -> T:
+        """Return the oldest that was seen within the span before a time [s]."""
+        self._forget(now)
+        return self._seen[0][1]
+
     def values(self, now: float) -> list[T]:
         """Return what was seen within the span before a time [s]."""
+        self._forget(now)
+        return [value for _, value in self._seen]
+
+    def _forget(self, now: float) -> None:
         while self._seen and now - self._seen[0][0] > self._span:
             self._seen.popleft()
-        return [value for _, value in self._seen]
 
     def clear(self) -> None:
         """Forget everything."""

@@ -1,0 +1,80 @@
+"""The compiled estimator on a state that stays where it is: what the live pilot calls."""
+
+from __future__ import annotations
+
+from housefly.numeric import compiled_with_arrays
+from housefly.pilot.boxed import Box
+from housefly.pilot.estimation.delay_filter import CommandHistory
+from housefly.pilot.estimation.estimator import (
+    estimate_at,
+    estimator_initialized,
+    estimator_updated,
+)
+from housefly.pilot.estimation.estimator_state import (
+    EstimatorParameters,
+    EstimatorState,
+    Measurement,
+    PoseEstimate,
+    PoseGate,
+)
+
+
+@compiled_with_arrays
+def sighting_taken(
+    box: Box[EstimatorState],
+    history: CommandHistory,
+    params: Box[EstimatorParameters],
+    seen: Measurement,
+    now: float,
+    vouched: bool,
+) -> bool:
+    """Advance the state by a sighting, and return whether it was accepted.
+
+    Args:
+        box: of the state.
+        history: the commands given.
+        params: of the estimator.
+        seen: the sighting.
+        now: [s].
+        vouched: where the filter refuses it, it is begun anew there.
+    """
+    before = box[0]
+    accepted, after = estimator_updated(before, history, params[0], seen, now)
+    if vouched and not accepted:
+        accepted, after = True, estimator_initialized(before, history, params[0], seen, now)
+    box[0] = after
+    return accepted
+
+
+@compiled_with_arrays
+def begun_at(
+    box: Box[EstimatorState],
+    history: CommandHistory,
+    params: Box[EstimatorParameters],
+    seen: Measurement,
+    now: float,
+) -> None:
+    """Begin anew at a sighting."""
+    box[0] = estimator_initialized(box[0], history, params[0], seen, now)
+
+
+@compiled_with_arrays
+def estimated(
+    box: Box[EstimatorState], history: CommandHistory, params: Box[EstimatorParameters], now: float
+) -> tuple[PoseEstimate, float]:
+    """Carry the state forward to now [s]; return where the drone is, and the variance [m^2]."""
+    after, here, variance = estimate_at(box[0], history, params[0], now)
+    box[0] = after
+    return here, variance
+
+
+@compiled_with_arrays
+def pose_gate(box: Box[EstimatorState]) -> PoseGate:
+    """Return what decides about the next sighting."""
+    return box[0].gate
+
+
+@compiled_with_arrays
+def climb_rate(box: Box[EstimatorState]) -> float:
+    """Return the climb rate by tracking [m/s]."""
+    return box[0].height_yaw.z.v
