@@ -10,7 +10,7 @@ from housefly.geometry import Vec3
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.space.any_angle import in_metres, in_voxel_edges, taut
 from housefly.pilot.planning.space.clearance import hull_clearances
-from housefly.pilot.planning.space.search import CellSearch
+from housefly.pilot.planning.space.search import CellSearch, SearchScratch
 from housefly.pilot.planning.space.voxels import CLEARANCE_CAP, VoxelIndex, VoxelMap, VoxelMask
 
 
@@ -24,6 +24,7 @@ class SpaceMoment:
         weights: of the search, the same shape.
         rows: everything in the room, shape (n, 11).
         standing: what is not of the room, where it is now and as large as it is, shape (m, 11).
+        scratch: of the searches of all moments.
     """
 
     voxels: VoxelMap
@@ -31,13 +32,14 @@ class SpaceMoment:
     weights: FloatArray
     rows: FloatArray
     standing: FloatArray
+    scratch: SearchScratch = field(default_factory=SearchScratch)
     _searches: list[CellSearch] = field(default_factory=list)
 
     @property
     def search(self) -> CellSearch:
         """The search over the free voxels; made when it is used, because a way out needs none."""
         if not self._searches:
-            self._searches.append(CellSearch(self.free, self.weights))
+            self._searches.append(CellSearch(self.free, self.weights, self.scratch))
         return self._searches[0]
 
     def is_free(self, place: FloatArray) -> bool:

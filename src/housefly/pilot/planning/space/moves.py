@@ -5,6 +5,7 @@ A move is legal where every cell of the box around it is free: no corner is cut.
 
 from __future__ import annotations
 
+from functools import cache
 from itertools import product
 from math import sqrt
 from typing import Any, NamedTuple
@@ -29,6 +30,7 @@ class Moves(NamedTuple):
     needs: NDArray[np.int64]
 
 
+@cache
 def moves_of(shape: tuple[int, ...]) -> Moves:
     """Return the 26 moves of a padded grid of a shape; the 8 in the plane when its depth is 1."""
     reach: tuple[int, ...] = (-1, 0, 1)

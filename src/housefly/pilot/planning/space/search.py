@@ -31,6 +31,31 @@ class CellPath:
 NO_WAY = CellPath()
 
 
+class SearchScratch:
+    """Arrays that one search after the other writes into: making them takes as long as a search.
+
+    Attributes:
+        stamp: what marks the open cells of the last search.
+    """
+
+    def __init__(self) -> None:
+        self.stamp = -1
+        self._arrays: tuple[Any, ...] = ()
+
+    def arrays(self, size: int) -> tuple[Any, ...]:
+        """Return the arrays for a grid of so many cells."""
+        if not self._arrays or len(self._arrays[0]) != size:
+            self.stamp = -1
+            self._arrays = (
+                np.empty(size, dtype=np.int32),
+                np.empty(size, dtype=np.int32),
+                np.full(size, -1, dtype=np.int32),
+                np.empty(size),
+                np.empty(size, dtype=np.int8),
+            )
+        return self._arrays
+
+
 @dataclass(slots=True, eq=False)
 class CellSearch:
     """Shortest ways on one grid; the arrays of the last search serve the next one.
@@ -39,16 +64,17 @@ class CellSearch:
         free: cells that may be entered, shape (nx, ny) or (nx, ny, nz).
         weights: a move costs its length times one more than the mean of these at its ends, 0 or
             more; the same shape.
+        scratch: to be shared by searches that take turns.
     """
 
     free: NDArray[np.bool_]
     weights: FloatArray | None = None
+    scratch: SearchScratch = field(default_factory=SearchScratch)
     _shape: tuple[int, ...] = field(init=False)
     _moves: Moves = field(init=False)
     _flat: Any = field(init=False)
     _weights: Any = field(init=False)
-    _arrays: Any = field(init=False)
-    _stamp: int = field(init=False, default=-1)
+    _heads: Any = field(init=False)
 
     def __post_init__(self) -> None:
         grid = padded(self.free)
@@ -62,15 +88,7 @@ class CellSearch:
             raised[self._inside()] = self.weights.reshape(self._inner())
             self._weights = raised.ravel()
         buckets = 2 ** int(np.ceil(np.log2(2.0 * SQRT3 * (1.0 + most) / BUCKET + 4.0)))
-        size = grid.size
-        self._arrays = (
-            np.empty(buckets, dtype=np.int32),
-            np.empty(size, dtype=np.int32),
-            np.empty(size, dtype=np.int32),
-            np.full(size, -1, dtype=np.int32),
-            np.empty(size),
-            np.empty(size, dtype=np.int8),
-        )
+        self._heads = np.empty(buckets, dtype=np.int32)
 
     def _inner(self) -> tuple[int, ...]:
         return (*self.free.shape, 1)[:3]
@@ -91,7 +109,8 @@ class CellSearch:
             return NO_WAY
         if here == there:
             return CellPath((start,), 0.0)
-        self._stamp += 2
+        arrays = self.scratch.arrays(self._flat.size)
+        self.scratch.stamp += 2
         cost = shortest_length(
             self._flat,
             self._weights,
@@ -99,19 +118,20 @@ class CellSearch:
             there,
             self._shape,
             self._moves,
-            self._stamp,
-            *self._arrays,
+            self.scratch.stamp,
+            self._heads,
+            *arrays,
         )
         if cost == inf:
             return NO_WAY
-        return CellPath(self._cells(there), cost)
+        return CellPath(self._cells(arrays[-1], there), cost)
 
     def _holds(self, cell: VoxelIndex) -> bool:
         return all(0 <= n < size for n, size in zip(cell, self._inner(), strict=True))
 
-    def _cells(self, goal: int) -> tuple[VoxelIndex, ...]:
+    def _cells(self, came_by: Any, goal: int) -> tuple[VoxelIndex, ...]:
         out = np.empty(self._flat.size, dtype=np.int32)
-        count = walked_back(self._arrays[-1], self._moves.offsets, goal, out)
+        count = walked_back(came_by, self._moves.offsets, goal, out)
         indices = np.stack(np.unravel_index(out[:count][::-1], self._shape), axis=1)
         indices[:, :2] -= 1
         if self._inner()[2] > 1:

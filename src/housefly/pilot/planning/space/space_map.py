@@ -19,7 +19,7 @@ from housefly.numeric import FloatArray
 from housefly.pilot.planning.people import ObservedPeople, is_walking, may_be_person
 from housefly.pilot.planning.space.answer import SpaceAnswer, in_words, nearest_free, objection
 from housefly.pilot.planning.space.approach import with_approach
-from housefly.pilot.planning.space.clearance import HullCylinder
+from housefly.pilot.planning.space.clearance import HullCylinder, hull_clearances
 from housefly.pilot.planning.space.costs import above_things, blindness, height_wish, narrowness
 from housefly.pilot.planning.space.doors import DoorMap, site_heights
 from housefly.pilot.planning.space.escape import ESCAPE_WEIGHT, RECEDING_GIVE, escape_mask
@@ -31,11 +31,16 @@ from housefly.pilot.planning.space.passage import (
     passages,
 )
 from housefly.pilot.planning.space.reachability import reached_from_voxel, within_reach
-from housefly.pilot.planning.space.search import CellSearch
+from housefly.pilot.planning.space.search import CellSearch, SearchScratch
 from housefly.pilot.planning.space.site_volumes import site_volumes
 from housefly.pilot.planning.space.solid_rows import filled_rows, live_rows
 from housefly.pilot.planning.space.volumes import VolumeKind, speeds_at, within_volumes
-from housefly.pilot.planning.space.voxels import empty_map, with_rows, within_heights
+from housefly.pilot.planning.space.voxels import (
+    CLEARANCE_CAP,
+    empty_map,
+    with_rows,
+    within_heights,
+)
 from housefly.pilot.planning.trajectory.speed_limits import MotionLimits
 from housefly.pilot.planning.trajectory.time_scale import TRAJECTORY_START, TimeScale
 from housefly.pilot.planning.trajectory.timing import STANDING, TICK, KinematicState
@@ -67,6 +72,10 @@ BRAKING = 1.0
 """How hard the drone can be counted on to brake [m/s^2]."""
 SLOWED_BELOW = 0.3
 """Where the hull is nearer to things a trajectory is slower [m]."""
+SLOW_GIVE = 0.02
+"""A drone may be this much faster than a slow volume wants while it enters it by hand [m/s]."""
+_SAME = 1e-6
+"""What differs by less is the same distance [m]."""
 
 
 def motion_limits(site: Site) -> MotionLimits:
@@ -117,6 +126,7 @@ class SpaceMap:
         self._at = 0.0
         self._people = site.people
         self._moments: dict[tuple[float, float], SpaceMoment] = {}
+        self._scratch = SearchScratch()
 
     def update(self, obstacles: Iterable[Obstacle], now: float) -> None:
         """Take in what is known of things and people at a time [s]."""
@@ -240,6 +250,26 @@ class SpaceMap:
             return False
         return bool(voxels.allowed[voxel]) and float(voxels.clearance[voxel]) >= voxels.keep
 
+    def closed_along(self, places: FloatArray, speeds: FloatArray) -> str:
+        """Return what of the room closes a short way, in words, or "".
+
+        A drone that is too near to something already may go where it gets no nearer.
+
+        Args:
+            places: of its middle, the first is where it is [m], shape (n, 3).
+            speeds: there [m/s], shape (n,).
+        """
+        voxels = [self._static.voxel_of((x, y, z)) for x, y, z in places.tolist()]
+        if not all(self._static.contains(one) and self._static.allowed[one] for one in voxels):
+            return "the end of where it may fly is ahead"
+        if self._zones is not None and (speeds > self._zones(places) + SLOW_GIVE).any():
+            return "it flies slowly here by order"
+        near = hull_clearances(self._solids, places, self.hull, CLEARANCE_CAP)
+        # Not a hair nearer than now: many short ways would add up.
+        least = min(self.keep - CLEARANCE_GIVE, float(near[0]) - _SAME)
+        is_free = near[0] > 0.0 and (near >= least).all()
+        return "" if is_free else "a wall or furniture is ahead"
+
     def layer(self, height: float) -> OccupancyGrid:
         """Return the map of now at a height of the drone's middle [m], without people."""
         things = [one for one in self._obstacles if not may_be_person(one)]
@@ -286,7 +316,7 @@ class SpaceMap:
             voxels = with_rows(self._static, live)
             weights = narrowness(voxels, WIDE, NARROW_GAIN) + self._dear
             free, rows = voxels.free(), np.concatenate((self._solids, live))
-            self._moments[key] = SpaceMoment(voxels, free, weights, rows, standing)
+            self._moments[key] = SpaceMoment(voxels, free, weights, rows, standing, self._scratch)
         return self._moments[key]
 
     def _live(self, comfort: float, horizon: float) -> FloatArray:
@@ -304,8 +334,10 @@ class SpaceMap:
         opened = escape_mask(
             self._static, moment.free, self._open_air, start.place, moment.standing
         )
-        dear = moment.weights + ESCAPE_WEIGHT * (opened & ~moment.free)
-        corners = corners_of(voxels, CellSearch(opened, dear), start.place, end)
+        dear = moment.weights.copy()
+        dear.ravel()[np.flatnonzero(opened > moment.free)] += ESCAPE_WEIGHT
+        search = CellSearch(opened, dear, moment.scratch)
+        corners = corners_of(voxels, search, start.place, end)
         x, y, z = start.place.tolist()
         if corners is None:
             why = objection(voxels, self._open_air, "start", (x, y, z))

@@ -5,11 +5,12 @@ Each span lies in the hull of its four control points, so it stays in any box th
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
 
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, compiled_with_arrays
 
 _BASIS = np.array([[1.0, 4.0, 1.0, 0.0], [-3.0, 0.0, 3.0, 0.0], [3.0, -6.0, 3.0, 0.0]]) / 6.0
 _CUBIC = np.array([-1.0, 3.0, -3.0, 1.0]) / 6.0
@@ -29,23 +30,38 @@ def curve_points(points: FloatArray, per_span: int) -> tuple[FloatArray, FloatAr
     Returns:
         Three arrays of shape ((n - 3) * per_span + 1, 3).
     """
+    places, first, second = (_placed(*shares, points) for shares in _shares(per_span))
+    return places, first, second
+
+
+@cache
+def _shares(per_span: int) -> tuple[tuple[FloatArray, FloatArray], ...]:
+    """Return the shares of four control points in places, slopes and bends of a span.
+
+    For each those inside, shape (per_span, 4), and those at the end, shape (4,).
+    """
     u = np.arange(per_span) / per_span
     one, nil = np.ones(per_span), np.zeros(per_span)
     powers = np.stack((one, u, u**2, u**3), axis=1)
     slopes = np.stack((nil, one, 2.0 * u, 3.0 * u**2), axis=1)
     bends = np.stack((nil, nil, 2.0 * one, 6.0 * u), axis=1)
-    windows = np.lib.stride_tricks.sliding_window_view(points, 4, axis=0)
-    inside = (_placed(coefficients @ _POWERS, windows) for coefficients in (powers, slopes, bends))
-    places, first, second = (
-        np.vstack((body, (end @ _POWERS) @ windows[-1].T))
-        for body, end in zip(inside, _AT_END, strict=True)
+    return tuple(
+        (inside @ _POWERS, end @ _POWERS)
+        for inside, end in zip((powers, slopes, bends), _AT_END, strict=True)
     )
-    return places, first, second
 
 
-def _placed(shares: Any, windows: Any) -> FloatArray:
-    """Return the points of all spans, shape (spans * per_span, 3)."""
-    placed: FloatArray = np.einsum("uk,sdk->sud", shares, windows).reshape(-1, windows.shape[1])
+@compiled_with_arrays
+def _placed(inside: Any, end: Any, points: Any) -> Any:
+    """Return the points of all spans, shape (spans * per_span + 1, 3)."""
+    spans, per_span = points.shape[0] - 3, inside.shape[0]
+    placed = np.zeros((spans * per_span + 1, 3))
+    for n in range(spans * per_span + 1):
+        span, u = min(n // per_span, spans - 1), n % per_span
+        for axis in range(3):
+            for k in range(4):
+                share = end[k] if n == spans * per_span else inside[u, k]
+                placed[n, axis] += share * points[span + k, axis]
     return placed
 
 

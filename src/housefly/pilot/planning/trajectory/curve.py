@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from math import sqrt
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from housefly.numeric import FloatArray, compiled
+from housefly.numeric import FloatArray, compiled, compiled_with_arrays
 from housefly.pilot.planning.trajectory.bspline import curve_points
 
 _PER_SPAN = 16
+_SAME_PLACE = 1e-9
+"""Samples nearer than this are the same place [m]."""
 _STANDING = 1e-6
 """Where the curve moves by less than this for a whole span it stands, and may turn [m]."""
 
@@ -38,28 +41,53 @@ def arc_curve(points: FloatArray) -> ArcCurve:
     Args:
         points: shape (n, 3), n at least 4; three alike are a place where it stands.
     """
-    places, first, second = curve_points(points, _PER_SPAN)
-    pace = np.linalg.norm(first, axis=1)
-    steps = np.linalg.norm(np.diff(places, axis=0), axis=1)
-    moves = np.concatenate(([True], steps > 1e-9))
-    places, first, second, pace = places[moves], first[moves], second[moves], pace[moves]
-    stands = pace < _STANDING
-    along = np.where(stands[:, None], _towards_next(places), first)
-    along /= np.maximum(np.linalg.norm(along, axis=1), 1e-12)[:, None]
-    across = second - (second * along).sum(axis=1)[:, None] * along
-    bends = np.where(stands[:, None], 0.0, across / np.maximum(pace, _STANDING)[:, None] ** 2)
-    chords = np.linalg.norm(np.diff(places, axis=0), axis=1)
-    # An arc is longer than its chord.
-    turn = np.linalg.norm(bends, axis=1)
-    arcs = chords * (1.0 + (chords * np.maximum(turn[:-1], turn[1:])) ** 2 / 24.0)
-    marks = np.concatenate(([0.0], np.cumsum(arcs)))
-    return ArcCurve(marks, places, along, bends, stands.astype(np.float64))
+    return _by_arc_length(*curve_points(points, _PER_SPAN))
 
 
-def _towards_next(places: FloatArray) -> FloatArray:
-    """Return the way from each place to the next; the last one's from the one before."""
-    steps = np.diff(places, axis=0)
-    return np.vstack((steps, steps[-1:]))
+@compiled_with_arrays
+def _by_arc_length(places: Any, first: Any, second: Any) -> ArcCurve:
+    """Return the curve of samples and their derivatives; samples in the same place are one."""
+    kept = np.zeros(places.shape[0], dtype=np.int64)
+    count = 1
+    for n in range(1, places.shape[0]):
+        if _distance(places, n - 1, n) > _SAME_PLACE:
+            kept[count], count = n, count + 1
+    marks, stands = np.zeros(count), np.zeros(count)
+    spots, along, bends = np.zeros((count, 3)), np.zeros((count, 3)), np.zeros((count, 3))
+    for n in range(count):
+        spots[n] = places[kept[n]]
+    for n in range(count):
+        pace, near = _length(first, kept[n]), min(n, count - 2)
+        stands[n] = 1.0 if pace < _STANDING else 0.0
+        for i in range(3):
+            standing = spots[near + 1, i] - spots[near, i]
+            along[n, i] = first[kept[n], i] if pace >= _STANDING else standing
+        size = max(_length(along, n), 1e-12)
+        for i in range(3):
+            along[n, i] /= size
+        if pace >= _STANDING:
+            turning = second[kept[n]]
+            ahead = turning[0] * along[n, 0] + turning[1] * along[n, 1] + turning[2] * along[n, 2]
+            for i in range(3):
+                bends[n, i] = (turning[i] - ahead * along[n, i]) / pace**2
+    for n in range(1, count):
+        chord = _distance(spots, n - 1, n)
+        turn = max(_length(bends, n - 1), _length(bends, n))
+        # An arc is longer than its chord.
+        marks[n] = marks[n - 1] + chord * (1.0 + (chord * turn) ** 2 / 24.0)
+    return ArcCurve(marks, spots, along, bends, stands)
+
+
+@compiled
+def _length(vectors: Any, n: int) -> float:
+    x, y, z = vectors[n, 0], vectors[n, 1], vectors[n, 2]
+    return sqrt(x * x + y * y + z * z)
+
+
+@compiled
+def _distance(places: Any, a: int, b: int) -> float:
+    x, y, z = places[b, 0] - places[a, 0], places[b, 1] - places[a, 1], places[b, 2] - places[a, 2]
+    return sqrt(x * x + y * y + z * z)
 
 
 @compiled
