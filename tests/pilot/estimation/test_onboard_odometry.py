@@ -103,6 +103,21 @@ def test_a_stall_of_the_link_does_not_lengthen_the_way_of_a_drone_that_tells_its
     assert found.x == pytest.approx(0.5 * told, abs=0.01)
 
 
+def test_around_a_link_that_stood_still_the_place_is_a_guess() -> None:
+    motion = ring()
+    state = begun(motion, 0.0)
+    at = 0.0
+    for tick in range(1, 101):
+        # After the stall an old report comes first, then the newest.
+        at += {50: 0.22, 51: 0.01}.get(tick, 0.01)
+        told = at - (0.21 if tick == 50 else 0.0)
+        state = odometry_advanced(
+            state, motion, LEVEL._replace(at=at, forward=0.5, drone_time=told)
+        )
+        assert odometry_at(state, motion, at).stalled == (tick in (50, 51))
+    assert odometry_at(state, motion, at - FLOW_DELAY).x == pytest.approx(0.5 * at, abs=0.03)
+
+
 @pytest.mark.parametrize("told", [7.0, nan, -1.0], ids=["stands", "is not told", "goes back"])
 def test_a_clock_of_the_drone_that_does_not_run_does_not_count(told: float) -> None:
     motion = ring()

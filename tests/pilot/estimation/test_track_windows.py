@@ -80,6 +80,24 @@ def test_a_way_that_comes_back_agrees_again() -> None:
     assert drifts[-1] == 0.0
 
 
+def test_what_was_seen_while_the_link_stood_still_is_held_against_nothing() -> None:
+    rows, windows = np.zeros(WINDOW_RING_SIZE, TRACK_ROW), EMPTY_WINDOWS
+    still = OdometryAt(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, False)
+    for tick in range(200):
+        stalled = tick % 20 == 19
+        windows = windows_advanced(
+            windows,
+            rows,
+            tick * ROW_PERIOD,
+            0.3 if stalled else 0.0,
+            0.0,
+            0.0,
+            still._replace(stalled=stalled),
+            OdometryTolerance(0.002, 0.001),
+        )
+        assert not windows.drift > 0.0
+
+
 def test_emptied_windows_know_nothing() -> None:
     emptied = windows_restarted(turned(1.0))
     assert isnan(emptied.drift) and isnan(emptied.frame_error) and not emptied.mirrored
