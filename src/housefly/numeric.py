@@ -14,13 +14,15 @@ from collections.abc import Callable
 from hashlib import sha256
 from math import pi
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
 from numba import config, njit
+from numba.typed import List
 from numpy.typing import NDArray
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+Value = TypeVar("Value")
 
 FloatArray = NDArray[np.float64]
 """An array of double-precision numbers; its shape stands where it is used."""
@@ -96,6 +98,45 @@ def compiled(function: Function) -> Function:
 def compiled_with_arrays(function: Function) -> Function:
     """Compile a numeric function that makes arrays or lists of its own, and keep its type."""
     return cast(Function, njit(cache=True, nogil=True)(function))
+
+
+class CompiledBox(Protocol[Value]):
+    """One value that stays with the compiled code, which reads and replaces number 0.
+
+    A tuple of numbers that goes from Python to compiled code and back is taken apart and put
+    together number by number: for the estimator's state that takes longer than all that is computed
+    with it. A box is handed over as one pointer.
+    """
+
+    def __getitem__(self, index: int) -> Value:
+        """Return the value; for compiled code only."""
+        ...
+
+    def __setitem__(self, index: int, value: Value) -> None:
+        """Replace the value; for compiled code only."""
+        ...
+
+
+@compiled_with_arrays
+def _boxed(value: object) -> object:
+    box = List()
+    box.append(value)
+    return box
+
+
+@compiled_with_arrays
+def _unboxed(box: CompiledBox[Value]) -> Value:
+    return box[0]
+
+
+def boxed(value: Value) -> CompiledBox[Value]:
+    """Return a box that holds a value."""
+    return cast("CompiledBox[Value]", _boxed(value))
+
+
+def unboxed(box: CompiledBox[Value]) -> Value:
+    """Return the value in a box, put together for Python."""
+    return _unboxed(box)
 
 
 @compiled

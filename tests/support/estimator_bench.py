@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from housefly.config.site import Site
 from housefly.messages import Estimate, Event, Sighting
-from housefly.pilot.boxed import boxed
+from housefly.numeric import boxed
 from housefly.pilot.estimation.estimator import (
     control_state,
     estimator_advanced,

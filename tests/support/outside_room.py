@@ -12,18 +12,20 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from itertools import count, cycle
 from pathlib import Path
 
 import psutil
+from filming import RATE_HZ, video
 
 from housefly.bus.topics import ORDER_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed, site_from_file
-from housefly.messages import DroneStatus, Order, OrderKind, PilotStep
+from housefly.messages import DroneStatus, Order, OrderKind, PilotStep, VideoFrame
 from housefly.room.files import load_room
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import FlightState
+from housefly.twin.contracts import EncodedPicture, FlightState
 from housefly.twin.mocap.tracking_servers import tracking_servers
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
@@ -36,11 +38,12 @@ class OutsideRoom:
 
     Attributes:
         was_left_alone: whether the drone's own watchdog had to act in the air.
+        films: whether the drone's camera sends pictures.
     """
 
     def __init__(self, site: Site) -> None:
         self.world = SimulatedWorld(site, load_room(site.room.model))
-        self.was_left_alone = False
+        self.was_left_alone = self.films = False
         self._site = site
         self._stop = threading.Event()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._serve()), daemon=True)
@@ -48,6 +51,10 @@ class OutsideRoom:
     @property
     def height(self) -> float:
         return self.world.truth().pose.position[2]
+
+    def do(self, change: Callable[[], None]) -> None:
+        """Change the world between two of its steps."""
+        self._loop.call_soon_threadsafe(change)
 
     def is_standing(self) -> bool:
         return self.world.onboard().flight is FlightState.LANDED and self.height < 0.15
@@ -61,6 +68,7 @@ class OutsideRoom:
         self._thread.join()
 
     async def _serve(self) -> None:
+        self._loop = asyncio.get_running_loop()
         drone = ArDroneServer(self.world, self._site.drone.address)
         servers = [drone, *tracking_servers(self._site)]
         for server in servers:
@@ -68,13 +76,24 @@ class OutsideRoom:
         serving = asyncio.create_task(
             RealTimeRunner(self.world, RealClock()).run(lambda: self._after_step(servers[1:]))
         )
-        while not self._stop.is_set():
-            await asyncio.sleep(0.05)
+        frames = cycle(list(video(2.0)))
+        for number in count(1):
+            if self._stop.is_set():
+                break
+            await asyncio.sleep(1.0 / RATE_HZ)
+            one = next(frames)
+            if self.films:
+                self._publish(drone, number, one)
         serving.cancel()
         with contextlib.suppress(asyncio.CancelledError):
             await serving
         for server in servers:
             await server.stop()
+
+    def _publish(self, drone: ArDroneServer, number: int, frame: VideoFrame) -> None:
+        size = frame.width, frame.height
+        at = self.world.truth().at
+        drone.publish(EncodedPicture(number, frame.data, frame.keyframe, *size, at))
 
     def _after_step(self, tracking: list) -> None:
         for frame in self.world.mocap_frames():
@@ -154,13 +173,14 @@ def wait_for(condition: Callable[[], bool], timeout: float, what: str) -> None:
 
 @contextmanager
 def running_outside(
-    site_path: Path, log: Path, **popen: object
+    site_path: Path, log: Path, *, films: bool = False, **popen: object
 ) -> Iterator[tuple[OutsideRoom, Run]]:
     """Start a run whose room is outside of it; whatever is left of it in the end is killed."""
     site = site_from_file(site_path)
     mine = site_path.with_suffix(".outside.json")
     mine.write_text(changed(site, twin__enabled=False).model_dump_json())
     with OutsideRoom(site) as room:
+        room.films = films
         process = subprocess.Popen(
             [sys.executable, "-m", "housefly.cli", "run", "--site", str(mine)],
             **(popen or {"stdout": log.open("wb"), "stderr": subprocess.STDOUT}),  # type: ignore[call-overload]

@@ -48,6 +48,7 @@ from housefly.tasks.api.questions import (
     Sentence,
     ServicesQuestion,
     SetMode,
+    TakePhoto,
     TaskHistoryQuestion,
     TaskQuestion,
     Webhook,
@@ -109,6 +110,7 @@ class StandInTasks:
     Attributes:
         asked: every question it was asked, oldest first.
         rehearses: not set, rehearsals take long.
+        films: whether a photo can be kept.
     """
 
     def __init__(self, bus: Bus) -> None:
@@ -118,7 +120,7 @@ class StandInTasks:
         self.rehearses.set()
         self.tasks: dict[int, TaskStatus] = {}
         self.owners: dict[int, str] = {}
-        self.mode, self.records = HouseMode.HOME, False
+        self.mode, self.records, self.films = HouseMode.HOME, False, True
         self.clips: tuple[ClipInfo, ...] = ()
         self.notices: tuple[str, ...] = ()
         self._answers: dict[type, Callable[[Any], TaskAnswer]] = {
@@ -143,6 +145,7 @@ class StandInTasks:
             Webhook: lambda _: FiringsAnswer(()),
             KeepClip: lambda one: self._clip(one.clip),
             DeleteClip: lambda one: self._clip(one.clip, gone=True),
+            TakePhoto: self._photo,
         }
         self._answering = bus.answer(TASKS_QUERY, self.answer, 6)
 
@@ -275,9 +278,24 @@ class StandInTasks:
         """Answer about clips as their real index does."""
         self._answers |= dict.fromkeys((ClipsQuestion, KeepClip, DeleteClip), index.answer)
 
+    def answers_with(self, kind: type, answer: Callable[[Any], TaskAnswer]) -> None:
+        """Answer one kind of question otherwise."""
+        self._answers[kind] = answer
+
     def keep_clip(self, info: ClipInfo) -> None:
         """Add a clip, the newest."""
         self.clips = (info, *self.clips)
+
+    def _photo(self, asked: TakePhoto) -> ClipsAnswer:
+        if not self.films:
+            raise TaskError("the camera records only in flight", ReasonCode.NOT_READY.value)
+        now = time.time()
+        info = ClipInfo(
+            *(f"photo-{len(self.clips)}", "snapshot", 0, "", "", "", (), asked.by, now, 0.0, 1000),
+            keep_until=now + 30 * 86_400.0,
+        )
+        self.keep_clip(info)
+        return ClipsAnswer((info,))
 
     def _clip(self, name: str, *, gone: bool = False) -> ClipsAnswer:
         found = tuple(one for one in self.clips if one.id == name)

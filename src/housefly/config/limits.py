@@ -29,6 +29,9 @@ class LimitsConfig(Section):
     )
     yaw_rate_max: float = quantity(1.75, 0.1, 6.2, "rad/s", "largest yaw rate")
     speed: float = quantity(0.5, 0.05, 2.0, "m/s", "cruise speed along a path")
+    nudge_speed: float = quantity(
+        0.0, 0.0, 0.5, "m/s", "largest speed when a person moves the drone by hand; 0: not possible"
+    )
     acceleration: float = quantity(
         1.6, 0.1, 5.0, "m/s^2", "largest of a trajectory, level, drag included (PX4: MPC_ACC_HOR)"
     )

@@ -27,6 +27,7 @@ class OrderKind(Enum):
     RESUME = "resume"
     CUT = "cut"
     RESET = "reset"
+    NUDGE = "nudge"
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,8 @@ class Order:
 
     GO flies to ``place`` or ``goal`` and hovers there. SERVICE is the paper's service: take off,
     fly there, look for ``look_s``, come home, land. HOME flies home and lands. STOP hovers and
-    latches until RESUME; LAND and CUT always pass.
+    latches until RESUME; LAND and CUT always pass. NUDGE moves a drone that holds its place by
+    hand: it counts for 0.3 s, so whoever holds a key gives it again and again.
 
     Attributes:
         kind: what to do.
@@ -46,6 +48,7 @@ class Order:
         look_s: how long to look before coming home [s].
         issued_at: when it was given [s]; orders older than 0.5 s that move the drone are refused.
         sender: who asked.
+        velocity: wanted by NUDGE, along the axes of the world [m/s].
     """
 
     kind: OrderKind
@@ -55,6 +58,7 @@ class Order:
     look_s: float = 5.0
     issued_at: float = 0.0
     sender: str = ""
+    velocity: Vec3 | None = None
 
 
 class Severity(Enum):

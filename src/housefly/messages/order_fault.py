@@ -12,6 +12,8 @@ COORDINATE_MAX = 1000.0
 """Goals further from the origin on any axis [m] are refused: no room is so long."""
 LOOK_TIME_MAX = 3600.0
 """Longest time to look at something [s]."""
+SPEED_MAX = 10.0
+"""No drone is moved faster by hand on any axis [m/s]."""
 NAME_LENGTH_MAX = 100
 """Longest name of a place or a sender."""
 
@@ -26,6 +28,7 @@ def order_fault(order: Order) -> str:
         (_within(order.goal or ()), "goal is not a position in a room", far),
         (_within(order.look_at or ()), "look_at is not a position in a room", far),
         (0.0 <= order.look_s <= LOOK_TIME_MAX, "look_s is wrong", f"0 to {LOOK_TIME_MAX:g} s"),
+        (_is_velocity(order), "velocity is wrong", f"at most {SPEED_MAX:g} m/s, and only by nudge"),
         (_is_name(order.place), "place is not a name", name),
         (_is_name(order.sender), "sender is not a name", name),
     )
@@ -42,6 +45,12 @@ def shown_name(text: str) -> str:
 
 def _within(point: Iterable[float]) -> bool:
     return all(abs(value) <= COORDINATE_MAX for value in point)
+
+
+def _is_velocity(order: Order) -> bool:
+    if order.velocity is None or order.kind is not OrderKind.NUDGE:
+        return (order.velocity is None) == (order.kind is not OrderKind.NUDGE)
+    return all(abs(value) <= SPEED_MAX for value in order.velocity)
 
 
 def _is_name(text: str) -> bool:

@@ -13,6 +13,7 @@ from housefly.messages.flight import Order, OrderKind
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.numeric import FloatArray
 from housefly.pilot.behavior.mission import STAY, Mission, Refused
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.behavior.path_profile import PathProfile
@@ -23,13 +24,14 @@ from housefly.pilot.planning.obstacles import ObstacleMemory, obstacle_fault, ob
 from housefly.pilot.planning.people import is_walking, may_be_person
 from housefly.pilot.planning.people_map import PeopleMap
 from housefly.pilot.planning.planner import plan
+from housefly.pilot.planning.separation import STEP
 from housefly.pilot.planning.space.answer import SpaceAnswer
 from housefly.pilot.planning.space.passage import Passage
 from housefly.pilot.planning.space.path_look import first_block_in_space
 from housefly.pilot.planning.space.solid_rows import live_rows
 from housefly.pilot.planning.space.space_map import SpaceMap
 from housefly.pilot.planning.tracked_bodies import TrackedBodies
-from housefly.pilot.planning.trajectory.kinematic_state import KinematicState
+from housefly.pilot.planning.trajectory.kinematic_state import TICK, KinematicState
 from housefly.pilot.planning.trajectory.time_scale import TimeScale
 from housefly.pilot.planning.trajectory.trajectory import at_rest
 from housefly.room.grid import OccupancyGrid, extent_of, inflation
@@ -49,6 +51,12 @@ OPENING = 0.2
 """What stood opens a way when it has moved farther than this [m] ..."""
 OPENING_TIME = 1.0
 """... and has not been back for so long [s]."""
+LOOKED_EVERY = round(STEP / TICK)
+"""A motion by hand is looked at at every so many rows."""
+WALKERS_AHEAD = 21
+"""For so many looks ahead who walks is kept away from."""
+NEARER = 0.01
+"""Who comes nearer by less than this comes no nearer than to a drone that stays [m]."""
 WATCH_SLACK = 0.05
 """A path in use may come this much nearer to people than a new one [m]."""
 
@@ -187,6 +195,38 @@ class RoomNavigator:
             soon, live_rows(known, now, 0.0), points, space.hull, tight
         )
         return None if isinf(along) else PathBlock(along, known[row].id)
+
+    def closed(self, rows: FloatArray, now: float) -> str:
+        """Return what closes a short motion that begins where the drone is, in words, or "".
+
+        The room, what is known to stand in it, and people with their comfort distance; who walks
+        counts where the drone would come nearer to them than by staying.
+
+        Args:
+            rows: place, velocity and acceleration every ``TICK``, to rest, shape (n, 9).
+            now: time [s].
+        """
+        assert self._space is not None
+        looked = np.vstack((rows[:-1:LOOKED_EVERY], rows[-1:]))
+        places, speeds = looked[:, :3], np.linalg.norm(looked[:, 3:6], axis=1)
+        return self._space.closed_along(places, speeds) or self._closed_by_live(places, now)
+
+    def _closed_by_live(self, places: FloatArray, now: float) -> str:
+        assert self._space is not None
+        known = tuple(one for one in self._memory.obstacles if not is_walking(one))
+        space, hanging = self._space, self._height
+        soon = live_rows(known, now, WATCH_HORIZON, self._kept[0], hanging)
+        standing = live_rows(known, now, 0.0, 0.0, hanging)
+        _, row = first_block_in_space(soon, standing, places, space.hull, space.keep)
+        if row >= 0:
+            return f"{known[row].id} is near"
+        ends = np.repeat(places[-1:], max(0, WALKERS_AHEAD - len(places)), axis=0)
+        ways = np.concatenate((places, ends))[:, :2]
+        met = self.people.separation_along(ways, now)
+        if met.closest >= self._kept[0]:
+            return ""
+        stays = self.people.separation_along(np.repeat(ways[:1], len(ways), axis=0), now)
+        return f"{met.name} comes near" if met.closest < stays.closest - NEARER else ""
 
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:
         """Return whether there is a way once the obstacles of now are gone."""

@@ -31,7 +31,7 @@ from housefly.messages.steering import (
     SafetyMode,
     Setpoint,
 )
-from housefly.numeric import wrapped
+from housefly.numeric import boxed, wrapped
 from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.mission import TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
@@ -51,14 +51,15 @@ from housefly.pilot.estimation.estimator_state import PoseEstimate
 from housefly.pilot.estimation.pose_estimator import PoseEstimator
 from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVerdict, released
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
+from housefly.pilot.safety.limits import is_flown_in
 from housefly.pilot.step import (
     INITIAL_STEP,
     NO_OVERRIDE,
     Guidance,
     Override,
     StepOutput,
+    boxed_step,
     progress_started,
-    step_commanded,
 )
 
 TICK_MAX = 0.1
@@ -88,7 +89,7 @@ class Pilot:
         maneuver: Maneuver | None = None,
     ) -> None:
         self._settings = settings
-        self._params = settings.parameters
+        self._params, self._boxed_params = settings.parameters, boxed(settings.parameters)
         self._map = room_map
         self._missions = missions
         self._gate = gate
@@ -178,7 +179,7 @@ class Pilot:
         """
         grounded = self._status is DroneStatus.LANDED
         estimator = self._estimator or self._new_estimator(now)
-        estimator.monitor.feel(inputs.telemetry, self._status, estimator.state.height_yaw.z.v)
+        estimator.monitor.feel(inputs.telemetry, self._status, estimator.climb_rate)
         events = list(estimator.update(inputs.sightings, now, grounded))
         accepted, phase = estimator.accepted, self._missions.state.phase
         is_idle = grounded and phase is Phase.IDLE and not estimator.monitor.refusing
@@ -233,6 +234,7 @@ class Pilot:
             return_wanted=self._gate.returning,
             standing_height=self._gate.standing_height,
             maneuvering=self._maneuvering,
+            held=not is_flown_in(self._step.gate),
             reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=self.consistency,
@@ -259,11 +261,11 @@ class Pilot:
         assessment = self._gate.assess(inputs)
         guidance = self._guidance(vehicle.estimate, assessment)
         override = self._override(now, vehicle.estimate)
-        self._step, self._estimator.state, output = step_commanded(
+        self._step, output = boxed_step(
             self._step,
-            self._estimator.state,
+            self._estimator.box,
             self._estimator.history,
-            self._params,
+            self._boxed_params,
             here,
             guidance,
             self._profile,

@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import inf, isfinite, nan, sqrt
 from typing import NamedTuple
 
-from housefly.numeric import compiled, compiled_with_arrays, wrapped
+from housefly.numeric import CompiledBox, compiled, compiled_with_arrays, wrapped
 from housefly.pilot.behavior.acceptor import (
     REST,
     Acceptor,
@@ -44,7 +44,6 @@ from housefly.pilot.behavior.yaw_reference import (
     YawReference,
     yaw_reference_advanced,
 )
-from housefly.pilot.boxed import Box
 from housefly.pilot.control.feed_forward import feed_forward_reference, tilt_lead
 from housefly.pilot.control.laws import acceleration
 from housefly.pilot.control.steering import (
@@ -240,9 +239,9 @@ def step_commanded(
 @compiled_with_arrays
 def boxed_step(
     state: StepState,
-    estimator: Box[EstimatorState],
+    estimator: CompiledBox[EstimatorState],
     history: CommandHistory,
-    params: Box[PilotParameters],
+    params: CompiledBox[PilotParameters],
     here: PoseEstimate,
     guidance: Guidance,
     profile: PathProfile,

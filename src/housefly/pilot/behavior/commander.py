@@ -55,6 +55,7 @@ class Commander:
             Response.RESUME: self._resume,
             Response.CUT: self._cut,
             Response.RESET: self._reset,
+            Response.NUDGE: self._nudge,
         }
 
     @property
@@ -176,6 +177,11 @@ class Commander:
     def take(self, task: TrackingTask) -> None:
         """Track another task of the same mission."""
         self._task = replace(task, duration=max(task.duration, self._task.duration))
+
+    def move(self, task: TrackingTask, vehicle: VehicleStatus) -> None:
+        """Track what a person moves by hand; it counts as a fresh order to stay."""
+        self._task = task
+        self._state = self._state.entering(Phase.HOLDING, vehicle.now, STAY)
 
     def show(self, path: Path) -> None:
         """Show people the same path with other times."""
@@ -341,6 +347,16 @@ class Commander:
             self._state = replace(self._state, stopped=False)
             is_holding = self._state.phase is Phase.HOLDING
             self._task = self._hold_here(vehicle) if is_holding else self._task
+
+    def _nudge(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
+        """Say whether the drone may be moved by hand; ``nudging`` moves it."""
+        if self._limits.nudge_speed <= 0.0:
+            return Refused("moving by hand is switched off here (limits.nudge_speed)")
+        if not self._navigator.in_space:
+            return Refused('moving by hand needs map.planner = "space", and mode default')
+        if vehicle.maneuvering:
+            return Refused("a maneuver flies the drone")
+        return Refused(self._task.waiting) if self._task.waiting else None
 
     def _cut(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=True)

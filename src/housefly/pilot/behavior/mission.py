@@ -168,6 +168,7 @@ class VehicleStatus:
         consistency: tracking held against the drone's own report.
         standing_height: tracked height of the drone when it stood [m].
         maneuvering: a maneuver flies the drone.
+        held: the safety gate leaves the drone to its own hover.
         reference: where the trajectory that is flown has come to; None where none is.
     """
 
@@ -182,6 +183,7 @@ class VehicleStatus:
     consistency: TrackingConsistency = NOTHING_KNOWN
     standing_height: float = 0.0
     maneuvering: bool = False
+    held: bool = False
     reference: TrajectoryReference | None = None
 
     @property

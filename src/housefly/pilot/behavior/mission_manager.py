@@ -12,6 +12,7 @@ from housefly.pilot.behavior.landing_monitor import LandingMonitor
 from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
+from housefly.pilot.behavior.nudging import NudgeMonitor
 from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
@@ -33,6 +34,7 @@ class MissionManager:
         self._passing = PassingMonitor(self._commander, navigator)
         self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
+        self._nudges = NudgeMonitor(self._commander, navigator, limits)
         self._landings = LandingMonitor(self._commander, navigator, paper, limits)
         self._monitor = MissionMonitor(
             self._commander, self._collisions, self._landings, limits, tolerance, paper
@@ -50,7 +52,9 @@ class MissionManager:
 
     @property
     def speed_factor(self) -> float:
-        """Share of the cruise speed to fly at near people, 0 to 1."""
+        """Share of the cruise speed to fly at near people, 0 to 1; 1 while it is moved by hand."""
+        if self._nudges.is_moving:
+            return 1.0
         return min(self._separation.speed_factor, self._passing.rate)
 
     @property
@@ -77,7 +81,10 @@ class MissionManager:
             target: what was tracked in the last step, None while nothing was.
             facing: whether the heading is the wanted one.
         """
-        events = [self._commander.obey(order, vehicle) for order in orders]
+        events: list[Event] = []
+        for order in orders:
+            answer = self._commander.obey(order, vehicle)
+            events.extend(self._nudges.heard(order, answer, vehicle.now))
         events.extend(self._monitor.step(vehicle, target, facing))
         events.extend(self._landings.step(vehicle))
         is_yielding = self._separation.is_yielding
@@ -86,4 +93,5 @@ class MissionManager:
         events.extend(self._passing.step(vehicle, paused=is_yielding))
         events.extend(self._faster.step(vehicle, paused=is_yielding))
         events.extend(self._separation.step(vehicle, self._passing.rate))
+        events.extend(self._nudges.step(vehicle, self._separation.speed_factor))
         return events

@@ -25,21 +25,29 @@ class Response(Enum):
     RESUME = "accept orders again"
     CUT = "cut the motors"
     RESET = "leave the emergency state"
+    NUDGE = "move by hand"
     GOING_UP = "nothing: the drone is taking off already"
     NOT_FLYING = "refused: the drone is on the ground"
     IN_THE_AIR = "refused: the drone flies already"
     COMING_DOWN = "refused: the drone is landing"
+    ON_ITS_WAY = "refused: the drone flies somewhere: press Hover first"
 
 
 REFUSALS = frozenset(
-    {Response.GOING_UP, Response.NOT_FLYING, Response.IN_THE_AIR, Response.COMING_DOWN}
+    {
+        Response.GOING_UP,
+        Response.NOT_FLYING,
+        Response.IN_THE_AIR,
+        Response.COMING_DOWN,
+        Response.ON_ITS_WAY,
+    }
 )
 """Responses that change nothing."""
 
 _R = Response
 _PHASES = tuple(Phase)
 _UP, _AIR, _DOWN = Response.GOING_UP, Response.IN_THE_AIR, Response.COMING_DOWN
-_NO, _DEP = Response.NOT_FLYING, Response.DEPART
+_NO, _DEP, _OFF = Response.NOT_FLYING, Response.DEPART, Response.ON_ITS_WAY
 
 
 def _row(*responses: Response) -> dict[Phase, Response]:
@@ -61,6 +69,7 @@ ORDERS: dict[OrderKind, dict[Phase, Response]] = {
     OrderKind.RESUME:   _row(_R.RESUME),
     OrderKind.CUT:      _row(_R.CUT),
     OrderKind.RESET:    _row(_R.RESET),
+    OrderKind.NUDGE:    _row(_NO,      _UP,       _OFF,    _OFF,    _R.NUDGE, _OFF,    _DOWN),
 }
 # fmt: on
 """What each order does in each phase."""

@@ -10,6 +10,7 @@ from housefly.messages.flight import Order
 from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
+from housefly.numeric import FloatArray
 from housefly.pilot.behavior.mission import Mission, Refused
 from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.planning.people_map import PeopleMap
@@ -93,6 +94,10 @@ class Navigator(Protocol):
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:
         """Return what blocks the rest of a path from a place [m] on; None when it is free."""
+        ...
+
+    def closed(self, rows: FloatArray, now: float) -> str:
+        """Return what closes a short motion that begins where the drone is, in words, or ""."""
         ...
 
     def is_passing(self, start: Vec2, goal: Vec2) -> bool:

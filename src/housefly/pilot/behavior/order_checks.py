@@ -27,10 +27,11 @@ EXPIRING_ORDERS = frozenset(
         OrderKind.HOME,
         OrderKind.RESUME,
         OrderKind.RESET,
+        OrderKind.NUDGE,
     }
 )
 """Orders that expire; HOVER, LAND, STOP and CUT make things safer and never do."""
-MOVING_RESPONSES = frozenset({Response.START, Response.LATER, Response.DEPART})
+MOVING_RESPONSES = frozenset({Response.START, Response.LATER, Response.DEPART, Response.NUDGE})
 """Responses that set the drone in motion."""
 
 

@@ -114,6 +114,16 @@ def _task_in_space(
     return refused
 
 
+def departure_state(task: TrackingTask, vehicle: VehicleStatus) -> KinematicState:
+    """Return the state that a new motion goes on from: the reference as it moves, else the drone.
+
+    Args:
+        task: under way.
+        vehicle: where the drone is; it was seen.
+    """
+    return next(_departures(task, vehicle)).state
+
+
 def _departures(task: TrackingTask, vehicle: VehicleStatus) -> Iterator[_Departure]:
     """Yield where a new trajectory may begin, the best first.
 

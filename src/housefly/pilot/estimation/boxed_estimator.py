@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from housefly.numeric import compiled_with_arrays
-from housefly.pilot.boxed import Box
+from housefly.numeric import CompiledBox, compiled_with_arrays
 from housefly.pilot.estimation.delay_filter import CommandHistory
 from housefly.pilot.estimation.estimator import (
     estimate_at,
@@ -21,9 +20,9 @@ from housefly.pilot.estimation.estimator_state import (
 
 @compiled_with_arrays
 def sighting_taken(
-    box: Box[EstimatorState],
+    box: CompiledBox[EstimatorState],
     history: CommandHistory,
-    params: Box[EstimatorParameters],
+    params: CompiledBox[EstimatorParameters],
     seen: Measurement,
     now: float,
     vouched: bool,
@@ -48,9 +47,9 @@ def sighting_taken(
 
 @compiled_with_arrays
 def begun_at(
-    box: Box[EstimatorState],
+    box: CompiledBox[EstimatorState],
     history: CommandHistory,
-    params: Box[EstimatorParameters],
+    params: CompiledBox[EstimatorParameters],
     seen: Measurement,
     now: float,
 ) -> None:
@@ -60,7 +59,10 @@ def begun_at(
 
 @compiled_with_arrays
 def estimated(
-    box: Box[EstimatorState], history: CommandHistory, params: Box[EstimatorParameters], now: float
+    box: CompiledBox[EstimatorState],
+    history: CommandHistory,
+    params: CompiledBox[EstimatorParameters],
+    now: float,
 ) -> tuple[PoseEstimate, float]:
     """Carry the state forward to now [s]; return where the drone is, and the variance [m^2]."""
     after, here, variance = estimate_at(box[0], history, params[0], now)
@@ -69,12 +71,12 @@ def estimated(
 
 
 @compiled_with_arrays
-def pose_gate(box: Box[EstimatorState]) -> PoseGate:
+def pose_gate(box: CompiledBox[EstimatorState]) -> PoseGate:
     """Return what decides about the next sighting."""
     return box[0].gate
 
 
 @compiled_with_arrays
-def climb_rate(box: Box[EstimatorState]) -> float:
+def tracked_climb_rate(box: CompiledBox[EstimatorState]) -> float:
     """Return the climb rate by tracking [m/s]."""
     return box[0].height_yaw.z.v

@@ -10,13 +10,13 @@ from housefly.config.drone import TWIN_ODOMETRY_ERROR
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.flight import Event, Severity
 from housefly.messages.sensing import Estimate, Sighting
-from housefly.pilot.boxed import Box, boxed, unboxed
+from housefly.numeric import CompiledBox, boxed, unboxed
 from housefly.pilot.estimation.boxed_estimator import (
     begun_at,
-    climb_rate,
     estimated,
     pose_gate,
     sighting_taken,
+    tracked_climb_rate,
 )
 from housefly.pilot.estimation.delay_filter import COMMAND_SPAN, CommandHistory
 from housefly.pilot.estimation.estimator import estimator_created, pose_estimate
@@ -73,7 +73,7 @@ class PoseEstimator:
         self._rejections = RejectionLog()
         self._last_position: Vec3 | None = None
         self.history: CommandHistory = np.zeros(HISTORY_SIZE, COMMAND_SPAN)
-        self.box: Box[EstimatorState] = boxed(estimator_created(self.history, params, now))
+        self.box: CompiledBox[EstimatorState] = boxed(estimator_created(self.history, params, now))
         self.accepted: Sighting | None = None
         tolerance = OdometryTolerance(params.position_noise, odometry_error)
         self.monitor = TrackingMonitor(tolerance)
@@ -86,7 +86,7 @@ class PoseEstimator:
     @property
     def climb_rate(self) -> float:
         """The climb rate by tracking [m/s]."""
-        return climb_rate(self.box)
+        return tracked_climb_rate(self.box)
 
     @property
     def rejected(self) -> dict[RejectionReason, int]:
