@@ -17,9 +17,12 @@ from typing import Any
 import pytest
 from console_report import FIVE_SIZES, ConsoleReport, console_report
 from outside_room import OutsideRoom, Run, running_outside, wait_for
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Locator, Page, expect, sync_playwright
 
+from housefly.geometry import Vec2, yaw_of
 from housefly.twin.contracts import FlightState
+from housefly.twin.disturbance import Disturbances
+from housefly.twin.hands import CarryOrder
 
 pytestmark = [
     pytest.mark.wire,
@@ -34,7 +37,7 @@ SITE = """
 name = "test"
 [drone]
 address = "{address}"
-has_video = false
+has_video = true
 [tracking]
 kind = "vicon"
 address = "{address}"
@@ -46,6 +49,7 @@ port = 0
 seed = 3
 video = false
 """
+UNDER_THE_TABLE = (5.7, 1.5)
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
 DOWN = ("Ready on the pad", "Not on the pad", "Not ready", "On the pad", "On the ground")
 UP = ("Taking off", "Flying to", "Looking at", "Coming home", "Hovering", "Landing", "HOLDING")
@@ -121,7 +125,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
     site, log = folder / "site.toml", folder / "run.log"
     address = f"127.{1 + os.getpid() % 250}.77.11"
     site.write_text(SITE.format(address=address, store=folder / "room.db"))
-    with running_outside(site, log) as (room, run), sync_playwright() as play:
+    with running_outside(site, log, films=True) as (room, run), sync_playwright() as play:
         found = re.search(r"http://\S+", log.read_text())
         assert found
         browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
@@ -134,7 +138,16 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
 
 
 def hold(page: Page, name: str) -> None:
-    page.get_by_role("button", name=name).hover()
+    """Hold a button; a starved browser has lost control, and takes it back first."""
+    take = page.get_by_role("button", name="Take control")
+    if take.count():
+        press(page, take.first)
+        page.wait_for_timeout(500)
+    press(page, page.locator(".hold").filter(has_text=name).first)
+
+
+def press(page: Page, button: Locator) -> None:
+    button.hover()
     page.mouse.down()
     page.wait_for_timeout(900)
     page.mouse.up()
@@ -165,6 +178,76 @@ def test_on_its_pad_it_is_ready_and_without_tracking_it_is_not(house: House) -> 
     house.hold_against_truth("on the pad", "tracking lost")
     house.room._after_step = seen  # type: ignore[method-assign]
     house.says("Ready on the pad")
+
+
+def test_a_camera_or_a_memory_that_is_gone_is_said_and_hides_nothing_of_the_drone(
+    house: House,
+) -> None:
+    picture = house.page.locator(".view.video")
+    expect(picture.locator("canvas[data-picture]")).to_be_visible(timeout=20_000)
+    house.room.films = False
+    expect(picture).to_contain_text("No new picture", timeout=20_000)
+    house.says("Ready on the pad")
+    house.hold_against_truth("on the pad", "camera gone")
+    house.room.films = True
+    expect(picture).not_to_contain_text("No new picture", timeout=20_000)
+    hub = house.run.part("housefly.hub.process").pid
+    os.kill(hub, signal.SIGSTOP)
+    shown = house.page.locator(".view.map")
+    expect(shown).to_contain_text("People and things are not shown", timeout=40_000)
+    house.says("Ready on the pad")
+    house.hold_against_truth("on the pad", "hub gone")
+    os.kill(hub, signal.SIGCONT)
+    expect(shown).not_to_contain_text("People and things are not shown", timeout=40_000)
+
+
+def charge(house: House, share: float) -> None:
+    house.room.do(lambda: house.room.world.disturb(Disturbances(charge=share)))
+
+
+def carry(house: House, place: Vec2) -> None:
+    """Let somebody carry it: a drone that leaps is not believed to be the same one."""
+    world = house.room.world
+    yaw = yaw_of(world.truth().pose.orientation)
+    house.room.do(lambda: world.carry_drone(CarryOrder((*place, 0.05), yaw, 4.0)))
+    wait_for(lambda: dist(world.truth().pose.position[:2], place) < 0.1, 20.0, "hands")
+
+
+def test_with_a_low_battery_it_is_not_ready_and_in_flight_it_comes_back_or_lands(
+    house: House,
+) -> None:
+    charge(house, 0.1)
+    house.says("Not ready")
+    house.says("battery")
+    house.hold_against_truth("on the pad", "battery low")
+    charge(house, 1.0)
+    house.says("Ready on the pad", 60.0)
+    send(house, "Entrance")
+    wait_for(lambda: house.away > 0.7, 40.0, "a drone under way")
+    charge(house, 0.1)
+    expect(house.page.locator(".headline")).to_contain_text(
+        re.compile("Coming home|Landing"), timeout=30_000
+    )
+    house.hold_against_truth("flying", "battery low")
+    wait_for(house.room.is_standing, 60.0, "a landing")
+    charge(house, 1.0)
+    carry(house, house.pad)
+    house.says("Ready on the pad", 60.0)
+
+
+def test_a_crash_under_furniture_is_said_with_where_it_lies_and_flies_only_after_a_reset(
+    house: House,
+) -> None:
+    carry(house, UNDER_THE_TABLE)
+    house.room.do(house.room.world.toggle_emergency)
+    house.says("Motors are cut")
+    house.hold_against_truth("landed away", "crash under the table")
+    assert house.away > 1.0
+    house.says("reset before the next flight")
+    expect(house.page.locator(".headline")).not_to_contain_text("Ready")
+    carry(house, house.pad)
+    hold(house.page, "Reset")
+    house.says("Ready on the pad", 60.0)
 
 
 def test_a_dead_console_says_that_the_flight_goes_on_and_comes_back_with_control_and_log(

@@ -141,7 +141,14 @@ def test_two_values_where_one_is_allowed_are_refused() -> None:
     store = type_store()
     point = store.types["housefly_msgs/msg/Point2"](x=1.0, y=2.0)
     wire = store.types["housefly_msgs/msg/Order"](
-        kind=3, place="", goal=[point, point], look_at=[], look_s=5.0, issued_at=0.0, sender=""
+        kind=3,
+        place="",
+        goal=[point, point],
+        look_at=[],
+        look_s=5.0,
+        issued_at=0.0,
+        sender="",
+        velocity=[],
     )
     with pytest.raises(WireError, match="at most one"):
         from_cdr(Order, bytes(store.serialize_cdr(wire, "housefly_msgs/msg/Order")))

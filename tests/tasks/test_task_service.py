@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from filming import video
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from task_stage import GOOD, TaskStage
@@ -31,6 +32,7 @@ from housefly.tasks.api.questions import (
     Sentence,
     ServicesQuestion,
     SetMode,
+    TakePhoto,
     TaskHistoryQuestion,
     TaskQuestion,
     Webhook,
@@ -282,6 +284,22 @@ def test_a_clip_that_was_cut_off_and_saved_stays_with_its_task(stage: TaskStage)
     assert [event.kind for event in stage.told("clip kept")] == ["clip kept"]
 
 
+def test_a_photo_that_a_person_takes_is_kept_and_told_with_who_took_it(stage: TaskStage) -> None:
+    clips = stage.parts.clips
+    assert clips.flush(), "what a crash left is seen to"
+    now, unix = stage.clock.now(), stage.wall()
+    for frame in video(2.0, now - 2.0):
+        clips.tick(frame.received_at, unix, DroneStatus.FLYING, HouseMode.HOME)
+        clips.add(frame, None)
+    (photo,) = stage.ask(TakePhoto(now - 1.0, by="Ada")).clips
+    assert (photo.kind, photo.task, photo.cause) == ("snapshot", 0, "Ada")
+    assert clips.is_taking, "the light of the drone shows it"
+    assert photo.keep_until is not None and clips.index.file(photo.id).exists()
+    stage.stand()
+    (told,) = stage.told("snapshot kept")
+    assert told.cause == "Ada" and ("clip", photo.id) in told.facts
+
+
 def test_what_people_should_know_is_on_the_board(stage: TaskStage) -> None:
     assert stage.ask(BoardQuestion()).notices == ()
     index = stage.parts.clips.index
@@ -385,10 +403,11 @@ def test_every_question_of_the_contract_is_answered_with_its_answer(stage: TaskS
         ReplyToTask(2, "confirm", "no"),
         CancelTask(),
     )
-    of_clips = {KeepClip, DeleteClip}
+    of_clips = {KeepClip, DeleteClip, TakePhoto}
     assert {type(question) for question in questions} | of_clips == set(TASK_ANSWER_TYPES)
     for order in (KeepClip("x"), DeleteClip("x")):
         assert refused(stage, order)[0] == "bad_parameter"
+    assert refused(stage, TakePhoto()) == ("not_ready", "the camera records only in flight")
     for question in questions:
         assert isinstance(stage.ask(question), TASK_ANSWER_TYPES[type(question)]), question
 

@@ -85,10 +85,9 @@ def kinds(console: Any) -> list[OrderKind]:
 async def click_map(page: Page, x: float, y: float) -> None:
     """Click a world point of the map."""
     plan = page.locator(".plan-view > svg")
-    box, scale = await plan.bounding_box(), float(await plan.get_attribute("data-scale") or 0)
-    assert box is not None
-    left, top = (box["width"] - 7.5 * scale) / 2, (box["height"] - 4.0 * scale) / 2
-    await plan.click(position={"x": left + x * scale, "y": top + (4.0 - y) * scale})
+    scale = float(await plan.get_attribute("data-scale") or 0)
+    u, v = map(float, (await plan.get_attribute("data-origin") or "").split())
+    await plan.click(position={"x": u + x * scale, "y": v - y * scale})
 
 
 async def test_the_token_is_gone_from_the_address_and_a_reload_still_works(

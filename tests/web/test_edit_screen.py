@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from playwright.async_api import Browser, Page, expect
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
 from housefly.config.edits import Edits
+from housefly.messages import DroneStatus, Phase
 from housefly.room.bsen import bsen
 from housefly.room.edit_versions import EditVersions
 from housefly.web.edit_service import EditService
@@ -127,6 +129,47 @@ async def test_what_is_not_saved_survives_a_reload_and_says_from_when_it_counts(
     await expect(panel(page).get_by_role("status")).to_contain_text("Saved as version 1.")
     await page.reload()
     await expect(panel(page)).not_to_contain_text("not saved before")
+
+
+async def test_what_was_saved_is_used_now_on_the_ground_by_a_hold_and_said_to_be_in_use(
+    chromium: Browser, serving: Any, loopback: str, versions: EditVersions, tmp_path: Path
+) -> None:
+    loaded, used = open_site(read_site("bsen")), []
+    site = loaded.site
+
+    def use(number: int) -> str:
+        nonlocal site
+        used.append(number)
+        site = site.model_copy(update={"edits": versions.newest().edits})
+        return ""
+
+    service = EditService(bsen, site, versions, in_force=lambda: site.edits, use=use)
+    async with serving(loopback, edits=service, view=room_view(loaded)) as console:
+        page = await chromium.new_page(viewport=DESKTOP)
+        await page.goto(console.link + "#edit")
+        await expect(panel(page)).to_contain_text("Meeting table")
+        await add_corner(page)
+        offer = panel(page).locator(".hold")
+        await expect(panel(page)).to_contain_text("The pilot starts again, about 10 s")
+        console.pilot.status, console.pilot.phase = DroneStatus.FLYING, Phase.HOLDING
+        await expect(panel(page)).to_contain_text("In the air the drone keeps the map")
+        await expect(offer).to_have_count(0)
+        console.pilot.status, console.pilot.phase = DroneStatus.LANDED, Phase.IDLE
+        await offer.click()
+        await asyncio.sleep(0.3)
+        assert used == [], "a tap is no hold"
+        await page.screenshot(path=tmp_path / "use-now.png")
+        await offer.hover()
+        await page.mouse.down()
+        await expect(panel(page)).to_contain_text("No flight meanwhile")
+        await expect(offer).to_have_count(0)
+        await page.mouse.up()
+        await page.screenshot(path=tmp_path / "using.png")
+        console.pilot.sequence = 0  # as a pilot that has started again
+        await expect(panel(page)).to_contain_text("In use: the drone has this map now.")
+        assert used == [1]
+        await page.screenshot(path=tmp_path / "in-use.png")
+        await page.close()
 
 
 async def test_a_watcher_is_told_at_once_that_it_may_not_edit(page: Page, console: Any) -> None:

@@ -32,7 +32,7 @@ def test_an_order_that_goes_somewhere_needs_one_target() -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", sorted(set(OrderKind) - {OrderKind.GO, OrderKind.SERVICE}, key=str)
+    "kind", sorted(set(OrderKind) - {OrderKind.GO, OrderKind.SERVICE, OrderKind.NUDGE}, key=str)
 )
 def test_other_orders_take_no_target(kind: OrderKind) -> None:
     assert order_objection(OrderRequest("order", 1, kind), ROOM) == ""

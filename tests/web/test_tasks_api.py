@@ -190,6 +190,7 @@ NEEDED = {
     "/tasks/{task}/continue": FLY,
     "/sentence": ASK,
     "/mode": FLY,
+    "/photo": FLY,
     "/clips/{clip}/keep": FLY,
     "/clips/{clip}/delete": ADMIN,
 }

@@ -121,12 +121,24 @@ async def test_the_headline_is_true(
         pictures.append(name)
         await expect(page.locator(".headline")).to_be_in_viewport(ratio=1)
         await expect(page.locator(".stop")).to_be_in_viewport(ratio=1)
+        await banner_is_read(page)
     line = " / ".join((await page.locator(".headline").inner_text()).split("\n"))
     bar = " ".join((await page.locator(".stop").inner_text()).split())
     x, y = pilot.position
     truth = f"{pilot.status.value} at {x:.1f}, {y:.1f} m, pad at 1.0, 1.0 m"
     report.add(state, fault, f"{line} | {bar}", truth, pictures)
     hold_against(pilot, fault, line, bar)
+
+
+async def banner_is_read(page: Page) -> None:
+    """Fail when what must be read first is cut off, or covers STOP."""
+    banner = await page.locator(".banner").bounding_box()
+    stop = await page.locator(".stop").bounding_box()
+    if banner is None or stop is None:
+        return
+    await expect(page.locator(".banner")).to_be_in_viewport(ratio=1)
+    beside = banner["x"] + banner["width"] <= stop["x"]
+    assert beside or banner["y"] + banner["height"] <= stop["y"], (banner, stop)
 
 
 async def restore(pilot: Any, page: Page) -> None:

@@ -2,7 +2,8 @@
 
 A process that lands the drone (``HELD`` is a file descriptor) takes SIGINT, SIGTERM and SIGHUP, and
 the death of its launcher, for one and the same wish: its module sees SIGTERM. The others stay as
-long as one of those is there: they end when ``WATCHED`` ends, and signals do not end them earlier.
+long as one of those is there: they end when ``WATCHED`` ends, and signals do not end them earlier,
+but for SIGUSR2, by which the launcher starts one of them anew.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ import sys
 import threading
 import time
 from contextlib import suppress
+from types import FrameType
 
 _POLL_PERIOD = 0.5
 """How often a child looks whether its launcher is gone although the pipe is open [s]."""
@@ -22,6 +24,8 @@ _LANDING_TIMEOUT = 90.0
 """Longest stay of a process that lands nothing after its launcher is gone [s]."""
 _EXIT_TIMEOUT = 10.0
 """Longest time from the wish to end to the end, of a process that lands nothing [s]."""
+RENEW_SIGNAL = signal.SIGUSR2
+"""Ends a process that lands nothing, because its launcher starts it anew."""
 _END_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -40,11 +44,17 @@ def main() -> None:
     else:
         # Threads that start from now on inherit this; the watching one undoes it in the end.
         signal.pthread_sigmask(signal.SIG_BLOCK, _END_SIGNALS)
+        signal.signal(RENEW_SIGNAL, _end)
     threading.Thread(
         target=_watch, args=(watched, parent, lands), name="launcher watch", daemon=True
     ).start()
     sys.argv = [module, *sys.argv[6:]]
     runpy.run_module(module, run_name="__main__", alter_sys=True)
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGTERM})
+    os.kill(os.getpid(), signal.SIGTERM)
 
 
 def _watch(watched: int, parent: int, lands: bool) -> None:

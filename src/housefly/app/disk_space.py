@@ -12,10 +12,11 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from housefly.app.stand_down import RISING_ORDERS
 from housefly.config.site import Site
 from housefly.config.state import database_file
 from housefly.errors import HouseflyError
-from housefly.messages import Event, Order, OrderKind, Severity
+from housefly.messages import Event, Order, Severity
 from housefly.messages.preflight import PreflightCheck
 
 FREE_SHARE_MIN = 0.07
@@ -24,7 +25,6 @@ FREE_ENOUGH_GB = 10
 """So much room is enough on a disk of any size [1e9 bytes]; a flight takes some 10 MB a minute."""
 DISK_LOOK_PERIOD = 2.0
 """How often to look [s]."""
-_RISING = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
 _FAULT = "a disk is nearly full"
 _MEND = "delete old flights, or move them to another disk"
 
@@ -78,7 +78,7 @@ class DiskSpace:
         self, orders: tuple[Order, ...], now: float
     ) -> tuple[tuple[Order, ...], tuple[Event, ...]]:
         """Return the orders without those that take off where there is no room, and the words."""
-        refused = [order for order in orders if self.shortage and order.kind in _RISING]
+        refused = [order for order in orders if self.shortage and order.kind in RISING_ORDERS]
         told = (
             Event(
                 now,

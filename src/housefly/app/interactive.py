@@ -17,10 +17,17 @@ from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.readiness import Readiness
+from housefly.app.room_renewal import RoomRenewal
 from housefly.app.runtime import Runtime, discovery_entry, new_runtime
 from housefly.app.terminal import console
 from housefly.bus.bus import Bus
-from housefly.bus.topics import LINK_TOPIC, STEP_TOPIC, TRAJECTORY_TOPIC, VIDEO_TOPIC
+from housefly.bus.topics import (
+    LINK_TOPIC,
+    STEP_TOPIC,
+    TRAJECTORY_TOPIC,
+    USE_EDITS_QUERY,
+    VIDEO_TOPIC,
+)
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.hub.client.discovery import announced
 from housefly.hub.store.lock import refuse_shared_store
@@ -29,6 +36,10 @@ from housefly.web.exposure import checked_exposure
 
 _READY_TIMEOUT = 60.0
 """After this time the start says what is missing [s]; the run goes on without it."""
+
+
+_WISHES = 2
+"""So many wishes to use edits are answered at once: a second one hears that there is a first."""
 
 
 class Screen(Enum):
@@ -98,6 +109,8 @@ def run_interactively(
             Launcher(runtime, folder, processes_of(runtime), lambda: signals.is_impatient)
         )
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
+        renewal = RoomRenewal(launcher, bus, is_recorded=record is not None)
+        stack.callback(bus.answer(USE_EDITS_QUERY, renewal.answer, _WISHES).close)
         teller = _Teller(launcher, ConsoleDoor(runtime, first.value))
         try:
             _introduce(runtime, bus, teller, started, first)

@@ -13,6 +13,7 @@ web         the console
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -23,6 +24,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import IO, Self
 
+from housefly.app.child import RENEW_SIGNAL
 from housefly.app.liveness import RunLiveness
 from housefly.app.restart_policy import Death, last_words, restart_after
 from housefly.app.runtime import Runtime
@@ -31,6 +33,8 @@ _LANDING_TIMEOUT = 30.0
 """Longest wait for a process that lands the drone [s]."""
 _EXIT_TIMEOUT = 3.0
 """Longest wait for the others, once the drone is down [s]."""
+_RENEWAL_TIMEOUT = 5.0
+"""Longest wait for a process that is to be started anew [s]; one that lands is never killed."""
 _POLL_PERIOD = 0.1
 
 
@@ -98,6 +102,13 @@ class _Running:
     is_given_up: bool = False
 
 
+@dataclass(frozen=True, slots=True)
+class _Renewal:
+    names: tuple[str, ...]
+    due_at: float
+    begin: Callable[[], bool]
+
+
 @dataclass(slots=True)
 class Launcher:
     """Runs the processes of one site; use it as a context manager.
@@ -116,6 +127,7 @@ class Launcher:
     _running: dict[str, _Running] = field(default_factory=dict)
     _deaths: list[Death] = field(default_factory=list)
     _liveness: RunLiveness = field(default_factory=RunLiveness)
+    _renewal: _Renewal | None = None
     _leaving: threading.Event = field(default_factory=threading.Event)
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _supervisor: threading.Thread | None = None
@@ -148,6 +160,23 @@ class Launcher:
         """Return how often a process was restarted."""
         with self._lock:
             return self._running[name].restarts
+
+    @property
+    def is_renewing(self) -> bool:
+        """Whether processes are about to be started anew."""
+        with self._lock:
+            return self._renewal is not None
+
+    def renew(self, names: tuple[str, ...], pause: float, begin: Callable[[], bool]) -> None:
+        """End processes in order soon, each in its own way, and start them anew at once.
+
+        Args:
+            names: those that there are; one that lands the drone ends only when it is down.
+            pause: before it begins [s].
+            begin: called just before; False leaves everything as it is.
+        """
+        with self._lock:
+            self._renewal = _Renewal(names, time.monotonic() + pause, begin)
 
     @property
     def deaths(self) -> tuple[Death, ...]:
@@ -231,6 +260,8 @@ class Launcher:
 
     def _supervise(self) -> None:
         while not self._leaving.wait(_POLL_PERIOD):
+            if (renewal := self._renewal) is not None and time.monotonic() >= renewal.due_at:
+                self._renew(renewal)
             for running in list(self._running.values()):
                 if running.process.poll() is None or running.is_given_up:
                     continue
@@ -238,6 +269,27 @@ class Launcher:
                     self._note_death(running)
                 elif time.monotonic() >= running.due_at:
                     self._restart(running)
+
+    def _renew(self, renewal: _Renewal) -> None:
+        try:
+            if renewal.begin():
+                for running in [self._running.get(name) for name in renewal.names]:
+                    if running is not None and _has_ended(running):
+                        self._start_anew(running)
+        finally:
+            with self._lock:
+                self._renewal = None
+
+    def _start_anew(self, running: _Running) -> None:
+        """Start a process that was told to end; where that fails, it counts as one that died."""
+        try:
+            fresh = self._start(running.spec)
+        except OSError:
+            return
+        running.log.close()
+        fresh.restarts = running.restarts
+        with self._lock:
+            self._running[running.spec.name] = fresh
 
     def _note_death(self, running: _Running) -> None:
         now, log = time.monotonic(), self.folder / f"{running.spec.name}.log"
@@ -267,6 +319,20 @@ class Launcher:
     def _tell(self, death: Death) -> None:
         with self._lock:
             self._deaths.append(death)
+
+
+def _has_ended(running: _Running) -> bool:
+    """End a process to start it anew; return whether it has."""
+    process, lands = running.process, running.spec.lands
+    if process.poll() is None:
+        process.send_signal(signal.SIGTERM if lands else RENEW_SIGNAL)
+    deadline = time.monotonic() + _RENEWAL_TIMEOUT
+    while process.poll() is None and time.monotonic() < deadline:
+        time.sleep(0.02)
+    if process.poll() is None and not lands:
+        process.kill()
+        process.wait()
+    return process.poll() is not None
 
 
 def _end_all(processes: list[subprocess.Popen[bytes]]) -> None:

@@ -25,6 +25,7 @@ from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
+from housefly.app.stand_down import StandDown
 from housefly.bus.bus import Bus
 from housefly.bus.topics import (
     FRAME_TOPIC,
@@ -32,6 +33,7 @@ from housefly.bus.topics import (
     OBSTACLE_TOPIC,
     ORDER_TOPIC,
     RECORDING_TOPIC,
+    STAND_DOWN_QUERY,
     STEP_TOPIC,
     TRAJECTORY_TOPIC,
     VIDEO_TOPIC,
@@ -74,6 +76,8 @@ _TRAJECTORY_PERIOD = 1.0
 """How often the trajectory in use is published again [s]."""
 _LANDING_TIMEOUT = 25.0
 """How long an ordered shutdown waits for the drone to land [s]."""
+_LOOP_PATIENCE = 1.0
+"""How long a question waits for the loop [s]."""
 
 UNSEEN_PEOPLE = "nothing here sees people: no scanner, no depth camera"
 """What everybody should know before the drone takes off."""
@@ -99,6 +103,8 @@ class PilotShell:
             loaded.site, loaded.room, loaded.grid, maneuver, frames=frames_known(loaded.site)
         )
         self._disks = disks_of(loaded.site)
+        self._stand_down = StandDown()
+        self._outputs: Outputs | None = None
         self._body = loaded.site.tracking.body
         self._people_note = "" if loaded.site.sees_people else UNSEEN_PEOPLE
         self._rate_hz = loaded.site.control.rate_hz
@@ -137,6 +143,7 @@ class PilotShell:
         recording = self._bus.subscribe(
             RECORDING_TOPIC, lambda news: _soon(loop, lambda: self._recording.heard(news))
         )
+        standing = self._bus.answer(STAND_DOWN_QUERY, lambda _: self._asked_to_stand_down(loop))
         self._drone.on_video(self._on_video)
         tasks = [
             asyncio.create_task(self._tracker.run(self._on_sightings)),
@@ -151,6 +158,7 @@ class PilotShell:
             orders.close()
             obstacles.close()
             recording.close()
+            standing.close()
             self._queries.close()
             for task in tasks:
                 task.cancel()
@@ -171,6 +179,20 @@ class PilotShell:
         self._leaving = True
         self._orders.append(Order(OrderKind.LAND, issued_at=self._clock.now(), sender="shutdown"))
 
+    def _asked_to_stand_down(self, loop: asyncio.AbstractEventLoop) -> str:
+        """Give the pilot's word from the bus's thread, between two steps of the loop."""
+        try:
+            word = asyncio.run_coroutine_threadsafe(self._word(), loop)
+            return word.result(_LOOP_PATIENCE)
+        except (TimeoutError, RuntimeError):
+            return "the pilot is busy"
+
+    async def _word(self) -> str:
+        if self._leaving or self._failure:
+            return "the pilot is ending"
+        now, waiting = self._clock.now(), tuple(self._orders)
+        return self._stand_down.begin(now, self._drone.telemetry, self._outputs, waiting)
+
     async def _fly(self) -> None:
         give_up_at = None
         while True:
@@ -189,7 +211,9 @@ class PilotShell:
         orders: tuple[Order, ...] = tuple(self._orders)
         refusals: tuple[Event, ...] = ()
         if not self._airborne():
-            orders, refusals = self._disks.allowed(orders, now)
+            orders, full = self._disks.allowed(orders, now)
+            orders, standing = self._stand_down.allowed(orders, now)
+            refusals = full + standing
         inputs = Inputs(
             tuple(self._sightings),
             self._drone.telemetry,
@@ -201,6 +225,7 @@ class PilotShell:
         self._orders.clear()
         outputs = self._landing(now, inputs) if self._failure else self._decide(now, inputs)
         self._drone.send(outputs.command)
+        self._outputs = outputs
         outputs = replace(outputs, events=outputs.events + refusals) if refusals else outputs
         step = PilotStep(self._sequence, now, inputs, outputs)
         self._sequence += 1

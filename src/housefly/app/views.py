@@ -36,6 +36,7 @@ def room_view(loaded: LoadedSite) -> RoomView:
             "pose_age_land": limits.pose_age_land,
             "telemetry_age": limits.telemetry_age,
             "hold_timeout": limits.hold_timeout,
+            "nudge_speed": limits.nudge_speed if site.flies_in_space else 0.0,
         },
     )
 

@@ -93,13 +93,14 @@ class TaskActions:
         self._outlet.tell(task_event(kind, self._drone, unix, cause, known | facts))
 
     def tell_clip(self, clip: str, unix: float) -> int:
-        """Tell that a clip is kept; return the number of its task, 0 when nobody knows."""
+        """Tell that a clip is kept; return the number of its task, 0 for a person's or unknown."""
         try:
             info = self._clips.index.info(clip)
         except HouseflyError:
             return 0
         facts = {"clip": clip, "place": info.place, "thing": info.thing}
-        event = task_event(_KEPT[info.kind], self._drone, unix, task_name(info.task), dict(facts))
+        cause = task_name(info.task) if info.task else info.cause
+        event = task_event(_KEPT[info.kind], self._drone, unix, cause, dict(facts))
         self._outlet.tell(event)
         return info.task
 

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from housefly.errors import HouseflyError
-from housefly.messages import Order, OrderKind
+from housefly.errors import HouseflyError, TaskError
+from housefly.messages import Order, OrderKind, Phase
 from housefly.tasks.api.answers import (
+    ClipsAnswer,
     FiringsAnswer,
     ModeAnswer,
     RehearsalAnswer,
@@ -44,11 +45,12 @@ from housefly.tasks.api.questions import (
     Sentence,
     ServicesQuestion,
     SetMode,
+    TakePhoto,
     TaskHistoryQuestion,
     TaskQuestion,
     Webhook,
 )
-from housefly.tasks.api.values import RequestSurface, TaskRequest, TaskStatus
+from housefly.tasks.api.values import ReasonCode, RequestSurface, TaskRequest, TaskStatus
 from housefly.tasks.asked_room import AskedRoom
 from housefly.tasks.document.open_library import OpenLibrary
 from housefly.tasks.document.task_document import BoundTask
@@ -59,9 +61,10 @@ from housefly.tasks.drone_state import (
     drone_place,
     drone_words,
 )
-from housefly.tasks.evidence.clip_news import KEPT, ClipOutcome
+from housefly.tasks.evidence.clip_news import KEPT, ClipOrigin, ClipOutcome
 from housefly.tasks.evidence.clip_recorder import ClipRecorder
 from housefly.tasks.execution.step_inbox import StepInbox
+from housefly.tasks.execution.values import TakeSnapshot
 from housefly.tasks.intents.intent_reply import TaskAct
 from housefly.tasks.intents.names import Names
 from housefly.tasks.intents.stop_words import says_stop
@@ -79,6 +82,9 @@ from housefly.tasks.task_outlet import TaskOutlet
 from housefly.tasks.task_rehearsals import TaskRehearsals
 
 _log = logging.getLogger(__name__)
+
+_PHOTO_PATIENCE = 3.0
+"""How long a person waits for the disk to keep a photo [s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,6 +168,7 @@ class TaskService:
             Webhook: self._webhook,
             KeepClip: parts.clips.index.answer,
             DeleteClip: parts.clips.index.answer,
+            TakePhoto: self._photo,
         }
         parts.engine.restore(self._bound, wall())
 
@@ -307,6 +314,18 @@ class TaskService:
         events = stored_events(room.ask, question.since, until)
         facts = AskedRoomFacts(room.ask, live=False)
         return dry_run(rules.engine, events, question.since, until, rules.mode, facts)
+
+    def _photo(self, question: TakePhoto) -> ClipsAnswer:
+        clips, step = self._parts.clips, self._parts.inbox.newest
+        looks = step is not None and step.outputs.phase is Phase.LOOKING
+        wanted = TakeSnapshot(step.outputs.goal_name if step is not None and looks else "")
+        name = clips.snapshot(wanted, ClipOrigin(cause=question.by), question.at or None)
+        clips.flush(_PHOTO_PATIENCE)
+        try:
+            return ClipsAnswer((clips.index.info(name),))
+        except TaskError as error:
+            words = "the photo could not be kept: the log of the tasks says why"
+            raise TaskError(words, ReasonCode.NOT_READY.value) from error
 
     def _webhook(self, question: Webhook) -> FiringsAnswer:
         decisions = self.desk.heard(WebhookTrigger(question.name, self._wall(), question.by))

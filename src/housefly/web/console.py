@@ -22,7 +22,15 @@ from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl,
 from housefly.web.goal_words import subject_of_task
 from housefly.web.invitations import Invitation
 from housefly.web.lease import LEASE_TIMEOUT, Lease
-from housefly.web.orders import ORDERS_WITHOUT_CONTROL, order_in_words, order_objection, to_order
+from housefly.web.nudges import LATE_MAX, NEW_TIME, nudge_order
+from housefly.web.order_objections import order_objection_now
+from housefly.web.orders import (
+    ORDER_WORDS,
+    ORDERS_WITHOUT_CONTROL,
+    order_in_words,
+    order_objection,
+    to_order,
+)
 from housefly.web.pilot_link import PilotLink
 from housefly.web.protocol import (
     CLIENT_MESSAGE,
@@ -33,6 +41,7 @@ from housefly.web.protocol import (
     InviteReply,
     InviteRequest,
     LeaseRequest,
+    NudgeRequest,
     OrderRequest,
     PingRequest,
     PlanQuestion,
@@ -112,6 +121,7 @@ class Console:
             PingRequest: self._ping,
             StopRequest: self._stop,
             OrderRequest: self._order,
+            NudgeRequest: self._nudge,
             PlanQuestion: self._plan,
             LeaseRequest: self._lease,
             InviteRequest: self._invite,
@@ -307,7 +317,9 @@ class Console:
         self.broadcast_viewers()
 
     def _ping(self, viewer: Viewer, message: PingRequest) -> None:
-        viewer.send(PongReply(message.sent, self._clock.now()))
+        now = self._clock.now()
+        viewer.delay.learn(message.sent, now)
+        viewer.send(PongReply(message.sent, now))
 
     def _stop(self, viewer: Viewer, message: StopRequest) -> None:
         self.stop(viewer.name, viewer.session.name)
@@ -334,6 +346,24 @@ class Console:
             self._audit(viewer.name, order_in_words(message), viewer.session.name)
             sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
             self._start(self._confirm(viewer, message.id, sent))
+
+    def _nudge(self, viewer: Viewer, message: NudgeRequest) -> None:
+        """Pass a nudge on; many of them in a row are one line in the log."""
+        now = self._clock.now()
+        late = viewer.delay.lateness(message.sent, now)
+        reason = self._no_control(viewer.number) or order_objection_now(
+            OrderKind.NUDGE, self.verdict()
+        )
+        if not reason and late > LATE_MAX:
+            reason = f"the line is slow: this came {late:.1f} s late"
+        if reason:
+            viewer.send(RefusedReply(message.id, reason))
+            return
+        if now - viewer.nudged_at > NEW_TIME:
+            self._audit(viewer.name, ORDER_WORDS[OrderKind.NUDGE], viewer.session.name)
+        viewer.nudged_at = now
+        sent = self.link.send(nudge_order(message, viewer.name, now - late))
+        self._start(self._confirm(viewer, message.id, sent))
 
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
         if message.order in ORDERS_WITHOUT_CONTROL:

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from housefly.config.edits import Edits
 from housefly.config.site import Site
-from housefly.errors import EditsError
+from housefly.errors import EditsError, StaleEdits
 from housefly.hub.api.pilot_queries import PlaceView
 from housefly.room.edit_versions import EditVersion, EditVersions
 from housefly.room.edits import edited, edits_from_tree, with_places
@@ -16,6 +17,13 @@ from housefly.room.model import Place, Room
 _APPLIES_FROM_NEXT_START = (
     "The drone keeps the map that it started with: this applies from the next start of Housefly on."
 )
+
+USE_TIME = 10.0
+"""About how long the pilot is away while it takes a new map [s]."""
+
+
+class EditsNotUsed(EditsError):
+    """What was saved cannot be put into use now."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +47,9 @@ class EditsView:
         saved_at: Unix time [s]; 0 for a room without edits.
         by: who saved it.
         words: what users should know about it, or "".
+        in_use: whether the drone has it already.
+        use_time: how long it takes to put it into use without a new start [s]; 0 where nothing
+            can.
     """
 
     version: int
@@ -49,6 +60,8 @@ class EditsView:
     saved_at: float
     by: str
     words: str
+    in_use: bool = True
+    use_time: float = 0.0
 
 
 class EditService:
@@ -58,10 +71,22 @@ class EditService:
         room: loads the room as its file has it; called once, on first use.
         site: the site that is flown, with the edits in force.
         versions: where edits are kept.
+        in_force: the edits that the drone has now; by default those of the site.
+        use: asks the launcher to put a version into use; "" or why not, in words. None where
+            there is none that could.
     """
 
-    def __init__(self, room: Callable[[], Room], site: Site, versions: EditVersions) -> None:
+    def __init__(
+        self,
+        room: Callable[[], Room],
+        site: Site,
+        versions: EditVersions,
+        *,
+        in_force: Callable[[], Edits] | None = None,
+        use: Callable[[int], str] | None = None,
+    ) -> None:
         self._load, self._site, self._versions = room, site, versions
+        self._in_force, self._use = in_force or (lambda: site.edits), use
         self._room: Room | None = None
 
     @property
@@ -90,6 +115,26 @@ class EditService:
             edited(self._own_room(), self._site, before.edits)
         return self._view(self._versions.undo(based_on, by))
 
+    def use(self, based_on: int) -> EditsView:
+        """Put the newest version into use, which takes ``USE_TIME``.
+
+        Raises:
+            StaleEdits: somebody saved after the version ``based_on``.
+            EditsNotUsed: it is in use already, or the drone does not stand, in words.
+            EditsError: it does not fit the room any more.
+        """
+        newest = self._versions.newest()
+        if newest.number != based_on:
+            raise StaleEdits(f"version {newest.number} was saved in between: look at it first")
+        if newest.edits == self._in_force():
+            raise EditsNotUsed("the drone has this version already")
+        edited(self._own_room(), self._site, newest.edits)
+        if self._use is None:
+            raise EditsNotUsed("nothing here can start the pilot again: it counts from the next")
+        if objection := self._use(based_on):
+            raise EditsNotUsed(objection)
+        return self._view(newest)
+
     def _own_room(self) -> Room:
         if self._room is None:
             self._room = self._load()
@@ -97,7 +142,8 @@ class EditService:
 
     def _view(self, version: EditVersion) -> EditsView:
         room, words = self._own_room(), [self._versions.problem]
-        if version.edits != self._site.edits:
+        in_use = version.edits == self._in_force()
+        if not in_use:
             words.append(_APPLIES_FROM_NEXT_START)
         try:
             edited(room, self._site, version.edits)
@@ -113,6 +159,8 @@ class EditService:
             version.saved_at,
             version.by,
             " ".join(filter(None, words)),
+            in_use,
+            USE_TIME if self._use is not None else 0.0,
         )
 
 

@@ -1,8 +1,9 @@
-"""Places and zones over HTTP: ``GET /edits``, ``POST /edits`` and ``POST /edits/undo``.
+"""Places and zones over HTTP: ``GET /edits``, ``POST /edits``, ``/edits/undo``, ``/edits/use``.
 
 Only pages of this server with a session may change them, and of those only the one that has
 control. A request names the version it is based on: 409 when somebody saved in between, 422 in
-words when the room would not be flyable.
+words when the room would not be flyable. ``/edits/use`` gives it to the drone at once: 409 while
+that does not stand.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from housefly.errors import EditsError, HouseflyError, StaleEdits
-from housefly.web.edit_service import EditService, EditsView
+from housefly.web.edit_service import EditService, EditsNotUsed, EditsView
 from housefly.web.request_bodies import bounded_body
 from housefly.web.responses import error_response, json_response
 from housefly.web.session_auth import SessionAuth
@@ -58,10 +59,18 @@ class EditsApi:
         service: checks and keeps edits; None where there are none.
         auth: the console's sessions.
         control: who has control.
+        objection: says in words why the pilot may not be started again now, or "".
     """
 
-    def __init__(self, service: EditService | None, auth: SessionAuth, control: _Control) -> None:
+    def __init__(
+        self,
+        service: EditService | None,
+        auth: SessionAuth,
+        control: _Control,
+        objection: Callable[[], str],
+    ) -> None:
         self._service, self._auth, self._control = service, auth, control
+        self._objection = objection
         self._thread = ThreadPoolExecutor(1, "edits")
 
     def routes(self) -> list[BaseRoute]:
@@ -70,6 +79,7 @@ class EditsApi:
             Route("/edits", self._show, methods=["GET"]),
             Route("/edits", self._save, methods=["POST"]),
             Route("/edits/undo", self._undo, methods=["POST"]),
+            Route("/edits/use", self._use, methods=["POST"]),
         ]
 
     def close(self) -> None:
@@ -95,11 +105,20 @@ class EditsApi:
             "undid a change of",
         )
 
+    async def _use(self, request: Request) -> Response:
+        return await self._changed(
+            request,
+            lambda service, asked, by: service.use(asked.based_on),
+            "starts the pilot again, so that the drone has the newest",
+            self._objection,
+        )
+
     async def _changed(
         self,
         request: Request,
         work: Callable[[EditService, _EditRequest, str], EditsView],
         did: str,
+        also: Callable[[], str] = lambda: "",
     ) -> Response:
         session = self._auth.session_of(request) if self._auth.is_own_page(request) else None
         if session is None:
@@ -113,6 +132,8 @@ class EditsApi:
             return error_response(422, str(error))
         if objection := self._control.control_objection(session.owner, asked.tab):
             return error_response(403, objection)
+        if objection := also():
+            return error_response(409, objection)
         by = self._control.name_of_tab(session.owner, asked.tab)
         answer = await self._answer(lambda service: work(service, asked, by))
         if answer.status_code == 200:
@@ -127,7 +148,7 @@ class EditsApi:
         loop = asyncio.get_running_loop()
         try:
             view = await loop.run_in_executor(self._thread, partial(work, self._service))
-        except StaleEdits as error:
+        except (StaleEdits, EditsNotUsed) as error:
             return error_response(409, str(error))
         except EditsError as error:
             return JSONResponse({"error": str(error), "item": error.item}, status_code=422)

@@ -61,6 +61,7 @@ from housefly.web.server import create_app
 _CLIMB_RATE = 0.6
 _TURN_RATE = 1.2
 _BATTERY_DRAIN = 1.0 / 720.0
+_NUDGE_LIFETIME, _NUDGE_QUIET_TIME, _KEEP = 0.3, 2.0, 0.5
 
 
 @dataclass(slots=True)
@@ -77,6 +78,7 @@ class FakePilot:
         connected: whether its wires are well.
         notes: what the drone notes of its settings and sensors.
         link_notes: what the pilot notes of its wires.
+        nudge: the newest motion by hand.
     """
 
     bus: Bus
@@ -102,6 +104,7 @@ class FakePilot:
     checks: tuple[PreflightCheck, ...] = EXAMPLE_CHECKS
     notes: tuple[str, ...] = ()
     link_notes: tuple[str, ...] = ()
+    nudge: Order | None = None
     _events: list[Event] = field(default_factory=list)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -161,6 +164,9 @@ class FakePilot:
     def _obey(self, order: Order) -> None:
         with self._lock:
             self.orders.append(order)
+            if order.kind is OrderKind.NUDGE:
+                self._take_nudge(order)
+                return
             self.add_event(
                 Severity.INFO,
                 "order_accepted",
@@ -217,6 +223,12 @@ class FakePilot:
         answer = self._answer(PlanRequest(goal=self.room.home))
         self.path, self.waypoint, self.phase = answer.path, 1, Phase.RETURNING
 
+    def _take_nudge(self, order: Order) -> None:
+        """Move by hand; it is told when it begins."""
+        if self.nudge is None or order.issued_at - self.nudge.issued_at > _NUDGE_QUIET_TIME:
+            self.add_event(Severity.INFO, "nudge_began", f"moved by hand by {order.sender}")
+        self.nudge = order
+
     # --- motion
 
     def _move(self, dt: float) -> None:
@@ -242,6 +254,8 @@ class FakePilot:
             self.add_event(Severity.INFO, "airborne", "Airborne")
 
     def _follow(self, dt: float) -> None:
+        if self.phase is Phase.HOLDING and self.nudge is not None:
+            self._drift(self.nudge, dt)
         if self.phase is Phase.LOOKING and self.clock.now() > self.looking_until:
             self._return()
         if self.path is None or self.phase not in (Phase.OUTBOUND, Phase.RETURNING):
@@ -260,6 +274,18 @@ class FakePilot:
             self.waypoint += 1
             if self.waypoint >= len(self.path.waypoints):
                 self._arrive()
+
+    def _drift(self, nudge: Order, dt: float) -> None:
+        if nudge.velocity is None or self.clock.now() - nudge.issued_at > _NUDGE_LIFETIME:
+            return
+        vx, vy, vz = nudge.velocity
+        x0, y0, x1, y1 = self.room.bounds
+        x, y = self.position[0] + vx * dt, self.position[1] + vy * dt
+        place = (min(max(x, x0 + _KEEP), x1 - _KEEP), min(max(y, y0 + _KEEP), y1 - _KEEP))
+        if place != (x, y) and self.position != place:
+            text = "moved by hand: a wall or furniture is ahead"
+            self.add_event(Severity.INFO, "nudge_limited", text)
+        self.position, self.height = place, max(0.4, min(2.0, self.height + vz * dt))
 
     def _arrive(self) -> None:
         self.path = None

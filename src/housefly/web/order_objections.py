@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from housefly.messages import OrderKind, PreflightCheck, SafetyMode
+from housefly.messages import OrderKind, Phase, PreflightCheck, SafetyMode
 from housefly.messages.sensing import DroneStatus
 from housefly.web.console_knowledge import ConsoleKnowledge, last_seen
-from housefly.web.verdict_message import FlightObjection, OrderObjection, StopProgress
+from housefly.web.verdict_message import (
+    ConsoleVerdict,
+    FlightObjection,
+    OrderObjection,
+    StopProgress,
+)
 
 _LANDING = {
     SafetyMode.RETURN: "it comes home for safety",
@@ -71,6 +76,11 @@ def order_objections(
     return tuple(OrderObjection(kind, words) for kind, words in found if words)
 
 
+def order_objection_now(order: OrderKind, verdict: ConsoleVerdict) -> str:
+    """Return the verdict's objection to an order, in words, or ""."""
+    return next((one.words for one in verdict.orders if one.order is order), "")
+
+
 _Rule = Callable[[ConsoleKnowledge, tuple[FlightObjection, ...]], str]
 
 
@@ -125,6 +135,16 @@ def _reset(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str
     return "" if known.pilot_is_heard else "No contact with the pilot."
 
 
+def _move_by_hand(known: ConsoleKnowledge, reasons: tuple[FlightObjection, ...]) -> str:
+    if known.room is not None and known.room.limits.get("nudge_speed", 0.0) <= 0.0:
+        return "Moving by hand is switched off here."
+    if words := _steer(known, reasons):
+        return words
+    if known.step is not None and known.step.outputs.phase is not Phase.HOLDING:
+        return "The drone flies somewhere: press Hover first."
+    return "A task flies the drone: press Hover first." if known.task_subject else ""
+
+
 _RULES: dict[OrderKind, _Rule] = {
     OrderKind.TAKE_OFF: _take_off,
     OrderKind.GO: _send,
@@ -134,5 +154,6 @@ _RULES: dict[OrderKind, _Rule] = {
     OrderKind.LAND: _land,
     OrderKind.RESUME: _resume,
     OrderKind.RESET: _reset,
+    OrderKind.NUDGE: _move_by_hand,
 }
 """STOP and Cut are never objected to."""

@@ -22,11 +22,14 @@ ORDER_WORDS = {
     OrderKind.RESUME: "resume",
     OrderKind.CUT: "cut motors",
     OrderKind.RESET: "reset the emergency",
+    OrderKind.NUDGE: "move by hand",
 }
 
 
 def order_objection(request: OrderRequest, room: RoomView | None) -> str:
     """Return why a request makes no sense by itself, in words, or ""."""
+    if request.order is OrderKind.NUDGE:
+        return "moving by hand is asked for by nudges, each with a velocity"
     targets = bool(request.place) + (request.goal is not None)
     if request.order not in _ORDERS_WITH_TARGET:
         if targets == 0:

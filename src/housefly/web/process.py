@@ -25,7 +25,9 @@ from types import FrameType
 import uvicorn
 from starlette.applications import Starlette
 
+from housefly.bus.bus import Bus
 from housefly.bus.stop_sender import StopSender
+from housefly.bus.topics import USE_EDITS_QUERY
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.environment import SECRET_VARIABLE, STOP_PORT_VARIABLE, TOKEN_VARIABLE
 from housefly.config.site import Site, changed, site_from_file
@@ -36,7 +38,7 @@ from housefly.config.state import (
     users_file,
     webhook_key_file,
 )
-from housefly.errors import ConfigError, HouseflyError
+from housefly.errors import ConfigError, HouseflyError, LinkError
 from housefly.room.edit_versions import EditVersions
 from housefly.room.files import load_room
 from housefly.tasks.evidence.clip_index import ClipIndex
@@ -63,6 +65,8 @@ _PING_PERIOD = 10.0
 """A browser that neither reads nor answers for twice this long [s] is cut."""
 _ACCEPTED_AT_ONCE = 8
 """Connections accepted in one turn of the loop; the rest waits, so that STOP does not."""
+_USE_PATIENCE = 10.0
+"""How long the launcher may check new edits [s]."""
 _BACKLOG = 512
 """Connections that may wait for it."""
 
@@ -78,20 +82,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
         folder = options.site.parent
         if options.port is not None:
             site = changed(site, web__port=options.port)
-        asyncio.run(run_web(site, options.bus, folder))
+        asyncio.run(run_web(site, options.bus, folder, options.site))
     except HouseflyError as error:
         print(error, file=sys.stderr)
         return 1
     return 0
 
 
-async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
+async def run_web(
+    site: Site, endpoint: str, folder: Path = Path(), site_file: Path | None = None
+) -> None:
     """Serve the console of a site on its bus until cancelled or signalled.
 
     Args:
         site: says where to listen; port 0 takes a free one.
         endpoint: zenoh endpoint of the pilot.
         folder: of the site file, for relative paths.
+        site_file: the run's own, which its launcher keeps as it is flown; None where there is
+            none.
 
     Raises:
         ConfigError: the address is not allowed or taken, or a secret is missing.
@@ -113,9 +121,7 @@ async def run_web(site: Site, endpoint: str, folder: Path = Path()) -> None:
             coverage=lambda: coverage_view(
                 load_room(site.room.model, folder), site.map.flight_height
             ),
-            edits=EditService(
-                lambda: load_room(site.room.model, folder), site, EditVersions(edits_folder(site))
-            ),
+            edits=_edit_service(site, folder, bus, site_file),
             audit=AuditLog(edits_folder(site).with_name("commands.jsonl")),
             users=UserBook(users_file(site)),
             ended=EndedSessions(folder / "ended-sessions"),
@@ -209,6 +215,23 @@ def _reported(sent: Future[bool]) -> Future[bool]:
 def _report_stop(outcome: Future[bool]) -> None:
     if not outcome.result():
         _LOG.warning("STOP was not acknowledged on its own path; it also went over the bus")
+
+
+def _edit_service(site: Site, folder: Path, bus: Bus, site_file: Path | None) -> EditService:
+    return EditService(
+        lambda: load_room(site.room.model, folder),
+        site,
+        EditVersions(edits_folder(site)),
+        in_force=lambda: (site_from_file(site_file) if site_file else site).edits,
+        use=lambda number: _asked_to_use(bus, number),
+    )
+
+
+def _asked_to_use(bus: Bus, number: int) -> str:
+    try:
+        return bus.ask(USE_EDITS_QUERY, str(number), _USE_PATIENCE)
+    except LinkError:
+        return "nothing here can start the pilot again: it counts from the next start of Housefly"
 
 
 def _clip_index(site: Site) -> ClipIndex | None:

@@ -36,6 +36,7 @@ _PLACE_MAX, _NAME_MAX = 60, 24
 _RequestId = Annotated[int, Field(ge=0, le=2**53)]
 _PlaceName = Annotated[str, Field(max_length=_PLACE_MAX)]
 _Metres = Annotated[float, Field(ge=-1e4, le=1e4)]
+_MetresPerSecond = Annotated[float, Field(ge=-2.0, le=2.0)]
 
 # --- from the browser
 
@@ -87,6 +88,22 @@ class OrderRequest:
 
 
 @dataclass(frozen=True, slots=True)
+class NudgeRequest:
+    """Move a drone that holds its place by hand, for the next moment; sent while a key is held.
+
+    Attributes:
+        velocity: wanted, along the axes of the map [m/s].
+        sent: the browser's own clock, as in PingRequest [s].
+    """
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    type: Literal["nudge"]
+    id: _RequestId
+    velocity: tuple[_MetresPerSecond, _MetresPerSecond, _MetresPerSecond]
+    sent: float
+
+
+@dataclass(frozen=True, slots=True)
 class PlanQuestion:
     """Ask how the drone would fly there from where it is."""
 
@@ -123,7 +140,14 @@ class InviteRequest:
 
 
 ClientMessage = (
-    Hello | PingRequest | StopRequest | OrderRequest | PlanQuestion | LeaseRequest | InviteRequest
+    Hello
+    | PingRequest
+    | StopRequest
+    | OrderRequest
+    | NudgeRequest
+    | PlanQuestion
+    | LeaseRequest
+    | InviteRequest
 )
 
 CLIENT_MESSAGE: TypeAdapter[ClientMessage] = TypeAdapter(

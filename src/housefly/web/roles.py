@@ -14,6 +14,7 @@ from housefly.web.protocol import (
     Hello,
     InviteRequest,
     LeaseRequest,
+    NudgeRequest,
     OrderRequest,
     PingRequest,
     PlanQuestion,
@@ -26,6 +27,7 @@ ROLE_OF_MESSAGE: dict[type, Role] = {
     PingRequest: Role.WATCH,
     StopRequest: Role.WATCH,
     PlanQuestion: Role.ASK,
+    NudgeRequest: Role.FLY,
     LeaseRequest: Role.FLY,
     InviteRequest: Role.ADMIN,
 }
@@ -42,6 +44,7 @@ ROLE_OF_ORDER: dict[OrderKind, Role] = {
     OrderKind.RESUME: Role.FLY,
     OrderKind.CUT: Role.FLY,
     OrderKind.RESET: Role.FLY,
+    OrderKind.NUDGE: Role.FLY,
 }
 
 OPEN_PATHS = (
@@ -90,10 +93,12 @@ ROLE_OF_CHANGE: dict[str, Role] = {
     "/edits": Role.ADMIN,
     "/bell": Role.ASK,
     "/edits/undo": Role.ADMIN,
+    "/edits/use": Role.ADMIN,
     f"{API_PREFIX}/tasks": Role.ASK,
     f"{API_PREFIX}/tasks/rehearse": Role.ASK,
     f"{API_PREFIX}/sentence": Role.ASK,
     f"{API_PREFIX}/mode": Role.FLY,
+    f"{API_PREFIX}/photo": Role.FLY,
 }
 """For every method but GET and HEAD. What a mere asker asks for waits for somebody's yes."""
 ROLE_OF_TASK_CHANGE: dict[str, Role] = {

@@ -11,7 +11,7 @@
 /coverage        which parts of the room the tracking cameras see
 /flights         flights that can be looked at again; ``/flights/{id}`` one of them
 /api/v1/...      the room: where things are, what happened; the tasks: asked for, shown, ended
-/edits           places and no-fly zones: shown, saved, undone
+/edits           places and no-fly zones: shown, saved, undone, put into use
 /bell            the doorbell of a simulated room; POST presses it
 """
 
@@ -50,6 +50,7 @@ from housefly.web.logins import Logins
 from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
 from housefly.web.protocol import EventView
+from housefly.web.restart_objection import restart_objection
 from housefly.web.role_guard import RoleGuard
 from housefly.web.room_api import RoomApi
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
@@ -142,7 +143,9 @@ def create_app(
         audit=audit,
     )
     clip_routes = ClipFiles(clips, auth, key, console.name_of_owner, audit).routes()
-    edits_api = EditsApi(edits, auth, console)
+    edits_api = EditsApi(
+        edits, auth, console, lambda: restart_objection(console.verdict(), board.message())
+    )
     bell_routes = BellRoutes(bell, auth)
     closing = [link.close, room_api.close, edits_api.close, tasks_api.close, board.close]
     closing += [bell_routes.close]

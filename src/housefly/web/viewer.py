@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 from collections import deque
 from dataclasses import dataclass, field
+from math import inf
 
 from starlette.websockets import WebSocket
 
+from housefly.web.nudges import LineDelay
 from housefly.web.protocol import PlanQuestion, ServerMessage, to_text
 from housefly.web.rate_limit import CommandLimiter
 from housefly.web.session import Session
@@ -28,6 +30,8 @@ class Viewer:
         limiter: what the socket may still send.
         question: the newest plan question not yet answered.
         asking: whether a plan question is being answered now.
+        delay: how late its messages arrive.
+        nudged_at: when it last moved the drone by hand [s].
     """
 
     socket: WebSocket
@@ -38,6 +42,8 @@ class Viewer:
     limiter: CommandLimiter = field(default_factory=CommandLimiter)
     question: PlanQuestion | None = None
     asking: bool = False
+    delay: LineDelay = field(default_factory=LineDelay)
+    nudged_at: float = -inf
     _queue: deque[str] = field(default_factory=deque)
     _slots: dict[str, str] = field(default_factory=dict)
     _wake: asyncio.Event = field(default_factory=asyncio.Event)

@@ -293,6 +293,21 @@ def test_a_clip_without_a_picture_leaves_nothing(recorder: ClipRecorder, tmp_pat
     assert not recorder.index.find(ClipsQuestion()).clips
 
 
+def test_a_photo_is_the_picture_that_was_shown_and_not_one_of_before_or_after(
+    recorder: ClipRecorder,
+) -> None:
+    films(recorder, 4.0)
+    shown = 100.0 + 40 / RATE_HZ
+    name = recorder.snapshot(TakeSnapshot(), ClipOrigin(cause="Ada"), at=shown)
+    assert recorder.flush()
+    with Image.open(recorder.index.file(name)) as picture:
+        assert number_of(np.asarray(picture)) == 40
+    assert recorder.index.info(name).began_at == pytest.approx(UNIX + shown)
+    for gone in (90.0, 120.0):
+        with pytest.raises(TaskError, match="not in memory any more"):
+            recorder.snapshot(TakeSnapshot(), VISITOR, at=gone)
+
+
 def test_a_snapshot_is_the_newest_picture(recorder: ClipRecorder) -> None:
     films(recorder, 1.7)
     name = recorder.snapshot(TakeSnapshot(thing="cup"), VISITOR)

@@ -20,6 +20,7 @@ from housefly.tasks.api.questions import (
     Sentence,
     ServicesQuestion,
     SetMode,
+    TakePhoto,
     TaskHistoryQuestion,
     TaskQuestion,
     Webhook,
@@ -219,5 +220,6 @@ TASK_ANSWER_TYPES: dict[type[TaskQuestion], type[TaskAnswer]] = {
     Webhook: FiringsAnswer,
     KeepClip: ClipsAnswer,
     DeleteClip: ClipsAnswer,
+    TakePhoto: ClipsAnswer,
 }
 """What each question is answered with."""

@@ -21,6 +21,7 @@ from housefly.tasks.api.questions import (
     Sentence,
     ServicesQuestion,
     SetMode,
+    TakePhoto,
     TaskHistoryQuestion,
     TaskQuestion,
     Webhook,
@@ -89,5 +90,6 @@ TASK_ENDPOINTS = (
     TaskEndpoint("GET", "/clips", ClipsQuestion, "Which clips and snapshots there are"),
     TaskEndpoint("POST", "/clips/{clip}/keep", KeepClip, "Keep a clip, or no longer", Pace.COUNTED),
     TaskEndpoint("POST", "/clips/{clip}/delete", DeleteClip, "Delete a clip", Pace.COUNTED),
+    TaskEndpoint("POST", "/photo", TakePhoto, "Keep the picture that is shown", Pace.COUNTED),
     TaskEndpoint("POST", "/webhook/{name}", Webhook, "A trigger from outside", Pace.COUNTED),
 )

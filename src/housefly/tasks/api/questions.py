@@ -212,6 +212,15 @@ class DeleteClip:
     ask: Literal["delete_clip"] = "delete_clip"
 
 
+@dataclass(frozen=True, slots=True)
+class TakePhoto:
+    """Keep the picture that a person sees, in flight; ``at`` is when it came [s], 0 the newest."""
+
+    at: Annotated[float, Field(ge=0.0, le=1e12, allow_inf_nan=False)] = 0.0
+    by: _Word = ""
+    ask: Literal["photo"] = "photo"
+
+
 TaskQuestion = (
     RequestTask
     | RehearseTask
@@ -230,4 +239,5 @@ TaskQuestion = (
     | Webhook
     | KeepClip
     | DeleteClip
+    | TakePhoto
 )

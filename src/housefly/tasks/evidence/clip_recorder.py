@@ -43,6 +43,8 @@ _STATUS_AGE_MAX = 1.0
 _TIDY_PERIOD = 600.0
 """How often old clips are looked for, by the monotonic clock [s]; the first time at the start."""
 _FLUSH_TIMEOUT = 10.0
+_ROUNDING = 1e-6
+"""What a browser makes of a time [s]."""
 _SNAPSHOT_SHOWN = 2.0
 """So long after a snapshot the light shows it [s]."""
 
@@ -180,18 +182,25 @@ class ClipRecorder:
         with self._lock:
             self._end()
 
-    def snapshot(self, action: TakeSnapshot, origin: ClipOrigin) -> str:
-        """Keep the newest picture and return its id.
+    def snapshot(self, action: TakeSnapshot, origin: ClipOrigin, at: float | None = None) -> str:
+        """Keep one picture and return its id.
+
+        Args:
+            action: what is on it.
+            origin: who wants it.
+            at: when it came [s]; None is the newest.
 
         Raises:
-            TaskError: NOT_READY on the ground or while no picture comes, MODE when the mode of the
-                house forbids it.
+            TaskError: NOT_READY on the ground, while no picture comes, or for one that is too old;
+                MODE when the mode of the house forbids it.
             MissingPartError: faces are to be blurred and what finds them is missing.
         """
         with self._lock:
             self._refuse_unless_filming()
             frames = self._ring.frames(0.0)
-            if not frames or self._now - frames[-1].frame.received_at > _STATUS_AGE_MAX:
+            if at is not None:
+                frames = self._shown(at)
+            elif not frames or self._now - frames[-1].frame.received_at > _STATUS_AGE_MAX:
                 raise TaskError("no picture comes from the camera", ReasonCode.NOT_READY.value)
             row = replace(
                 new_clip_row("snapshot", self._unix_of(frames[-1].frame.received_at), origin),
@@ -203,6 +212,12 @@ class ClipRecorder:
             self._snapped_at = self._now
             self._writer.put(lambda: self._write_snapshot(row, frames, blanker))
             return row.id
+
+    def _shown(self, at: float) -> tuple[FilmedFrame, ...]:
+        frames = self._ring.frames_until(at + _ROUNDING)
+        if not frames or at - frames[-1].frame.received_at > _STATUS_AGE_MAX:
+            raise TaskError("that picture is not in memory any more", ReasonCode.NOT_READY.value)
+        return frames
 
     def flush(self, timeout: float = _FLUSH_TIMEOUT) -> bool:
         """Wait until everything is on the disk; False when it takes longer [s]."""
@@ -280,6 +295,7 @@ class ClipRecorder:
         except (OSError, HouseflyError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             words = f"the snapshot cannot be kept: {reason}"
+            _LOG.error("%s", words)
             self._tell(ClipNews(row.id, ClipOutcome.FAILED, words))
 
     def _recover(self) -> None:

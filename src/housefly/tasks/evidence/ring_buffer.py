@@ -56,6 +56,13 @@ class RingBuffer:
             del groups[0]
         return tuple(filmed for group in groups for filmed in group)
 
+    def frames_until(self, at: float) -> tuple[FilmedFrame, ...]:
+        """Return the pictures of one group up to a time [s], from its key frame on, or none."""
+        for group in reversed(self._groups):
+            if group and group[0].frame.received_at <= at:
+                return tuple(one for one in group if one.frame.received_at <= at)
+        return ()
+
     def clear(self) -> None:
         """Forget everything at once."""
         self._groups.clear()

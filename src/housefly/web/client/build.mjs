@@ -12,6 +12,7 @@ const options = {
   outdir: target,
   bundle: true,
   minify: true,
+  charset: "utf8",
   format: "esm",
   target: ["es2021"],
   jsx: "automatic",
@@ -20,7 +21,7 @@ const options = {
   logLevel: "warning",
 };
 // The screens beside the first are chunks of their own, fetched when there is time or need.
-for (const old of await readdir(target)) if (/^chunk-.*\.js$/.test(old)) await rm(`${target}/${old}`);
+for (const old of await readdir(target)) if (/^chunk-.*\.(js|css)$/.test(old)) await rm(`${target}/${old}`);
 await build({
   ...options,
   entryPoints: { app: "src/main.tsx" },

@@ -8,14 +8,14 @@ import { SaidBubble } from "./panels/said";
 import { Top } from "./panels/top";
 import { lazyScreen } from "./lazy-screen";
 import { banner } from "./headline";
-import { EditScreen } from "./live/edit-screen";
 import { LiveScene } from "./scene/scene";
 import { flying, panel, screen, swapped, type Screen } from "./store";
+import { Hints } from "./hints/hints";
 import { Questions } from "./tasks/questions";
 
 const SCREENS: Record<Screen, () => ComponentChild> = {
   live: LiveScene,
-  edit: EditScreen,
+  edit: lazyScreen(async () => (await import("./live/edit-screen")).EditScreen),
   tasks: lazyScreen(async () => (await import("./tasks/tasks-screen")).TasksScreen),
 };
 
@@ -41,6 +41,7 @@ export function App() {
       <Help />
       <Control />
       {panel.value === "invite" && <Invite />}
+      <Hints />
       <SaidBubble />
       <Announcer />
     </div>

@@ -6,6 +6,7 @@ import { explain, refuse, remember } from "./said";
 import { iFly, lineLives, me, notice, room, state, stopPress, verdict } from "./store";
 import type { OrderKind } from "./wire/messages";
 import { ask, stop as sendStop } from "./wire/socket";
+import { t, translated } from "./messages/language";
 
 const HOLD = 0.6;
 const HOLD_CUT = 1.0;
@@ -22,30 +23,31 @@ function unless(condition: () => boolean, words: () => string): Reason {
 
 const hasLine = unless(
   () => lineLives.value,
-  () => "No contact with the server.",
+  () => t("No contact with the server."),
 );
 const mayFly = unless(
   () => iFly.value,
   () =>
     verdict.value?.control
-      ? `${verdict.value.control} has control. You watch.`
-      : "Nobody has control: take it first.",
+      ? t("{who} has control. You watch.", { who: verdict.value.control })
+      : t("Nobody has control: take it first."),
 );
 const hasGoal = unless(
   () => goal.value !== null,
-  () => "Choose a place, or point on the map.",
+  () => t("Choose a place, or point on the map."),
 );
 const hasPath = unless(
   () => goal.value === null || planned.value !== null,
-  () => goal.value?.note || (goal.value?.plan ? goal.value.plan.reason : "Looking for a path …"),
+  () => goal.value?.note ||
+    (goal.value?.plan ? translated(goal.value.plan.reason) : t("Looking for a path …")),
 );
 
 /** Why an order would come to nothing, by the server's verdict. */
 function objectionTo(order: OrderKind): Reason {
   return computed(
     () =>
-      verdict.value?.orders.find((one) => one.order === order)?.words ??
-      (verdict.value ? "" : "No contact with the pilot."),
+      translated(verdict.value?.orders.find((one) => one.order === order)?.words ?? "") ||
+      (verdict.value ? "" : t("No contact with the pilot.")),
   );
 }
 
@@ -55,7 +57,7 @@ async function send(order: OrderKind, from: Element | null, withGoal = false): P
   notice.value = "";
   remember(order, from);
   const answer = await ask({ type: "order", order, ...target });
-  if (answer.type === "refused") refuse(answer.reason, from);
+  if (answer.type === "refused") refuse(translated(answer.reason), from);
   if (aim && answer.type === "accepted") forgetGoal();
 }
 
@@ -63,7 +65,9 @@ async function send(order: OrderKind, from: Element | null, withGoal = false): P
 export async function stop(): Promise<void> {
   stopPress.value = { state: "sending", words: "" };
   const trouble = await sendStop();
-  stopPress.value = trouble ? { state: "failed", words: trouble } : { state: "", words: "" };
+  stopPress.value = trouble
+    ? { state: "failed", words: translated(trouble) }
+    : { state: "", words: "" };
 }
 
 export const takeOff = createHold(
@@ -101,7 +105,7 @@ export const serviceObjection = firstOf(hasLine, mayFly, objectionTo("service"))
 export async function lookAt(place: string, from: Element | null): Promise<void> {
   remember("service", from);
   const answer = await ask({ type: "order", order: "service", place });
-  if (answer.type === "refused") refuse(answer.reason, from);
+  if (answer.type === "refused") refuse(translated(answer.reason), from);
 }
 export const takeControl = createHold(HOLD, firstOf(hasLine), (from) => void takeOver(true, from));
 
@@ -133,7 +137,7 @@ export function home(from: From = null): void {
 
 export async function takeOver(held: boolean, from: From = null): Promise<void> {
   const answer = await ask({ type: "lease", action: "take", held });
-  if (answer.type === "refused") refuse(answer.reason, from);
+  if (answer.type === "refused") refuse(translated(answer.reason), from);
 }
 
 // Kept over a reload: phones discard pages that they froze.
@@ -150,9 +154,10 @@ verdict.subscribe((told) => {
   if (!told || me.peek() === 0) return;
   const mine = told.pilot === me.peek();
   if (had && !mine && !gave) {
-    const now = told.control ? `${told.control} has it now` : "nobody has it: take it again";
-    const why = told.control ? "You lost control" : "This page was silent and lost control";
-    refuse(`${why}; ${now}`, document.querySelector(".who [aria-expanded]"));
+    const words = told.control
+      ? t("You lost control; {who} has it now", { who: told.control })
+      : t("This page was silent and lost control; nobody has it: take it again");
+    refuse(words, document.querySelector(".who [aria-expanded]"));
   }
   if (mine) gave = false;
   if (had === mine) return;
@@ -166,5 +171,5 @@ export const hint = computed(() => {
   if (service.objection.value) return service.objection.value;
   const floor = room.value?.limits.battery_floor ?? 0;
   const charge = state.value?.battery ?? 1;
-  return charge < floor + 0.05 ? "The battery is too low for a flight." : "";
+  return charge < floor + 0.05 ? t("The battery is too low for a flight.") : "";
 });

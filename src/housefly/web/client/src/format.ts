@@ -1,6 +1,8 @@
 // Numbers as text.
+import { decimal, language } from "./messages/numbers";
+
 export function milliseconds(seconds: number): string {
-  return seconds < 0.9995 ? `${Math.round(seconds * 1000)} ms` : `${seconds.toFixed(1)} s`;
+  return seconds < 0.9995 ? `${Math.round(seconds * 1000)} ms` : `${decimal(seconds, 1)} s`;
 }
 
 export function minutes(seconds: number): string {
@@ -11,7 +13,8 @@ export function minutes(seconds: number): string {
 /** The words with a capital and a full stop, unless they end otherwise. */
 export function sentence(words: string): string {
   const capital = words.charAt(0).toUpperCase() + words.slice(1);
-  return /[.…?!]$/.test(capital) ? capital : `${capital}.`;
+  if (/[.…?!。？！]$/.test(capital)) return capital;
+  return capital + (language.value === "ja" ? "。" : ".");
 }
 
 export const percent = (share: number): string => `${Math.round(100 * share)} %`;

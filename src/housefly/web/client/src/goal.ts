@@ -5,6 +5,7 @@ import { cellOf, centreOf, letterAt } from "./map/grid";
 import { notice, room, state, type Point } from "./store";
 import { ask } from "./wire/socket";
 import type { PlaceView, PlanAnswer } from "./wire/messages";
+import { decimal, t, translated } from "./messages/language";
 
 export interface Goal {
   /** Name of a place, or "" for a point on the map. */
@@ -39,14 +40,16 @@ export function choosePlace(place: PlaceView): void {
   void preview();
 }
 
+const CENTIMETRES = 100;
+const rounded = (metres: number): number => Math.round(CENTIMETRES * metres) / CENTIMETRES;
+
 export function choosePoint(point: Point, title = POINT): void {
   const view = room.value;
   if (!view) return;
-  const snapped = centreOf(view.grid, cellOf(view.grid, point));
   goal.value = {
     place: "",
     title,
-    point: snapped,
+    point: [rounded(point[0]), rounded(point[1])],
     asked: null,
     note: "",
     plan: null,
@@ -70,17 +73,18 @@ export async function preview(): Promise<void> {
   );
   if (turn !== newest) return;
   if (answer.type === "plan") settle(asked, answer.answer);
-  else if (answer.type === "refused") goal.value = { ...asked, note: answer.reason };
+  else if (answer.type === "refused") goal.value = { ...asked, note: translated(answer.reason) };
 }
 
 function settle(asked: Goal, plan: PlanAnswer): void {
   if (plan.path || !plan.suggestion || asked.asked) {
-    goal.value = { ...asked, plan, note: plan.path ? asked.note : plan.reason };
+    goal.value = { ...asked, plan, note: plan.path ? asked.note : translated(plan.reason) };
     return;
   }
   const away = Math.hypot(plan.suggestion[0] - asked.point[0], plan.suggestion[1] - asked.point[1]);
-  const moved = `The goal was moved ${away.toFixed(1)} m, to the nearest free point.`;
-  const note = `${sentence(plan.reason)} ${moved}`;
+  const d = decimal(away, 1);
+  const moved = t("The goal was moved {d} m, to the nearest free point.", { d });
+  const note = `${sentence(translated(plan.reason))} ${moved}`;
   goal.value = {
     place: "",
     title: asked.place ? POINT : asked.title,

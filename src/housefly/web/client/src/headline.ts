@@ -2,6 +2,7 @@
 import { computed } from "@preact/signals";
 import { contact, lineLives, silence, verdict } from "./store";
 import type { HeadlineShape } from "./wire/messages";
+import { t, translated } from "./messages/language";
 
 export type Shape = HeadlineShape;
 
@@ -20,27 +21,35 @@ export const isConnecting = computed(
 
 export const headline = computed<Headline>(() => {
   if (contact.value === "elsewhere")
-    return lost("Opened in another tab", "this one only watches the past");
-  if (contact.value === "shut out") return lost("Session ended", "use a fresh link");
+    return lost(t("Opened in another tab"), t("this one only watches the past"));
+  if (contact.value === "shut out") return lost(t("Session ended"), t("use a fresh link"));
   const told = verdict.value;
-  if (isConnecting.value) return lost("Connecting");
+  if (isConnecting.value) return lost(t("Connecting"));
   if (!lineLives.value)
-    return lost("No contact with the server", told ? `for ${Math.round(silence.value)} s` : "");
-  if (!told) return lost("Waiting for the pilot");
-  return { shape: told.shape, text: told.headline, detail: told.detail };
+    return lost(
+      t("No contact with the server"),
+      told ? t("for {n} s", { n: Math.round(silence.value) }) : "",
+    );
+  if (!told) return lost(t("Waiting for the pilot"));
+  return {
+    shape: told.shape,
+    text: translated(told.headline),
+    detail: translated(told.detail),
+  };
 });
 
 /** What must be read before anything else on the screen, or "". */
 export const banner = computed(() => {
   if (contact.value === "elsewhere")
-    return "This console was opened in another tab; that one is live.";
+    return t("This console was opened in another tab; that one is live.");
   if (contact.value === "shut out")
-    return "This browser's session has ended. Ask for a fresh link.";
+    return t("This browser's session has ended. Ask for a fresh link.");
   if (isConnecting.value) return "";
   const told = verdict.value;
-  if (lineLives.value) return told?.banner ?? "";
-  if (!told) return "No contact with the server: nothing is known of the drone.";
-  const since = `No word from the server for ${Math.round(silence.value)} s`;
-  const then = `what is shown is of then. What held then: ${told.if_contact_lost}`;
-  return `${since}: ${then}. STOP from this page may not arrive.`;
+  if (lineLives.value) return translated(told?.banner ?? "");
+  if (!told) return t("No contact with the server: nothing is known of the drone.");
+  const values = { n: Math.round(silence.value), then: translated(told.if_contact_lost) };
+  const since = t("No word from the server for {n} s: what is shown is of then.", values);
+  const then = t("What held then: {then}. STOP from this page may not arrive.", values);
+  return `${since} ${then}`;
 });

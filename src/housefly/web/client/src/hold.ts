@@ -1,6 +1,7 @@
 // Hold instead of click: the action runs after a long enough hold that stays allowed throughout.
 import { effect, signal, type ReadonlySignal, type Signal } from "@preact/signals";
 import { explain, hint } from "./said";
+import { t } from "./messages/language";
 
 export interface Hold {
   seconds: number;
@@ -39,7 +40,7 @@ export function createHold(
     }, seconds * 1000);
   };
   const cancel = (): void => {
-    if (held.peek()) hint(`Hold it for ${seconds} s: a tap does nothing.`, hold.button);
+    if (held.peek()) hint(t("Hold it for {n} s: a tap does nothing.", { n: seconds }), hold.button);
     stop();
   };
   effect(() => {

@@ -66,6 +66,16 @@ export const KEYS: Key[] = [
     press: nudgeGoal,
   },
   {
+    keys: [],
+    shown: "W A S D or arrows, R F",
+    does: "While Move by hand is on: move the drone, up and down",
+  },
+  {
+    keys: [],
+    shown: "+ − 0",
+    does: "Map with the focus: nearer, farther, whole room",
+  },
+  {
     keys: ["enter"],
     shown: "Enter, held",
     does: "Send the drone to look and come back",

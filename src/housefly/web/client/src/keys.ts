@@ -1,7 +1,11 @@
 // The keyboard: STOP from anywhere, everything else unless the focus has its own use for the key.
+import { signal } from "@preact/signals";
 import type { Hold } from "./hold";
 import { isLetter, KEYS, letters, SPACE, type Key } from "./keymap";
 import { flying, screen } from "./store";
+
+/** Who takes keys before all others but Space, while it is set: moving the drone by hand. */
+export const claim = signal<((event: KeyboardEvent) => boolean) | null>(null);
 
 let held: { key: string; hold: Hold } | null = null;
 
@@ -46,6 +50,11 @@ function belongsToFocus(event: KeyboardEvent): boolean {
 
 function down(event: KeyboardEvent): void {
   if (event.ctrlKey || event.altKey || event.metaKey || belongsToFocus(event)) return;
+  if (event.key !== SPACE && claim.peek()?.(event)) {
+    event.preventDefault();
+    event.stopPropagation();
+    return;
+  }
   const key = find(event);
   if (!key || (isLetter(event.key) && !letters.peek())) return;
   event.preventDefault();

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useEffect } from "preact/hooks";
+import { t } from "./messages/language";
 
 const SOON = 1500;
 const AGAIN = 1000;
@@ -32,6 +33,8 @@ export function lazyScreen(load: () => Promise<Component>): Component {
     useEffect(() => void fetchCode(), []);
     const Shown = loaded.value;
     if (Shown) return <Shown />;
-    return <main class="loading quiet">{failed.value ? "No contact with the server." : "…"}</main>;
+    return (
+      <main class="loading quiet">{failed.value ? t("No contact with the server.") : "…"}</main>
+    );
   };
 }

@@ -1,13 +1,16 @@
 // Whether the drone may take off, in words, and what else a person should know before it does.
 import { computed } from "@preact/signals";
 import { flying, lineLives, verdict } from "./store";
+import { t, translated } from "./messages/language";
 
 /** The one line about readiness, and beside it what forbids nothing but should be known. */
 export const readiness = computed(() => {
   const told = verdict.value;
   if (!lineLives.value || !told)
-    return { ready: false, text: "Not known: no contact with the server", known: [] };
-  if (flying.value) return { ready: true, text: "In flight", known: told.known };
-  const why = told.reasons[0]?.words;
-  return { ready: told.may_take_off, text: why ? `Not ready: ${why}` : "Ready", known: told.known };
+    return { ready: false, text: t("Not known: no contact with the server"), known: [] };
+  const known = told.known.map(translated);
+  if (flying.value) return { ready: true, text: t("In flight"), known };
+  const why = translated(told.reasons[0]?.words ?? "");
+  const text = why ? t("Not ready: {why}", { why }) : t("Ready");
+  return { ready: told.may_take_off, text, known };
 });

@@ -2,6 +2,7 @@
 import { signal, type ReadonlySignal } from "@preact/signals";
 import { sentence } from "./format";
 import type { EventView, OrderKind } from "./wire/messages";
+import { translated } from "./messages/language";
 
 interface Said {
   words: string;
@@ -63,5 +64,5 @@ export function tellRefusal(event: EventView): void {
     asked !== null &&
     Date.now() - asked.at < REFUSED_WITHIN &&
     event.text.startsWith(asked.order.replace("_", " "));
-  if (mine) refuse(event.text, asked!.anchor);
+  if (mine) refuse(translated(event.text), asked!.anchor);
 }

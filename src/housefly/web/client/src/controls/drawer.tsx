@@ -4,6 +4,7 @@ import { goal } from "../goal";
 import { cut, flying, panel, verdict } from "../store";
 import { HoldButton } from "./hold-button";
 import { CutIcon, HomeIcon, ResetIcon, TakeOffIcon } from "./icons";
+import { t } from "../messages/language";
 
 const notReady = computed(() => verdict.value?.may_take_off === false && !flying.value);
 
@@ -11,38 +12,38 @@ const notReady = computed(() => verdict.value?.may_take_off === false && !flying
 export function Drawer() {
   if (panel.value !== "more") return null;
   return (
-    <div class="drawer" role="group" aria-label="More orders">
+    <div class="drawer" role="group" aria-label={t("More orders")}>
       {goal.value && (
-        <HoldButton hold={go} class="action" label="Fly there and stay">
-          <span>Fly there and stay</span>
-          <small aria-hidden="true">hold</small>
+        <HoldButton hold={go} class="action" label={t("Fly there and stay")}>
+          <span>{t("Fly there and stay")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
       )}
       {cut.value ? (
-        <HoldButton hold={reset} class="action" label="Reset after a cut">
+        <HoldButton hold={reset} class="action" label={t("Reset after a cut")}>
           <ResetIcon />
-          <span>Reset</span>
-          <small aria-hidden="true">hold</small>
+          <span>{t("Reset")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
       ) : (
-        <HoldButton hold={takeOff} class="action" label="Take off">
+        <HoldButton hold={takeOff} class="action" label={t("Take off")}>
           <TakeOffIcon />
-          <span>Take off</span>
-          <small aria-hidden="true">{notReady.value ? "not ready" : "hold"}</small>
+          <span>{t("Take off")}</span>
+          <small aria-hidden="true">{notReady.value ? t("not ready") : t("hold")}</small>
         </HoldButton>
       )}
-      <HoldButton hold={homeHeld} class="action" label="Fly home and land">
+      <HoldButton hold={homeHeld} class="action" label={t("Fly home and land")}>
         <HomeIcon />
-        <span>Home</span>
-        <small aria-hidden="true">hold</small>
+        <span>{t("Home")}</span>
+        <small aria-hidden="true">{t("hold")}</small>
       </HoldButton>
-      <HoldButton hold={cutMotors} class="cut" label="Cut motors: motors stop, drone falls">
+      <HoldButton hold={cutMotors} class="cut" label={t("Cut motors: motors stop, drone falls")}>
         <CutIcon />
-        <span>Cut motors</span>
-        <small>it falls, hold 1 s</small>
+        <span>{t("Cut motors")}</span>
+        <small>{t("it falls, hold 1 s")}</small>
       </HoldButton>
       <button type="button" class="action" onClick={() => (panel.value = "")}>
-        Close
+        {t("Close")}
       </button>
     </div>
   );

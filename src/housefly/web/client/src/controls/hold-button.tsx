@@ -3,6 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { Hold } from "../hold";
 import { flying } from "../store";
 import { hint } from "../said";
+import { t } from "../messages/language";
 
 interface Props {
   hold: Hold;
@@ -17,6 +18,7 @@ interface Props {
  */
 export function HoldButton({ hold, class: kind = "", label, children }: Props) {
   const objection = hold.objection.value;
+  const told = objection || t("{label}: hold {n} s", { label, n: hold.seconds });
   const button = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     hold.button = button.current;
@@ -34,8 +36,8 @@ export function HoldButton({ hold, class: kind = "", label, children }: Props) {
       ref={button}
       class={`hold ${kind}`}
       aria-disabled={objection !== ""}
-      aria-description={objection || `${label}: hold ${hold.seconds} s`}
-      title={objection || `${label}: hold ${hold.seconds} s`}
+      aria-description={told}
+      title={told}
       data-held={hold.held.value}
       style={{ "--hold": `${hold.seconds}s` }}
       onPointerDown={(event) => {
@@ -50,7 +52,7 @@ export function HoldButton({ hold, class: kind = "", label, children }: Props) {
       onKeyUp={(event) => {
         if (event.key === "Enter") hold.cancel();
         // In flight Space is STOP, wherever the focus is.
-        else if (event.key === " " && !flying.value) hint("Hold Enter.", button.current);
+        else if (event.key === " " && !flying.value) hint(t("Hold Enter."), button.current);
       }}
       onBlur={hold.cancel}
     >

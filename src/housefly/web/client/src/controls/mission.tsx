@@ -2,13 +2,14 @@ import { hint } from "../commands";
 import { choosePlace, forgetGoal, goal, POINT } from "../goal";
 import { said } from "../said";
 import { notice, room } from "../store";
+import { decimal, t } from "../messages/language";
 
 /** What may be looked at, each one tap. */
 export function Places() {
   // Home has a button of its own.
   const places = (room.value?.places ?? []).filter((place) => place.name !== "home");
   return (
-    <div class="places" role="group" aria-label="Places">
+    <div class="places" role="group" aria-label={t("Places")}>
       {places.map((place) => (
         <button
           type="button"
@@ -40,26 +41,28 @@ export function Plan() {
 
 function clearance(): string {
   const way = goal.value?.plan?.path;
-  return way ? `The path keeps ${way.clearance.toFixed(2)} m away from everything.` : "";
+  return way
+    ? t("The path keeps {d} m away from everything.", { d: decimal(way.clearance, 2) })
+    : "";
 }
 
 function Way() {
   const aim = goal.value;
-  if (!aim) return <span class="quiet">Where to?</span>;
+  if (!aim) return <span class="quiet">{t("Where to?")}</span>;
   const way = aim.plan?.path;
   const name =
     aim.place || aim.title !== POINT
       ? aim.title
-      : `Point ${aim.point[0].toFixed(1)}, ${aim.point[1].toFixed(1)} m`;
+      : t("Point {x}, {y} m", { x: decimal(aim.point[0], 1), y: decimal(aim.point[1], 1) });
   return (
     <>
       <strong>{name}</strong>
       {way && (
         <span>
-          {way.length.toFixed(1)} m · {Math.round(aim.plan!.duration)} s
+          {decimal(way.length, 1)} m · {Math.round(aim.plan!.duration)} s
         </span>
       )}
-      <button type="button" class="clear" aria-label="Forget this goal" onClick={forgetGoal}>
+      <button type="button" class="clear" aria-label={t("Forget this goal")} onClick={forgetGoal}>
         ×
       </button>
     </>

@@ -19,23 +19,25 @@ import { Drawer } from "./drawer";
 import { HoldButton } from "./hold-button";
 import { HomeIcon, HoverIcon, LandIcon, MoreIcon, ResetIcon, ResumeIcon } from "./icons";
 import { Places, Plan } from "./mission";
+import { NudgeHere } from "./nudge-here";
+import { t } from "../messages/language";
 
 /** Where to, the one button for what comes next, and what is always beside it. */
 export function Orders() {
   return (
-    <section class="command card" aria-label="Orders">
+    <section class="command card" aria-label={t("Orders")}>
       <Places />
       <Plan />
       <div class="acts">
         <Next />
-        <PressButton label="Land here" objection={landObjection} action={land}>
+        <PressButton label={t("Land here")} objection={landObjection} action={land}>
           <LandIcon />
-          <span>Land</span>
+          <span>{t("Land")}</span>
         </PressButton>
         {(iFly.value || me.value === 0) && (
-          <PressButton label="Stay where it is" objection={hoverObjection} action={hover}>
+          <PressButton label={t("Stay where it is")} objection={hoverObjection} action={hover}>
             <HoverIcon />
-            <span>Hover</span>
+            <span>{t("Hover")}</span>
           </PressButton>
         )}
         <button
@@ -45,10 +47,11 @@ export function Orders() {
           onClick={() => toggle("more")}
         >
           <MoreIcon />
-          <span>More</span>
+          <span>{t("More")}</span>
         </button>
       </div>
       <Drawer />
+      <NudgeHere />
     </section>
   );
 }
@@ -86,19 +89,36 @@ interface Step {
 const step = computed<Step | null>(() => {
   const wanted = verdict.value?.next_order ?? null;
   if (wanted === "resume")
-    return { hold: resume, words: "Resume", label: "Resume after STOP", icon: <ResumeIcon /> };
+    return {
+      hold: resume,
+      words: t("Resume"),
+      label: t("Resume after STOP"),
+      icon: <ResumeIcon />,
+    };
   if (wanted === "reset")
-    return { hold: reset, words: "Reset", label: "Reset after a cut", icon: <ResetIcon /> };
+    return {
+      hold: reset,
+      words: t("Reset"),
+      label: t("Reset after a cut"),
+      icon: <ResetIcon />,
+    };
   const aim = goal.value;
   if (aim && (wanted === "service" || flying.value)) {
-    const where = aim.place || aim.title !== POINT ? `at ${aim.title}` : "there";
-    const words = `Look ${where} and come back`;
+    const named = aim.place || aim.title !== POINT;
+    const words = named
+      ? t("Look at {place} and come back", { place: aim.title })
+      : t("Look there and come back");
     return { hold: service, words, label: words };
   }
   if (wanted === "home")
-    return { hold: homeHeld, words: "Fly home", label: "Fly home and land", icon: <HomeIcon /> };
+    return {
+      hold: homeHeld,
+      words: t("Fly home"),
+      label: t("Fly home and land"),
+      icon: <HomeIcon />,
+    };
   if (wanted === "service")
-    return { hold: service, words: "Choose where to look", label: "Look and come back" };
+    return { hold: service, words: t("Choose where to look"), label: t("Look and come back") };
   return null;
 });
 
@@ -116,7 +136,7 @@ function Next() {
     >
       {next.icon}
       <span>{next.words}</span>
-      <small aria-hidden="true">hold</small>
+      <small aria-hidden="true">{t("hold")}</small>
     </HoldButton>
   );
 }
@@ -124,7 +144,9 @@ function Next() {
 /** Nothing to hold: on the ground the way to the reasons, in the air what happens by itself. */
 function Nothing() {
   if (flying.value || !lineLives.value)
-    return <p class="primary said-only">{lineLives.value ? headline.value.text : "No contact"}</p>;
+    return (
+      <p class="primary said-only">{lineLives.value ? headline.value.text : t("No contact")}</p>
+    );
   return (
     <button
       type="button"
@@ -132,7 +154,7 @@ function Nothing() {
       aria-expanded={panel.value === "checks"}
       onClick={() => toggle("checks")}
     >
-      Not ready: see why
+      {t("Not ready: see why")}
     </button>
   );
 }
@@ -142,12 +164,13 @@ function Watching() {
   if (!who)
     return (
       <button type="button" class="primary" onClick={(e) => void takeOver(false, e.currentTarget)}>
-        Take control
+        {t("Take control")}
       </button>
     );
   return (
     <p class="caption">
-      <strong>You watch.</strong> <span>{who} has control; STOP and Land work.</span>
+      <strong>{t("You watch.")}</strong>{" "}
+      <span>{t("{who} has control; STOP and Land work.", { who })}</span>
     </p>
   );
 }

@@ -3,22 +3,25 @@ import { iFly, lineLives, screen, stopPress, verdict } from "../store";
 import { sentence } from "../format";
 import { HoldButton } from "./hold-button";
 import { ResumeIcon, StopIcon } from "./icons";
+import { t, translated } from "../messages/language";
 
 /** How far STOP is, by the pilot's own word; and by this page's where nothing arrives. */
 function progress(): { state: string; name: string; then: string } {
   const pressed = stopPress.value;
   const told = verdict.value?.stop;
   if (pressed.state === "failed")
-    return { state: "failed", name: "STOP FAILED", then: sentence(pressed.words) };
+    return { state: "failed", name: t("STOP FAILED"), then: sentence(pressed.words) };
   if (told?.progress === "confirmed") {
-    const past = lineLives.value ? "" : "When this page last heard: ";
-    return { state: "confirmed", name: "STOPPED", then: `${past}${told.words}` };
+    const words = translated(told.words);
+    const then = lineLives.value ? words : t("When this page last heard: {words}", { words });
+    return { state: "confirmed", name: t("STOPPED"), then };
   }
   if (told?.progress === "failed")
-    return { state: "failed", name: "STOP FAILED", then: sentence(told.words) };
-  if (told?.progress === "sent") return { state: "sent", name: "STOP sent", then: told.words };
-  if (pressed.state === "sending") return { state: "sent", name: "STOP", then: "sending …" };
-  return { state: "none", name: "STOP", then: "hover at once and stay" };
+    return { state: "failed", name: t("STOP FAILED"), then: sentence(translated(told.words)) };
+  if (told?.progress === "sent")
+    return { state: "sent", name: t("STOP sent"), then: translated(told.words) };
+  if (pressed.state === "sending") return { state: "sent", name: "STOP", then: t("sending …") };
+  return { state: "none", name: "STOP", then: t("hover at once and stay") };
 }
 
 /** STOP: always there, one press, for everybody; Resume beside it where no larger one is. */
@@ -41,13 +44,13 @@ export function StopBar() {
             {then}
           </span>
         </span>
-        <kbd aria-hidden="true">Space</kbd>
+        <kbd aria-hidden="true">{t("Space")}</kbd>
       </button>
       {holds && (screen.value !== "live" || !iFly.value) && (
-        <HoldButton hold={resume} class="resume" label="Resume after STOP">
+        <HoldButton hold={resume} class="resume" label={t("Resume after STOP")}>
           <ResumeIcon />
-          <span>Resume</span>
-          <small aria-hidden="true">hold</small>
+          <span>{t("Resume")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
       )}
     </footer>

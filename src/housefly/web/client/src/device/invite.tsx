@@ -1,12 +1,14 @@
 import { computed, signal } from "@preact/signals";
 import { panel, role, usedInvitations } from "../store";
+import type { Key } from "../messages/en";
 import { now } from "../wire/clock";
 import type { InviteReply, InviteRequest } from "../wire/messages";
 import { ask } from "../wire/socket";
+import { t, translated } from "../messages/language";
 
 type GuestRole = NonNullable<InviteRequest["role"]>;
 
-const ROLES: { role: GuestRole; title: string; may: string }[] = [
+const ROLES: { role: GuestRole; title: Key; may: Key }[] = [
   { role: "watch", title: "Watch", may: "may see everything, and STOP or land the drone" },
   { role: "ask", title: "Ask", may: "may watch and ask; a flight waits for your yes" },
   { role: "fly", title: "Fly", may: "may take control and fly" },
@@ -27,7 +29,8 @@ async function make(guest: GuestRole): Promise<void> {
   trouble.value = "";
   const reply = await ask({ type: "invite", role: guest });
   if (reply.type === "invite") made.value = { reply, role: guest };
-  else trouble.value = reply.type === "refused" ? reply.reason : "No link could be made.";
+  else trouble.value = 
+    reply.type === "refused" ? translated(reply.reason) : t("No link could be made.");
 }
 
 function close(): void {
@@ -38,19 +41,21 @@ function close(): void {
 /** A one-time link for another browser, as a QR code where a phone can reach this console. */
 export function Invite() {
   return (
-    <section class="sheet invite" role="dialog" aria-label="Invite">
-      <h2>Invite</h2>
+    <section class="sheet invite" role="dialog" aria-label={t("Invite")}>
+      <h2>{t("Invite")}</h2>
       {role.value === "admin" ? (
         <Roles />
       ) : (
-        <p class="quiet">Your role is “{role.value}”: ask who runs Housefly for a link.</p>
+        <p class="quiet">
+          {t("Your role is “{role}”: ask who runs Housefly for a link.", { role: role.value })}
+        </p>
       )}
       <Offer />
       <Code />
       <div class="row">
         <Hand />
         <button type="button" class="quiet-button" onClick={close}>
-          Close
+          {t("Close")}
         </button>
       </div>
     </section>
@@ -59,7 +64,7 @@ export function Invite() {
 
 function Roles() {
   return (
-    <div class="roles" role="group" aria-label="What the guest may do">
+    <div class="roles" role="group" aria-label={t("What the guest may do")}>
       {ROLES.map((one) => (
         <button
           type="button"
@@ -67,7 +72,7 @@ function Roles() {
           aria-pressed={made.value?.role === one.role}
           onClick={() => void make(one.role)}
         >
-          {one.title}
+          {t(one.title)}
         </button>
       ))}
     </div>
@@ -77,22 +82,24 @@ function Roles() {
 /** What the link is good for, until when; or what became of it. */
 function Offer() {
   if (trouble.value) return <p role="alert">△ {trouble.value}</p>;
-  if (!made.value) return <p class="quiet">What may the other one do? STOP is for everybody.</p>;
+  if (!made.value)
+    return <p class="quiet">{t("What may the other one do? STOP is for everybody.")}</p>;
   const { reply, role: guest } = made.value;
-  const may = ROLES.find((one) => one.role === guest)!.may;
+  const may = t(ROLES.find((one) => one.role === guest)!.may);
   if (usedInvitations.value.has(reply.name))
-    return <p role="status">✓ The link was used: whoever opened it {may}.</p>;
-  if (left.value <= 0) return <p role="status">△ The link is too old: make a new one.</p>;
+    return <p role="status">✓ {t("The link was used: whoever opened it {may}.", { may })}</p>;
+  if (left.value <= 0)
+    return <p role="status">△ {t("The link is too old: make a new one.")}</p>;
   return (
     <div class="offer">
       <p>
-        Whoever opens the link first {may}. It works once, for{" "}
-        <strong class="number">{clock(left.value)}</strong>.
+        {t("Whoever opens the link first {may}. It works once, for:", { may })}{" "}
+        <strong class="number">{clock(left.value)}</strong>
       </p>
       {!reply.qr && (
         <p class="quiet">
-          Only this machine reaches the console. For a phone, end Housefly and start it with{" "}
-          <kbd>housefly run --lan</kbd>.
+          {t("Only this machine reaches the console.")}{" "}
+          {t("For a phone, end Housefly and start it so:")} <kbd>housefly run --lan</kbd>
         </p>
       )}
       {(!reply.qr || copied.value === "failed") && <p class="link">{link(reply)}</p>}
@@ -108,7 +115,7 @@ function Code() {
       class="qr"
       viewBox={`0 0 ${qr.size} ${qr.size}`}
       role="img"
-      aria-label="QR code of the link"
+      aria-label={t("QR code of the link")}
     >
       <rect width={qr.size} height={qr.size} fill="#fff" />
       <path d={qr.path} fill="#000" shape-rendering="crispEdges" />
@@ -123,11 +130,11 @@ function Hand() {
   return (
     <>
       <button type="button" class="quiet-button" onClick={() => void copy(link(reply))}>
-        {copied.value === "done" ? "Copied" : "Copy link"}
+        {copied.value === "done" ? t("Copied") : t("Copy link")}
       </button>
       {"share" in navigator && (
         <button type="button" class="quiet-button" onClick={() => void share(link(reply))}>
-          Share
+          {t("Share")}
         </button>
       )}
     </>

@@ -6,6 +6,7 @@ import { banner, isConnecting } from "../headline";
 import { atTheDoor, bellRings } from "../scene/bell";
 import { events } from "../store";
 import { canSound, play, unlock, type Sound } from "./sounds";
+import { t, translated } from "../messages/language";
 
 const KEY = "housefly notify";
 const PAUSE = 6000;
@@ -66,13 +67,13 @@ let toldAt = -Infinity;
 function tellFault(words: string): void {
   if (!notifies.peek() || performance.now() - toldAt < PAUSE) return;
   toldAt = performance.now();
-  void tell("fault", "Housefly: look at the drone", sentence(words));
+  void tell("fault", t("Housefly: look at the drone"), sentence(translated(words)));
 }
 
 /** Listen for what is to be told. */
 export function notify(): void {
   effect(() => {
-    if (bellRings.value) void tell("bell", atTheDoor.peek(), "The bell rings.");
+    if (bellRings.value) void tell("bell", atTheDoor.peek(), t("The bell rings."));
     else void withdraw("bell");
   });
   let had = false;

@@ -3,6 +3,7 @@ import type { Projection } from "../map/projection";
 import { room } from "../store";
 import type { CoverageView } from "../wire/room-messages";
 import { coverage, showsCoverage } from "./store";
+import { decimal, t } from "../messages/language";
 
 const LEVELS = ["blind", "few", "some", "many"] as const;
 /** Letters of the grid where air is at flight height. */
@@ -41,7 +42,7 @@ export function CoverageLayer({ to }: { to: Projection }) {
     }),
   );
   return (
-    <g class="coverage" aria-label="Tracking coverage">
+    <g class="coverage" aria-label={t("Tracking coverage")}>
       {LEVELS.map((level) => (
         <path key={level} class={level} d={paths[level] ?? ""} />
       ))}
@@ -64,8 +65,11 @@ export function CoverageLegend() {
   if (!view || !showsCoverage.value) return null;
   return (
     <li class="seen">
-      number: how many of {view.cameras} cameras see {view.height.toFixed(1)} m above the floor;
-      hatched: fewer than {view.enough}, no tracking
+      {t("number: how many of {n} cameras see {d} m above the floor;", {
+        n: view.cameras,
+        d: decimal(view.height, 1),
+      })}{" "}
+      {t("hatched: fewer than {n}, no tracking", { n: view.enough })}
     </li>
   );
 }

@@ -14,6 +14,7 @@ import {
   setZone,
   zones,
 } from "./edits";
+import { t } from "../messages/language";
 
 /** A touch that moves less is a tap [px]. */
 const STILL = 8;
@@ -136,7 +137,7 @@ function Place({ to, place, open }: { to: Projection; place: PlaceView; open: bo
       <circle cx={u} cy={v} r={open ? 8 : 6} />
       {(open || to.scale > NAMES_FROM) && (
         <text x={u} y={v + 20}>
-          {place.title || "new place"}
+          {place.title || t("new place")}
         </text>
       )}
     </g>

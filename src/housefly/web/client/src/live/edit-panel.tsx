@@ -1,7 +1,9 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { Metres } from "../controls/metres";
+import type { Key } from "../messages/en";
 import { open } from "../store";
+import { UseNow } from "./edit-use";
 import {
   addInTheMiddle,
   aims,
@@ -23,12 +25,17 @@ import {
   zones,
   type Chosen,
 } from "./edits";
+import { t } from "../messages/language";
 
-const HINTS = {
+const HINTS: Record<"none" | Chosen["kind"], Key> = {
   none: "Tap the map for a new place, drag on it for a new zone, or:",
   places: "Tap or drag on the map to move what is open; Done when it is right.",
   zones: "Drag on the map to draw the open zone again; Done when it is right.",
 };
+
+const COUNTS_LATER: Key = "What is saved here counts from the next start of Housefly on.";
+const COUNTS_AFTER_SAVE: Key =
+  "What is saved here counts from the next start on, or as soon as you use it after Save.";
 
 /** What can be edited, in a list; what is open has a form, and beside it what is wrong with it. */
 export function EditPanel() {
@@ -36,14 +43,16 @@ export function EditPanel() {
   const wrong = trouble.value;
   const shownBeside = wrong?.item != null;
   return (
-    <section class="card edit" aria-label="Edit places and zones">
+    <section class="card edit" aria-label={t("Edit places and zones")}>
       <h2>
-        Places and no-fly zones{" "}
+        {t("Places and no-fly zones")}{" "}
         <small class="quiet">
           {view &&
             (view.version
-              ? `version ${view.version}${view.by ? `, by ${view.by}` : ""}`
-              : "never edited")}
+              ? view.by
+                ? t("version {n}, by {who}", { n: view.version, who: view.by })
+                : t("version {n}", { n: view.version })
+              : t("never edited"))}
         </small>
       </h2>
       {editObjection.value ? (
@@ -51,7 +60,7 @@ export function EditPanel() {
           △ {editObjection.value}
         </p>
       ) : (
-        <p class="quiet hint">{HINTS[chosen.value?.kind ?? "none"]}</p>
+        <p class="quiet advice">{t(HINTS[chosen.value?.kind ?? "none"])}</p>
       )}
       <p class="chips">
         <button
@@ -59,23 +68,23 @@ export function EditPanel() {
           aria-disabled={!view || editObjection.value !== ""}
           onClick={() => view && addInTheMiddle("places")}
         >
-          Add a place
+          {t("Add a place")}
         </button>
         <button
           type="button"
           aria-disabled={!view || editObjection.value !== ""}
           onClick={() => view && addInTheMiddle("zones")}
         >
-          Add a zone
+          {t("Add a zone")}
         </button>
       </p>
-      <ul class="items" data-scrolls aria-label="Places and zones">
+      <ul class="items" data-scrolls aria-label={t("Places and zones")}>
         {places.value.map((place, index) => (
           <Item
             key={`p${index}`}
             item={{ kind: "places", index }}
-            name={place.title || "new place"}
-            fixed={place.name === "home" ? "where it starts and lands" : ""}
+            name={place.title || t("new place")}
+            fixed={place.name === "home" ? t("where it starts and lands") : ""}
           >
             <PlaceForm index={index} />
           </Item>
@@ -84,7 +93,7 @@ export function EditPanel() {
           <Item
             key={`z${index}`}
             item={{ kind: "zones", index }}
-            name={zone.reason || "new zone"}
+            name={zone.reason || t("new zone")}
             fixed=""
           >
             <ZoneForm index={index} />
@@ -96,24 +105,30 @@ export function EditPanel() {
           △ {wrong.words}
         </p>
       )}
-      <p role="status">{said.value || (changed.value ? "Not saved yet." : "")}</p>
+      <p role="status">{said.value || (changed.value ? t("Not saved yet.") : "")}</p>
       {changed.value && (
         <p class="quiet">
-          The drone keeps the map that it started with: what is saved here counts from the next
-          start of Housefly on.
+          {t("The drone keeps the map that it started with.")}{" "}
+          {view?.use_time ? t(COUNTS_AFTER_SAVE) : t(COUNTS_LATER)}
         </p>
       )}
+      <UseNow />
       <div class="chips">
-        <Button words="Save" strong ready={changed.value && !editObjection.value} press={save} />
-        <Button words="Discard" ready={changed.value || wrong !== null} press={load} />
         <Button
-          words="Undo"
-          title="Go back to the version before"
+          words={t("Save")}
+          strong
+          ready={changed.value && !editObjection.value}
+          press={save}
+        />
+        <Button words={t("Discard")} ready={changed.value || wrong !== null} press={load} />
+        <Button
+          words={t("Undo")}
+          title={t("Go back to the version before")}
           ready={!changed.value && !editObjection.value && (view?.undoable ?? false)}
           press={undo}
         />
         <button type="button" onClick={() => open("live")}>
-          Close
+          {t("Close")}
         </button>
       </div>
     </section>
@@ -181,11 +196,11 @@ function Item({ item, name, fixed, children }: ItemProps) {
         </button>
         <button
           type="button"
-          aria-label={`Remove ${name}`}
+          aria-label={t("Remove {name}", { name })}
           aria-disabled={editObjection.value !== ""}
           onClick={() => remove(item)}
         >
-          Remove
+          {t("Remove")}
         </button>
       </div>
       {open && (
@@ -201,7 +216,7 @@ function Item({ item, name, fixed, children }: ItemProps) {
             </p>
           )}
           {children}
-          <button type="submit">Done</button>
+          <button type="submit">{t("Done")}</button>
         </form>
       )}
     </li>
@@ -215,26 +230,26 @@ function PlaceForm({ index }: { index: number }) {
   return (
     <>
       <label>
-        Name
+        {t("Name")}
         <input
           value={place.title}
           maxLength={40}
           required
           autocomplete="off"
-          placeholder="Reading corner"
+          placeholder={t("Reading corner")}
           onInput={(event) => setPlace(index, { title: event.currentTarget.value })}
         />
       </label>
-      {own && <small class="quiet">In commands: {place.name}</small>}
+      {own && <small class="quiet">{t("In commands: {name}", { name: place.name })}</small>}
       <fieldset>
-        <legend>Hovers at [m]</legend>
+        <legend>{t("Hovers at [m]")}</legend>
         <Metres name="x" value={x} set={(value) => setPlace(index, { viewpoint: [value, y] })} />
         <Metres name="y" value={y} set={(value) => setPlace(index, { viewpoint: [x, value] })} />
         <span />
         <Aim at="viewpoint" />
       </fieldset>
       <fieldset>
-        <legend>Looks at [m]</legend>
+        <legend>{t("Looks at [m]")}</legend>
         <Metres
           name="x"
           value={u}
@@ -246,7 +261,7 @@ function PlaceForm({ index }: { index: number }) {
           set={(value) => setPlace(index, { look_at: [u, value, height] })}
         />
         <Metres
-          name="height"
+          name={t("height")}
           value={height}
           set={(value) => setPlace(index, { look_at: [u, v, value] })}
         />
@@ -260,34 +275,34 @@ function PlaceForm({ index }: { index: number }) {
 function Aim({ at }: { at: "viewpoint" | "look_at" }) {
   return (
     <button type="button" aria-pressed={aims.value === at} onClick={() => (aims.value = at)}>
-      on map
+      {t("on map")}
     </button>
   );
 }
 
-const CORNERS = ["x from", "y from", "x to", "y to"];
+const CORNERS: Key[] = ["x from", "y from", "x to", "y to"];
 
 function ZoneForm({ index }: { index: number }) {
   const zone = zones.value[index]!;
   return (
     <>
       <label>
-        Reason
+        {t("Reason")}
         <input
           value={zone.reason}
           maxLength={60}
           required
           autocomplete="off"
-          placeholder="Wet floor"
+          placeholder={t("Wet floor")}
           onInput={(event) => setZone(index, { reason: event.currentTarget.value })}
         />
       </label>
       <fieldset class="two">
-        <legend>Kept free [m]</legend>
+        <legend>{t("Kept free [m]")}</legend>
         {[0, 2, 1, 3].map((k) => (
           <Metres
             key={k}
-            name={CORNERS[k]!}
+            name={t(CORNERS[k]!)}
             value={zone.rectangle[k]!}
             set={(value) => {
               const next: typeof zone.rectangle = [...zone.rectangle];

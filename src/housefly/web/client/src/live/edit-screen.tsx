@@ -7,6 +7,7 @@ import { EditPanel } from "./edit-panel";
 import { beginEditing } from "./edits";
 import { CoverageButton } from "./layers";
 import { showsCoverage } from "./store";
+import { t } from "../messages/language";
 
 /** Places and no-fly zones on the map, in a mode of its own: no touch here sends the drone. */
 export function EditScreen() {
@@ -15,11 +16,11 @@ export function EditScreen() {
     <main class="edit-deck">
       <section
         class="view map live"
-        aria-label="Map being edited"
+        aria-label={t("Map being edited")}
         data-coverage={showsCoverage.value}
         data-editing="true"
       >
-        <PlanFrame label="Floor plan being edited. The list of places and zones follows.">
+        <PlanFrame label={t("Floor plan being edited. The list of places and zones follows.")}>
           {(to) => (
             <>
               <RoomLayer to={to} visitors={false} />
@@ -28,13 +29,13 @@ export function EditScreen() {
             </>
           )}
         </PlanFrame>
-        <ul class="legend" aria-label="Legend">
+        <ul class="legend" aria-label={t("Legend")}>
           <li class="plain">
             <CoverageButton />
           </li>
           <CoverageLegend />
-          <li class="virtual">kept free by order</li>
-          <li class="inflated">too close</li>
+          <li class="virtual">{t("kept free by order")}</li>
+          <li class="inflated">{t("too close")}</li>
         </ul>
       </section>
       <EditPanel />

@@ -6,6 +6,7 @@ import { tab } from "../wire/socket";
 import type { EditsView, PlaceView, ZoneView } from "../wire/room-messages";
 import { showAt } from "./room-client";
 import type { Point } from "../store";
+import { t, translated } from "../messages/language";
 
 export interface Chosen {
   kind: "places" | "zones";
@@ -57,7 +58,7 @@ export function beginEditing(): void {
       saved.value = draft.saved;
       places.value = draft.places;
       zones.value = draft.zones;
-      said.value = "These changes were not saved before. Save or Discard them.";
+      said.value = t("These changes were not saved before. Save or Discard them.");
     });
   else void load();
 }
@@ -84,8 +85,8 @@ export const editObjection = computed(() => {
   if (iFly.value) return "";
   const who = verdict.value?.control;
   return who
-    ? `${who} has control, and only who has control may change the room.`
-    : "Take control first: only who has control may change the room.";
+    ? t("{who} has control, and only who has control may change the room.", { who })
+    : t("Take control first: only who has control may change the room.");
 });
 
 /** Take what the server has; unsaved changes are gone. */
@@ -99,7 +100,7 @@ export function save(): Promise<void> {
   const nameless = places.value.findIndex((place) => !place.title.trim());
   if (nameless >= 0)
     return Promise.resolve(
-      complain("Give this place a name.", { kind: "places", index: nameless }),
+      complain(t("Give this place a name."), { kind: "places", index: nameless }),
     );
   const own = new Map(view.own.map((place) => [place.name, JSON.stringify(place)]));
   const named = withNames(places.value);
@@ -130,6 +131,20 @@ export function undo(): Promise<void> {
   );
 }
 
+/** Give the newest version to the drone, which stands; its pilot starts again. */
+export function putIntoUse(): Promise<void> {
+  const body = { based_on: saved.value?.version ?? 0, tab: tab() };
+  return ask("/edits/use", body, () => "");
+}
+
+/** Say what became of it. */
+export function tell(words: string): void {
+  batch(() => {
+    said.value = words;
+    trouble.value = null;
+  });
+}
+
 async function ask(
   path: string,
   body: unknown,
@@ -143,9 +158,9 @@ async function ask(
     const answer = await fetchAsSession(path, post);
     const tree = (await answer.json()) as EditsView & { error?: string; item?: string };
     if (answer.ok) accept(tree, done(tree));
-    else complain(tree.error ?? answer.statusText, item(tree.item ?? ""));
+    else complain(translated(tree.error ?? answer.statusText), item(tree.item ?? ""));
   } catch {
-    complain("No contact with the server.", null);
+    complain(t("No contact with the server."), null);
   }
   busy.value = false;
 }
@@ -157,7 +172,7 @@ function accept(fresh: EditsView, words: string): void {
     zones.value = fresh.zones;
     chosen.value = null;
     trouble.value = null;
-    said.value = [words, fresh.words].filter(Boolean).join(" ");
+    said.value = [words, translated(fresh.words)].filter(Boolean).join(" ");
   });
 }
 

@@ -4,6 +4,7 @@ import { open } from "../store";
 import { SpaceButton } from "../view3d/space-button";
 import { toggleCoverage } from "./room-client";
 import { showsCoverage } from "./store";
+import { t } from "../messages/language";
 
 const KEY = "housefly layers";
 const known: Record<string, boolean> = JSON.parse(localStorage.getItem(KEY) ?? "{}");
@@ -23,7 +24,7 @@ export function CoverageButton() {
       aria-pressed={showsCoverage.value}
       onClick={() => void toggleCoverage()}
     >
-      Tracking coverage
+      {t("Tracking coverage")}
     </button>
   );
 }
@@ -32,26 +33,26 @@ export function CoverageButton() {
 export function Layers() {
   return (
     <details class="layers">
-      <summary>Layers</summary>
+      <summary>{t("Layers")}</summary>
       <div>
         <button
           type="button"
           aria-pressed={showsThings.value}
           onClick={() => (showsThings.value = !showsThings.value)}
         >
-          People and things
+          {t("People and things")}
         </button>
         <button
           type="button"
           aria-pressed={showsMargins.value}
           onClick={() => (showsMargins.value = !showsMargins.value)}
         >
-          Safety margins
+          {t("Safety margins")}
         </button>
         <CoverageButton />
         <SpaceButton />
         <button type="button" onClick={() => open("edit")}>
-          Edit the room
+          {t("Edit the room")}
         </button>
       </div>
     </details>

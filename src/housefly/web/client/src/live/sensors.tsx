@@ -3,6 +3,7 @@ import { milliseconds } from "../format";
 import type { SensorAnswer } from "../wire/room-messages";
 import { sensors, trouble, wantsSensors } from "./store";
 import { ago } from "./words";
+import { t, tongue, translated } from "../messages/language";
 
 type Health = "well" | "warning" | "fault";
 
@@ -21,15 +22,18 @@ export function Sensors() {
   const memory = sensors.value?.memory;
   const wrong = all.filter((one) => health(one) !== "well").length;
   return (
-    <section class="card sensors" aria-label="Sensors">
+    <section class="card sensors" aria-label={t("Sensors")}>
       <h2>
-        Sensors{" "}
+        {t("Sensors")}{" "}
         <small class="quiet">
           {all.length === 0
-            ? "none heard yet"
+            ? t("none heard yet")
             : wrong
-              ? `${wrong} of ${all.length} need a look`
-              : `all ${all.length} are well`}
+              ? t("{n} of {all} needs a look|{n} of {all} need a look", {
+                  n: wrong,
+                  all: all.length,
+                })
+              : t("all {n} are well", { n: all.length })}
         </small>
       </h2>
       <ul tabIndex={0} data-scrolls data-old={trouble.value !== ""}>
@@ -41,9 +45,9 @@ export function Sensors() {
         {memory && (
           <li data-health={memory === ALL_KEPT ? "well" : "warning"}>
             <span class="mark">{memory === ALL_KEPT ? MARK.well : MARK.warning}</span>
-            <span>memory</span>
-            <span class="quiet">{memory === ALL_KEPT && memory}</span>
-            {memory !== ALL_KEPT && <em>{memory}</em>}
+            <span>{t("memory")}</span>
+            <span class="quiet">{memory === ALL_KEPT && translated(memory)}</span>
+            {memory !== ALL_KEPT && <em lang={tongue(translated(memory))}>{translated(memory)}</em>}
           </li>
         )}
       </ul>
@@ -55,7 +59,7 @@ function Row({ one }: { one: SensorAnswer }) {
   const state = health(one);
   return (
     <li data-health={state}>
-      <span class="mark" aria-label={state}>
+      <span class="mark" aria-label={t(state)}>
         {MARK[state]}
       </span>
       <span>{one.title}</span>
@@ -63,7 +67,7 @@ function Row({ one }: { one: SensorAnswer }) {
         {one.rate_hz >= 0.5 ? `${Math.round(one.rate_hz)} Hz · ` : ""}
         {heard(one.age)}
       </span>
-      {one.problem && <em>{one.problem}</em>}
+      {one.problem && <em lang={tongue(translated(one.problem))}>{translated(one.problem)}</em>}
     </li>
   );
 }
@@ -73,6 +77,6 @@ function health(one: SensorAnswer): Health {
 }
 
 function heard(age: number | null): string {
-  if (age === null) return "never heard";
+  if (age === null) return t("never heard");
   return age < 1 ? milliseconds(age) : ago(age);
 }

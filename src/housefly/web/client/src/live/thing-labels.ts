@@ -5,11 +5,14 @@ import { at, moment, situations, type Seen } from "./store";
 import { percent } from "../format";
 import { room } from "../store";
 import { ago, isWorry, kindOf, worthSaying } from "./words";
+import { t, translated } from "../messages/language";
 
 export const LINE = 13;
 export const MOVES = ["person", "robot", "object"];
 const OLD = 10;
+/** On a narrow map [px] that is not near [px/m] only names and worries have room. */
 const NARROW = 500;
+const NEAR = 50;
 const SPARED: Line["kind"][] = ["content", "situation"];
 const OUTSIDE_COST = 1e4;
 
@@ -36,13 +39,19 @@ export function wordsOf(
   const still = (one: Seen): number => (MOVES.includes(kindOf(one)) ? 0 : 1);
   const words = new Map<string, Words>();
   for (const one of [...drawn].sort((a, b) => still(a) - still(b))) {
-    const age = one.seenAt === null ? null : Math.max(0, moment.value - one.seenAt);
+    const age = ageOf(one);
     const all = linesOf(one, age, inside.get(one.thing) ?? []);
-    const lines = to.width < NARROW ? all.filter((line) => !SPARED.includes(line.kind)) : all;
+    const isTight = to.width < NARROW && to.scale < NEAR;
+    const lines = isTight ? all.filter((line) => !SPARED.includes(line.kind)) : all;
     const said = all.map((line) => line.text).join(", ");
     words.set(one.thing, { lines, said, age, ...spotOf(one, lines, to, taken) });
   }
   return words;
+}
+
+/** Time since a thing was seen at the moment that is shown [s]; null of one never seen. */
+export function ageOf(thing: Seen): number | null {
+  return thing.seenAt === null ? null : Math.max(0, moment.value - thing.seenAt);
 }
 
 export function personRadius(scale: number): number {
@@ -85,12 +94,13 @@ function spotOf(
   return best;
 }
 
-function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line[] {
+/** What is said of a thing, the same on the plan and in space. */
+export function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line[] {
   const kind = kindOf(thing);
   const lines: Line[] = [{ kind: "name", text: thing.name }];
   for (const held of at.value === null ? worthSaying(situations.value) : []) {
     if (held.thing !== thing.thing || held.kind === "person present") continue;
-    const words = `${held.kind.replace(/^person /, "")}, ${percent(held.confidence)}`;
+    const words = `${translated(held.kind).replace(/^person /, "")}, ${percent(held.confidence)}`;
     lines.push(
       isWorry(held.kind)
         ? { kind: "worry", text: `△ ${words}` }
@@ -100,9 +110,11 @@ function linesOf(thing: Seen, age: number | null, contents: Seen[]): Line[] {
   if (contents.length)
     lines.push({
       kind: "content",
-      text: `${kind === "person" ? "has" : "in it:"} ${contents.map((one) => one.name).join(", ")}`,
+      text: t(kind === "person" ? "has {names}" : "in it: {names}", {
+        names: contents.map((one) => one.name).join(", "),
+      }),
     });
-  if (age === null && MOVES.includes(kind)) lines.push({ kind: "age", text: "never seen" });
+  if (age === null && MOVES.includes(kind)) lines.push({ kind: "age", text: t("never seen") });
   if (age !== null && age > OLD && MOVES.includes(kind))
     lines.push({ kind: "age", text: ago(age) });
   return lines;

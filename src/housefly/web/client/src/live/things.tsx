@@ -1,6 +1,7 @@
 import { TRACKED, at, found, obstacles, shown, type Seen } from "./store";
 import type { ObstacleAnswer } from "../wire/room-messages";
 import { turn, type Projection } from "../map/projection";
+import { keepInView } from "../map/view";
 import { find } from "./room-client";
 import { LINE, MOVES, personRadius, wordsOf, type Words } from "./thing-labels";
 import { percent } from "../format";
@@ -94,6 +95,7 @@ function Mark({ to, thing, words }: MarkProps) {
         opacity: MOVES.includes(kind) ? fade(age) : 1,
       }}
       onClick={press}
+      onFocus={(event) => event.currentTarget.matches(":focus-visible") && keepInView([x, y])}
       onKeyDown={(event) => event.key === "Enter" && press(event)}
     >
       <circle class="reach" r="16" />
@@ -132,7 +134,8 @@ function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: 
   );
 }
 
-function fade(age: number | null): number {
+/** How pale a thing is that was seen so long ago [s]. */
+export function fade(age: number | null): number {
   return FADES.find(([limit]) => age !== null && age < limit)?.[1] ?? FAINTEST;
 }
 

@@ -1,28 +1,29 @@
 // Times and ages as people say them, and what sort of thing something is.
 import type { SituationAnswer, EventAnswer } from "../wire/room-messages";
+import type { Key } from "../messages/en";
 import { nameOf, things, type Seen } from "./store";
+import { language, t, translated } from "../messages/language";
 
 const NOW = 2;
-const UNITS: [number, string][] = [
-  [86400, "days"],
-  [3600, "h"],
-  [60, "min"],
-  [1, "s"],
+const UNITS: [number, Key][] = [
+  [86400, "{n} days ago"],
+  [3600, "{n} h ago"],
+  [60, "{n} min ago"],
+  [1, "{n} s ago"],
 ];
 
 export function ago(age: number): string {
-  if (age < NOW) return "now";
-  const [length, unit] = UNITS.find(([seconds]) => age >= 2 * seconds) ?? UNITS[3]!;
-  return `${Math.floor(age / length)} ${unit} ago`;
+  if (age < NOW) return t("now");
+  const [length, words] = UNITS.find(([seconds]) => age >= 2 * seconds) ?? UNITS[3]!;
+  return t(words, { n: Math.floor(age / length) });
 }
 
 /** Time of day, and the day when it is not today. */
 export function clock(unix: number): string {
   const date = new Date(1000 * unix);
   const time = date.toTimeString().slice(0, 8);
-  return date.toDateString() === new Date().toDateString()
-    ? time
-    : `${date.toDateString().slice(4, 10)} ${time}`;
+  if (date.toDateString() === new Date().toDateString()) return time;
+  return `${date.toLocaleDateString(language.value, { month: "short", day: "numeric" })} ${time}`;
 }
 
 /** Sensor floors number the people on them; the catalogue may not know those. */
@@ -31,9 +32,10 @@ export function kindOf(thing: Seen): string {
 }
 
 export function happened(event: EventAnswer): string {
-  const words = event.kind.charAt(0).toUpperCase() + event.kind.slice(1);
+  const kind = translated(event.kind);
+  const words = kind.charAt(0).toUpperCase() + kind.slice(1);
   const whose = things.value.has(event.thing) ? `: ${nameOf(event.thing)}` : "";
-  const by = event.cause ? ` by ${nameOf(event.cause)}` : "";
+  const by = event.cause ? ` ${t("by {name}", { name: nameOf(event.cause) })}` : "";
   const said =
     event.source !== event.thing && things.value.has(event.source)
       ? ` (${nameOf(event.source)})`

@@ -10,6 +10,7 @@ import {
   type Curve,
 } from "./curve-values";
 import { polyline, type Projection } from "./projection";
+import { decimal, t } from "../messages/language";
 
 const DOT = 2.2;
 const REST_BAR = 9;
@@ -106,9 +107,9 @@ export function SpeedLegend() {
             <i key={kind} data-speed={kind} />
           ))}
         </span>
-        0 to {topSpeed.value.toFixed(1)} m/s, a dot each second
+        {t("0 to {d} m/s, a dot each second", { d: decimal(topSpeed.value, 1) })}
       </li>
-      <li class="plain rests">stops here if it brakes now</li>
+      <li class="plain rests">{t("stops here if it brakes now")}</li>
     </>
   );
 }

@@ -1,7 +1,10 @@
 import { goal } from "../goal";
 import { path, state, type Point } from "../store";
-import { CurveLayer } from "./curve";
+import { lazyPart } from "./lazy-part";
 import { polyline, type Projection } from "./projection";
+import { decimal } from "../messages/language";
+
+const CurveLayer = lazyPart(async () => (await import("./curve")).CurveLayer);
 
 /** The path that is being flown: what is left of it strong, what is done faint. */
 export function PathLayer({ to }: { to: Projection }) {
@@ -37,7 +40,7 @@ export function GoalLayer({ to }: { to: Projection }) {
   if (!aim) return null;
   const [u, v] = to.at(aim.point);
   const way = aim.plan?.path;
-  const words = way ? `${way.length.toFixed(1)} m · ${Math.round(aim.plan!.duration)} s` : "";
+  const words = way ? `${decimal(way.length, 1)} m · ${Math.round(aim.plan!.duration)} s` : "";
   return (
     <g class="ghost" data-possible={way != null}>
       {way && <path class="preview" d={polyline(to, way.waypoints)} />}

@@ -3,72 +3,142 @@ import { useEffect, useRef } from "preact/hooks";
 import { freshness, poseAge, room, state } from "../store";
 import { runs } from "./curve";
 import { braking, curve, heightAt, topSpeed, type Curve } from "./curve-values";
+import { decimal, t } from "../messages/language";
 
-const HEIGHT = 64;
-const INSIDE = { left: 26, right: 10, top: 10, bottom: 15 };
+/** Space around the chart [px]; a slim one, as on phones, has no words in it. */
+const INSIDE = {
+  full: { left: 26, right: 10, top: 10, bottom: 15 },
+  slim: { left: 26, right: 8, top: 6, bottom: 6 },
+};
+const SLIM = 50;
 /** The drone's hull is so high and wide [m]. */
 const HULL = { high: 0.13, wide: 0.52 };
+/** Where the drone stands in a chart without a curve, from its left edge [px]. */
+const ASIDE = 14;
 
-const width = signal(0);
+const size = signal<[number, number]>([0, 0]);
 
 interface Frame {
   across(mark: number): number;
   up(height: number): number;
+  left: number;
+  right: number;
+  foot: number;
   perMetre: number;
   perHeight: number;
+  isSlim: boolean;
 }
 
-function frameOf(way: Curve, top: number): Frame {
-  const high = HEIGHT - INSIDE.top - INSIDE.bottom;
-  const perMetre = Math.max(1, width.value - INSIDE.left - INSIDE.right) / (way.marks.at(-1)! || 1);
+function frameOf(length: number, top: number): Frame {
+  const [width, height] = size.value;
+  const isSlim = height < SLIM;
+  const inside = INSIDE[isSlim ? "slim" : "full"];
+  const high = height - inside.top - inside.bottom;
+  const perMetre = Math.max(1, width - inside.left - inside.right) / (length || 1);
   return {
-    across: (mark) => INSIDE.left + perMetre * mark,
-    up: (height) => INSIDE.top + high * (1 - Math.max(0, Math.min(1, height / top))),
+    across: (mark) => inside.left + perMetre * mark,
+    up: (metres) => inside.top + high * (1 - Math.max(0, Math.min(1, metres / top))),
+    left: inside.left,
+    right: width - inside.right,
+    foot: height - 3,
     perMetre,
     perHeight: high / top,
+    isSlim,
   };
 }
 
 /** The height along the curve that is flown: speed as colour, the drone, and where it can rest. */
 export function HeightProfile() {
-  const way = curve.value;
-  if (!way) return null;
-  return <Profile way={way} />;
-}
-
-function Profile({ way }: { way: Curve }) {
-  const box = useRef<HTMLDivElement>(null);
+  const chart = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const observer = new ResizeObserver(([entry]) => (width.value = entry!.contentRect.width));
-    observer.observe(box.current!);
+    const observer = new ResizeObserver(([entry]) => {
+      size.value = [entry!.contentRect.width, entry!.contentRect.height];
+    });
+    observer.observe(chart.current!);
     return () => observer.disconnect();
   }, []);
-  const top = room.value?.limits.height_max ?? 2;
-  const frame = frameOf(way, top);
+  const way = curve.value;
+  const height = state.value?.position?.[2] ?? null;
   return (
-    <div class="profile" ref={box}>
-      {width.value > 0 && (
-        <svg width={width.value} height={HEIGHT} role="img" aria-label={inWords(way)}>
-          <Axes frame={frame} top={top} />
-          <Line frame={frame} way={way} />
-          <Here frame={frame} way={way} />
-          <text class="note" x={width.value - INSIDE.right} y={HEIGHT - 3} text-anchor="end">
-            {inWords(way)}
-          </text>
-        </svg>
-      )}
+    <div class="profile" data-curve={way !== null} data-age={freshness(poseAge.value)}>
+      <span class="value">{height === null ? "–" : `${decimal(height, 2)} m`}</span>
+      <div class="chart" ref={chart}>
+        {size.value[0] > 0 && <Chart way={way} height={height} />}
+      </div>
     </div>
+  );
+}
+
+function Chart({ way, height }: { way: Curve | null; height: number | null }) {
+  const top = room.value?.limits.height_max ?? 2;
+  const frame = frameOf(way?.marks.at(-1) ?? 0, top);
+  const words = way ? inWords(way) : height === null ? t("height unknown") : inAir(height);
+  return (
+    <svg width={size.value[0]} height={size.value[1]} role="img" aria-label={words}>
+      <Axes frame={frame} top={top} />
+      {way ? <Line frame={frame} way={way} /> : <FlightHeight frame={frame} />}
+      {way ? <Here frame={frame} way={way} /> : <Aside frame={frame} height={height} />}
+      {way && !frame.isSlim && (
+        <text class="note" x={frame.right} y={frame.foot} text-anchor="end">
+          {words}
+        </text>
+      )}
+    </svg>
+  );
+}
+
+const inAir = (height: number): string => 
+  t("height {d} m, no curve is flown", { d: decimal(height, 1) });
+
+/** Where there is no curve: the height at which the drone flies, and the drone at its own. */
+function FlightHeight({ frame }: { frame: Frame }) {
+  const wanted = room.value?.flight_height;
+  if (wanted === undefined) return null;
+  return <path class="wanted" d={`M${frame.left} ${frame.up(wanted)}H${frame.right}`} />;
+}
+
+function Aside({ frame, height }: { frame: Frame; height: number | null }) {
+  if (height === null) return null;
+  return (
+    <g class="here" data-age={freshness(poseAge.value)}>
+      <Hull frame={frame} at={frame.left + ASIDE} height={height} half={ASIDE - 2} />
+    </g>
+  );
+}
+
+interface HullProps {
+  frame: Frame;
+  at: number;
+  height: number;
+  half: number;
+}
+
+function Hull({ frame, at, height, half }: HullProps) {
+  const left = Math.max(frame.left, at - half);
+  return (
+    <rect
+      class="hull"
+      x={left}
+      y={frame.up(height) - Math.max(2, (HULL.high / 2) * frame.perHeight)}
+      width={Math.max(4, Math.min(frame.right, at + half) - left)}
+      height={Math.max(4, HULL.high * frame.perHeight)}
+      rx="2"
+    />
   );
 }
 
 function inWords(way: Curve): string {
   const [low, high] = [Math.min(...way.heights), Math.max(...way.heights)];
   const heights =
-    high - low < 0.05 ? `${high.toFixed(1)} m` : `${low.toFixed(1)} to ${high.toFixed(1)} m`;
-  const seconds = Math.round(way.times.at(-1)!);
-  const fastest = Math.max(...way.speeds).toFixed(1);
-  const length = way.marks.at(-1)!.toFixed(1);
-  return `height ${heights} over ${length} m in ${seconds} s, up to ${fastest} m/s`;
+    high - low < 0.05
+      ? `${decimal(high, 1)} m`
+      : t("{low} to {high} m", { low: decimal(low, 1), high: decimal(high, 1) });
+  return t("height {heights} over {length} m in {n} s, up to {fastest} m/s", {
+    heights,
+    length: decimal(way.marks.at(-1)!, 1),
+    n: Math.round(way.times.at(-1)!),
+    fastest: decimal(Math.max(...way.speeds), 1),
+  });
 }
 
 function Axes({ frame, top }: { frame: Frame; top: number }) {
@@ -77,10 +147,12 @@ function Axes({ frame, top }: { frame: Frame; top: number }) {
     <g class="axes" aria-hidden="true">
       {ticks.map((tick) => (
         <g key={tick}>
-          <path d={`M${INSIDE.left} ${frame.up(tick)}H${width.value - INSIDE.right}`} />
-          <text x={INSIDE.left - 4} y={frame.up(tick) + 4} text-anchor="end">
-            {tick} m
-          </text>
+          <path d={`M${frame.left} ${frame.up(tick)}H${frame.right}`} />
+          {(!frame.isSlim || tick === 0 || tick === ticks.length - 1) && (
+            <text x={frame.left - 4} y={frame.up(tick) + 4} text-anchor="end">
+              {tick} m
+            </text>
+          )}
         </g>
       ))}
     </g>
@@ -120,20 +192,12 @@ function Here({ frame, way }: { frame: Frame; way: Curve }) {
   const [sigma, sigmaUp] = [now.position_std ?? 0, now.height_std ?? 0];
   const rest = frame.across(brakes.rest);
   const half = Math.max(3, (HULL.wide / 2) * frame.perMetre);
-  const left = Math.max(INSIDE.left, u - half);
   return (
     <g class="here" data-age={freshness(poseAge.value)}>
       {brakes.distance > 0 && (
         <path class="rest" d={`M${rest} ${frame.up(heightAt(way, brakes.rest)) - 8}v16`} />
       )}
-      <rect
-        class="hull"
-        x={left}
-        y={v - Math.max(2, (HULL.high / 2) * frame.perHeight)}
-        width={Math.max(4, Math.min(width.value - INSIDE.right, u + half) - left)}
-        height={Math.max(4, HULL.high * frame.perHeight)}
-        rx="2"
-      />
+      <Hull frame={frame} at={u} height={now.position[2]} half={half} />
       <ellipse
         class="sigma"
         cx={u}
@@ -141,14 +205,19 @@ function Here({ frame, way }: { frame: Frame; way: Curve }) {
         rx={(sigma * frame.perMetre).toFixed(1)}
         ry={(sigmaUp * frame.perHeight).toFixed(1)}
       />
-      <text class="sigmas" x={INSIDE.left} y={HEIGHT - 3}>
-        {`± ${millimetres(sigma)} in the plane, ± ${millimetres(sigmaUp)} in height`}
-        {brakes.distance > 0 && `; stops in ${brakes.distance.toFixed(2)} m`}
-      </text>
+      {!frame.isSlim && (
+        <text class="sigmas" x={frame.left} y={frame.foot}>
+          {t("± {one} in the plane, ± {other} in height", {
+            one: millimetres(sigma),
+            other: millimetres(sigmaUp),
+          })}
+          {brakes.distance > 0 && t("; stops in {d} m", { d: decimal(brakes.distance, 2) })}
+        </text>
+      )}
     </g>
   );
 }
 
 function millimetres(metres: number): string {
-  return metres < 1 ? `${Math.round(1000 * metres)} mm` : `${metres.toFixed(1)} m`;
+  return metres < 1 ? `${Math.round(1000 * metres)} mm` : `${decimal(metres, 1)} m`;
 }

@@ -1,4 +1,5 @@
 import { freshness, poseAge, room, state } from "../store";
+import { decimal, t } from "../messages/language";
 
 const TICK = 0.5;
 
@@ -14,10 +15,12 @@ export function HeightStrip() {
     <div
       class="height"
       role="img"
-      aria-label={height === null ? "Height unknown" : `Height ${height.toFixed(1)} metres`}
+      aria-label={
+        height === null ? t("Height unknown") : t("Height {d} metres", { d: decimal(height, 1) })
+      }
       data-age={freshness(poseAge.value)}
     >
-      <span class="value">{height === null ? "–" : height.toFixed(2)}</span>
+      <span class="value">{height === null ? "–" : decimal(height, 2)}</span>
       <div class="tube">
         {ticks.map((tick) => (
           <span key={tick} class="tick" style={{ bottom: share(tick) }}>
@@ -26,7 +29,7 @@ export function HeightStrip() {
         ))}
         <span class="column" style={{ height: share(height ?? 0) }} />
         {wanted !== null && (
-          <span class="wanted" style={{ bottom: share(wanted) }} title="Flight height" />
+          <span class="wanted" style={{ bottom: share(wanted) }} title={t("Flight height")} />
         )}
       </div>
       <span class="unit">m</span>

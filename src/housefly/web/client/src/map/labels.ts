@@ -28,7 +28,9 @@ export function labels(view: RoomView, to: Projection): Label[] {
   const places = view.places
     .filter((place) => place.name !== "home")
     .map((place) => besideMark(place, to, taken));
-  const things = thingBoxes(view, to).flatMap(({ text, box }) => inside(text, box, taken));
+  const things = thingBoxes(view, to).flatMap(({ text, box }) =>
+    inside(text, shown(box, to), taken),
+  );
   return [...places, ...things];
 }
 
@@ -57,6 +59,16 @@ function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
   const [x, y] = spots[costs.indexOf(Math.min(...costs))]!;
   taken.push(boxOf(place.title, x, y));
   return { kind: "spot", text: place.title, x, y };
+}
+
+/** The part of a box that is in view: there its name stands. */
+function shown(box: Box, to: Projection): Box {
+  return {
+    x0: Math.max(0, box.x0),
+    y0: Math.max(0, box.y0),
+    x1: Math.min(to.width, box.x1),
+    y1: Math.min(to.height, box.y1),
+  };
 }
 
 function inside(text: string, box: Box, taken: Box[]): Label[] {

@@ -1,4 +1,3 @@
-import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { choosePoint } from "../goal";
@@ -19,39 +18,37 @@ import { ObstacleLayer, placeless, ThingsLayer } from "../live/things";
 import { isWorry, worthSaying } from "../live/words";
 import { SwapButton } from "../panels/video";
 import { RecordedBanner } from "../replay/recorded";
-import { RecordedLayer } from "../replay/recorded-layer";
 import { replaying } from "../replay/replay";
-import { room } from "../store";
-import { SpeedLegend } from "./curve";
+import { screen } from "../store";
 import { inSpace, RoomInSpace, SpaceButton } from "../view3d/space-button";
 import { DroneLayer } from "./drone";
 import { GoalLayer, PathLayer } from "./goal-layer";
-import { insideOf } from "./grid";
+import { listenToHands } from "./gestures";
 import { HeightStrip } from "./height";
-import { HeightProfile } from "./height-profile";
-import { fit, type Projection } from "./projection";
+import { lazyPart } from "./lazy-part";
+import type { Projection } from "./projection";
 import { RoomLayer } from "./room";
+import { moving, projection, size, zoom } from "./view";
+import { ToTheDrone, WholeRoomButton, ZoomButtons } from "./zoom";
+import { t, translated } from "../messages/language";
 
-const MARGIN = 14;
-const size = signal<[number, number]>([0, 0]);
-
-export const projection = computed(() => {
-  const view = room.value;
-  const [width, height] = size.value;
-  return view && width > 0 && height > 0
-    ? fit(insideOf(view.grid) ?? view.bounds, width, height, MARGIN)
-    : null;
-});
+const SpeedLegend = lazyPart(async () => (await import("./curve")).SpeedLegend);
+const HeightProfile = lazyPart(async () => (await import("./height-profile")).HeightProfile);
+const RecordedLayer = lazyPart(
+  async () => (await import("../replay/recorded-layer")).RecordedLayer,
+);
 
 interface FrameProps {
   label: string;
+  /** Where a tap goes: the point of the room. */
   onPoint?: (point: [number, number]) => void;
   children: (to: Projection) => ComponentChildren;
 }
 
-/** A floor plan as large as there is room for; one at a time is on the screen. */
+/** A floor plan to zoom and move; one at a time is on the screen. */
 export function PlanFrame({ label, onPoint, children }: FrameProps) {
   const frame = useRef<HTMLDivElement>(null);
+  useEffect(() => listenToHands(frame.current!, () => screen.peek() === "edit"), []);
   useEffect(() => {
     const observer = new ResizeObserver(([entry]) => {
       size.value = [entry!.contentRect.width, entry!.contentRect.height];
@@ -65,23 +62,30 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
     onPoint?.(to!.back([event.clientX - box.left, event.clientY - box.top]));
   };
   return (
-    <div class="plan-view" ref={frame}>
-      {to ? (
-        <svg
-          width={to.width}
-          height={to.height}
-          tabindex={onPoint ? 0 : -1}
-          role="group"
-          aria-label={label}
-          data-scale={to.scale}
-          onClick={click}
-        >
-          {children(to)}
-        </svg>
-      ) : (
-        <p class="veil">Waiting for the room</p>
-      )}
-    </div>
+    <>
+      <div class="plan-view" ref={frame} data-moving={moving.value} data-zoomed={zoom.value > 1}>
+        {to ? (
+          <svg
+            width={to.width}
+            height={to.height}
+            tabindex={0}
+            role="group"
+            aria-label={label}
+            data-scale={to.scale}
+            data-origin={to.at([0, 0]).join(" ")}
+            data-scrolls={onPoint ? undefined : ""}
+            onClick={click}
+          >
+            {children(to)}
+          </svg>
+        ) : (
+          <p class="veil">{t("Waiting for the room")}</p>
+        )}
+        <WholeRoomButton />
+        {to && <ToTheDrone to={to} />}
+      </div>
+      <ZoomButtons />
+    </>
   );
 }
 
@@ -93,7 +97,7 @@ export function MapView() {
   return (
     <section
       class="view map live"
-      aria-label="Map of the room"
+      aria-label={t("Map of the room")}
       data-past={past}
       data-recorded={recorded}
       data-margins={showsMargins.value}
@@ -103,7 +107,9 @@ export function MapView() {
         <RoomInSpace />
       ) : (
         <PlanFrame
-          label="Floor plan with the drone. Arrow keys move the goal; a list of places follows."
+          label={t(
+            "Floor plan with the drone. Arrow keys move the goal; a list of places follows.",
+          )}
           {...(past ? {} : { onPoint: (point: [number, number]) => choosePoint(point) })}
         >
           {(to) => (
@@ -134,32 +140,43 @@ export function MapView() {
 function Notes() {
   const lost = placeless();
   return (
-    <ul class="legend" aria-label="Legend">
+    <ul class="legend" aria-label={t("Legend")}>
       <CoverageLegend />
+      {trouble.value && (
+        <li class="plain">
+          <span role="status">
+            △{" "}
+            {t("People and things are not shown: {why}.", {
+              why: translated(trouble.value.split(":")[0] ?? ""),
+            })}
+          </span>
+        </li>
+      )}
       <SpeedLegend />
-      {showsMargins.value && <li class="virtual">kept free by order</li>}
-      {showsMargins.value && <li class="inflated">too close to fly</li>}
+      {showsMargins.value && <li class="virtual">{t("kept free by order")}</li>}
+      {showsMargins.value && <li class="inflated">{t("too close to fly")}</li>}
       {hindering.value > 0 && (
-        <li class="plain">△ {hindering.value} in the way that no map knows</li>
+        <li class="plain">△ {t("{n} in the way that no map knows", { n: hindering.value })}</li>
       )}
       {worthSaying(situations.value)
         .filter((one) => isWorry(one.kind))
         .map((one) => (
           <li class="trouble" key={`${one.kind} ${one.thing}`}>
-            △ {nameOf(one.thing)}: {one.kind.replace(/^person /, "")},{" "}
-            {percent(one.confidence)} sure{one.evidence && `; ${one.evidence}`}
+            △ {nameOf(one.thing)}: {translated(one.kind).replace(/^person /, "")},{" "}
+            {t("{p} sure", { p: percent(one.confidence) })}
+            {one.evidence && `; ${one.evidence}`}
+            {trouble.value && `, ${t("told before")}`}
           </li>
         ))}
       {lost.length > 0 && (
         <li class="plain">
-          Place unknown: {lost.map((one) => `${one.name} (in ${nameOf(one.inside)})`).join(", ")}
-        </li>
-      )}
-      {trouble.value && (
-        <li class="plain">
-          <span role="status">
-            △ People and things are not shown: {trouble.value.split(":")[0]}.
-          </span>
+          {t("Place unknown: {names}", {
+            names: lost
+              .map((one) =>
+                t("{name} (in {holder})", { name: one.name, holder: nameOf(one.inside) }),
+              )
+              .join(", "),
+          })}
         </li>
       )}
     </ul>

@@ -9,12 +9,19 @@ export interface Projection {
   back(pixel: Point): Point;
 }
 
-/** Fit bounds (x_min, y_min, x_max, y_max) [m] into width x height [px] with a margin [px]. */
+/** x_min, y_min, x_max, y_max [m]. */
+export type Bounds = [number, number, number, number];
+
+/**
+ * Fit bounds into width x height [px] with a margin [px]. A band at the top, where buttons lie, is
+ * left free as far as there is room below.
+ */
 export function fit(
-  bounds: [number, number, number, number],
+  bounds: Bounds,
   width: number,
   height: number,
   margin: number,
+  band = 0,
 ): Projection {
   const [x0, y0, x1, y1] = bounds;
   const scale = Math.max(
@@ -22,13 +29,25 @@ export function fit(
     Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0)),
   );
   const left = (width - scale * (x1 - x0)) / 2;
-  const top = (height - scale * (y1 - y0)) / 2;
+  const free = height - scale * (y1 - y0);
+  const top = Math.max(free / 2, Math.min(band, free - margin));
+  return placed(scale, width, height, [x0, y1], [left, top]);
+}
+
+/** The projection in which a point of the room lies on a pixel. */
+export function placed(
+  scale: number,
+  width: number,
+  height: number,
+  [x0, y0]: Point,
+  [u0, v0]: Point,
+): Projection {
   return {
     scale,
     width,
     height,
-    at: ([x, y]) => [left + scale * (x - x0), top + scale * (y1 - y)],
-    back: ([u, v]) => [x0 + (u - left) / scale, y1 - (v - top) / scale],
+    at: ([x, y]) => [u0 + scale * (x - x0), v0 - scale * (y - y0)],
+    back: ([u, v]) => [x0 + (u - u0) / scale, y0 - (v - v0) / scale],
   };
 }
 

@@ -194,12 +194,19 @@ function Piece({ to, one }: { to: Projection; one: OtherBody }) {
   );
 }
 
+/** Lengths of the scale [m], and how long it is drawn at most [px]. */
+const LENGTHS = [1, 0.5, 0.2, 0.1];
+const SCALE_MAX = 140;
+
 function Scale({ to }: { to: Projection }) {
+  const length = LENGTHS.find((one) => one * to.scale <= SCALE_MAX) ?? LENGTHS.at(-1)!;
+  const width = length * to.scale;
   return (
     <g class="scale" transform={`translate(14 ${to.height - 8})`} aria-hidden="true">
-      <path d={`M0 -5v5h${to.scale}v-5`} />
-      <text x={to.scale / 2} y="-4">
-        1 m
+      <path class="halo" d={`M0 -5v5h${width}v-5`} />
+      <path d={`M0 -5v5h${width}v-5`} />
+      <text x={width / 2} y="-4">
+        {length} m
       </text>
     </g>
   );

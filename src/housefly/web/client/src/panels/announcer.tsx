@@ -2,6 +2,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { events } from "../store";
 import { headline } from "../headline";
+import { tongue, translated } from "../messages/language";
 
 const PERIOD = 1000;
 const polite = signal("");
@@ -21,18 +22,18 @@ effect(() => {
   );
 });
 
-const lastFault = computed(
-  () => events.value.filter((event) => event.severity === "fault").at(-1)?.text ?? "",
+const lastFault = computed(() =>
+  translated(events.value.filter((event) => event.severity === "fault").at(-1)?.text ?? ""),
 );
 
 /** What is heard and not seen. */
 export function Announcer() {
   return (
     <>
-      <p class="spoken" role="status">
+      <p class="spoken" role="status" lang={tongue(polite.value)}>
         {polite.value}
       </p>
-      <p class="spoken" role="alert">
+      <p class="spoken" role="alert" lang={tongue(lastFault.value)}>
         {lastFault.value}
       </p>
     </>

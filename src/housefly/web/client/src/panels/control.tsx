@@ -4,23 +4,25 @@ import { ThisDevice } from "../device/this-device";
 import { refuse } from "../said";
 import { flying, iFly, me, panel, toggle, verdict, viewers } from "../store";
 import { ask, myName, rename } from "../wire/socket";
+import { t, translated } from "../messages/language";
 
 /** Who is here, who has control, and how it changes hands. */
 export function Control() {
   if (panel.value !== "control") return null;
   return (
-    <section class="sheet" role="dialog" aria-label="Control">
-      <h2>Control</h2>
+    <section class="sheet" role="dialog" aria-label={t("Control")}>
+      <h2>{t("Control")}</h2>
       <p class="quiet">
-        One person has control. Everybody else watches, and can still stop or land the drone.
+        {t("One person has control.")}{" "}
+        {t("Everybody else watches, and can still stop or land the drone.")}
       </p>
       <label class="field">
-        Your name
+        {t("Your name")}
         <input
           type="text"
           maxLength={24}
           value={myName()}
-          placeholder={`Viewer ${me.value}`}
+          placeholder={t("Viewer {n}", { n: me.value })}
           onChange={(event) => rename(event.currentTarget.value.trim())}
         />
       </label>
@@ -29,12 +31,12 @@ export function Control() {
           <li key={one.id}>
             <span>
               {one.name}
-              {one.id === me.value && " (you)"}
+              {one.id === me.value && ` ${t("(you)")}`}
             </span>
-            {verdict.value?.pilot === one.id && <strong>has control</strong>}
+            {verdict.value?.pilot === one.id && <strong>{t("has control")}</strong>}
             {iFly.value && one.id !== me.value && (
               <button type="button" class="quiet-button" onClick={() => void lease("give", one.id)}>
-                Hand over
+                {t("Hand over")}
               </button>
             )}
           </li>
@@ -43,10 +45,10 @@ export function Control() {
       <div class="row">
         <Take />
         <button type="button" class="quiet-button" onClick={() => toggle("invite")}>
-          Invite
+          {t("Invite")}
         </button>
         <button type="button" class="quiet-button" onClick={() => (panel.value = "")}>
-          Close
+          {t("Close")}
         </button>
       </div>
       <ThisDevice />
@@ -58,21 +60,21 @@ function Take() {
   if (iFly.value) {
     return (
       <button type="button" class="quiet-button" onClick={() => void lease("release", 0)}>
-        Release control
+        {t("Release control")}
       </button>
     );
   }
   if (flying.value && verdict.value?.pilot != null) {
     return (
-      <HoldButton hold={takeControl} class="secondary" label="Take over control">
-        <span>Take over</span>
-        <small aria-hidden="true">hold</small>
+      <HoldButton hold={takeControl} class="secondary" label={t("Take over control")}>
+        <span>{t("Take over")}</span>
+        <small aria-hidden="true">{t("hold")}</small>
       </HoldButton>
     );
   }
   return (
     <button type="button" class="quiet-button" onClick={() => void takeOver(false)}>
-      Take control
+      {t("Take control")}
     </button>
   );
 }
@@ -80,5 +82,5 @@ function Take() {
 async function lease(action: "release" | "give", to: number): Promise<void> {
   givesControl();
   const answer = await ask({ type: "lease", action, to });
-  if (answer.type === "refused") refuse(answer.reason, null);
+  if (answer.type === "refused") refuse(translated(answer.reason), null);
 }

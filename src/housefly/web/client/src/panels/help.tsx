@@ -1,27 +1,37 @@
 import { KEYS, letters, useLetters } from "../keymap";
+import { showHints } from "../hints/hints";
+import type { Key } from "../messages/en";
+import { LanguageChoice } from "../messages/language-choice";
 import { panel } from "../store";
+import { t } from "../messages/language";
 
 /** All keys. Not modal: STOP stays within reach. */
 export function Help() {
   if (panel.value !== "help") return null;
   return (
-    <section class="sheet" role="dialog" aria-label="Keys">
-      <h2>Keys</h2>
+    <section class="sheet" role="dialog" aria-label={t("Keys")}>
+      <h2>{t("Keys")}</h2>
+      <div class="row">
+        <LanguageChoice />
+        <button type="button" class="quiet-button" onClick={showHints}>
+          {t("Show the first steps again")}
+        </button>
+      </div>
       <table>
         <tbody>
           {KEYS.map((key) => (
             <tr key={key.shown}>
               <th scope="row">
-                <kbd>{key.shown}</kbd>
+                <kbd>{t(key.shown as Key)}</kbd>
               </th>
-              <td>{key.does}</td>
+              <td>{t(key.does as Key)}</td>
             </tr>
           ))}
         </tbody>
       </table>
       <p class="quiet">
-        Space stops the drone even while you type, as long as it flies. On the ground it types a
-        space, or presses the button that has the focus.
+        {t("Space stops the drone even while you type, as long as it flies.")}{" "}
+        {t("On the ground it types a space, or presses the button that has the focus.")}
       </p>
       <label class="choice">
         <input
@@ -29,10 +39,10 @@ export function Help() {
           checked={letters.value}
           onChange={(event) => useLetters(event.currentTarget.checked)}
         />
-        Letters and ? are keys
+        {t("Letters and ? are keys")}
       </label>
       <button type="button" class="quiet-button" onClick={() => (panel.value = "")}>
-        Close
+        {t("Close")}
       </button>
     </section>
   );

@@ -9,6 +9,7 @@ import { events } from "../store";
 import { go } from "../timebar/past";
 import { serverNow } from "../wire/clock";
 import type { Severity } from "../wire/messages";
+import { language, t } from "../messages/language";
 
 const MARK: Record<Severity, string> = { info: "·", warning: "△", fault: "✕" };
 const SHOWN = 100;
@@ -69,37 +70,38 @@ const shown = computed(() =>
 export function Log({ children }: { children?: ComponentChildren }) {
   if (replaying.value) return <RecordedLog />;
   return (
-    <section class="card log" aria-label="Event log">
+    <section class="card log" aria-label={t("Event log")}>
       <div class="row">
-        <h2>Log</h2>
+        <h2>{t("Log")}</h2>
         <select
-          aria-label="Which lines"
+          aria-label={t("Which lines")}
           value={filter.value}
           onChange={(event) => (filter.value = event.currentTarget.value as Filter)}
         >
           {FILTERS.map((one) => (
             <option key={one} value={one}>
-              {one}
+              {t(`${one}^lines`)}
             </option>
           ))}
         </select>
         {filter.value === "room" && <OnlyOf />}
         {children}
       </div>
+      {language.value !== "en" && <p class="quiet">{t("The drone's own lines are in English.")}</p>}
       <ol tabIndex={0} data-scrolls>
         {shown.value.map((one) => (
           <li key={one.key} data-severity={one.severity}>
             <time>{new Date(one.when).toTimeString().slice(0, 8)}</time>
-            <span class="mark" aria-label={one.severity}>
+            <span class="mark" aria-label={t(one.severity)}>
               {MARK[one.severity]}
             </span>
             {one.shows === null ? (
-              <span>{one.words}</span>
+              <span lang={language.value === "en" ? undefined : "en"}>{one.words}</span>
             ) : (
               <button
                 type="button"
                 aria-current={at.value === one.shows}
-                title="Show the room as it was then"
+                title={t("Show the room as it was then")}
                 onClick={() => go(one.shows)}
               >
                 {one.words}
@@ -116,14 +118,14 @@ export function Log({ children }: { children?: ComponentChildren }) {
 function OnlyOf() {
   return (
     <select
-      aria-label="Only of"
+      aria-label={t("Only of")}
       value={only.value}
       onChange={(event) => {
         only.value = event.currentTarget.value;
         void askEvents().catch(() => undefined);
       }}
     >
-      <option value="">everything</option>
+      <option value="">{t("everything")}</option>
       {[...things.value.values()].map((one) => (
         <option key={one.thing} value={one.thing}>
           {one.name}

@@ -1,20 +1,22 @@
 import { flying, lineLives, panel, preflight, verdict } from "../store";
 import { sentence } from "../format";
 import { readiness } from "../preflight";
+import { Told } from "../messages/told";
 import type { FlightObjection, PreflightCheck } from "../wire/messages";
+import { t, tongue, translated } from "../messages/language";
 
 const toggle = (): void => void (panel.value = panel.value === "checks" ? "" : "checks");
 
 /** Whether the drone may take off: one line on every screen that unfolds to all checks. */
 export function Readiness() {
-  const { checks } = preflight.value;
+  const n = preflight.value.checks.length;
   const { ready, known } = readiness.value;
   return (
     <div class="readiness" data-quiet={ready && known.length === 0}>
       <button type="button" aria-expanded={panel.value === "checks"} onClick={toggle}>
         <Line />
         <span class="more">
-          <span>{checks.length > 0 ? `${checks.length} checks` : "more"}</span> ▾
+          <span>{n > 0 ? t("{n} check|{n} checks", { n }) : t("more")}</span> ▾
         </span>
       </button>
     </div>
@@ -30,7 +32,7 @@ function Line() {
         {text}
       </strong>
       {known.map((note) => (
-        <span key={note} class="known">
+        <span key={note} class="known" lang={tongue(note)}>
           △ {note}
         </span>
       ))}
@@ -46,16 +48,18 @@ export function Checks() {
   const codes = checks.map((one) => one.code);
   const reasons = flying.value ? [] : told.reasons.filter((one) => !codes.includes(one.code));
   return (
-    <section class="sheet checks" role="dialog" aria-label="Checks before take-off">
+    <section class="sheet checks" role="dialog" aria-label={t("Checks before take-off")}>
       <div class="row">
-        <h2>{flying.value ? "In flight" : "Before take-off"}</h2>
+        <h2>{flying.value ? t("In flight") : t("Before take-off")}</h2>
         <button type="button" class="quiet-button" onClick={toggle}>
-          Close
+          {t("Close")}
         </button>
       </div>
       <p class="without">
-        <strong>{lineLives.value ? "If contact is lost now: " : "As contact was lost: "}</strong>
-        {sentence(told.if_contact_lost)}
+        <strong>
+          {lineLives.value ? t("If contact is lost now:") : t("As contact was lost:")}{" "}
+        </strong>
+        <Told words={sentence(translated(told.if_contact_lost))} />
       </p>
       <ul>
         {reasons.map((one) => (
@@ -72,7 +76,7 @@ export function Checks() {
 }
 
 const MARKS = ["✕", "△", "✓"];
-const WORDS = ["no take-off", "look", "well"];
+const WORDS = ["no take-off", "look", "well"] as const;
 
 function rank(check: PreflightCheck): number {
   return check.passed ? 2 : check.required ? 0 : 1;
@@ -81,12 +85,16 @@ function rank(check: PreflightCheck): number {
 function Reason({ one }: { one: FlightObjection }) {
   return (
     <li data-rank={0}>
-      <span class="mark" aria-label={WORDS[0]}>
+      <span class="mark" aria-label={t(WORDS[0])}>
         {MARKS[0]}
       </span>
-      <span class="what">{one.words}</span>
+      <span class="what">
+        <Told words={translated(one.words)} />
+      </span>
       <p>
-        <strong>{one.mend}</strong>
+        <strong>
+          <Told words={translated(one.mend)} />
+        </strong>
       </p>
     </li>
   );
@@ -96,15 +104,25 @@ function Check({ one }: { one: PreflightCheck }) {
   const k = rank(one);
   return (
     <li data-rank={k}>
-      <span class="mark" aria-label={WORDS[k]}>
+      <span class="mark" aria-label={t(WORDS[k]!)}>
         {MARKS[k]}
       </span>
-      <span class="what">{one.passed ? one.title : one.fault}</span>
-      <span class="value">{one.value}</span>
-      <span class="quiet">{one.limit}</span>
+      <span class="what">
+        <Told words={translated(one.passed ? one.title : one.fault)} />
+      </span>
+      <span class="value">
+        <Told words={translated(one.value)} />
+      </span>
+      <span class="quiet">
+        <Told words={translated(one.limit)} />
+      </span>
       <p>
-        {one.why}
-        {!one.passed && <strong>{one.mend}</strong>}
+        <Told words={translated(one.why)} />
+        {!one.passed && (
+          <strong>
+            <Told words={translated(one.mend)} />
+          </strong>
+        )}
       </p>
     </li>
   );

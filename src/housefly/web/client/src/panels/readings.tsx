@@ -3,6 +3,7 @@ import { freshness, link, poseAge, state, stateAge } from "../store";
 import { now } from "../wire/clock";
 import { picture } from "../wire/video";
 import { milliseconds, percent } from "../format";
+import { decimal, t } from "../messages/language";
 
 const LINK_PERIOD = 0.5;
 
@@ -43,47 +44,58 @@ export function Readings() {
   return (
     <dl class="card readings">
       <Reading
-        name="Tracking"
+        name={t("Tracking")}
         age={Math.max(linkAge, age)}
         problem={seen > POSE_OLD || wires?.tracking_connected === false}
       >
         {rate(wires?.tracking_rate_hz)} · {ageWords(seen)}
       </Reading>
       <Reading
-        name="Drone"
+        name={t("Drone")}
         age={Math.max(linkAge, age)}
         problem={telemetryAge > TELEMETRY_OLD || wires?.drone_connected === false}
       >
         {rate(wires?.telemetry_rate_hz)} · {ageWords(telemetryAge)}
       </Reading>
-      <Reading name="Picture" age={linkAge} problem={wires?.video_connected === false}>
+      <Reading name={t("Picture")} age={linkAge} problem={wires?.video_connected === false}>
         {rate(wires?.video_rate_hz)} · {ageWords(pictureAge)}
       </Reading>
-      <Reading name="Pilot loop" age={linkAge}>
+      <Reading name={t("Pilot loop")} age={linkAge}>
         {wires
-          ? `p99 ${(1000 * wires.loop_p99_s).toFixed(1)} ms late · ${wires.missed_ticks} missed`
+          ? t("p99 {d} ms late · {n} missed", {
+              d: decimal(1000 * wires.loop_p99_s, 1),
+              n: wires.missed_ticks,
+            })
           : "–"}
       </Reading>
-      <Reading name="Delays" age={linkAge}>
-        tracking {known(wires?.tracking_latency_s)} · command {known(wires?.command_delay_s)}
+      <Reading name={t("Delays")} age={linkAge}>
+        {t("tracking {one} · command {other}", {
+          one: known(wires?.tracking_latency_s),
+          other: known(wires?.command_delay_s),
+        })}
         <small> ± {known(wires?.command_delay_std_s)}</small>
       </Reading>
-      <Reading name="Filter" age={linkAge}>
-        NIS {wires?.nis ? `${wires.nis.toFixed(1)} · height ${wires.height_nis.toFixed(1)}` : "–"}
+      <Reading name={t("Filter")} age={linkAge}>
+        NIS {wires?.nis ? t("{one} · height {other}", {
+              one: decimal(wires.nis, 1),
+              other: decimal(wires.height_nis, 1),
+            }) : "–"}
       </Reading>
-      <Reading name="Push" age={linkAge}>
-        {wires?.push ? `${wires.push.toFixed(2)} m/s² · load ${percent(wires.load)}` : "–"}
+      <Reading name={t("Push")} age={linkAge}>
+        {wires?.push
+          ? t("{d} m/s² · load {p}", { d: decimal(wires.push, 2), p: percent(wires.load) })
+          : "–"}
       </Reading>
-      <Reading name="Position" age={seen}>
-        {s?.position ? `${s.position.map((value) => value.toFixed(2)).join("  ")} m` : "–"}
+      <Reading name={t("Position")} age={seen}>
+        {s?.position ? `${s.position.map((value) => decimal(value, 2)).join("  ")} m` : "–"}
         {s?.position_std != null && <small> ± {milli(s.position_std)}</small>}
       </Reading>
-      <Reading name="Motion" age={seen}>
-        {speed === null ? "–" : `${speed.toFixed(2)} m/s`} ·{" "}
+      <Reading name={t("Motion")} age={seen}>
+        {speed === null ? "–" : `${decimal(speed, 2)} m/s`} ·{" "}
         {s?.yaw == null ? "–" : `${degrees(s.yaw)}°`}
       </Reading>
-      <Reading name="State" age={age} problem={s !== null && s.safety !== "nominal"}>
-        {s ? `${s.behavior} · safety ${s.safety}` : "–"}
+      <Reading name={t("State")} age={age} problem={s !== null && s.safety !== "nominal"}>
+        {s ? t("{state} · safety {mode}", { state: s.behavior, mode: s.safety }) : "–"}
       </Reading>
     </dl>
   );
@@ -98,11 +110,11 @@ function rate(hertz: number | undefined): string {
 }
 
 function ageWords(age: number): string {
-  return Number.isFinite(age) ? milliseconds(age) : "nothing yet";
+  return Number.isFinite(age) ? milliseconds(age) : t("nothing yet");
 }
 
 function milli(metres: number): string {
-  return metres < 1 ? `${Math.round(1000 * metres)} mm` : `${metres.toFixed(1)} m`;
+  return metres < 1 ? `${Math.round(1000 * metres)} mm` : `${decimal(metres, 1)} m`;
 }
 
 function degrees(radians: number): number {

@@ -1,5 +1,6 @@
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { said, unsay } from "../said";
+import { tongue } from "../messages/language";
 
 const EDGE = 8;
 const GAP = 8;
@@ -17,7 +18,7 @@ export function SaidBubble() {
   if (!now) return null;
   return (
     <div class="said" ref={box} role="alert" data-stays={now.stays}>
-      <p>
+      <p lang={tongue(now.words)}>
         {now.stays && "△ "}
         {now.words}
       </p>

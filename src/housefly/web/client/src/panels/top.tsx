@@ -3,8 +3,9 @@ import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
 import { iFly, open, panel, room, screen, state, toggle, verdict } from "../store";
 import { lag } from "../wire/clock";
-import { milliseconds } from "../format";
+import { milliseconds, percent } from "../format";
 import { banner, headline } from "../headline";
+import { t, tongue } from "../messages/language";
 
 const SCREENS = [
   ["live", "Live"],
@@ -26,12 +27,14 @@ export function Top() {
       <div class="headline" data-shape={shape}>
         <ShapeIcon shape={shape} />
         <span class="words">
-          <strong>{text}</strong>
-          <span class="detail">{detail}</span>
+          <strong lang={tongue(text)}>{text}</strong>
+          <span class="detail" lang={tongue(detail)}>
+            {detail}
+          </span>
         </span>
       </div>
       <div class="who">
-        <nav class="screens" aria-label="Screens">
+        <nav class="screens" aria-label={t("Screens")}>
           {SCREENS.map(([name, title]) => (
             <button
               type="button"
@@ -39,7 +42,7 @@ export function Top() {
               aria-current={screen.value === name ? "page" : undefined}
               onClick={() => open(name)}
             >
-              {title}
+              {t(title)}
               {name === "tasks" && asked.value.length > 0 && (
                 <span class="count"> {asked.value.length}</span>
               )}
@@ -49,8 +52,8 @@ export function Top() {
         <div class="facts">
           <House />
           <span class="charge">{charge()}</span>
-          <span class="lag" title="Round trip between this browser and the server">
-            lag {lag.value === null ? "–" : milliseconds(lag.value)}
+          <span class="lag" title={t("Round trip between this browser and the server")}>
+            {t("lag {time}", { time: lag.value === null ? "–" : milliseconds(lag.value) })}
           </span>
         </div>
         {screen.value === "live" && (
@@ -58,7 +61,7 @@ export function Top() {
             <button
               type="button"
               class="quiet-button to-ask"
-              aria-label="Ask"
+              aria-label={t("Ask")}
               aria-expanded={panel.value === "ask"}
               onClick={() => toggle("ask")}
             >
@@ -67,7 +70,7 @@ export function Top() {
             <button
               type="button"
               class="quiet-button to-side"
-              aria-label="Details"
+              aria-label={t("Details")}
               aria-expanded={panel.value === "side"}
               onClick={() => toggle("side")}
             >
@@ -86,14 +89,14 @@ export function Top() {
         <button
           type="button"
           class="quiet-button key"
-          aria-label="Keys"
+          aria-label={t("Keys")}
           aria-expanded={panel.value === "help"}
           onClick={() => toggle("help")}
         >
           ?
         </button>
       </div>
-      <p class="banner" role="alert" hidden={!banner.value}>
+      <p class="banner" role="alert" lang={tongue(banner.value)} hidden={!banner.value}>
         {banner.value}
       </p>
     </header>
@@ -102,7 +105,7 @@ export function Top() {
 
 function charge(): string {
   const share = state.value?.battery;
-  return share == null ? "" : `battery ${Math.round(100 * share)} %`;
+  return share == null ? "" : t("battery {p}", { p: percent(share) });
 }
 
 /** The site's name, and its mode when it is not the usual one. */
@@ -110,10 +113,11 @@ function site(): string {
   if (!room.value) return " ";
   return room.value.mode === "default"
     ? room.value.site
-    : `${room.value.site} · mode ${room.value.mode}`;
+    : t("{site} · mode {mode}", { site: room.value.site, mode: room.value.mode });
 }
 
 function who(): string {
-  if (iFly.value) return "You have control";
-  return verdict.value?.control ? `${verdict.value.control} has control` : "Take control";
+  if (iFly.value) return t("You have control");
+  return verdict.value?.control ? t("{who} has control", { who: verdict.value.control })
+    : t("Take control");
 }

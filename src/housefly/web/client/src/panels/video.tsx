@@ -9,6 +9,7 @@ import { now } from "../wire/clock";
 import { proof } from "../wire/session";
 import { decodesVideo, picture, watch } from "../wire/video";
 import { milliseconds } from "../format";
+import { t } from "../messages/language";
 
 /** The drone's picture. */
 export function VideoView() {
@@ -19,8 +20,8 @@ export function VideoView() {
 
 function JpegVideo() {
   return (
-    <section class="view video" aria-label="Picture from the drone">
-      <img src={`/video.mjpeg?proof=${proof()}`} alt="Picture from the drone" />
+    <section class="view video" aria-label={t("Picture from the drone")}>
+      <img src={`/video.mjpeg?proof=${proof()}`} alt={t("Picture from the drone")} />
       <PictureClip />
       <SwapButton to="picture" />
     </section>
@@ -32,7 +33,7 @@ function LiveVideo() {
   useEffect(() => watch(canvas.current!), []);
   const age = picture.value ? Math.max(0, now.value - picture.value.receivedAt) : Infinity;
   return (
-    <section class="view video" aria-label="Picture from the drone" data-age={freshness(age)}>
+    <section class="view video" aria-label={t("Picture from the drone")} data-age={freshness(age)}>
       <canvas ref={canvas} width={640} height={360} />
       <p class="veil">{veil(age)}</p>
       <PictureClip />
@@ -42,9 +43,15 @@ function LiveVideo() {
 }
 
 function veil(age: number): string {
-  if (!Number.isFinite(age)) return "No picture yet";
-  return freshness(age) === "dead" ? `No new picture for ${milliseconds(age)}` : "";
+  if (!Number.isFinite(age)) return t("No picture yet");
+  if (freshness(age) !== "dead") return "";
+  return t("No new picture for {time}", { time: milliseconds(age) });
 }
+
+const LARGE = {
+  map: "Make the map large, or small again",
+  picture: "Make the picture large, or small again",
+} as const;
 
 /** Makes the small view large. */
 export function SwapButton({ to }: { to: "map" | "picture" }) {
@@ -52,8 +59,8 @@ export function SwapButton({ to }: { to: "map" | "picture" }) {
     <button
       type="button"
       class="swap"
-      aria-label={`Make the ${to} large, or small again`}
-      title="Swap (M)"
+      aria-label={t(LARGE[to])}
+      title={t("Swap (M)")}
       onClick={() => (swapped.value = !swapped.value)}
     >
       <SwapIcon />

@@ -6,17 +6,18 @@ import { bellRings, atTheDoor } from "../scene/bell";
 import { at } from "../live/store";
 import { events, flying, verdict } from "../store";
 import { closeFlight, replaying } from "./replay";
+import { t, translated } from "../messages/language";
 
 /** What is worth it now, in words, or "". */
 function reason(was: Watched): string {
-  if (flying.value) return "the drone may be in the air";
-  if (goal.value && goal.value !== was.goal) return "a goal was chosen";
+  if (flying.value) return t("the drone may be in the air");
+  if (goal.value && goal.value !== was.goal) return t("a goal was chosen");
   if (banner.value && banner.value !== was.banner) return banner.value;
   const stop = verdict.value?.stop.progress ?? "none";
-  if (stop !== "none" && stop !== was.stop) return "STOP was pressed";
+  if (stop !== "none" && stop !== was.stop) return t("STOP was pressed");
   if (bellRings.value && !was.bell) return atTheDoor.value;
   const line = events.value.filter((one) => one.number > was.line && one.severity !== "info").at(0);
-  return line?.text ?? "";
+  return translated(line?.text ?? "");
 }
 
 interface Watched {

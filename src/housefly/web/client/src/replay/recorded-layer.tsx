@@ -3,15 +3,8 @@ import { useRef } from "preact/hooks";
 import { SpeedLine } from "../map/curve";
 import { polyline, type Projection } from "../map/projection";
 import type { Point } from "../store";
-import {
-  moment,
-  recordedAt,
-  recordedCurve,
-  recordedPath,
-  recordedWay,
-  replay,
-  rowAt,
-} from "./replay";
+import { recordedCurve, recordedPath, recordedWay } from "./recorded-state";
+import { moment, recordedAt, replay, rowAt } from "./replay";
 
 const HULL = 0.26;
 /** So much of the way behind the drone is strong [s]. */

@@ -2,10 +2,10 @@
 import { batch, computed, signal } from "@preact/signals";
 import { showAt } from "../live/room-client";
 import { at } from "../live/store";
-import { curveOf } from "../map/curve-values";
-import { flying, type Point } from "../store";
+import { flying } from "../store";
 import { fetchAsSession } from "../wire/session";
 import type { FlightReplay, FlightsView, FlightView } from "../wire/room-messages";
+import { t } from "../messages/language";
 
 /** Which flights there are; null before that is known. */
 export const flights = signal<FlightView[] | null>(null);
@@ -44,7 +44,7 @@ export async function askFlights(): Promise<void> {
 
 /** Why no recording can be opened now, in words, or "". */
 export const replayObjection = computed(() =>
-  flying.value ? "The drone may be in the air: what is live stays on the screen." : "",
+  flying.value ? t("The drone may be in the air: what is live stays on the screen.") : "",
 );
 
 let asked = "";
@@ -169,57 +169,3 @@ export function recordedAt(flight: FlightReplay, time: number): Recorded | null 
     battery: flight.battery[row]!,
   };
 }
-
-const pathRow = computed(() =>
-  replay.value ? rowAt(replay.value.paths, moment.value) : -1,
-);
-/** The path that was flown at the moment that is shown. */
-export const recordedPath = computed(() => replay.value?.paths[pathRow.value] ?? null);
-/** The same as a curve with heights and speeds; null of one in the plane. */
-export const recordedCurve = computed(() => {
-  const told = recordedPath.value;
-  return told ? curveOf({ ...told, number: 0, length: 0, type: "path" }) : null;
-});
-
-const stageRow = computed(() =>
-  replay.value ? rowAt(replay.value.stages, moment.value) : -1,
-);
-/** What the drone was doing at the moment that is shown. */
-export const recordedStage = computed(() => replay.value?.stages[stageRow.value] ?? null);
-
-/** The clock of the flight, and what the drone was doing, in words. */
-export const recordedWords = computed(() => {
-  const flight = replay.value;
-  const then = flight ? recordedAt(flight, moment.value) : null;
-  const stage = recordedStage.value;
-  const doing = stage ? stage.phase + (stage.goal ? `, ${stage.goal}` : "") : "";
-  if (!then?.place) return `${doing}; nobody saw the drone`;
-  const [high, fast] = [then.place[2].toFixed(1), then.speed.toFixed(1)];
-  return `${doing}; ${high} m high, ${fast} m/s, battery ${Math.round(100 * then.battery)} %`;
-});
-/** The second of the flight that is shown [Unix time]. */
-export const recordedSecond = computed(() =>
-  Math.floor((replay.value?.flight.started_at ?? 0) + moment.value),
-);
-/** The number of the last line of the log up to the moment that is shown, or -1. */
-export const recordedLine = computed(() =>
-  replay.value ? rowAt(replay.value.notes, moment.value) : -1,
-);
-
-/** The whole way that was flown, in parts where it was seen [m]. */
-export const recordedWay = computed<Point[][]>(() => {
-  const flight = replay.value;
-  const parts: Point[][] = [];
-  let open: Point[] | null = null;
-  flight?.x.forEach((x, k) => {
-    const y = flight.y[k] ?? null;
-    if (x === null || y === null) {
-      open = null;
-      return;
-    }
-    if (!open) parts.push((open = []));
-    const before = open.at(-1);
-    if (!before || Math.hypot(x - before[0], y - before[1]) > 0.03) open.push([x, y]);
-  });
-  return parts;
-});

@@ -13,20 +13,21 @@ import { running } from "../tasks/board";
 import { learnNames } from "../tasks/names";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
 import { askFor, ideasFor, lookThere } from "./asked-words";
+import { t, tongue, translated } from "../messages/language";
 
 const HOLD = 0.6;
 const sent = signal("");
 const nowhere = computed(() => {
   const known = found.value.answer;
   const somewhere = known?.position || known?.inside.length;
-  return somewhere ? "" : "Nobody knows where that is.";
+  return somewhere ? "" : t("Nobody knows where that is.");
 });
 const look = createHold(HOLD, nowhere, (from) => {
   const known = found.peek().answer;
   if (known)
     lookThere(known).then(
       () => close(),
-      (error: Error) => refuse(error.message, from),
+      (error: Error) => refuse(translated(error.message), from),
     );
 });
 
@@ -51,7 +52,7 @@ export function Ask() {
   };
   const shown = found.value.answer || found.value.problem || said.value || trouble.value;
   return (
-    <section class="ask-line find" aria-label="Ask">
+    <section class="ask-line find" aria-label={t("Ask")}>
       <form
         role="search"
         onSubmit={(event) => {
@@ -63,14 +64,14 @@ export function Ask() {
           ref={field}
           type="search"
           enterkeyhint="go"
-          aria-label="Where is, go to"
-          placeholder="Where is … / go to …"
+          aria-label={t("Where is, go to")}
+          placeholder={t("Where is … / go to …")}
           list="names"
           maxLength={200}
           autocomplete="off"
           onInput={(event) => event.currentTarget.value === "" && close()}
         />
-        <button type="submit">Ask</button>
+        <button type="submit">{t("Ask")}</button>
         <datalist id="names">
           {ideasFor().map((one) => (
             <option key={one} value={one} />
@@ -79,7 +80,7 @@ export function Ask() {
       </form>
       {shown && (
         <div class="answer card" role="status">
-          <button type="button" class="shut" aria-label="Close the answer" onClick={close}>
+          <button type="button" class="shut" aria-label={t("Close the answer")} onClick={close}>
             ×
           </button>
           {said.value || answer.value ? <SentenceAnswerView go={go} /> : <Whereabouts go={go} />}
@@ -95,7 +96,7 @@ function Whereabouts({ go }: { go: (words: string) => void }) {
   if (!known)
     return (
       <>
-        <p>△ {sentence(problem)}</p>
+        <p lang={tongue(translated(problem))}>△ {sentence(translated(problem))}</p>
         <Names names={meant} go={go} />
       </>
     );
@@ -103,17 +104,21 @@ function Whereabouts({ go }: { go: (words: string) => void }) {
   const around = [...new Set([...known.inside, ...perhaps])];
   return (
     <>
-      {at.value !== null && <strong class="then">At {clock(at.value)}: </strong>}
-      <p class="words">{known.words}</p>
+      {at.value !== null && (
+        <strong class="then">{t("At {time}:", { time: clock(at.value) })} </strong>
+      )}
+      <p class="words" lang={tongue(translated(known.words))}>
+        {translated(known.words)}
+      </p>
       <Names names={around.map(nameOf)} go={go} />
       {at.value === null && (
         <HoldButton
           hold={look}
           class="secondary"
-          label={running.value ? "Fly there and look" : "Choose it as the goal"}
+          label={running.value ? t("Fly there and look") : t("Choose it as the goal")}
         >
-          <span>Look there</span>
-          <small aria-hidden="true">hold</small>
+          <span>{t("Look there")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
       )}
     </>

@@ -8,9 +8,22 @@ import { running } from "../tasks/board";
 import { services, request } from "../tasks/tasks-client";
 import type { PlaceView } from "../wire/messages";
 import type { WhereAnswer } from "../wire/room-messages";
+import { language, t, type Language } from "../messages/language";
 
-const GO = /^(?:go|fly|look)\s+(?:to|at)?\s*(?:the\s+)?(.+?)[.!?]*$/i;
-const WHERE = /^where(?:\s+is|\s+are|'s)?\s+(.+?)[.?!]*$/i;
+const GO: Record<Language, RegExp> = {
+  en: /^(?:go|fly|look)\s+(?:to|at)?\s*(?:the\s+)?(.+?)[.!?]*$/i,
+  ja: /^(.+?)(?:へ|に|まで|を)(?:行って|飛んで|見て|行く|飛ぶ|見る).*$/,
+  de: /^(?:flieg|fliege|geh|gehe|schau)\s+(?:zu[mr]?|nach|an|auf)?\s*(.+?)[.!?]*$/i,
+};
+const WHERE: Record<Language, RegExp> = {
+  en: /^where(?:\s+is|\s+are|'s)?\s+(.+?)[.?!]*$/i,
+  ja: /^(.+?)(?:は|って)(?:どこ).*$/,
+  de: /^wo(?:\s+ist|\s+sind)?\s+(?:de[rn]|die|das)?\s*(.+?)[.?!]*$/i,
+};
+
+/** What a pattern of the page's language or of English finds: people mix them. */
+const part = (patterns: Record<Language, RegExp>, words: string): string | undefined =>
+  (patterns[language.value].exec(words) ?? patterns.en.exec(words))?.[1];
 
 const same = (one: string, other: string): boolean => one.toLowerCase() === other.toLowerCase();
 
@@ -25,10 +38,11 @@ const isThing = (words: string): boolean =>
 export function ideasFor(): string[] {
   const quiet = ["sensor", "structure"];
   const things = catalogue.value.filter((one) => !quiet.includes(one.kind));
+  const names = things.flatMap((one) => [one.name, ...one.aliases]);
   const places = (room.value?.places ?? []).filter((one) => one.name !== "home");
   return [
-    ...places.map((one) => `Go to ${one.title}`),
-    ...new Set(things.flatMap((one) => [one.name, ...one.aliases]).map((one) => `Where is ${one}`)),
+    ...places.map((one) => t("Go to {place}", { place: one.title })),
+    ...new Set(names.map((thing) => t("Where is {thing}", { thing }))),
   ];
 }
 
@@ -37,9 +51,9 @@ export async function askFor(typed: string): Promise<void> {
   forget();
   unfind();
   if (!words) return;
-  const target = GO.exec(words)?.[1] ?? "";
+  const target = part(GO, words) ?? "";
   const place = placeCalled(target || words);
-  const thing = WHERE.exec(words)?.[1] ?? words;
+  const thing = part(WHERE, words) ?? words;
   if (place) choosePlace(place);
   else if (target && isThing(target)) await find(target);
   else if (isThing(thing) || !running.value) await find(thing);

@@ -2,6 +2,7 @@ import { createHold } from "../hold";
 import { HoldButton } from "../controls/hold-button";
 import { lookAt, serviceObjection } from "../commands";
 import { answerBell, atTheDoor, bellAsks, door } from "./bell";
+import { t } from "../messages/language";
 
 const HOLD = 0.6;
 const look = createHold(HOLD, serviceObjection, (from) => {
@@ -14,18 +15,24 @@ const look = createHold(HOLD, serviceObjection, (from) => {
 export function BellCard() {
   if (!bellAsks.value) return null;
   return (
-    <article class="question bell-card" aria-label="Doorbell">
+    <article class="question bell-card" aria-label={t("Doorbell")}>
       <p class="words" role="alert">
         {atTheDoor.value}
       </p>
-      <p class="quiet">The bell rings. Hold to fly there and look; it comes home by itself.</p>
+      <p class="quiet">
+        {t("The bell rings. Hold to fly there and look; it comes home by itself.")}
+      </p>
       <div class="choices">
-        <HoldButton hold={look} class="primary" label={`Look who is at ${door.value?.title}`}>
-          <span>Look</span>
-          <small aria-hidden="true">hold</small>
+        <HoldButton
+          hold={look}
+          class="primary"
+          label={t("Look who is at {place}", { place: door.value?.title ?? "" })}
+        >
+          <span>{t("Look^order")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
         <button type="button" class="secondary" onClick={answerBell}>
-          Ignore
+          {t("Ignore")}
         </button>
       </div>
     </article>

@@ -3,6 +3,7 @@ import { computed, effect, signal } from "@preact/signals";
 import { events, hubNow } from "../live/store";
 import { room, state } from "../store";
 import { asked } from "../tasks/board";
+import { language, t } from "../messages/language";
 
 const RINGS = /bell (pressed|rung|rang)|^bell$/;
 /** Who rang waits about as long [s]. */
@@ -30,9 +31,12 @@ export const door = computed(() => {
   const places = (room.value?.places ?? []).filter((one) => one.name !== "home");
   return places.find((one) => /entrance|door/i.test(one.name + one.title)) ?? places[0] ?? null;
 });
-export const atTheDoor = computed(
-  () => `Someone at the ${door.value?.title.toLowerCase() ?? "door"}`,
-);
+export const atTheDoor = computed(() => {
+  const title = door.value?.title ?? t("door");
+  return t("Someone at the {place}", {
+    place: language.value === "en" ? title.toLowerCase() : title,
+  });
+});
 
 export function answerBell(): void {
   answered.value = ring.peek()?.at ?? 0;

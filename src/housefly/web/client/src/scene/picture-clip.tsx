@@ -1,5 +1,7 @@
 import { computed } from "@preact/signals";
 import { board, running, unixNow } from "../tasks/board";
+import { PhotoButton, PhotoKept } from "./photo";
+import { t } from "../messages/language";
 
 /** For how long a clip is offered on the picture after its task [s]. */
 const OFFERED = 300;
@@ -14,12 +16,19 @@ const clip = computed(() => {
   return tasks.find((one) => one.clips.length > 0)?.clips.at(-1) ?? "";
 });
 
-/** What was kept of this picture, one press away. */
+/** What can be kept of this picture, and what was kept of it, one press away. */
 export function PictureClip() {
-  if (!clip.value) return null;
   return (
-    <a class="button on-picture" href={`#clip/${clip.value}`}>
-      ▣ Clip
-    </a>
+    <>
+      <div class="on-picture">
+        <PhotoButton />
+        {clip.value && (
+          <a class="button" href={`#clip/${clip.value}`}>
+            ▣ {t("Clip")}
+          </a>
+        )}
+      </div>
+      <PhotoKept />
+    </>
   );
 }

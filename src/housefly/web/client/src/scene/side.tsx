@@ -5,19 +5,21 @@ import { Log } from "../panels/log";
 import { Readings } from "../panels/readings";
 import { lineLives, panel, verdict } from "../store";
 import { sentence } from "../format";
+import { Told } from "../messages/told";
+import { t, translated } from "../messages/language";
 
 const details = signal(false);
 
 /** What a person should know beside the scene; the engineer's figures behind Details. */
 export function Side() {
   return (
-    <aside class="side" aria-label="Drone and house">
+    <aside class="side" aria-label={t("Drone and house")}>
       <Reasons />
       <Battery />
       {details.value ? (
-        <section class="card details" aria-label="Details" tabIndex={0} data-scrolls>
+        <section class="card details" aria-label={t("Details")} tabIndex={0} data-scrolls>
           <div class="row">
-            <h2>Details</h2>
+            <h2>{t("Details")}</h2>
             <Turn />
           </div>
           <Readings />
@@ -29,7 +31,7 @@ export function Side() {
         </Log>
       )}
       <button type="button" class="shut" onClick={() => (panel.value = "")}>
-        Close
+        {t("Close")}
       </button>
     </aside>
   );
@@ -39,7 +41,7 @@ export function Side() {
 function Turn() {
   return (
     <button type="button" class="turn" onClick={() => (details.value = !details.value)}>
-      {details.value ? "Log" : "Details"}
+      {details.value ? t("Log") : t("Details")}
     </button>
   );
 }
@@ -49,14 +51,23 @@ function Reasons() {
   const told = verdict.value;
   if (!told || !lineLives.value) return null;
   if (told.may_be_airborne)
-    return <p class="card contact">If contact is lost: {sentence(told.if_contact_lost)}</p>;
+    return (
+      <p class="card contact">
+        {t("If contact is lost:")} <Told words={sentence(translated(told.if_contact_lost))} />
+      </p>
+    );
   if (told.reasons.length === 0) return null;
   return (
-    <ul class="card reasons" aria-label="What is to be mended">
+    <ul class="card reasons" aria-label={t("What is to be mended")}>
       {told.reasons.map((one) => (
         <li key={one.code}>
-          ✕ {one.words}
-          {one.mend && <small class="quiet"> {one.mend}</small>}
+          ✕ <Told words={translated(one.words)} />
+          {one.mend && (
+            <small class="quiet">
+              {" "}
+              <Told words={translated(one.mend)} />
+            </small>
+          )}
         </li>
       ))}
     </ul>

@@ -4,6 +4,7 @@ import { running } from "./board";
 import { ideas } from "./ideas";
 import { learnNames } from "./names";
 import { Chips, SentenceAnswerView } from "./sentence-answer";
+import { t } from "../messages/language";
 
 /** Ask in a sentence; what would fly shows its rehearsal and waits for a yes. */
 export function AskBar() {
@@ -14,7 +15,7 @@ export function AskBar() {
     void ask(words);
   };
   return (
-    <section class="card ask" aria-label="Ask">
+    <section class="card ask" aria-label={t("Ask")}>
       <form
         role="search"
         onSubmit={(event) => {
@@ -26,13 +27,13 @@ export function AskBar() {
           ref={field}
           type="search"
           enterkeyhint="go"
-          aria-label="Ask for something"
-          placeholder="Look at the entrance, where is the cup …"
+          aria-label={t("Ask for something")}
+          placeholder={t("Look at the entrance, where is the cup …")}
           maxLength={500}
           autocomplete="off"
         />
         <button type="submit" class="primary" aria-disabled={!running.value}>
-          Ask
+          {t("Ask")}
         </button>
       </form>
       <div class="answer" role="status">

@@ -4,6 +4,7 @@ import { createHold } from "../hold";
 import { running, unixNow } from "./board";
 import { request, say } from "./tasks-client";
 import type { SentenceAnswer } from "../wire/task-messages";
+import { t } from "../messages/language";
 
 export const said = signal("");
 export const answer = signal<SentenceAnswer | null>(null);
@@ -38,7 +39,9 @@ export function forget(): void {
 }
 
 const HOLD = 0.6;
-export const servicesRun = computed(() => (running.value ? "" : "The services are not running."));
+export const servicesRun = computed(() =>
+  running.value ? "" : t("The services are not running."),
+);
 export const accept = createHold(HOLD, servicesRun, () => void take());
 
 /** Take what an answer offers: "it was seen long ago, shall I go and look?" */

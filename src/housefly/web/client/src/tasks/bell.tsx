@@ -2,6 +2,7 @@ import { effect, signal } from "@preact/signals";
 import { sentence } from "../format";
 import { contact } from "../store";
 import { bell, pressBell } from "./tasks-client";
+import { t, translated } from "../messages/language";
 
 const simulated = signal(false);
 const pressing = signal(false);
@@ -31,17 +32,17 @@ async function press(): Promise<void> {
 export function Bell() {
   if (!simulated.value) return null;
   return (
-    <section class="card bell" aria-label="Simulated doorbell">
+    <section class="card bell" aria-label={t("Simulated doorbell")}>
       <button type="button" aria-disabled={pressing.value} onClick={() => void press()}>
         <BellIcon />
-        Ring the doorbell
+        {t("Ring the doorbell")}
       </button>
       <p role="status">
         {pressing.value
           ? "…"
           : words.value
-            ? sentence(words.value)
-            : "This room is simulated: press, and a visitor comes to the door."}
+            ? sentence(translated(words.value))
+            : t("This room is simulated: press, and a visitor comes to the door.")}
       </p>
     </section>
   );

@@ -3,11 +3,13 @@ import { HoldButton } from "../controls/hold-button";
 import { minutes, sentence } from "../format";
 import { createHold } from "../hold";
 import { clock } from "../live/words";
+import type { Key } from "../messages/en";
 import { changeClip, clipTrouble, closeClip, opened, openedInfo } from "./clip-store";
 import { subjectOf } from "./clips";
-import { happened } from "./words";
+import { causeOf } from "./words";
 import { clipAddress } from "./tasks-client";
 import type { ClipInfo } from "../wire/task-messages";
+import { decimal, t, translated } from "../messages/language";
 
 const HOLD = 1;
 const remove = createHold(HOLD, signal(""), () => void changeClip("delete"));
@@ -20,26 +22,26 @@ export function ClipSheet() {
   const id = opened.value;
   if (!id) return null;
   const info = openedInfo.value;
-  const title = info ? subjectOf(info) : "Clip";
+  const title = info ? subjectOf(info) : t("Clip");
   const isPicture = info?.kind === "snapshot";
   const fails = (): void => void (broken.value = id);
   return (
-    <section class="sheet clip" role="dialog" aria-label={`Clip: ${title}`}>
+    <section class="sheet clip" role="dialog" aria-label={`${t("Clip")}: ${title}`}>
       <div class="row">
         <h2>{title}</h2>
         <span class="row">
           <a class="button" href={clipAddress(id, true)} download>
-            Save
+            {t("Save")}
           </a>
           <button type="button" onClick={closeClip}>
-            Close
+            {t("Close")}
           </button>
         </span>
       </div>
       {info === undefined ? (
         <p class="quiet">…</p>
       ) : isPicture ? (
-        <img src={clipAddress(id)} alt={`Picture of ${title}`} onError={fails} />
+        <img src={clipAddress(id)} alt={t("Picture of {title}", { title })} onError={fails} />
       ) : (
         <video
           key={id}
@@ -49,14 +51,14 @@ export function ClipSheet() {
           muted
           loop={false}
           playsInline
-          aria-label={`Clip of ${title}`}
+          aria-label={t("Clip of {title}", { title })}
           onError={fails}
         />
       )}
       {broken.value === id && (
-        <p role="alert">△ This clip is gone, or this browser cannot show it.</p>
+        <p role="alert">△ {t("This clip is gone, or this browser cannot show it.")}</p>
       )}
-      {clipTrouble.value && <p role="alert">△ {sentence(clipTrouble.value)}</p>}
+      {clipTrouble.value && <p role="alert">△ {sentence(translated(clipTrouble.value))}</p>}
       {info && (
         <>
           <div class="row">
@@ -64,11 +66,11 @@ export function ClipSheet() {
               type="button"
               onClick={() => void changeClip(info.keep_until === null ? "let go" : "keep")}
             >
-              {info.keep_until === null ? "Keep no longer than others" : "Keep"}
+              {info.keep_until === null ? t("Keep no longer than others") : t("Keep")}
             </button>
-            <HoldButton hold={remove} class="danger" label="Delete this clip">
-              <span>Delete</span>
-              <small aria-hidden="true">hold</small>
+            <HoldButton hold={remove} class="danger" label={t("Delete this clip")}>
+              <span>{t("Delete")}</span>
+              <small aria-hidden="true">{t("hold")}</small>
             </HoldButton>
           </div>
           <Facts info={info} />
@@ -81,26 +83,31 @@ export function ClipSheet() {
 const MEGABYTE = 1e6;
 
 function Facts({ info }: { info: ClipInfo }) {
-  const facts: [string, string][] = [
-    ["When", clock(info.began_at) + (info.duration ? `, for ${minutes(info.duration)}` : "")],
+  const facts: [Key, string][] = [
+    ["When", clock(info.began_at) + (info.duration ? `, ${minutes(info.duration)}` : "")],
     ["Place", info.place],
     ["Thing", info.thing],
     ["People", info.people.join(", ")],
-    ["For", `${info.service}, task ${info.task}`],
-    ["Because of", happened(info.cause)],
-    ["End", info.cut_off ? "missing: a crash or a full disk cut it off" : ""],
-    ["Privacy", info.blanked ? "a part of the picture is blank, as the site says" : ""],
+    ["For", info.task ? t("{service}, task {n}", { service: info.service, n: info.task }) : ""],
+    [info.task ? "Because of" : "Taken by", causeOf(info.cause)],
+    ["End", info.cut_off ? t("missing: a crash or a full disk cut it off") : ""],
+    ["Privacy", info.blanked ? t("a part of the picture is blank, as the site says") : ""],
     [
       "Kept",
-      info.keep_until === null ? "until somebody deletes it" : `until ${clock(info.keep_until)}`,
+      info.keep_until === null
+        ? t("until somebody deletes it")
+        : t("until {time}", { time: clock(info.keep_until) }),
     ],
-    ["Size", `${(info.size / MEGABYTE).toFixed(1)} MB`],
+    ["Size", `${decimal(info.size / MEGABYTE, 1)} MB`],
   ];
   return (
     <dl class="chain">
       {facts
         .filter(([, words]) => words)
-        .map(([name, words]) => [<dt key={name}>{name}</dt>, <dd key={`${name} is`}>{words}</dd>])}
+        .map(([name, words]) => [
+          <dt key={name}>{t(name)}</dt>,
+          <dd key={`${name} is`}>{words}</dd>,
+        ])}
     </dl>
   );
 }

@@ -2,12 +2,14 @@ import { useEffect } from "preact/hooks";
 import { signal } from "@preact/signals";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
+import type { Key } from "../messages/en";
 import { board, unixNow } from "./board";
 import { findClips, findOlder, found, more, openClip, trouble } from "./clip-store";
 import { TakeAway } from "./take-away";
 import type { ClipInfo } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
-const SPANS: [string, number][] = [
+const SPANS: [Key, number][] = [
   ["any time", 0],
   ["today", 86400],
   ["this week", 7 * 86400],
@@ -23,7 +25,10 @@ function look(): void {
   void findClips({ ...wanted.value, ...since });
 }
 
-const count = (): string => `${found.value.length}${more.value ? " or more" : ""}`;
+const count = (): string => {
+  const n = found.value.length;
+  return more.value ? t("{n} or more clips.", { n }) : t("{n} clip.|{n} clips.", { n });
+};
 
 /** The clips and snapshots, by who, where, what and when. */
 export function Clips() {
@@ -33,7 +38,7 @@ export function Clips() {
     <>
       <form
         class="filters"
-        aria-label="Which clips"
+        aria-label={t("Which clips")}
         onSubmit={(event) => {
           event.preventDefault();
           look();
@@ -41,11 +46,11 @@ export function Clips() {
       >
         {FILTERS.map((name) => (
           <label class="field" key={name}>
-            {name}
+            {t(name)}
             <input
               type="search"
               maxLength={200}
-              placeholder="any"
+              placeholder={t("any")}
               value={wanted.value[name] ?? ""}
               onInput={(event) => {
                 // Kept while it is typed: news of the house draw this form anew at any time.
@@ -56,7 +61,7 @@ export function Clips() {
           </label>
         ))}
         <label class="field">
-          time
+          {t("time")}
           <select
             onChange={(event) => {
               span.value = Number(event.currentTarget.value);
@@ -65,16 +70,18 @@ export function Clips() {
           >
             {SPANS.map(([words, seconds]) => (
               <option key={words} value={seconds} selected={span.value === seconds}>
-                {words}
+                {t(words)}
               </option>
             ))}
           </select>
         </label>
       </form>
       <p role="status" class={trouble.value ? "" : "spoken"}>
-        {trouble.value ? `△ ${sentence(trouble.value)}` : `${count()} clips.`}
+        {trouble.value ? `△ ${sentence(translated(trouble.value))}` : count()}
       </p>
-      {found.value.length === 0 && !trouble.value && <p class="quiet">There is no such clip.</p>}
+      {found.value.length === 0 && !trouble.value && (
+        <p class="quiet">{t("There is no such clip.")}</p>
+      )}
       <ul class="clips">
         {found.value.map((clip) => (
           <li key={clip.id}>
@@ -84,8 +91,8 @@ export function Clips() {
               </strong>
               <span class="quiet">
                 {clock(clip.began_at)}
-                {clip.kind === "clip" ? `, ${minutes(clip.duration)}` : ", snapshot"}
-                {clip.cut_off && ", cut off"}
+                {clip.kind === "clip" ? `, ${minutes(clip.duration)}` : `, ${t("snapshot")}`}
+                {clip.cut_off && `, ${t("cut off")}`}
               </span>
             </button>
           </li>
@@ -94,10 +101,10 @@ export function Clips() {
       <div class="row">
         {more.value && (
           <button type="button" onClick={() => void findOlder()}>
-            Older clips
+            {t("Older clips")}
           </button>
         )}
-        <TakeAway clips={found.value} label="Save all of these" />
+        <TakeAway clips={found.value} label={t("Save all of these")} />
       </div>
     </>
   );

@@ -2,6 +2,7 @@ import { signal } from "@preact/signals";
 import { useEffect, useState } from "preact/hooks";
 import { minutes, sentence } from "../format";
 import { clock } from "../live/words";
+import { Told } from "../messages/told";
 import { board } from "./board";
 import { openClip } from "./clip-store";
 import { Steps } from "./open-tasks";
@@ -9,6 +10,7 @@ import { clips, history } from "./tasks-client";
 import { TakeAway } from "./take-away";
 import { details, MARKS, outcome, rehearsed, why } from "./words";
 import type { ClipInfo, TaskStatus } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
 const PAGE = 50;
 
@@ -31,7 +33,7 @@ async function askOlder(): Promise<void> {
     const { tasks } = await history(older.value.at(-1)?.id ?? 0, PAGE);
     older.value = [...older.value, ...tasks];
     more.value = tasks.length === PAGE;
-    trouble.value = more.value ? "" : "that is all";
+    trouble.value = more.value ? "" : t("that is all");
   } catch (error) {
     trouble.value = (error as Error).message;
   }
@@ -44,7 +46,7 @@ export function Ended() {
   const tasks = [...newest, ...older.value.filter((one) => !known.has(one.id))];
   return (
     <>
-      {tasks.length === 0 && <p class="quiet">No task has ended yet.</p>}
+      {tasks.length === 0 && <p class="quiet">{t("No task has ended yet.")}</p>}
       <ul class="ended">
         {tasks.map((task) => (
           <li key={task.id} data-outcome={outcome(task)}>
@@ -54,10 +56,12 @@ export function Ended() {
                   {MARKS[outcome(task)]}
                 </span>
                 <span class="what">
-                  <strong>{task.title}</strong>
+                  <strong>
+                    <Told words={translated(task.title)} />
+                  </strong>
                   <span class="quiet">
                     {" "}
-                    {clock(task.asked_at)} · {task.state}
+                    {clock(task.asked_at)} · {t(task.state)}
                     {task.clips.length > 0 && " · ▣"}
                   </span>
                 </span>
@@ -70,10 +74,10 @@ export function Ended() {
       <div class="row">
         {more.value && tasks.length > 0 && (
           <button type="button" onClick={() => void askOlder()}>
-            Older tasks
+            {t("Older tasks")}
           </button>
         )}
-        <span role="status">{trouble.value && sentence(trouble.value)}</span>
+        <span role="status">{trouble.value && sentence(translated(trouble.value))}</span>
       </div>
     </>
   );
@@ -81,9 +85,12 @@ export function Ended() {
 
 function flight(task: TaskStatus): string {
   if (task.took_off_at !== null)
-    return `${clock(task.took_off_at)}, in the air for ${minutes(task.flown ?? 0)}.`;
-  if (task.started_at === null) return "It did not begin.";
-  return task.flown === null ? "" : "It did not fly.";
+    return t("{time}, in the air for {span}.", {
+      time: clock(task.took_off_at),
+      span: minutes(task.flown ?? 0),
+    });
+  if (task.started_at === null) return t("It did not begin.");
+  return task.flown === null ? "" : t("It did not fly.");
 }
 
 function Chain({ task }: { task: TaskStatus }) {
@@ -96,40 +103,45 @@ function Chain({ task }: { task: TaskStatus }) {
   }, [task.clips.length]);
   return (
     <dl class="chain">
-      <dt>Trigger</dt>
+      <dt>{t("Trigger")}</dt>
       <dd>{sentence(why(task) + (given ? `: ${given}` : ""))}</dd>
-      <dt>Decision</dt>
+      <dt>{t("Decision")}</dt>
       <dd>
-        {task.rehearsal ? rehearsed(task.rehearsal) : "It was not rehearsed."}
+        {task.rehearsal ? rehearsed(task.rehearsal) : t("It was not rehearsed.")}
         {task.code !== "ok" && <span class="quiet"> ({task.code})</span>}
       </dd>
-      <dt>Flight</dt>
+      <dt>{t("Flight")}</dt>
       <dd>
         {flight(task)}
         {task.started_at !== null && <Steps steps={task.steps} />}
         {task.recording && (
           <p>
-            Recorded: <code>housefly replay {task.recording}</code>
+            {t("Recorded:")} <code>housefly replay {task.recording}</code>
           </p>
         )}
       </dd>
-      <dt>Clip</dt>
+      <dt>{t("Clip")}</dt>
       <dd>
-        {kept.length === 0 && (task.clips.length === 0 ? "None." : "None is kept any more.")}
+        {kept.length === 0 && 
+          (task.clips.length === 0 ? t("None.") : t("None is kept any more."))}
         <span class="chips">
           {kept.map((clip) => (
             <button type="button" key={clip.id} onClick={() => openClip(clip.id)}>
-              {clip.kind === "clip" ? `▣ Show clip, ${minutes(clip.duration)}` : "▢ Show snapshot"}
+              {clip.kind === "clip"
+                ? `▣ ${t("Show clip, {time}", { time: minutes(clip.duration) })}`
+                : `▢ ${t("Show snapshot")}`}
             </button>
           ))}
-          <TakeAway clips={kept} label="Save all" />
+          <TakeAway clips={kept} label={t("Save all")} />
         </span>
       </dd>
-      <dt>Outcome</dt>
+      <dt>{t("Outcome")}</dt>
       <dd>
-        {sentence(task.words || task.state)}
+        <Told words={sentence(translated(task.words || task.state))} />
         {task.report.map((line) => (
-          <p key={line}>{sentence(line)}</p>
+          <p key={line}>
+            <Told words={sentence(translated(line))} />
+          </p>
         ))}
       </dd>
     </dl>

@@ -1,12 +1,12 @@
 // What one may ask here, for somebody who sees this for the first time: each is one tap.
 import { catalogue } from "../live/store";
 import { room } from "../store";
-import { language } from "./tasks-client";
+import { language, type Language } from "../messages/language";
 
 const MEANT = "object";
 
 /** In the language in which the words are read; names only where the language has them. */
-const IDEAS: Record<string, () => string[]> = {
+const IDEAS: Record<Language, () => string[]> = {
   en: () => [
     "Who is at the door?",
     ...places().map((one) => `Look at the ${one.toLowerCase()}`),
@@ -22,7 +22,7 @@ const IDEAS: Record<string, () => string[]> = {
   ja: () => ["玄関に誰がいますか", "誰かいますか", "大丈夫ですか", "今日何がありましたか"],
 };
 
-export const ideas = (): string[] => IDEAS[language()]!();
+export const ideas = (): string[] => IDEAS[language.value]();
 
 /** The place that is looked at first. */
 function places(): string[] {

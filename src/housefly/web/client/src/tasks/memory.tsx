@@ -1,11 +1,13 @@
 import { signal } from "@preact/signals";
 import { sentence } from "../format";
+import { Told } from "../messages/told";
 import { board } from "./board";
 import { Clips } from "./clips";
 import { Ended } from "./ended";
 import { Rules } from "./rules";
+import { t, translated } from "../messages/language";
 
-const TABS = { history: "History", clips: "Clips", rules: "Rules" };
+const TABS = { history: "History", clips: "Clips", rules: "Rules" } as const;
 type Tab = keyof typeof TABS;
 const tab = signal<Tab>("history");
 const SHOWN = { history: Ended, clips: Clips, rules: Rules };
@@ -14,8 +16,8 @@ const SHOWN = { history: Ended, clips: Clips, rules: Rules };
 export function Memory() {
   const Shown = SHOWN[tab.value];
   return (
-    <section class="card memory" aria-label="What was">
-      <div class="tabs" role="tablist" aria-label="What was">
+    <section class="card memory" aria-label={t("What was")}>
+      <div class="tabs" role="tablist" aria-label={t("What was")}>
         {(Object.keys(TABS) as Tab[]).map((name) => (
           <button
             type="button"
@@ -26,13 +28,13 @@ export function Memory() {
             aria-controls="tab-shown"
             onClick={() => (tab.value = name)}
           >
-            {TABS[name]}
+            {t(TABS[name])}
           </button>
         ))}
       </div>
       {(board.value?.notices ?? []).map((words) => (
         <p key={words} role="status">
-          △ {sentence(words)}
+          △ <Told words={sentence(translated(words))} />
         </p>
       ))}
       <div id="tab-shown" role="tabpanel" aria-labelledby={`tab-${tab.value}`}>

@@ -1,8 +1,10 @@
 import { signal } from "@preact/signals";
 import { sentence } from "../format";
+import { Told } from "../messages/told";
 import { board, running } from "./board";
 import { setMode } from "./tasks-client";
 import type { HouseMode } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
 const MODES: HouseMode[] = ["home", "away", "night", "privacy", "maintenance"];
 const words = signal("");
@@ -18,9 +20,9 @@ async function choose(mode: HouseMode): Promise<void> {
 /** The mode of the house, and what it allows. */
 export function Mode() {
   return (
-    <section class="card house-mode" aria-label="Mode of the house">
-      <h2>Mode of the house</h2>
-      <div class="modes" role="group" aria-label="Mode">
+    <section class="card house-mode" aria-label={t("Mode of the house")}>
+      <h2>{t("Mode of the house")}</h2>
+      <div class="modes" role="group" aria-label={t("Mode")}>
         {MODES.map((mode) => (
           <button
             type="button"
@@ -29,12 +31,12 @@ export function Mode() {
             aria-disabled={!running.value}
             onClick={() => void choose(mode)}
           >
-            {mode}
+            {t(`${mode}^mode`)}
           </button>
         ))}
       </div>
       <p class="quiet" role="status">
-        {words.value && sentence(words.value)}
+        <Told words={words.value && sentence(translated(words.value))} />
       </p>
     </section>
   );

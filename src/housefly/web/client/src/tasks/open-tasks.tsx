@@ -1,10 +1,12 @@
 import { signal } from "@preact/signals";
 import { sentence } from "../format";
 import { ago } from "../live/words";
+import { Told } from "../messages/told";
 import { board, running, unixNow } from "./board";
 import { change } from "./tasks-client";
 import { details, MARKS, outcome, rehearsed, why } from "./words";
 import type { TaskStatus, TaskStepState, TaskStepStatus } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
 const trouble = signal({ task: 0, words: "" });
 
@@ -23,12 +25,14 @@ async function order(task: number, what: Change): Promise<void> {
 export function OpenTasks() {
   const tasks = board.value?.tasks ?? [];
   return (
-    <section class="card now" aria-label="Now">
+    <section class="card now" aria-label={t("Now")}>
       <div class="row">
-        <h2>Now</h2>
-        <span class="quiet">{running.value ? (board.value?.drone ?? "") : ""}</span>
+        <h2>{t("Now")}</h2>
+        <span class="quiet">
+          <Told words={running.value ? translated(board.value?.drone ?? "") : ""} />
+        </span>
       </div>
-      {tasks.length === 0 && <p class="quiet">Nothing is asked for.</p>}
+      {tasks.length === 0 && <p class="quiet">{t("Nothing is asked for.")}</p>}
       <ol data-old={!running.value}>
         {tasks.map((task) => (
           <Task key={task.id} task={task} />
@@ -44,31 +48,39 @@ function Task({ task }: { task: TaskStatus }) {
   // The card of its question says the rest.
   const waits = task.state === "waiting for a yes";
   return (
-    <li data-outcome={kind} aria-label={`Task ${task.id}`}>
+    <li data-outcome={kind} aria-label={t("Task {n}", { n: task.id })}>
       <div class="row">
         <strong>
           <span class="mark" aria-hidden="true">
             {MARKS[kind]}
           </span>{" "}
-          {task.title}
+          <Told words={translated(task.title)} />
         </strong>
         {given && <span>{given}</span>}
-        <span class="stage">{task.state}</span>
+        <span class="stage">{t(task.state)}</span>
       </div>
       <p class="quiet">
         {why(task)}, {ago(unixNow.value - task.asked_at)}
       </p>
-      {task.words && !waits && <p>{sentence(task.words)}</p>}
+      {task.words && !waits && (
+        <p>
+          <Told words={sentence(translated(task.words))} />
+        </p>
+      )}
       {task.rehearsal && !waits && (
-        <p class="quiet">{rehearsed(task.rehearsal)}</p>
+        <p class="quiet">
+          <Told words={rehearsed(task.rehearsal)} />
+        </p>
       )}
       {!waits && <Steps steps={task.steps} />}
       <div class="row orders">
-        {task.state === "running" && <Order task={task.id} what="pause" words="Pause" />}
-        {task.state === "paused" && <Order task={task.id} what="continue" words="Go on" />}
-        <Order task={task.id} what="cancel" words="Cancel" />
+        {task.state === "running" && <Order task={task.id} what="pause" words={t("Pause")} />}
+        {task.state === "paused" && <Order task={task.id} what="continue" words={t("Go on")} />}
+        <Order task={task.id} what="cancel" words={t("Cancel")} />
       </div>
-      {trouble.value.task === task.id && <p role="alert">△ {sentence(trouble.value.words)}</p>}
+      {trouble.value.task === task.id && (
+        <p role="alert">△ {sentence(translated(trouble.value.words))}</p>
+      )}
     </li>
   );
 }
@@ -77,7 +89,7 @@ function Order({ task, what, words }: { task: number; what: Change; words: strin
   return (
     <button
       type="button"
-      aria-label={`${words}: task ${task}`}
+      aria-label={t("{words}: task {n}", { words, n: task })}
       aria-disabled={!running.value}
       onClick={() => void order(task, what)}
     >
@@ -98,7 +110,7 @@ const STEP_MARKS: Record<TaskStepState, string> = {
 export function Steps({ steps }: { steps: TaskStepStatus[] }) {
   if (steps.length === 0) return null;
   return (
-    <ol class="steps" aria-label="Steps">
+    <ol class="steps" aria-label={t("Steps")}>
       {steps.map((step, k) => (
         <li
           key={`${k} ${step.name}`}
@@ -108,8 +120,8 @@ export function Steps({ steps }: { steps: TaskStepStatus[] }) {
           <span class="mark" aria-hidden="true">
             {STEP_MARKS[step.state]}
           </span>
-          <span class="spoken">{step.state}: </span>
-          {step.words || step.name}
+          <span class="spoken">{t(step.state)}: </span>
+          <Told words={translated(step.words || step.name)} />
         </li>
       ))}
     </ol>

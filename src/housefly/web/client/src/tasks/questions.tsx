@@ -5,10 +5,12 @@ import { minutes, sentence } from "../format";
 import { createHold } from "../hold";
 import { bellAsks } from "../scene/bell";
 import { BellCard } from "../scene/bell-card";
+import { Told } from "../messages/told";
 import { open } from "../store";
 import { asked, endedBadly, unixNow, type Asked } from "./board";
 import { reply } from "./tasks-client";
 import { proposal, rehearsed, why, withAdvice } from "./words";
+import { t, translated } from "../messages/language";
 
 const HOLD = 0.6;
 const SETTLED = 700;
@@ -31,7 +33,7 @@ export function Questions({ over }: { over: boolean }) {
   const rings = over && bellAsks.value;
   if (waiting.length + ended.length === 0 && !rings) return null;
   return (
-    <section class={`questions ${over ? "over" : ""}`} aria-label="Questions">
+    <section class={`questions ${over ? "over" : ""}`} aria-label={t("Questions")}>
       {rings && <BellCard />}
       {(over ? waiting.slice(0, SHOWN) : waiting).map((one) => (
         <Card key={`${one.task.id} ${one.question.id}`} one={one} />
@@ -39,16 +41,19 @@ export function Questions({ over }: { over: boolean }) {
       {ended.map((task) => (
         <p class="ended-badly" role="alert" key={task.id}>
           <span>
-            <strong>△ {task.title}:</strong> {withAdvice(task.words || task.state, task.code)}
+            <strong>
+              △ <Told words={translated(task.title)} />:
+            </strong>{" "}
+            <Told words={withAdvice(task.words || task.state, task.code)} />
           </span>
           <button type="button" onClick={() => (read.value = new Set([...read.value, task.id]))}>
-            Close
+            {t("Close")}
           </button>
         </p>
       ))}
       {more > 0 && (
         <button type="button" onClick={() => open("tasks")}>
-          {more} more {more === 1 ? "question" : "questions"}
+          {t("{n} more question|{n} more questions", { n: more })}
         </button>
       )}
     </section>
@@ -59,16 +64,16 @@ function Card({ one: { task, question } }: { one: Asked }) {
   const caused = question.id === CONFIRMATION && task.cause !== "";
   const left = question.until === null ? null : question.until - unixNow.value;
   return (
-    <article class="question" aria-label={`Question of task ${task.id}`}>
+    <article class="question" aria-label={t("Question of task {n}", { n: task.id })}>
       <p class="words" role="alert">
-        {caused ? proposal(task) : sentence(question.words)}
+        <Told words={caused ? proposal(task) : sentence(translated(question.words))} />
       </p>
       <p class="quiet">
-        {caused ? sentence(why(task)) : `${task.title} · ${why(task)}`}
+        {caused ? sentence(why(task)) : `${translated(task.title)} · ${why(task)}`}
       </p>
       {task.rehearsal && question.id === CONFIRMATION && (
         <p class="rehearsal" data-may={task.rehearsal.may_fly}>
-          {rehearsed(task.rehearsal)}
+          <Told words={rehearsed(task.rehearsal)} />
         </p>
       )}
       <div class="choices">
@@ -89,10 +94,15 @@ function Card({ one: { task, question } }: { one: Asked }) {
       </div>
       {left !== null && (
         <p class="quiet">
-          Without an answer it counts as “{question.otherwise}” in {minutes(left)}.
+          {t("Without an answer it counts as “{choice}” in {time}.", {
+            choice: translated(question.otherwise),
+            time: minutes(left),
+          })}
         </p>
       )}
-      {trouble.value.task === task.id && <p role="alert">△ {sentence(trouble.value.words)}</p>}
+      {trouble.value.task === task.id && (
+        <p role="alert">△ {sentence(translated(trouble.value.words))}</p>
+      )}
     </article>
   );
 }
@@ -115,7 +125,8 @@ function Choice({ task, question, choice, first, harmless }: Answer) {
     });
   };
   const hold = useMemo(() => createHold(HOLD, free, answer), [task, question, choice]);
-  const capital = choice.charAt(0).toUpperCase() + choice.slice(1);
+  const words = translated(choice);
+  const capital = words.charAt(0).toUpperCase() + words.slice(1);
   if (harmless)
     return (
       <button
@@ -130,7 +141,7 @@ function Choice({ task, question, choice, first, harmless }: Answer) {
   return (
     <HoldButton hold={hold} class={first ? "primary" : "secondary"} label={capital}>
       <span>{capital}</span>
-      <small aria-hidden="true">hold</small>
+      <small aria-hidden="true">{t("hold")}</small>
     </HoldButton>
   );
 }

@@ -2,9 +2,11 @@ import { signal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { sentence } from "../format";
 import { clock } from "../live/words";
+import { Told } from "../messages/told";
 import { board, running, unixNow } from "./board";
 import { dryRun, rules as askRules } from "./tasks-client";
 import type { RuleFiring, RuleStatus } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
 const WEEK = 7 * 86400;
 
@@ -35,33 +37,36 @@ export function Rules() {
   useEffect(() => void look(), [running.value, board.value?.ended[0]?.id]);
   return (
     <>
-      {known.value?.length === 0 && <p class="quiet">There is no rule.</p>}
+      {known.value?.length === 0 && <p class="quiet">{t("There is no rule.")}</p>}
       <ul class="rules">
         {known.value?.map((rule) => (
           <li key={rule.name}>
             <strong>
               {rule.name}
-              {!rule.enabled && " (off)"}
+              {!rule.enabled && ` ${t("(off)")}`}
             </strong>
-            <p>{sentence(rule.words)}</p>
+            <p>
+              <Told words={sentence(translated(rule.words))} />
+            </p>
             {rule.last_at !== null && (
               <p class="quiet">
-                {clock(rule.last_at)}: {rule.last_words}
+                {clock(rule.last_at)}: <Told words={translated(rule.last_words)} />
               </p>
             )}
           </li>
         ))}
       </ul>
       <button type="button" onClick={() => void lastWeek()}>
-        What would have happened last week?
+        {t("What would have happened last week?")}
       </button>
-      <p role="status">{trouble.value && `△ ${sentence(trouble.value)}`}</p>
+      <p role="status">{trouble.value && `△ ${sentence(translated(trouble.value))}`}</p>
       {firings.value && (
-        <ol class="firings" aria-label="What the rules would have done">
-          {firings.value.length === 0 && <li class="quiet">Nothing.</li>}
+        <ol class="firings" aria-label={t("What the rules would have done")}>
+          {firings.value.length === 0 && <li class="quiet">{t("Nothing.")}</li>}
           {firings.value.map((one) => (
             <li key={`${one.rule} ${one.at}`}>
-              <time>{clock(one.at)}</time> {one.rule}: {one.cause}. {sentence(one.words)}
+              <time>{clock(one.at)}</time> {one.rule}: {translated(one.cause)}.{" "}
+              <Told words={sentence(translated(one.words))} />
               {one.code !== "ok" && <span class="quiet"> ({one.code})</span>}
             </li>
           ))}

@@ -1,27 +1,32 @@
 import { HoldButton } from "../controls/hold-button";
 import { sentence } from "../format";
 import { ago } from "../live/words";
+import { Told } from "../messages/told";
 import { accept, answer, answeredAt, said, trouble } from "./ask";
 import { running, unixNow } from "./board";
+import { t, translated } from "../messages/language";
 
 /** What came of a sentence: words, what could be meant, or what would be done about it. */
 export function SentenceAnswerView({ go }: { go: (words: string) => void }) {
   const found = answer.value;
-  if (trouble.value) return <p>△ {sentence(trouble.value)}</p>;
+  if (trouble.value) return <p>△ {sentence(translated(trouble.value))}</p>;
   if (!found) return said.value ? <p class="quiet">…</p> : null;
   return (
     <>
       <p class="quiet asked">
-        “{said.value}”, answered {ago(unixNow.value - answeredAt.value)}
+        {t("“{words}”, answered {age}", {
+          words: said.value,
+          age: ago(unixNow.value - answeredAt.value),
+        })}
       </p>
       <p class="words" data-understood={found.understood}>
         {!found.understood && "△ "}
-        {sentence(found.words)}
+        <Told words={sentence(translated(found.words))} />
       </p>
       {found.offer && (
-        <HoldButton hold={accept} class="primary" label="Yes, do it">
-          <span>Yes, do it</span>
-          <small aria-hidden="true">hold</small>
+        <HoldButton hold={accept} class="primary" label={t("Yes, do it")}>
+          <span>{t("Yes, do it")}</span>
+          <small aria-hidden="true">{t("hold")}</small>
         </HoldButton>
       )}
       {found.suggestions.length > 0 && <Chips words={found.suggestions} go={go} />}

@@ -5,6 +5,7 @@ import { sentence } from "../format";
 import { createHold } from "../hold";
 import { room } from "../store";
 import { catalogue } from "../live/store";
+import { Told } from "../messages/told";
 import { running } from "./board";
 import { learnNames } from "./names";
 import {
@@ -15,6 +16,7 @@ import {
 } from "./tasks-client";
 import { rehearsed } from "./words";
 import type { ParameterInfo, RehearsalReport, ServiceInfo } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
 const HOLD = 0.6;
 
@@ -33,14 +35,14 @@ effect(() => {
 });
 
 const missing = computed(() => {
-  if (chosen.value?.problem) return chosen.value.problem;
+  if (chosen.value?.problem) return translated(chosen.value.problem);
   const one = chosen.value?.parameters.find(
     (parameter) => parameter.required && (given.value[parameter.name] ?? "") === "",
   );
-  return one ? `Say first: ${one.about || one.name}.` : "";
+  return one ? t("Say first: {what}.", { what: translated(one.about || one.name) }) : "";
 });
 const objection = computed(() =>
-  running.value ? missing.value : "The services are not running.",
+  running.value ? missing.value : t("The services are not running."),
 );
 
 function choose(service: ServiceInfo | null): void {
@@ -61,7 +63,7 @@ async function look(): Promise<void> {
   try {
     found = (await rehearse(service.name, parameters)).rehearsal;
   } catch (error) {
-    outcome.value = (error as Error).message;
+    outcome.value = translated((error as Error).message);
   }
   if (chosen.value === service && given.value === parameters) rehearsal.value = found;
 }
@@ -72,9 +74,9 @@ async function start(): Promise<void> {
   outcome.value = "";
   try {
     const { tasks } = await request(service.name, given.value);
-    outcome.value = tasks.map((task) => task.words || task.state).join(", ");
+    outcome.value = tasks.map((task) => translated(task.words || task.state)).join(", ");
   } catch (error) {
-    outcome.value = (error as Error).message;
+    outcome.value = translated((error as Error).message);
   }
 }
 
@@ -83,8 +85,8 @@ const fly = createHold(HOLD, objection, () => void start());
 /** One tap a service; what it needs is asked in place, and rehearsed before the yes. */
 export function Services() {
   return (
-    <section class="card services" aria-label="Services">
-      <h2>What can be done</h2>
+    <section class="card services" aria-label={t("Services")}>
+      <h2>{t("What can be done")}</h2>
       <ul>
         {offered.value.map((one) => (
           <li key={one.name}>
@@ -93,14 +95,18 @@ export function Services() {
               aria-expanded={chosen.value?.name === one.name}
               onClick={() => choose(one)}
             >
-              <strong>{one.title}</strong>
-              <span class="quiet">{one.about}</span>
+              <strong>
+                <Told words={translated(one.title)} />
+              </strong>
+              <span class="quiet">
+                <Told words={translated(one.about)} />
+              </span>
             </button>
             {chosen.value?.name === one.name && <Form service={one} />}
           </li>
         ))}
       </ul>
-      {offered.value.length === 0 && <p class="quiet">Not known yet.</p>}
+      {offered.value.length === 0 && <p class="quiet">{t("Not known yet.")}</p>}
     </section>
   );
 }
@@ -111,7 +117,7 @@ function Form({ service }: { service: ServiceInfo }) {
   return (
     <form
       ref={form}
-      aria-label={service.title}
+      aria-label={translated(service.title)}
       onSubmit={(event) => {
         event.preventDefault();
         void (service.flies ? look() : start());
@@ -126,17 +132,21 @@ function Form({ service }: { service: ServiceInfo }) {
       <div class="row orders">
         {service.flies ? (
           <>
-            <HoldButton hold={fly} class="primary" label={`Start: ${service.title}`}>
-              <span>Start</span>
-              <small aria-hidden="true">hold</small>
+            <HoldButton
+              hold={fly}
+              class="primary"
+              label={t("Start: {title}", { title: translated(service.title) })}
+            >
+              <span>{t("Start")}</span>
+              <small aria-hidden="true">{t("hold")}</small>
             </HoldButton>
             <button type="submit" class="secondary" aria-disabled={objection.value !== ""}>
-              Rehearse
+              {t("Rehearse")}
             </button>
           </>
         ) : (
           <button type="submit" class="primary" aria-disabled={objection.value !== ""}>
-            Ask
+            {t("Ask")}
           </button>
         )}
       </div>
@@ -147,7 +157,7 @@ function Form({ service }: { service: ServiceInfo }) {
 function Rehearsed() {
   const found = rehearsal.value;
   if (outcome.value) return <>{sentence(outcome.value)}</>;
-  if (found === "…") return <span class="quiet">Rehearsing …</span>;
+  if (found === "…") return <span class="quiet">{t("Rehearsing …")}</span>;
   if (found) return <span data-may={found.may_fly}>{rehearsed(found)}</span>;
   return <span class="quiet">{missing.value}</span>;
 }
@@ -163,7 +173,7 @@ function put(name: string, value: string | number | boolean): void {
 
 function Field({ parameter }: { parameter: ParameterInfo }) {
   const { name, type, unit } = parameter;
-  const label = (parameter.about || name) + (unit ? ` [${unit}]` : "");
+  const label = translated(parameter.about || name) + (unit ? ` [${unit}]` : "");
   const value = given.value[name] ?? parameter.default;
   if (type === "flag")
     return (

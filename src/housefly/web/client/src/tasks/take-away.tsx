@@ -3,6 +3,7 @@ import { sentence } from "../format";
 import { fetchAsSession } from "../wire/session";
 import { clipsAddress } from "./tasks-client";
 import type { ClipInfo } from "../wire/task-messages";
+import { translated } from "../messages/language";
 
 const MOST = 200;
 const NOT_YOURS = "with your role clips can be watched, not taken away together";
@@ -30,7 +31,9 @@ export function TakeAway({ clips, label }: { clips: readonly ClipInfo[]; label: 
       <button type="button" onClick={() => void takeAway(address)}>
         {label}
       </button>
-      {trouble.value.of === address && <span role="alert">△ {sentence(trouble.value.words)}</span>}
+      {trouble.value.of === address && (
+        <span role="alert">△ {sentence(translated(trouble.value.words))}</span>
+      )}
     </>
   );
 }

@@ -12,6 +12,7 @@ import type {
 } from "../wire/task-messages";
 import type { BellView, ThingsAnswer } from "../wire/room-messages";
 import { fetchAsSession, proof } from "../wire/session";
+import { language } from "../messages/language";
 
 const API = "/api/v1";
 
@@ -51,7 +52,7 @@ export const rehearse = (service: string, parameters: Parameters): Promise<Rehea
 
 /** Say something; what would fly waits for a yes, which shows the rehearsal. */
 export const say = (text: string): Promise<SentenceAnswer> =>
-  post("/sentence", { text, language: language(), confirm: "ask" });
+  post("/sentence", { text, language: language.value, confirm: "ask" });
 
 export const setMode = (mode: string): Promise<ModeAnswer> => post("/mode", { mode });
 
@@ -69,6 +70,8 @@ export const history = (before: number, limit: number): Promise<TasksAnswer> =>
 
 export const keepClip = (clip: string, keep: boolean): Promise<ClipsAnswer> =>
   post(`/clips/${encodeURIComponent(clip)}/keep`, { keep });
+/** Keep the picture that came at a time [s, server's clock] as a photo; 0 is the newest. */
+export const takePhoto = (at: number): Promise<ClipsAnswer> => post("/photo", { at });
 export const deleteClip = (clip: string): Promise<ClipsAnswer> =>
   post(`/clips/${encodeURIComponent(clip)}/delete`);
 export const clips = (wanted: Record<string, string>): Promise<ClipsAnswer> =>
@@ -84,12 +87,4 @@ export function clipAddress(id: string, download = false): string {
 export function clipsAddress(ids: readonly string[]): string {
   const wanted = new URLSearchParams(ids.map((id) => ["clip", id]));
   return `${API}/clips.zip?${wanted}&proof=${proof()}`;
-}
-
-const LANGUAGES = ["en", "de", "ja"];
-
-/** The language in which what is typed here is read. */
-export function language(): string {
-  const wanted = navigator.languages.map((one) => one.slice(0, 2));
-  return wanted.find((one) => LANGUAGES.includes(one)) ?? "en";
 }

@@ -1,5 +1,4 @@
 import { computed } from "@preact/signals";
-import { sentence } from "../format";
 import { VideoView } from "../panels/video";
 import { flying } from "../store";
 import { Readiness } from "../panels/preflight";
@@ -14,6 +13,7 @@ import { Mode } from "./mode";
 import { OpenTasks } from "./open-tasks";
 import { Questions } from "./questions";
 import { Services } from "./services";
+import { t } from "../messages/language";
 
 /** Whether the drone may fly and nothing is to be known; the header says so already. */
 const fine = computed(
@@ -45,10 +45,10 @@ export function TasksScreen() {
 
 function Silence() {
   const age = board.value && ago(unixNow.value - board.value.at);
-  const last = age && ` What is shown here is what was known ${age}.`;
+  const last = age && ` ${t("What is shown here is what was known {age}.", { age })}`;
   return (
     <p class="silence" role="alert">
-      △ {sentence("the services are not running: nothing can be asked for now")}
+      △ {t("The services are not running: nothing can be asked for now.")}
       {last}
     </p>
   );

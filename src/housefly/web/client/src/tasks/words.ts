@@ -1,8 +1,11 @@
 // Tasks as people say them.
 import { sentence } from "../format";
+import type { Key } from "../messages/en";
+import { localNumber } from "../messages/numbers";
 import type { RehearsalReport, TaskStage, TaskStatus } from "../wire/task-messages";
+import { t, translated } from "../messages/language";
 
-const SURFACES: Record<TaskStatus["surface"], string> = {
+const SURFACES: Record<TaskStatus["surface"], Key> = {
   "console": "in the console",
   "command line": "on the command line",
   "http": "over HTTP",
@@ -14,12 +17,13 @@ const SURFACES: Record<TaskStatus["surface"], string> = {
 
 /** Who wanted a task, where, and what caused it. */
 export function why(task: TaskStatus): string {
-  const who = task.asked_by ? `asked for by ${task.asked_by}` : "asked for";
-  const where = task.surface === "rule" ? "" : ` ${SURFACES[task.surface]}`;
-  return who + where + (task.cause ? `, because of ${happened(task.cause)}` : "");
+  const who = task.asked_by ? t("asked for by {who}", { who: task.asked_by }) : t("asked for");
+  const where = task.surface === "rule" ? "" : ` ${t(SURFACES[task.surface])}`;
+  const cause = task.cause ? t(", because of {cause}", { cause: causeOf(task.cause) }) : "";
+  return who + where + cause;
 }
 
-const SPOKEN: Record<string, string> = {
+const SPOKEN: Record<string, Key> = {
   "bell pressed": "The bell rings",
   "webhook bell": "The bell rings",
   "person fallen": "Somebody may have fallen",
@@ -28,9 +32,9 @@ const SPOKEN: Record<string, string> = {
 /** What has happened and what would be done about it, as a question. */
 export function proposal(task: TaskStatus): string {
   const cause = happened(task.cause);
-  const spoken = SPOKEN[cause.replace(/ \(.*/, "")] ?? cause;
-  const title = task.title.replace(/\?$/, "");
-  return `${spoken.charAt(0).toUpperCase()}${spoken.slice(1)}. ${title}?`;
+  const known = SPOKEN[cause.replace(/ \(.*/, "")];
+  const spoken = known ? t(known) : causeOf(task.cause);
+  return `${sentence(spoken)} ${translated(task.title).replace(/\?$/, "")}?`;
 }
 
 /** What an id of an event or rule says: `rule:bell bell pressed/doorbell/…` is "bell pressed". */
@@ -39,6 +43,9 @@ export function happened(cause: string): string {
   // A time is only there to tell one call from another.
   return thing && !kind.includes(thing) && isNaN(Number(thing)) ? `${kind} (${thing})` : kind;
 }
+
+/** The same in the language of the page. */
+export const causeOf = (cause: string): string => translated(happened(cause));
 
 export type Outcome = "waits" | "runs" | "well" | "badly" | "ended";
 
@@ -67,23 +74,26 @@ export const MARKS: Record<Outcome, string> = {
 /** What a task was asked with, in one line. */
 export function details(task: TaskStatus): string {
   return Object.entries(task.parameters)
-    .map(([name, value]) => `${name} ${shown(value)}`)
+    .map(([name, value]) => `${translated(name)} ${shown(value)}`)
     .join(", ");
 }
 
 function shown(value: string | number | boolean): string {
-  if (typeof value === "boolean") return value ? "yes" : "no";
-  return typeof value === "number" ? String(Math.round(100 * value) / 100) : value;
+  if (typeof value === "boolean") return value ? t("yes") : t("no");
+  return typeof value === "number" ? localNumber(String(Math.round(100 * value) / 100)) : value;
 }
 
 const CLOSED = "Who walks there may close the way for a moment: ask again when it is free.";
 
 /** Why something does not fly; a way that is closed now need not stay so. */
 export function withAdvice(words: string, code: string): string {
-  return code === "no_way" ? `${sentence(words)} ${CLOSED}` : sentence(words);
+  const told = sentence(translated(words));
+  return code === "no_way" ? `${told} ${t(CLOSED)}` : told;
 }
 
 /** What a rehearsal found. */
 export function rehearsed(report: RehearsalReport): string {
-  return report.may_fly ? sentence(report.words) : withAdvice(report.words, report.code);
+  return report.may_fly
+    ? sentence(translated(report.words))
+    : withAdvice(report.words, report.code);
 }

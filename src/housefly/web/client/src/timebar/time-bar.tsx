@@ -2,28 +2,26 @@ import { useEffect } from "preact/hooks";
 import { minutes } from "../format";
 import { askEvents } from "../live/room-client";
 import { at, events, hubNow, span } from "../live/store";
+import type { Key } from "../messages/en";
 import { ago, clock } from "../live/words";
+import { lazyPart } from "../map/lazy-part";
 import { flying } from "../store";
 import {
   askFlights,
-  closeFlight,
   flights,
   liveAgain,
-  moment,
   openFlight,
-  pace,
-  pause,
-  play,
-  playing,
   replay,
   replayObjection,
-  show,
   trouble,
 } from "../replay/replay";
-import type { FlightReplay, FlightView } from "../wire/room-messages";
+import type { FlightView } from "../wire/room-messages";
 import { endOf, go } from "./past";
+import { t, translated } from "../messages/language";
 
-const SPANS: [number, string][] = [
+const Recording = lazyPart(async () => (await import("./recording")).Recording);
+
+const SPANS: [number, Key][] = [
   [600, "10 min"],
   [3600, "1 h"],
   [21600, "6 h"],
@@ -32,7 +30,6 @@ const SPANS: [number, string][] = [
 ];
 const STEPS = 600;
 const LANDED_FOR = 3000;
-const PACES = [1, 2, 4, 8];
 
 /** Time at the foot of the scene: now, the room's past, and the flights as blocks. */
 export function TimeBar() {
@@ -45,10 +42,12 @@ export function TimeBar() {
   }, [flying.value]);
   const flight = replay.value;
   return (
-    <section class="card time-bar" aria-label="Time" data-recorded={flight !== null}>
+    <section class="card time-bar" aria-label={t("Time")} data-recorded={flight !== null}>
       {flight ? <Recording flight={flight} /> : <Present />}
       <p class="trouble" role="alert">
-        {liveAgain.value ? `Live again: ${liveAgain.value}` : trouble.value}
+        {liveAgain.value
+          ? t("Live again: {why}", { why: liveAgain.value })
+          : translated(trouble.value)}
       </p>
     </section>
   );
@@ -59,7 +58,7 @@ function Present() {
   const past = at.value !== null;
   const right = past ? endOf.value : hubNow.value;
   const value = past ? Math.max(-span.value, at.value! - right) : 0;
-  const words = past ? `${clock(at.value!)}, ${ago(hubNow.value - at.value!)}` : "now";
+  const words = past ? `${clock(at.value!)}, ${ago(hubNow.value - at.value!)}` : t("now");
   const share = (time: number): number => 100 * (1 - (right - time) / span.value);
   const within = (time: number): boolean => time > right - span.value && time <= right;
   return (
@@ -71,7 +70,7 @@ function Present() {
         aria-pressed={!past}
         onClick={() => go(null)}
       >
-        {past ? "Back to live" : "● Live"}
+        {past ? t("Back to live") : t("● Live")}
       </button>
       <div class="track slider">
         <div class="blocks">
@@ -93,7 +92,7 @@ function Present() {
         </div>
         <input
           type="range"
-          aria-label="Time shown"
+          aria-label={t("Time shown")}
           aria-valuetext={words}
           min={-span.value}
           max={0}
@@ -106,7 +105,7 @@ function Present() {
         />
       </div>
       <select
-        aria-label="How far back"
+        aria-label={t("How far back")}
         value={span.value}
         onChange={(event) => {
           span.value = Number(event.currentTarget.value);
@@ -115,7 +114,7 @@ function Present() {
       >
         {SPANS.map(([seconds, name]) => (
           <option key={seconds} value={seconds}>
-            {name}
+            {t(name)}
           </option>
         ))}
       </select>
@@ -124,14 +123,24 @@ function Present() {
 }
 
 const LEAST = 0.8;
-/** Bands of a larger share of the flight have their name on them. */
-const NAMED = 0.07;
+
+const WORST: Record<FlightView["worst"], Key | ""> = {
+  info: "",
+  warning: ", with warnings",
+  fault: ", with faults",
+};
 
 function Block({ flight, left, span }: { flight: FlightView; left: number; span: number }) {
   const width = Math.max(LEAST, (100 * flight.duration) / span);
-  const goal = flight.goal ? ` to ${flight.goal}` : "";
-  const name = `Flight at ${clock(flight.started_at)}${goal}, ${minutes(flight.duration)} long`;
-  const worst = { info: "", warning: ", with warnings", fault: ", with faults" }[flight.worst];
+  const values = {
+    time: clock(flight.started_at),
+    goal: flight.goal,
+    span: minutes(flight.duration),
+  };
+  const name = flight.goal
+    ? t("Flight at {time} to {goal}, {span} long", values)
+    : t("Flight at {time}, {span} long", values);
+  const worst = WORST[flight.worst];
   return (
     <button
       type="button"
@@ -141,90 +150,10 @@ function Block({ flight, left, span }: { flight: FlightView; left: number; span:
         left: `min(${Math.max(0, left)}%, calc(100% - 24px))`,
         width: `${Math.min(width, width + left)}%`,
       }}
-      aria-label={`${name}${worst}: look at it again`}
+      aria-label={t("{name}: look at it again", { name: name + (worst && t(worst)) })}
       title={name}
       aria-disabled={replayObjection.value !== ""}
       onClick={() => void openFlight(flight.id)}
     />
   );
 }
-
-/** One flight on the whole bar: what the drone did as bands, the lines of its log as marks. */
-function Recording({ flight }: { flight: FlightReplay }) {
-  const { duration } = flight.flight;
-  const share = (time: number): string => `${(100 * time) / Math.max(duration, 0.1)}%`;
-  return (
-    <>
-      <button type="button" class="now" onClick={() => closeFlight()}>
-        Back to live
-      </button>
-      <button
-        type="button"
-        class="play"
-        aria-label={playing.value ? "Pause" : "Play"}
-        onClick={() => (playing.value ? pause() : play())}
-      >
-        {playing.value ? "❚❚" : "▶"}
-      </button>
-      <div class="track slider">
-        <div class="bands" aria-hidden="true">
-          {flight.stages.map((stage, k) => (
-            <span
-              key={k}
-              data-phase={stage.phase.split(" ")[0]}
-              data-safety={stage.safety}
-              style={{
-                left: share(stage.t),
-                width: share((flight.stages[k + 1]?.t ?? duration) - stage.t),
-              }}
-            >
-              {((flight.stages[k + 1]?.t ?? duration) - stage.t) / duration > NAMED && stage.phase}
-            </span>
-          ))}
-        </div>
-        <div class="marks" aria-hidden="true">
-          {flight.notes.map((note, k) => (
-            <i key={k} data-severity={note.severity} style={{ left: share(note.t) }} />
-          ))}
-        </div>
-        <Scrub duration={duration} />
-      </div>
-      <Elapsed duration={duration} />
-      <select
-        aria-label="How fast"
-        value={pace.value}
-        onChange={(event) => (pace.value = Number(event.currentTarget.value))}
-      >
-        {PACES.map((one) => (
-          <option key={one} value={one}>
-            {one} ×
-          </option>
-        ))}
-      </select>
-    </>
-  );
-}
-
-function Scrub({ duration }: { duration: number }) {
-  return (
-    <input
-      type="range"
-      aria-label="Moment of the recording"
-      aria-valuetext={`${minutes(moment.value)} of ${minutes(duration)}`}
-      min={0}
-      max={duration}
-      step={0.05}
-      value={moment.value}
-      onInput={(event) => show(Number(event.currentTarget.value))}
-    />
-  );
-}
-
-function Elapsed({ duration }: { duration: number }) {
-  return (
-    <span class="elapsed">
-      {minutes(moment.value)} / {minutes(duration)}
-    </span>
-  );
-}
-

@@ -18,8 +18,13 @@ import { learnCoverage } from "../live/room-client";
 import { milliseconds } from "../format";
 import { replaying } from "../replay/replay";
 import { poseAge, room } from "../store";
+import { peopleModel } from "./people-model";
+import { PeopleNames, placeNames } from "./people-names";
 import { cameraCones, droneModel, flightTube, roomModel, themed } from "./room-model";
-import { shownCurve, shownDrone } from "./shown";
+import { shownDrone } from "./shown";
+import { shownCurve } from "./shown-curve";
+import { shownFigures, type ShownPerson } from "./shown-people";
+import { t } from "../messages/language";
 
 const KIND = { live: "--accent", old: "--edge", recorded: "--warn" } as const;
 
@@ -35,15 +40,17 @@ export function SpaceView() {
     try {
       return drawn(box.current!);
     } catch {
-      problem.value =
-        "This browser cannot draw in space (WebGL is off or missing). The plan shows the same.";
+      problem.value = t(
+        "This browser cannot draw in space (WebGL is off or missing). The plan shows the same.",
+      );
       return undefined;
     }
   }, []);
   const drone = shownDrone.value;
   return (
     <>
-      <div class="space-canvas" ref={box} role="img" aria-label="The room in space" />
+      <div class="space-canvas" ref={box} role="img" aria-label={t("The room in space")} />
+      {!problem.value && <PeopleNames />}
       {problem.value && (
         <p class="veil" role="status">
           {problem.value}
@@ -51,11 +58,14 @@ export function SpaceView() {
       )}
       {!problem.value && (
         <p class="space-words">
-          {replaying.value && <strong>Recorded, not live. </strong>}
-          {!drone && "Nobody sees the drone. "}
-          {drone?.kind === "old" && `The drone was seen ${milliseconds(poseAge.value)} ago. `}
-          <span class="how">Drag to turn, two fingers or the wheel to come nearer. </span>
-          People stand on the plan only.
+          {replaying.value && <strong>{t("Recorded, not live.")} </strong>}
+          {!drone && `${t("Nobody sees the drone.")} `}
+          {drone?.kind === "old" && 
+            `${t("The drone was seen {time} ago.", { time: milliseconds(poseAge.value) })} `}
+          <span class="how">
+            {t("Drag to turn, two fingers or the wheel to come nearer.")}{" "}
+            {t("People are where they were last seen; pale is long ago.")}
+          </span>
         </p>
       )}
     </>
@@ -83,6 +93,8 @@ function drawn(box: HTMLElement): () => void {
     requestAnimationFrame(() => {
       waits = false;
       renderer.render(scene, camera);
+      const names = box.parentElement?.querySelector<HTMLElement>(".space-names");
+      if (names) placeNames(names, camera);
     });
   };
   controls.addEventListener("change", draw);
@@ -112,6 +124,13 @@ function drawn(box: HTMLElement): () => void {
       scene,
       draw,
       () => (void theme.value, shownCurve.value && flightTube(shownCurve.value)),
+    ),
+    shownPart(
+      scene,
+      draw,
+      () => (
+        void theme.value, peopleModel(JSON.parse(shownFigures.value) as ShownPerson[])
+      ),
     ),
     effect(() => {
       if (!room.value || aspect.value === 0) return;

@@ -1,7 +1,6 @@
-// What the view in space draws of the drone: the present, or the recording that is looked at.
+// The drone that plan and space show: the present one, or that of the recording.
 import { computed } from "@preact/signals";
-import { curve, type Curve } from "../map/curve-values";
-import { moment, recordedAt, recordedCurve, replay } from "../replay/replay";
+import { moment, recordedAt, replay } from "../replay/replay";
 import { freshness, poseAge, state } from "../store";
 
 export interface ShownDrone {
@@ -22,7 +21,3 @@ export const shownDrone = computed<ShownDrone | null>(() => {
   const kind = freshness(poseAge.value) === "fresh" ? "live" : "old";
   return { place: now.position, yaw: now.yaw ?? 0, kind };
 });
-
-export const shownCurve = computed<Curve | null>(() =>
-  replay.value ? recordedCurve.value : curve.value,
-);

@@ -1,6 +1,7 @@
 import { signal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useEffect } from "preact/hooks";
+import { t } from "../messages/language";
 
 /** Whether the room is shown in space, in place of the plan. */
 export const inSpace = signal(false);
@@ -13,13 +14,14 @@ export function RoomInSpace() {
     failed.value = "";
     import("./room-in-space").then(
       (code) => (loaded.value = code.SpaceView),
-      () => (failed.value = "The view in space could not be fetched: no contact with the server."),
+      () => 
+        (failed.value = t("The view in space could not be fetched: no contact with the server.")),
     );
   }, []);
   const View = loaded.value;
   return (
     <div class="plan-view space-view">
-      {View ? <View /> : <p class="veil">{failed.value || "Fetching the view in space …"}</p>}
+      {View ? <View /> : <p class="veil">{failed.value || t("Fetching the view in space …")}</p>}
     </div>
   );
 }
@@ -33,7 +35,7 @@ export function SpaceButton() {
       aria-pressed={inSpace.value}
       onClick={() => (inSpace.value = !inSpace.value)}
     >
-      {inSpace.value ? "Plan" : "3-D"}
+      {inSpace.value ? t("Plan") : t("3-D")}
     </button>
   );
 }

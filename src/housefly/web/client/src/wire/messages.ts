@@ -26,7 +26,8 @@ export type OrderKind =
   | "stop"
   | "resume"
   | "cut"
-  | "reset";
+  | "reset"
+  | "nudge";
 
 export interface OrderRequest {
   type: "order";
@@ -35,6 +36,13 @@ export interface OrderRequest {
   place?: string;
   goal?: [number, number] | null;
   look_s?: number;
+}
+
+export interface NudgeRequest {
+  type: "nudge";
+  id: number;
+  velocity: [number, number, number];
+  sent: number;
 }
 
 export interface PlanQuestion {
@@ -513,6 +521,7 @@ export type ClientMessage =
   | PingRequest
   | StopRequest
   | OrderRequest
+  | NudgeRequest
   | PlanQuestion
   | LeaseRequest
   | InviteRequest;

@@ -227,6 +227,8 @@ export interface EditsView {
   saved_at: number;
   by: string;
   words: string;
+  in_use: boolean;
+  use_time: number;
 }
 
 export interface BellView {

@@ -1,0 +1,81 @@
+"""The pilot's word that it stays on the ground for a moment, so that it can be started anew."""
+
+from __future__ import annotations
+
+from housefly.messages import (
+    DroneStatus,
+    Event,
+    Order,
+    OrderKind,
+    Outputs,
+    Phase,
+    Severity,
+    Telemetry,
+)
+from housefly.messages.sensing import REPORT_AGE_MAX
+
+STAND_DOWN_TIME = 5.0
+"""So long it takes no order that flies [s]; then it goes on, if nobody has ended it."""
+RISING_ORDERS = frozenset({OrderKind.TAKE_OFF, OrderKind.GO, OrderKind.SERVICE})
+"""Orders that take off."""
+_REFUSAL = "refused: the pilot starts again with the new map; order it anew in a moment"
+
+
+class StandDown:
+    """Whether the pilot stands down, and until when; used on the pilot's loop alone."""
+
+    def __init__(self) -> None:
+        self._until = float("-inf")
+
+    def begin(
+        self,
+        now: float,
+        telemetry: Telemetry | None,
+        outputs: Outputs | None,
+        waiting: tuple[Order, ...],
+    ) -> str:
+        """Stand down from now on, or return why not, in words.
+
+        Args:
+            now: the pilot's clock [s].
+            telemetry: the drone's newest word.
+            outputs: of the newest step.
+            waiting: orders that the next step will hear.
+        """
+        objection = _objection(now, telemetry, outputs, waiting)
+        if not objection:
+            self._until = now + STAND_DOWN_TIME
+        return objection
+
+    def allowed(
+        self, orders: tuple[Order, ...], now: float
+    ) -> tuple[tuple[Order, ...], tuple[Event, ...]]:
+        """Return the orders without those that would take off now, and the words for those."""
+        refused = tuple(one for one in orders if now < self._until and one.kind in RISING_ORDERS)
+        told = tuple(
+            Event(
+                now,
+                Severity.WARNING,
+                "order_refused",
+                f"{one.kind.value.replace('_', ' ')} {_REFUSAL}",
+            )
+            for one in refused
+        )
+        return tuple(one for one in orders if one not in refused), told
+
+
+def _objection(
+    now: float,
+    telemetry: Telemetry | None,
+    outputs: Outputs | None,
+    waiting: tuple[Order, ...],
+) -> str:
+    if telemetry is None or now - telemetry.received_at > REPORT_AGE_MAX:
+        return "the drone is not heard, so nobody knows whether it flies"
+    if telemetry.status is not DroneStatus.LANDED:
+        return f"the drone does not stand: it says that it is {telemetry.status.value}"
+    if outputs is None or outputs.phase is not Phase.IDLE:
+        return "the drone is about to fly"
+    if any(order.kind in RISING_ORDERS for order in waiting):
+        return "an order to fly has just come"
+    return ""

@@ -1,0 +1,546 @@
+// What the server says in English, in German: templates of its sentences.
+import type { Templates } from "./templates";
+
+export const DE_TOLD: Templates = {
+  // headlines and what is said beside them
+  "Waiting for the pilot": "Warten auf den Autopiloten",
+  "No contact with the pilot": "Keine Verbindung zum Autopiloten",
+  "No contact with the drone": "Keine Verbindung zur Drohne",
+  "Waiting for the drone": "Warten auf die Drohne",
+  "Motors are cut": "Motoren sind aus",
+  "Stopped": "Angehalten",
+  "HOLDING FOR SAFETY": "SICHERHEITSHALT",
+  "Coming home for safety": "Kommt zur Sicherheit zurück",
+  "Landing for safety": "Landet zur Sicherheit",
+  "Sinking for safety": "Sinkt zur Sicherheit",
+  "Cutting motors": "Motoren werden abgeschaltet",
+  "Ready on the pad": "Bereit auf dem Landeplatz",
+  "Not ready": "Nicht bereit",
+  "Not on the pad": "Nicht auf dem Landeplatz",
+  "On the pad": "Auf dem Landeplatz",
+  "On the ground": "Am Boden",
+  "Taking off": "Startet",
+  "Flying to {goal}": "Fliegt zu {goal}",
+  "Looking at {goal}": "Sieht nach: {goal}",
+  "Coming home": "Kommt zurück",
+  "Landing": "Landet",
+  "Hovering": "Schwebt",
+  "motors are off": "Motoren sind aus",
+  "looking whether all is well": "prüft, ob alles in Ordnung ist",
+  "waiting for an order": "wartet auf einen Befehl",
+  "comes home by itself": "kommt von selbst zurück",
+  "{d} m, {n} s left": "noch {d} m, {n} s",
+  "{d} m left": "noch {d} m",
+  "{place}; may take off from there": "{place}; Start von dort möglich",
+  "{place}; reset before the next flight": "{place}; vor dem nächsten Flug zurücksetzen",
+  "{place}; stays down until you resume": "{place}; bleibt unten bis „Fortsetzen“",
+  "hovers until you resume": "schwebt bis „Fortsetzen“",
+  "for {n} s; {then}": "seit {n} s; {then}",
+  "it was on the ground": "sie war am Boden",
+  "it was hovering": "sie schwebte",
+  "it was taking off": "sie startete",
+  "it was flying to {goal}": "sie flog zu {goal}",
+  "it was looking at {goal}": "sie sah nach: {goal}",
+  "it was coming home": "sie kam zurück",
+  "it was landing": "sie landete",
+  "its goal": "ihrem Ziel",
+  "the chosen point": "dem gewählten Punkt",
+  "home": "Heim",
+  "on the pad": "auf dem Landeplatz",
+  "on the ground, {d} m from the pad": "am Boden, {d} m vom Landeplatz",
+  "on the ground, {d} m from the pad, under, on or in {thing}":
+    "am Boden, {d} m vom Landeplatz, unter, auf oder in {thing}",
+  "on the ground; {why}": "am Boden; {why}",
+  "in the air": "in der Luft",
+  "in the air; {why}": "in der Luft; {why}",
+  "not known": "unbekannt",
+  "tracking has not seen it yet": "die Ortung sah sie noch nicht",
+  "tracking saw it last {n} s ago": "die Ortung sah sie zuletzt vor {n} s",
+  "tracking does not see it": "die Ortung sieht sie nicht",
+  "tracking has not seen the drone yet": "die Ortung sah die Drohne noch nicht",
+  "tracking saw the drone last {n} s ago": "die Ortung sah die Drohne zuletzt vor {n} s",
+  "tracking does not see the drone": "die Ortung sieht die Drohne nicht",
+  "No word from the pilot for {n} s: {then}. STOP and Land are still sent":
+    "Seit {n} s nichts vom Autopiloten: {then}. STOP und Landen werden weiter gesendet",
+  "No word from the drone for {n} s: {then}. STOP and Land are still sent":
+    "Seit {n} s nichts von der Drohne: {then}. STOP und Landen werden weiter gesendet",
+  // STOP
+  "The drone hovers and takes no orders until Resume is held":
+    "Die Drohne schwebt und nimmt keine Befehle an, bis „Fortsetzen“ gehalten wird",
+  "The drone takes no orders until Resume is held":
+    "Die Drohne nimmt keine Befehle an, bis „Fortsetzen“ gehalten wird",
+  "its pilot is not heard; the next one is stopped, too":
+    "der Autopilot schweigt; auch der nächste wird angehalten",
+  "sent, the pilot has not confirmed it yet": "gesendet, noch nicht bestätigt",
+  "the pilot has not confirmed it: it is sent again and again":
+    "nicht bestätigt: STOP wird immer wieder gesendet",
+  "STOP was not accepted": "STOP wurde nicht angenommen",
+  "STOP did not arrive: no contact with the server":
+    "STOP kam nicht an: keine Verbindung zum Server",
+  // what happens without contact
+  "it hovers until what is wrong is over, and lands by itself if that lasts":
+    "sie schwebt, bis die Störung vorbei ist, und landet von selbst, wenn sie andauert",
+  "it goes on coming home for safety, and lands":
+    "sie kommt zur Sicherheit weiter zurück und landet",
+  "it hovers where it is until somebody resumes, and lands by itself when charge or time run out":
+    "sie schwebt an Ort und Stelle, bis jemand fortsetzt, und landet von selbst, wenn Akku " +
+      "oder Zeit zu Ende gehen",
+  "it goes on landing where it is": "sie landet weiter, wo sie ist",
+  "it goes on sinking to the floor where it is": "sie sinkt weiter zum Boden, wo sie ist",
+  "its motors are being cut: it falls": "ihre Motoren werden abgeschaltet: sie fällt",
+  "it stays on the ground: nothing moves it without a fresh order":
+    "sie bleibt am Boden: ohne neuen Befehl bewegt sie nichts",
+  "nobody has told yet what the drone does": "noch ist nicht bekannt, was die Drohne tut",
+  "the drone was on the ground when it was last heard; without a pilot nothing moves it":
+    "die Drohne war zuletzt am Boden; ohne Autopilot bewegt sie nichts",
+  ["it was in the air when it was last heard; landing is asked on, and a drone that hears " +
+    "nobody brakes and lands by itself"]:
+    "sie war zuletzt in der Luft; Landen wird weiter verlangt, und eine Drohne ohne " +
+      "Verbindung bremst und landet von selbst",
+  ["if the pilot has ended, the drone brakes and lands by itself within seconds; if only its " +
+    "word is lost, {then}"]:
+    "ist der Autopilot beendet, bremst und landet die Drohne in Sekunden von selbst; fehlt " +
+      "nur seine Nachricht, gilt: {then}",
+  "it goes on taking off, flies on to {goal}, then comes home and lands by itself within {n} s":
+    "sie startet weiter, fliegt zu {goal}, kommt dann binnen {n} s von selbst zurück und landet",
+  "it goes on taking off, hovers, then comes home and lands by itself within {n} s":
+    "sie startet weiter, schwebt, kommt dann binnen {n} s von selbst zurück und landet",
+  "it flies on to {goal}, then comes home and lands by itself within {n} s":
+    "sie fliegt weiter zu {goal}, kommt dann binnen {n} s von selbst zurück und landet",
+  "it looks to the end, then comes home and lands by itself":
+    "sie sieht zu Ende nach, kommt dann von selbst zurück und landet",
+  "it flies on home and lands by itself": "sie fliegt weiter zurück und landet von selbst",
+  "it goes on landing": "sie landet weiter",
+  "it hovers where it is, then comes home and lands by itself within {n} s":
+    "sie schwebt an Ort und Stelle, kommt dann binnen {n} s von selbst zurück und landet",
+  // why it may not take off, and the mend
+  "no contact with the pilot": "keine Verbindung zum Autopiloten",
+  "it is started again by itself: wait, or see its log in the run's folder":
+    "er startet von selbst neu: warten, oder sein Protokoll im Ordner des Laufs ansehen",
+  "the drone is already flying": "die Drohne fliegt schon",
+  "the checks before a take-off are not in yet": "die Prüfungen vor dem Start fehlen noch",
+  "they come within seconds": "sie kommen in Sekunden",
+  "the drone does not answer": "die Drohne antwortet nicht",
+  "switch it on, join its Wi-Fi, and see `housefly doctor`":
+    "einschalten, mit ihrem WLAN verbinden und `housefly doctor` ansehen",
+  "its motors are cut": "ihre Motoren sind aus",
+  "see that nobody is near and that it is whole, then hold Reset":
+    "prüfen, dass niemand nahe und sie heil ist, dann „Zurücksetzen“ halten",
+  "STOP is latched": "STOP ist gesetzt",
+  "hold Resume when all is well": "„Fortsetzen“ halten, wenn alles in Ordnung ist",
+  "look at the tracking system: is it running, does it stream the body under this name?":
+    "die Ortung ansehen: Läuft sie, sendet sie den Körper unter diesem Namen?",
+  "it stands under, on or in {thing}": "sie steht unter, auf oder in {thing}",
+  "carry it to its pad": "zum Landeplatz tragen",
+  "{why} ({found})": "{why} ({found})",
+  "{why}; {more}": "{why}; {more}",
+  "△ {why}": "△ {why}",
+  // why an order would come to nothing
+  "Motors are cut: hold Reset first": "Motoren sind aus: erst „Zurücksetzen“ halten",
+  "Stopped: hold Resume first": "Angehalten: erst „Fortsetzen“ halten",
+  "The drone does not answer yet": "Die Drohne antwortet noch nicht",
+  "The drone is on the ground": "Die Drohne ist am Boden",
+  "Only after STOP": "Nur nach STOP",
+  "Not ready: {why}": "Nicht bereit: {why}",
+  "Not now: {why}": "Jetzt nicht: {why}",
+  "it comes home for safety": "sie kommt zur Sicherheit zurück",
+  "it lands for safety": "sie landet zur Sicherheit",
+  "its motors are being cut": "ihre Motoren werden abgeschaltet",
+  // rules of safety
+  "{why}: landing": "{why}: sie landet",
+  "{why}: coming home": "{why}: sie kommt zurück",
+  "{why}: slowly": "{why}: langsam",
+  "{why}: the drone holds itself": "{why}: die Drohne hält sich selbst",
+  "{why} (limit {n} s)": "{why} (Grenze {n} s)",
+  "{why} (limit {d} m)": "{why} (Grenze {d} m)",
+  "{why} (limit {d} m/s)": "{why} (Grenze {d} m/s)",
+  "{why} (limit {n})": "{why} (Grenze {n})",
+  "motors are being cut by order": "Motoren werden auf Befehl abgeschaltet",
+  "the motors are cut: reset when nobody is near":
+    "die Motoren sind aus: zurücksetzen, wenn niemand nahe ist",
+  "on the floor for {n} s with its motors running: cutting them":
+    "seit {n} s am Boden mit laufenden Motoren: Abschalten",
+  "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
+    "seit {n} s soll sie landen (Grenze {m} s) und ist noch oben: Sinken nach eigener Vorgabe",
+  "the drone is silent for {n} s": "die Drohne schweigt seit {n} s",
+  "the drone says: {name}; landing": "die Drohne meldet: {name}; sie landet",
+  "the drone says: {name}": "die Drohne meldet: {name}",
+  "the drone has not confirmed its limits for {n} s":
+    "die Drohne hat ihre Grenzwerte seit {n} s nicht bestätigt",
+  "the drone has not confirmed its limits": "die Drohne hat ihre Grenzwerte nicht bestätigt",
+  "battery {p}% is below {q}%": "Akku {p} % unter {q} %",
+  "the battery lost {p}% in {n} s (limit {q}%)": "der Akku verlor {p} % in {n} s (Grenze {q} %)",
+  "in the air for {n} s, as long as the charge at take-off allows (limits.flight_time {m} s)":
+    "seit {n} s in der Luft, so lange die Ladung beim Start erlaubt (limits.flight_time {m} s)",
+  "the pilot ran {n} s late": "der Autopilot war {n} s zu spät",
+  "held for {n} of the last {m} s": "{n} der letzten {m} s gehalten",
+  "STOP: hovering until resumed": "STOP: schwebt bis zum Fortsetzen",
+  "battery {p}%, the way home ({n} s) needs {q}%": "Akku {p} %, der Heimweg ({n} s) braucht {q} %",
+  "{n} s of flight left by the clock, the way home needs {m} s":
+    "nach der Uhr noch {n} s Flug, der Heimweg braucht {m} s",
+  "the pilot runs more than {n} s late": "der Autopilot ist mehr als {n} s zu spät",
+  "the pilot is often late ({k} times within {n} s)":
+    "der Autopilot ist oft zu spät ({k}-mal in {n} s)",
+  "battery {p}%: it turns home at {q}%": "Akku {p} %: bei {q} % kehrt sie um",
+  "the battery has shown {p}% for {n} s (limit {m} s): flying by the clock, {k} s left":
+    "der Akku zeigt seit {n} s {p} % (Grenze {m} s): Flug nach der Uhr, noch {k} s",
+  "tracking lost for {n} s": "Ortung seit {n} s verloren",
+  "tracking has not shown the drone yet": "die Ortung zeigte die Drohne noch nicht",
+  "poses disagree with the drone for {n} s":
+    "die Ortung passt seit {n} s nicht zur Bewegung der Drohne",
+  "tracking has left the drone's own way by {d} m":
+    "die Ortung weicht {d} m vom eigenen Weg der Drohne ab",
+  "the tracked body is turned by {n} degrees against the drone":
+    "der geortete Körper ist {n} Grad gegen die Drohne verdreht",
+  "tracking is the mirror image of how the drone moves":
+    "die Ortung ist das Spiegelbild der Bewegung",
+  "the tracked height is off by {d} m from the drone's own":
+    "die geortete Höhe weicht {d} m von der eigenen der Drohne ab",
+  "{why}, or something is below: slowly": "{why}, oder darunter ist etwas: langsam",
+  "the drone stands, and tracking shows it {d} m from the floor (limit {m} m): it stays down":
+    "die Drohne steht, doch die Ortung zeigt sie {d} m vom Boden (Grenze {m} m): sie bleibt " +
+      "unten",
+  "the drone stands, and tracking shows it moved by {d} m (limit {m} m): it stays down":
+    "die Drohne steht, doch die Ortung zeigt sie um {d} m bewegt (Grenze {m} m): sie bleibt " +
+      "unten",
+  "poses are {n} s older than they say": "die Ortung ist {n} s älter als angegeben",
+  "struck something: {d} m/s faster or slower at once (limit {m} m/s), landing":
+    "etwas getroffen: plötzlich {d} m/s schneller oder langsamer (Grenze {m} m/s), sie landet",
+  "struck something: a blow of {d} m/s^2 (limit {m} m/s^2), landing":
+    "etwas getroffen: Stoß von {d} m/s² (Grenze {m} m/s²), sie landet",
+  "{d} m above its height of {m} m": "{d} m über ihrer Höhe von {m} m",
+  "{d} m below its height of {m} m": "{d} m unter ihrer Höhe von {m} m",
+  "{why} for long (limit {d} m)": "{why}, schon lange (Grenze {d} m)",
+  "more than {d} m outside the map": "mehr als {d} m außerhalb der Karte",
+  "higher than {d} m": "höher als {d} m",
+  "lower than {d} m": "tiefer als {d} m",
+  "climbs at {d} m/s": "steigt mit {d} m/s",
+  "leans {n} degrees otherwise than told": "neigt sich {n} Grad anders als befohlen",
+  "leans {n} degrees and does not move (limit {m}): stuck on something, landing":
+    "neigt sich {n} Grad und bewegt sich nicht (Grenze {m}): hängt fest, sie landet",
+  "{d} m from where it should be": "{d} m von der Sollposition",
+  "about to leave the map by {d} m": "verlässt gleich die Karte um {d} m",
+  "moves more than {d} m/s otherwise than told": "bewegt sich mehr als {d} m/s anders als befohlen",
+  "stands {d} m above the floor (limit {m} m): on something":
+    "steht {d} m über dem Boden (Grenze {m} m): auf etwas",
+  "blown {d} m from where it took off (limit {m} m) and only {k} m up: cutting the motors":
+    "{d} m vom Startort verweht (Grenze {m} m) und nur {k} m hoch: Motoren werden abgeschaltet",
+  "blown {d} m from where it took off": "{d} m vom Startort verweht",
+  "blown about: {d} m/s off the wanted velocity for {n} s":
+    "Böen: seit {n} s {d} m/s neben der Sollgeschwindigkeit",
+  "the command was not a number": "der Befehl war keine Zahl",
+  "nothing holds the drone back any more": "nichts hält die Drohne mehr zurück",
+  // checks before a take-off
+  "the drone answers": "die Drohne antwortet",
+  "last {n} s ago": "zuletzt vor {n} s",
+  "never": "nie",
+  "at most {n} s ago": "höchstens vor {n} s",
+  "a drone that is not heard cannot be stopped":
+    "eine Drohne ohne Verbindung lässt sich nicht anhalten",
+  "it stands, by its own word": "sie steht, sagt sie selbst",
+  "the drone does not say that it stands": "die Drohne meldet nicht, dass sie steht",
+  "landed": "gelandet",
+  "flying": "fliegt",
+  "taking off": "startet",
+  "emergency": "Notaus",
+  "unknown": "unbekannt",
+  "only a drone that stands can take off": "nur eine stehende Drohne kann starten",
+  "press RESET when it is in its emergency state and nobody is near":
+    "„Zurücksetzen“ drücken, wenn sie im Notaus und niemand nahe ist",
+  "it stands on its feet": "sie steht auf ihren Füßen",
+  "the drone leans": "die Drohne steht schief",
+  "{n} deg": "{n} Grad",
+  "at most {n} deg": "höchstens {n} Grad",
+  "a drone that leans takes off sideways": "schief startet sie zur Seite",
+  "put it level on its pad": "eben auf den Landeplatz stellen",
+  "it has confirmed its limits": "sie hat ihre Grenzwerte bestätigt",
+  "confirmed": "bestätigt",
+  "not yet": "noch nicht",
+  "its own limits of tilt, height and speed hold when everything else fails":
+    "ihre eigenen Grenzen für Neigung, Höhe und Tempo gelten, wenn alles andere versagt",
+  "wait a few seconds, or switch it off and on": "einige Sekunden warten oder aus- und einschalten",
+  "it complains about nothing": "sie meldet keine Störung",
+  "the drone complains": "die Drohne meldet eine Störung",
+  "nothing": "nichts",
+  "it would land, or fall, in the middle of its flight":
+    "sie würde mitten im Flug landen oder fallen",
+  "look at propellers, motors and battery, then switch it off and on":
+    "Propeller, Motoren und Akku ansehen, dann aus- und einschalten",
+  "the battery is charged": "der Akku ist geladen",
+  "the battery is too low": "der Akku ist zu leer",
+  "{p}%": "{p} %",
+  "at least {p}%": "mindestens {p} %",
+  "at least {p}%, and more for a long way": "mindestens {p} %, für weite Wege mehr",
+  "it has to come home, and to land": "sie muss zurückkommen und landen",
+  "charge it, or change the battery": "laden oder Akku wechseln",
+  "tracking sees it": "die Ortung sieht sie",
+  "it flies by where tracking sees it": "sie fliegt nach der Ortung",
+  ["look at the tracking system: is it running, does it stream the body under this name? if " +
+    "it is only slow, housefly gains says which limits.pose_age_level it needs"]:
+    "die Ortung ansehen: Läuft sie, sendet sie den Körper unter diesem Namen? Ist sie nur " +
+      "langsam, nennt housefly gains das nötige limits.pose_age_level",
+  "tracking has it where it stands": "die Ortung zeigt sie, wo sie steht",
+  "tracking has the drone at another height": "die Ortung zeigt die Drohne in anderer Höhe",
+  "{d} m": "{d} m",
+  "within {d} m": "innerhalb {d} m",
+  "a floor at another height is a room at another height":
+    "ein Boden in anderer Höhe ist ein Raum in anderer Höhe",
+  "set the tracking system's origin on the floor, and define the drone's body anew":
+    "Ursprung der Ortung auf den Boden legen und den Körper der Drohne neu anlegen",
+  "nobody has pressed STOP": "niemand hat STOP gedrückt",
+  "pressed": "gedrückt",
+  "not pressed": "nicht gedrückt",
+  "STOP is latched until a person resumes": "STOP gilt, bis jemand fortsetzt",
+  "press Resume when all is well": "„Fortsetzen“ drücken, wenn alles in Ordnung ist",
+  "nobody and nothing is above or beside it": "niemand und nichts ist über oder neben ihr",
+  "the way up is not free": "der Weg nach oben ist nicht frei",
+  "clear": "frei",
+  "{who} is too close": "{who} ist zu nah",
+  "{thing} stands there": "dort steht {thing}",
+  "it climbs straight up from where it stands": "sie steigt von ihrem Platz gerade nach oben",
+  "clear the pad": "den Landeplatz freimachen",
+  "its settings and sensors are as they should be": "Einstellungen und Sensoren sind in Ordnung",
+  "a setting or sensor of the drone is wrong":
+    "eine Einstellung oder ein Sensor der Drohne stimmt nicht",
+  "yes": "ja",
+  "it may fly otherwise than planned": "sie fliegt vielleicht anders als geplant",
+  "see the drone's page of the manual": "die Seite der Drohne im Handbuch ansehen",
+  "it stands on its pad": "sie steht auf dem Landeplatz",
+  "the drone is not on its pad": "die Drohne steht nicht auf dem Landeplatz",
+  "{d} m from it": "{d} m davon entfernt",
+  "if it does stand there, tracking and map disagree, and walls are not where they seem":
+    "steht sie doch dort, passen Ortung und Karte nicht, und Wände sind nicht, wo sie scheinen",
+  "put it on its pad; if it is there, compare the tracking system's origin with the map":
+    "auf den Landeplatz stellen; steht sie dort, den Ursprung der Ortung mit der Karte " +
+      "vergleichen",
+  "a sensor sees people without markers": "ein Sensor sieht Personen ohne Marker",
+  "people without markers are unseen": "Personen ohne Marker sieht sie nicht",
+  "no sensor": "kein Sensor",
+  "it stops for people, and makes way, only where a sensor sees them":
+    "nur für Personen, die ein Sensor sieht, hält sie und weicht aus",
+  "add a scanner or a depth camera to the site; until then keep people out of the room":
+    "Scanner oder Tiefenkamera ergänzen; bis dahin niemanden in den Raum lassen",
+  "it makes way only for people whom a sensor sees":
+    "sie weicht nur Personen aus, die ein Sensor sieht",
+  "keep people out of the room": "niemanden in den Raum lassen",
+  "the last frame check found nothing wrong": "die letzte Achsenprüfung fand keinen Fehler",
+  "the last frame check found tracking wrong": "die letzte Achsenprüfung fand die Ortung falsch",
+  "nothing known": "nichts bekannt",
+  "it would fly where it should not, and land or strike something":
+    "sie flöge an falsche Orte und landete oder stieße an",
+  "mend it as the check said, and check again: `housefly preflight --frames`":
+    "wie von der Prüfung gesagt beheben und neu prüfen: `housefly preflight --frames`",
+  "frames checked": "Achsen geprüft",
+  "frames not checked": "Achsen nicht geprüft",
+  "since [tracking] was changed": "seit [tracking] geändert wurde",
+  "before the site's [tracking] was changed": "bevor [tracking] geändert wurde",
+  "not needed: the room is simulated": "nicht nötig: der Raum ist simuliert",
+  "found wrong": "falsch",
+  "checked": "geprüft",
+  "mirrored, turned or shifted axes are noticed only after the drone has moved":
+    "gespiegelte, gedrehte oder verschobene Achsen fallen erst nach einer Bewegung auf",
+  "carry the drone once, two minutes: `housefly preflight --frames`":
+    "die Drohne einmal umhertragen, zwei Minuten: `housefly preflight --frames`",
+  "there is room on the disk": "auf der Platte ist Platz",
+  "a disk is nearly full": "eine Platte ist fast voll",
+  "{p}% free at {name}": "{p} % frei auf {name}",
+  "at least {p}% free, or {n} GB": "mindestens {p} % frei, oder {n} GB",
+  "what happens in the flight could not be kept":
+    "was im Flug geschieht, ließe sich nicht aufbewahren",
+  "delete old flights, or move them to another disk":
+    "alte Flüge löschen oder auf eine andere Platte verschieben",
+  "nothing here sees people: no scanner, no depth camera":
+    "hier sieht nichts Personen: kein Scanner, keine Tiefenkamera",
+  "no picture for {n} s": "kein Bild seit {n} s",
+  "nobody answers at {name}": "niemand antwortet unter {name}",
+  // why there is no way
+  "an obstacle is too close to this point": "ein Hindernis ist diesem Punkt zu nah",
+  "no free way leads to this point": "kein freier Weg führt zu diesem Punkt",
+  "there is no free way from {name} to {place}": "kein freier Weg von {name} nach {place}",
+  "the goal {name} lies in an obstacle": "das Ziel {name} liegt in einem Hindernis",
+  "the goal {name} lies in a no-fly area": "das Ziel {name} liegt in einer Verbotszone",
+  "the goal {name} lies outside the room": "das Ziel {name} liegt außerhalb des Raums",
+  "the goal {name} lies outside the map": "das Ziel {name} liegt außerhalb der Karte",
+  "the goal {name} is too close to an obstacle ({d} m)":
+    "das Ziel {name} ist einem Hindernis zu nah ({d} m)",
+  "the goal {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
+    "das Ziel {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
+  "no way leads from home to the goal {name}": "kein Weg führt vom Heim zum Ziel {name}",
+  "the start {name} lies in an obstacle": "der Start {name} liegt in einem Hindernis",
+  "the start {name} lies in a no-fly area": "der Start {name} liegt in einer Verbotszone",
+  "the start {name} lies outside the room": "der Start {name} liegt außerhalb des Raums",
+  "the start {name} lies outside the map": "der Start {name} liegt außerhalb der Karte",
+  "the start {name} is too close to an obstacle": "der Start {name} ist einem Hindernis zu nah",
+  "the start {name} is too close to an obstacle ({d} m)":
+    "der Start {name} ist einem Hindernis zu nah ({d} m)",
+  "the start {name} is too close to an obstacle: {d} m from the hull, which keeps {m} m":
+    "der Start {name} ist einem Hindernis zu nah: {d} m vom Rumpf, nötig sind {m} m",
+  "no way leads from home to the start {name}": "kein Weg führt vom Heim zum Start {name}",
+  // what was refused
+  "{asked} refused: {why}": "{asked} abgelehnt: {why}",
+  "take off": "Starten",
+  "land": "Landen",
+  "hover": "Schweben",
+  "resume": "Fortsetzen",
+  "reset": "Zurücksetzen",
+  "cut": "Motoren aus",
+  "go": "Hinfliegen",
+  "service": "Nachsehen",
+  "go {place}": "Hinfliegen {place}",
+  "service {place}": "Nachsehen {place}",
+  "the order is {n} s old; orders expire after {m} s":
+    "der Befehl ist {n} s alt; Befehle verfallen nach {m} s",
+  "there is no emergency to leave: the drone is {what}":
+    "kein Notaus aufzuheben; Zustand der Drohne: {what}",
+  "STOP is latched: resume first": "STOP ist gesetzt: erst fortsetzen",
+  "the drone is being landed for safety": "die Drohne wird zur Sicherheit gelandet",
+  "the drone is coming home for safety": "die Drohne kommt zur Sicherheit zurück",
+  "the drone is not ready: {what}": "die Drohne ist nicht bereit: {what}",
+  "the drone has not confirmed its limits yet: wait, or switch it off and on":
+    "die Drohne hat ihre Grenzwerte noch nicht bestätigt: warten oder aus- und einschalten",
+  ["tracking sees the drone {d} m from where it stands (limit {m} m): check the tracking " +
+    "system's origin and the drone's body"]:
+    "die Ortung sieht die Drohne {d} m neben ihrem Stand (Grenze {m} m): Ursprung der Ortung " +
+      "und Körper der Drohne prüfen",
+  "the battery is too low: {p}%, take-off needs {q}%":
+    "der Akku ist zu leer: {p} %, der Start braucht {q} %",
+  ["tracking shows the drone as it was {n} s ago (limits.pose_age_level: {m} s); housefly " +
+    "gains says which limit slow tracking needs"]:
+    "die Ortung zeigt die Drohne von vor {n} s (limits.pose_age_level: {m} s); housefly gains " +
+      "nennt die nötige Grenze",
+  "{why}: {found}, must be {limit}; {mend}": "{why}: {found}, nötig: {limit}; {mend}",
+  "someone else flies the drone: hold the button to take over":
+    "jemand anderes fliegt: zum Übernehmen die Taste halten",
+  "you do not have control": "Sie steuern nicht",
+  "this session is over": "diese Sitzung ist beendet",
+  "too many commands at once: wait a moment": "zu viele Befehle auf einmal: kurz warten",
+  "that viewer is not here any more, or may not fly":
+    "jener Zuschauer ist nicht mehr da oder darf nicht fliegen",
+  "the order needs either a place or a goal": "der Befehl braucht einen Ort oder ein Ziel",
+  "the room is not known yet": "der Raum ist noch nicht bekannt",
+  "the goal is outside the room": "das Ziel liegt außerhalb des Raums",
+  "no contact with the server": "keine Verbindung zum Server",
+  "the line to the server broke": "die Verbindung zum Server brach ab",
+  "with your role clips can be watched, not taken away together":
+    "mit Ihrer Rolle lassen sich Clips ansehen, nicht gemeinsam speichern",
+  // the room and the tasks
+  "all is kept": "alles wird aufbewahrt",
+  "bell pressed": "Türklingel gedrückt",
+  "bell": "Türklingel",
+  "person present": "Person anwesend",
+  "person walking": "Person geht",
+  "person standing": "Person steht",
+  "person sitting": "Person sitzt",
+  "person lying": "Person liegt",
+  "person fallen": "Person gestürzt",
+  "bed occupied": "Bett belegt",
+  "appliance on": "Gerät an",
+  "contact open": "Tür offen",
+  "{what} ({name})": "{what} ({name})",
+  "no": "nein",
+  "ignore": "nicht beachten",
+  "not now": "jetzt nicht",
+  "landing": "landet",
+  "found wrong, {name}": "falsch, {name}",
+  "checked, {name}": "geprüft, {name}",
+  "before the site's [tracking] was changed, {name}": "bevor [tracking] geändert wurde, {name}",
+  "{why}: it holds itself": "{why}: sie hält sich selbst",
+  "The drone flies somewhere: press Hover first":
+    "Die Drohne ist unterwegs: erst „Schweben“ drücken",
+  "in the air the drone keeps the map that it took off with: land first":
+    "in der Luft behält die Drohne die Karte vom Start: erst landen",
+  "nobody knows whether the drone flies": "niemand weiß, ob die Drohne fliegt",
+  "a task is under way: wait for its end, or end it":
+    "eine Aufgabe läuft: ihr Ende abwarten oder sie beenden",
+  "the drone has this version already": "die Drohne hat diese Fassung schon",
+  "that is being done already": "das geschieht schon",
+  "this run is recorded, and a recording has one map: start anew":
+    "dieser Lauf wird aufgezeichnet, mit nur einer Karte: neu starten",
+  "the camera records only in flight": "die Kamera nimmt nur im Flug auf",
+  "that picture is not in memory any more": "dieses Bild ist nicht mehr gespeichert",
+  "the pilot starts again with the new map; order it anew in a moment":
+    "der Autopilot startet mit der neuen Karte neu; gleich noch einmal befehlen",
+  "{who} starts the pilot again, so that the drone has the newest places and zones":
+    "{who} startet den Autopiloten neu, damit die Drohne die neuesten Orte und Zonen hat",
+  // moving by hand, and complaints of the drone
+  "Moving by hand is switched off here": "Bewegen von Hand ist hier ausgeschaltet",
+  "A task flies the drone: press Hover first":
+    "Eine Aufgabe fliegt die Drohne: erst „Schweben“ drücken",
+  "moving by hand is switched off here (limits.nudge_speed)":
+    "Bewegen von Hand ist hier ausgeschaltet (limits.nudge_speed)",
+  "moving by hand needs map.planner = \"space\", and mode default":
+    "Bewegen von Hand braucht map.planner = \"space\" und den Modus default",
+  "a maneuver flies the drone": "ein Manöver fliegt die Drohne",
+  "moving by hand is asked for by nudges, each with a velocity":
+    "Bewegen von Hand geht nur mit den Tasten dafür",
+  "the line is slow: this came {n} s late": "die Verbindung ist langsam: dies kam {n} s zu spät",
+  "move by hand": "Bewegen von Hand",
+  "motors problem": "Motorstörung",
+  "software fault": "Softwarefehler",
+  "motors cut out": "Motoren ausgefallen",
+  "battery low": "Akku schwach",
+  "tilted too far": "zu stark geneigt",
+  "sensor board silent": "Sensorplatine schweigt",
+  "flight timer elapsed": "Flugzeit abgelaufen",
+  "too much wind": "zu viel Wind",
+  "ultrasound deaf": "Ultraschall taub",
+  "the room's memory does not answer": "das Gedächtnis des Raums antwortet nicht",
+  // services of the house
+  "Look at a place or a thing": "Ort oder Ding ansehen",
+  "Flies to where it is seen from, takes a picture and comes home":
+    "Fliegt zum Blickpunkt, macht ein Bild und kommt zurück",
+  "Where is something": "Wo ist etwas",
+  "Says where the memory has it; when that is old or unsure, flies there and looks":
+    "Nennt den Ort aus dem Gedächtnis; ist er alt oder unsicher, sieht sie nach",
+  "Patrol": "Rundgang",
+  "Looks at every place in turn, takes pictures and tells what changed since the last time":
+    "Sieht jeden Ort an, macht Bilder und meldet, was sich geändert hat",
+  "Night round": "Nachtrunde",
+  "Looks after everybody and every place once, quietly; tells only what is wrong":
+    "Sieht leise einmal überall nach; meldet nur, was nicht stimmt",
+  "Look who is at the door": "Nachsehen, wer an der Tür ist",
+  "Flies to the entrance, films whoever stands there and tells everybody":
+    "Fliegt zum Eingang, filmt, wer dort steht, und meldet es allen",
+  "Look around": "Umsehen",
+  "Takes pictures in all directions, where the drone starts or at a place":
+    "Macht Bilder in alle Richtungen, am Startort oder an einem Ort",
+  "Is everything all right?": "Ist alles in Ordnung?",
+  "Tells how everybody is; looks after who may have fallen or left their bed at night":
+    "Sagt, wie es allen geht; sieht nach, wer gestürzt oder nachts aufgestanden ist",
+  "Inventory": "Bestand",
+  "Tells what is in the cabinet and the refrigerator, and takes a picture of each":
+    "Sagt, was in Schrank und Kühlschrank ist, und macht von beiden ein Bild",
+  "Follow somebody": "Jemandem folgen",
+  "Keeps a person in view for a while; looks for who is lost, then comes home":
+    "Behält eine Person eine Weile im Bild; sucht sie, kommt dann zurück",
+  "Find a lost thing": "Verlorenes suchen",
+  "Looks where it most likely is, shows pictures and asks; tells what was not looked at":
+    "Sieht nach, wo es wohl ist, zeigt Bilder und fragt; sagt, was nicht angesehen wurde",
+  "Come to somebody": "Zu jemandem kommen",
+  "Flies to a person, faces them and waits; goes home when told, or after a while":
+    "Fliegt zu einer Person, wendet sich ihr zu und wartet; kommt auf Wunsch oder nach einer " +
+      "Weile zurück",
+  "what to look at": "was anzusehen ist",
+  "how long to look": "wie lange hinsehen",
+  "how long to look at each": "wie lange jeweils hinsehen",
+  "where to look, in this order": "wo nachzusehen ist, in dieser Reihenfolge",
+  "where to look, in this order; whole floor sees all of it":
+    "wo nachzusehen ist, in dieser Reihenfolge; whole floor zeigt alles",
+  "where visitors stand": "wo Besuch steht",
+  "how long to hover there": "wie lange dort schweben",
+  "how long to wait there": "wie lange dort warten",
+  "for how long": "wie lange",
+  "how many pictures": "wie viele Bilder",
+  "a thing or a person": "ein Ding oder eine Person",
+  "what is lost": "was fehlt",
+  "one of them only": "nur eine Person davon",
+  "when to fly there": "wann hinfliegen",
+  "age that counts as stale": "ab wann es als alt gilt",
+  "for an answer to each picture": "Wartezeit je Bild",
+  "for all looks together": "für alles zusammen",
+  "where; without one, above the pad": "wo; sonst über dem Landeplatz",
+  "whom; anybody is whoever is nearest": "wen; anybody ist, wer am nächsten ist",
+  "to whom; anybody is whoever is nearest": "zu wem; anybody ist, wer am nächsten ist",
+  "what must be off at night": "was nachts aus sein muss",
+  "names with commas between them": "Namen, mit Komma getrennt",
+};

@@ -1,0 +1,7 @@
+import { tongue } from "./language";
+
+/** Words of the server as `translated` gives them; marked as English where they are not. */
+export const Told = ({ words }: { words: string }) => {
+  const lang = tongue(words);
+  return lang ? <span lang={lang}>{words}</span> : <>{words}</>;
+};
