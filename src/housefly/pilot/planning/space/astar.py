@@ -18,6 +18,12 @@ from housefly.pilot.planning.space.moves import Moves
 
 BUCKET = 0.5
 """Lengths that share a bucket differ by less than this [cell edges]."""
+CELL_MARK = np.dtype(
+    [("length", "f8"), ("mark", "i4"), ("after", "i4"), ("before", "i4"), ("move", "i4")]
+)
+"""What a search writes at a cell, side by side because it is read together: length of the way to it
+[cell edges]; whether it is open or closed; its neighbours in its bucket; the move that led there.
+"""
 _SAME = 1e-10
 """A way must be shorter by this to count as shorter [cell edges]: sums of roots are not exact."""
 _SQRT2, SQRT3 = sqrt(2.0), sqrt(3.0)
@@ -41,17 +47,13 @@ def shortest_length(
     moves: Moves,
     stamp: int,
     heads: Any,
-    queue_next: Any,
-    queue_before: Any,
     marks: Any,
-    lengths: Any,
-    came_by: Any,
 ) -> float:
     """Return the length of a shortest way [cell edges], infinite when there is none.
 
-    ``marks`` is ``stamp`` where a cell is open and ``stamp + 1`` where it is closed. The open cells
-    of a bucket are a list: ``queue_next`` is -1 at its end, ``queue_before`` -2 less the bucket at
-    its head.
+    A cell's ``mark`` is ``stamp`` where it is open and ``stamp + 1`` where it is closed. The open
+    cells of a bucket are a list: ``after`` is -1 at its end, ``before`` -2 less the bucket at its
+    head.
     """
     weighted = weights.size == free.size
     mask, count = heads.size - 1, moves.lengths.size
@@ -61,22 +63,23 @@ def shortest_length(
         heads[bucket] = -1
     i, j, k = start // plane, start % plane // row, start % row
     bucket = int(octile_distance(abs(i - gi), abs(j - gj), abs(k - gk)) / BUCKET)
-    heads[bucket & mask], queue_next[start] = start, -1
-    queue_before[start] = -2 - (bucket & mask)
-    marks[start], lengths[start], came_by[start] = stamp, 0.0, -1
+    heads[bucket & mask] = start
+    first_mark = marks[start]
+    first_mark.after, first_mark.before = -1, -2 - (bucket & mask)
+    first_mark.mark, first_mark.length, first_mark.move = stamp, 0.0, -1
     waiting, best = 1, np.inf
     while waiting > 0 and bucket * BUCKET < best:
         cell = heads[bucket & mask]
         if cell < 0:
             bucket += 1
             continue
-        following = queue_next[cell]
+        following = marks[cell].after
         heads[bucket & mask] = following
         if following >= 0:
-            queue_before[following] = -2 - (bucket & mask)
-        marks[cell] = stamp + 1
+            marks[following].before = -2 - (bucket & mask)
+        marks[cell].mark = stamp + 1
         waiting -= 1
-        here = lengths[cell]
+        here = marks[cell].length
         i, j, k = cell // plane, cell % plane // row, cell % row
         if here + octile_distance(abs(i - gi), abs(j - gj), abs(k - gk)) >= best - _SAME:
             continue
@@ -92,19 +95,20 @@ def shortest_length(
             if weighted:
                 step *= 1.0 + 0.5 * (weights[cell] + weights[to])
             length = here + step
-            known = marks[to] >= stamp
-            if known and length >= lengths[to] - _SAME:
+            there = marks[to]
+            known = there.mark >= stamp
+            if known and length >= there.length - _SAME:
                 continue
-            if marks[to] == stamp:
-                before, after = queue_before[to], queue_next[to]
+            if there.mark == stamp:
+                before, after = there.before, there.after
                 if after >= 0:
-                    queue_before[after] = before
+                    marks[after].before = before
                 if before >= 0:
-                    queue_next[before] = after
+                    marks[before].after = after
                 else:
                     heads[-2 - before] = after
                 waiting -= 1
-            lengths[to], came_by[to], marks[to] = length, m, stamp
+            there.length, there.move, there.mark = length, m, stamp
             ahead = octile_distance(
                 abs(i + moves.steps[m, 0] - gi),
                 abs(j + moves.steps[m, 1] - gj),
@@ -114,21 +118,21 @@ def shortest_length(
                 best = length
             slot = max(bucket, int((length + ahead) / BUCKET)) & mask
             first = heads[slot]
-            queue_next[to], queue_before[to] = first, -2 - slot
+            there.after, there.before = first, -2 - slot
             if first >= 0:
-                queue_before[first] = to
+                marks[first].before = to
             heads[slot] = to
             waiting += 1
     return best
 
 
 @compiled_with_arrays
-def walked_back(came_by: Any, offsets: Any, goal: int, out: Any) -> int:
+def walked_back(marks: Any, offsets: Any, goal: int, out: Any) -> int:
     """Write the cells from ``goal`` back to the start into ``out``; return how many."""
     cell, count = goal, 1
     out[0] = cell
-    while came_by[cell] >= 0:
-        cell -= offsets[came_by[cell]]
+    while marks[cell].move >= 0:
+        cell -= offsets[marks[cell].move]
         out[count] = cell
         count += 1
     return count

@@ -10,7 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from housefly.numeric import FloatArray
-from housefly.pilot.planning.space.astar import BUCKET, SQRT3, shortest_length, walked_back
+from housefly.pilot.planning.space.astar import (
+    BUCKET,
+    CELL_MARK,
+    SQRT3,
+    shortest_length,
+    walked_back,
+)
 from housefly.pilot.planning.space.moves import Moves, moves_of, padded
 from housefly.pilot.planning.space.voxels import VoxelIndex
 
@@ -32,7 +38,7 @@ NO_WAY = CellPath()
 
 
 class SearchScratch:
-    """Arrays that one search after the other writes into: making them takes as long as a search.
+    """What one search after the other writes into: making it takes as long as a search.
 
     Attributes:
         stamp: what marks the open cells of the last search.
@@ -40,20 +46,16 @@ class SearchScratch:
 
     def __init__(self) -> None:
         self.stamp = -1
-        self._arrays: tuple[Any, ...] = ()
+        self._marks: NDArray[Any] = np.zeros(0, CELL_MARK)
 
-    def arrays(self, size: int) -> tuple[Any, ...]:
-        """Return the arrays for a grid of so many cells."""
-        if not self._arrays or len(self._arrays[0]) != size:
+    def marks(self, size: int) -> NDArray[Any]:
+        """Return room for a grid of so many cells, and count the search."""
+        if len(self._marks) != size:
             self.stamp = -1
-            self._arrays = (
-                np.empty(size, dtype=np.int32),
-                np.empty(size, dtype=np.int32),
-                np.full(size, -1, dtype=np.int32),
-                np.empty(size),
-                np.empty(size, dtype=np.int8),
-            )
-        return self._arrays
+            self._marks = np.zeros(size, CELL_MARK)
+            self._marks["mark"] = -1
+        self.stamp += 2
+        return self._marks
 
 
 @dataclass(slots=True, eq=False)
@@ -109,8 +111,7 @@ class CellSearch:
             return NO_WAY
         if here == there:
             return CellPath((start,), 0.0)
-        arrays = self.scratch.arrays(self._flat.size)
-        self.scratch.stamp += 2
+        marks = self.scratch.marks(self._flat.size)
         cost = shortest_length(
             self._flat,
             self._weights,
@@ -120,18 +121,18 @@ class CellSearch:
             self._moves,
             self.scratch.stamp,
             self._heads,
-            *arrays,
+            marks,
         )
         if cost == inf:
             return NO_WAY
-        return CellPath(self._cells(arrays[-1], there), cost)
+        return CellPath(self._cells(marks, there), cost)
 
     def _holds(self, cell: VoxelIndex) -> bool:
         return all(0 <= n < size for n, size in zip(cell, self._inner(), strict=True))
 
-    def _cells(self, came_by: Any, goal: int) -> tuple[VoxelIndex, ...]:
+    def _cells(self, marks: Any, goal: int) -> tuple[VoxelIndex, ...]:
         out = np.empty(self._flat.size, dtype=np.int32)
-        count = walked_back(came_by, self._moves.offsets, goal, out)
+        count = walked_back(marks, self._moves.offsets, goal, out)
         indices = np.stack(np.unravel_index(out[:count][::-1], self._shape), axis=1)
         indices[:, :2] -= 1
         if self._inner()[2] > 1:
