@@ -20,6 +20,7 @@ from housefly.tasks.room_names import names_of_room
 
 ROOT = Path(__file__).parents[3]
 CLIENT = ROOT / "src/housefly/web/client/src/tasks"
+MESSAGES = CLIENT.parent / "messages"
 GAPS = {"en": ("cup", "the sofa"), "de": ("die Tasse", "dem Sofa"), "ja": ("カップ", "ソファ")}
 """What stands for the gap "…" of a sentence, in each language."""
 TYPED = re.compile(
@@ -75,11 +76,22 @@ def test_what_the_page_offers_to_tap_is_understood(language: Language) -> None:
     assert not [one for one in offered if not understood(one, language)]
 
 
-def test_what_the_field_of_the_page_shows_is_understood() -> None:
-    found = re.search(r'placeholder="([^"]+)"', (CLIENT / "ask-bar.tsx").read_text("utf-8"))
+def shown_in_the_field(language: Language) -> str:
+    """Return what the page's field shows before anything is typed."""
+    found = re.search(r'placeholder=\{t\("([^"]+)"\)', (CLIENT / "ask-bar.tsx").read_text("utf-8"))
     assert found is not None
-    for one in found[1].strip(" …").split(", "):
-        assert understood(one, "en"), one
+    if language == "en":
+        return found[1]
+    words = (MESSAGES / f"{language}.ts").read_text("utf-8")
+    translated = re.search(rf'^  "{re.escape(found[1])}": "([^"]+)"', words, re.M)
+    assert translated is not None
+    return translated[1]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_the_field_of_the_page_shows_is_understood(language: Language) -> None:
+    for one in re.split("[,、] ?", shown_in_the_field(language).strip(" …")):
+        assert understood(one, language), one
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

@@ -87,7 +87,7 @@ class Fault:
 
     def __str__(self) -> str:
         """Return how it is written on the command line."""
-        size = "" if self.magnitude is None else f"={self.magnitude:.12g}"
+        size = "" if self.magnitude is None else "=" + repr(self.magnitude).removesuffix(".0")
         lasts = f"+{self.duration:.12g}s" if isfinite(self.duration) else ""
         seed = "" if self.seed == 1 else f"#{self.seed}"
         return f"{self.type.name}@{self.start:.12g}s{lasts}{size}{seed}"
