@@ -288,6 +288,18 @@ async def test_a_drone_out_of_view_has_an_arrow_at_the_edge_that_brings_it_back(
     assert await scale(page) == pytest.approx(near)
 
 
+async def tap_until_goal(phone: Page, place: tuple[float, float]) -> None:
+    """Tap a place on the map, again where a busy machine made a long press of it."""
+    tag = phone.locator(".ghost .tag")
+    for _ in range(3):
+        await phone.touchscreen.tap(*place)
+        try:
+            return await expect(tag).to_be_visible(timeout=2000)
+        except AssertionError:
+            continue
+    await expect(tag).to_be_visible()
+
+
 async def test_two_fingers_bring_the_map_nearer_one_moves_it_and_a_tap_is_a_goal(
     phone: Page, console: Any, until: Until
 ) -> None:
@@ -305,8 +317,7 @@ async def test_two_fingers_bring_the_map_nearer_one_moves_it_and_a_tap_is_a_goal
     assert moved[0] == pytest.approx(x - 60.0, abs=1.5)
     assert moved[1] == pytest.approx(y - 10.0, abs=1.5)
     await no_goal(phone)
-    await phone.touchscreen.tap(*await pixel(phone, 5.37, 1.21))
-    await expect(phone.locator(".ghost .tag")).to_be_visible()
+    await tap_until_goal(phone, await pixel(phone, 5.37, 1.21))
     await send(phone)
     await until(lambda: console.pilot.orders)
     goal = console.pilot.orders[0].goal
