@@ -55,7 +55,7 @@ position = [7.18, 5.82, 0.60]
 name = "person-1"
 start = [7.25, 4.95]
 steps = [
-    { do = "wait", seconds = 14.0 },
+    { do = "wait", seconds = 24.0 },
     { do = "open", what = "refrigerator" },
     { do = "take", thing = "cup" },
     { do = "close", what = "refrigerator" },
@@ -149,7 +149,7 @@ def test_the_room_says_where_the_cup_is_and_where_it_was(address: str, page: Pag
     )
     page.get_by_role("combobox", name="Where is").fill("mug")
     page.keyboard.press("Enter")
-    expect(answer).to_contain_text("in the cabinet", timeout=45_000)
+    expect(answer).to_contain_text("in the cabinet", timeout=60_000)
     expect(page.locator(".thing-mark[data-thing='cabinet']")).to_contain_text("in it: the cup")
     expect(page.locator(".log")).to_contain_text("Object put: the cup (the cabinet)")
     page.get_by_role("button", name="Details", exact=True).click()

@@ -94,6 +94,10 @@ LASER = {"name": "eye", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
 DEPTH_CAMERA = {"name": "eye", "x": 4.0, "y": 4.2, "z": 1.1, "yaw": 3.14}
 
 
+def does_well(sensor: SensorAnswer) -> bool:
+    return sensor.connected and not sensor.problem and sensor.rate_hz > 2.0
+
+
 @pytest.mark.wire
 @pytest.mark.realtime
 @pytest.mark.slow
@@ -129,7 +133,8 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
             time.sleep(0.05)
-        while not (eye := eye_of(bus)).connected and time.monotonic() < deadline:
+        # On a busy machine a picture that comes late is told as such, until one comes in time.
+        while not does_well(eye := eye_of(bus)) and time.monotonic() < deadline:
             time.sleep(0.2)
     assert len(heard) >= 10
     assert (eye.title, eye.connected, eye.problem) == (title, True, "")

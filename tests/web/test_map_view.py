@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
-from playwright.async_api import Browser, Page, ViewportSize, expect
+from playwright.async_api import Browser, Locator, Page, ViewportSize, expect
 
 from housefly.app.loaded_site import open_site, read_site
 from housefly.app.views import room_view
@@ -288,16 +288,15 @@ async def test_a_drone_out_of_view_has_an_arrow_at_the_edge_that_brings_it_back(
     assert await scale(page) == pytest.approx(near)
 
 
-async def tap_until_goal(phone: Page, place: tuple[float, float]) -> None:
-    """Tap a place on the map, again where a busy machine made a long press of it."""
-    tag = phone.locator(".ghost .tag")
+async def tap(page: Page, place: tuple[float, float], seen: Locator, count: int = 1) -> None:
+    """Tap a place until so many are seen: a busy machine makes a long press of a tap."""
     for _ in range(3):
-        await phone.touchscreen.tap(*place)
+        await page.touchscreen.tap(*place)
         try:
-            return await expect(tag).to_be_visible(timeout=2000)
+            return await expect(seen).to_have_count(count, timeout=2000)
         except AssertionError:
             continue
-    await expect(tag).to_be_visible()
+    await expect(seen).to_have_count(count)
 
 
 async def test_two_fingers_bring_the_map_nearer_one_moves_it_and_a_tap_is_a_goal(
@@ -317,7 +316,7 @@ async def test_two_fingers_bring_the_map_nearer_one_moves_it_and_a_tap_is_a_goal
     assert moved[0] == pytest.approx(x - 60.0, abs=1.5)
     assert moved[1] == pytest.approx(y - 10.0, abs=1.5)
     await no_goal(phone)
-    await tap_until_goal(phone, await pixel(phone, 5.37, 1.21))
+    await tap(phone, await pixel(phone, 5.37, 1.21), phone.locator(".ghost .tag"))
     await send(phone)
     await until(lambda: console.pilot.orders)
     goal = console.pilot.orders[0].goal
@@ -333,8 +332,7 @@ async def test_two_fingers_draw_nothing_where_one_draws(edited: Page) -> None:
     await pinch(page, await pixel(page, 6.0, 4.25), 40.0, 160.0)
     assert await scale(page) == pytest.approx(4.0 * whole, rel=0.02)
     assert await marks.count() == count
-    await page.touchscreen.tap(*await pixel(page, 6.1, 4.3))
-    await expect(marks).to_have_count(count + 1)
+    await tap(page, await pixel(page, 6.1, 4.3), marks, count + 1)
     new = page.locator(".edits .spot-mark[data-open=true] circle")
     u, v = [float(await new.get_attribute(name) or 0) for name in ("cx", "cy")]
     box, (x, y) = await page.locator(PLAN).bounding_box(), await pixel(page, 6.1, 4.3)
