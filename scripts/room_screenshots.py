@@ -1,4 +1,4 @@
-"""Takes the pictures of the ROOM screen: plays the B-sen scene until the cup is in the cabinet.
+"""Takes the pictures of the live scene: plays the B-sen scene until the cup is in the cabinet.
 
 ``python scripts/room_screenshots.py`` writes
 docs/images/{room-live,room-history,phone-room,room-edit}.png. Needs mosquitto.
@@ -108,6 +108,7 @@ def visit(page: Page, address: str) -> None:
 
 def edit(page: Page) -> None:
     """Draw a zone and a place, and leave without saving."""
+    page.get_by_role("button", name="Close the answer").click()
     page.get_by_text("Layers").click()
     page.get_by_role("button", name="Edit the room").click()
     panel = page.get_by_role("region", name="Edit places and zones")
