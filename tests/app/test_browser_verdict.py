@@ -16,7 +16,7 @@ from typing import Any
 
 import pytest
 from console_report import FIVE_SIZES, ConsoleReport, console_report
-from outside_room import OutsideRoom, Run, running_outside, wait_for
+from outside_room import OutsideRoom, Run, outside_site, running_outside, wait_for
 from playwright.sync_api import Locator, Page, expect, sync_playwright
 
 from housefly.geometry import Vec2, yaw_of
@@ -33,22 +33,6 @@ pytestmark = [
     pytest.mark.timeout(300),
 ]
 
-SITE = """
-name = "test"
-[drone]
-address = "{address}"
-has_video = true
-[tracking]
-kind = "vicon"
-address = "{address}"
-[hub]
-store = "{store}"
-[web]
-port = 0
-[twin]
-seed = 3
-video = false
-"""
 UNDER_THE_TABLE = (5.7, 1.5)
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
 DOWN = ("Ready on the pad", "Not on the pad", "Not ready", "On the pad", "On the ground")
@@ -122,9 +106,9 @@ class House:
 @pytest.fixture(scope="module")
 def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
     folder = tmp_path_factory.mktemp("house")
-    site, log = folder / "site.toml", folder / "run.log"
     address = f"127.{1 + os.getpid() % 250}.77.11"
-    site.write_text(SITE.format(address=address, store=folder / "room.db"))
+    site = outside_site(folder, address, has_video=True)
+    log = folder / "run.log"
     with running_outside(site, log, films=True) as (room, run), sync_playwright() as play:
         found = re.search(r"http://\S+", log.read_text())
         assert found

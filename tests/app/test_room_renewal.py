@@ -16,7 +16,7 @@ from typing import Any
 
 import psutil
 import pytest
-from outside_room import OutsideRoom, Run, running_outside, wait_for
+from outside_room import OutsideRoom, Run, outside_site, running_outside, wait_for
 from websockets.asyncio.client import ClientConnection, connect
 
 from housefly.bus.topics import PLAN_QUERY
@@ -32,22 +32,6 @@ pytestmark = [
     pytest.mark.timeout(400),
 ]
 
-SITE = """
-name = "test"
-[drone]
-address = "{address}"
-has_video = false
-[tracking]
-kind = "vicon"
-address = "{address}"
-[hub]
-store = "{store}"
-[web]
-port = 0
-[twin]
-seed = 3
-video = false
-"""
 TAB = "tab-number-one"
 PILOT, DRIVER, WEB = "housefly.app.pilot_main", "housefly.app.driver_main", "housefly.web.process"
 
@@ -165,9 +149,9 @@ async def _ping(socket: ClientConnection) -> None:
 @pytest.fixture(scope="module")
 def house(tmp_path_factory: pytest.TempPathFactory) -> Iterator[House]:
     folder = tmp_path_factory.mktemp("house")
-    site, log = folder / "site.toml", folder / "run.log"
     address = f"127.{1 + os.getpid() % 250}.78.11"
-    site.write_text(SITE.format(address=address, store=folder / "room.db"))
+    site = outside_site(folder, address)
+    log = folder / "run.log"
     with running_outside(site, log) as (room, run):
         found = re.search(r"http://\S+", log.read_text())
         assert found

@@ -31,6 +31,30 @@ from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
 
 _IN_THE_AIR = 0.3
+_SITE = """
+name = "test"
+[drone]
+address = "{address}"
+has_video = {has_video}
+[tracking]
+kind = "vicon"
+address = "{address}"
+[hub]
+store = "{folder}/room.db"
+[web]
+port = 0
+[twin]
+seed = 3
+video = false
+"""
+
+
+def outside_site(folder: Path, address: str, *, has_video: bool = False) -> Path:
+    """Write the site file of a run whose room is outside of it."""
+    site = folder / "site.toml"
+    text = _SITE.format(address=address, folder=folder, has_video=str(has_video).lower())
+    site.write_text(text)
+    return site
 
 
 class OutsideRoom:

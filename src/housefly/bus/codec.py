@@ -174,23 +174,17 @@ def _enumerated(name: str, kind: type[Enum], numbers: dict[str, int]) -> _Conver
 
 
 def _optional(to_wire: _Convert, from_wire: _Convert) -> _Conversion:
-    def back(found: list[Any]) -> Any:
+    def back(found: Any) -> Any:
         if len(found) > 1:
             raise ValueError(f"{len(found)} values where at most one is allowed")
-        return from_wire(found[0]) if found else None
+        return from_wire(found[0]) if len(found) else None
 
     return lambda value: [] if value is None else [to_wire(value)], back
 
 
-def _number(found: Any) -> float | None:
-    if len(found) > 1:
-        raise ValueError(f"{len(found)} values where at most one is allowed")
-    return float(found[0]) if len(found) else None
-
-
 _OPTIONAL_NUMBER: _Conversion = (
     lambda value: np.array([] if value is None else [value], dtype=np.float64),
-    _number,
+    _optional(_same, float)[1],
 )
 
 
