@@ -6,7 +6,6 @@ import asyncio
 import contextlib
 import http.client
 import json
-import shutil
 import ssl
 from collections.abc import AsyncIterator, Callable, Iterator
 from dataclasses import dataclass, field
@@ -16,6 +15,7 @@ from urllib.parse import urlencode
 import pytest
 import pytest_asyncio
 import uvicorn
+from installed_chromium import chromium_path
 from playwright.async_api import Browser, Page, async_playwright, expect
 from websockets.asyncio.client import ClientConnection, connect
 
@@ -255,13 +255,7 @@ def serving() -> Callable[..., contextlib.AbstractAsyncContextManager[Served]]:
 @pytest_asyncio.fixture(loop_scope="module", scope="module")
 async def chromium() -> AsyncIterator[Browser]:
     """Yield real headless Chromium, one for a whole file of tests, or skip."""
-    path = (
-        shutil.which("chromium")
-        or shutil.which("chromium-browser")
-        or shutil.which("google-chrome")
-    )
-    if path is None:
-        pytest.skip("Chromium is not installed")
+    path = chromium_path()
     quiet = [
         "--no-sandbox",
         "--disable-gpu",

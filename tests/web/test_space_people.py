@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import shutil
 import time
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from installed_chromium import chromium_path
 from playwright.async_api import Page, async_playwright, expect
 
 from housefly.config.hub import HubConfig
@@ -49,9 +49,7 @@ class House:
 @pytest_asyncio.fixture(loop_scope="module")
 async def house(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[House]:
     """Yield a room in space with the resident, seen now, and a guest, seen a while ago."""
-    path = shutil.which("chromium") or shutil.which("chromium-browser")
-    if path is None:
-        pytest.skip("Chromium is not installed")
+    path = chromium_path()
     async with serving(loopback) as console, async_playwright() as playwright:
         hub = Hub(
             Site(hub=HubConfig(store=str(tmp_path / "room.db"))), tmp_path, console.bus.join()
