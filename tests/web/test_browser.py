@@ -170,6 +170,18 @@ async def test_in_flight_space_stops_whatever_has_the_focus_and_presses_nothing_
     assert await page.locator(".place[aria-pressed=true]").count() == 0
 
 
+async def test_a_name_half_typed_stays_when_somebody_else_opens_the_console(
+    page: Page, console: Any
+) -> None:
+    await page.get_by_role("button", name="You have control").click()
+    field = page.get_by_label("Your name")
+    await field.press_sequentially("Ann")
+    await watcher_of(page, console)
+    await expect(page.locator(".people li")).to_have_count(2)
+    await field.press_sequentially("a")
+    assert await field.input_value() == "Anna"
+
+
 async def test_space_types_a_space_on_the_ground_and_stops_in_flight(
     page: Page, console: Any, until: Until
 ) -> None:

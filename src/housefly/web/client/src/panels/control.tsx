@@ -21,7 +21,7 @@ export function Control() {
         <input
           type="text"
           maxLength={24}
-          value={myName()}
+          defaultValue={myName()}
           placeholder={t("Viewer {n}", { n: me.value })}
           onChange={(event) => rename(event.currentTarget.value.trim())}
         />
