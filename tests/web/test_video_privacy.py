@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import replace
+from math import pi
 
 import av
 import numpy as np
@@ -35,8 +37,8 @@ ZONE = PrivacyZone(name="bed", polygon=((5, -2), (7, -2), (7, 2), (5, 2)), z_min
 IN_ZONE = (slice(100, 125), slice(80, 240))
 
 
-def step_at(at: float, pose_age: float = 0.0) -> PilotStep:
-    estimate = Estimate(at, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0), 0.0, pose_age, 0.01)
+def step_at(at: float, pose_age: float = 0.0, yaw: float = 0.0) -> PilotStep:
+    estimate = Estimate(at, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0), yaw, pose_age, 0.01)
     report = Telemetry(at, DroneStatus.FLYING, 0.9)
     outputs = Outputs(Command(Action.HOVER, LEVEL), estimate=estimate)
     return PilotStep(1, at, Inputs(telemetry=report), outputs)
@@ -47,6 +49,7 @@ async def watched(
     mode: Callable[[], HouseMode | None] = lambda: None,
     pose_age: float = 0.0,
     frames: tuple[VideoFrame, ...] = tuple(video(2.0)),
+    yaw: Callable[[float], float] = lambda at: 0.0,
 ) -> list[NDArray[np.uint8]]:
     """Return what a browser sees of two seconds of video."""
     bus = LocalBus()
@@ -55,7 +58,8 @@ async def watched(
     messages: list[bytes] = []
     with relay.subscribed() as queue:
         for frame in frames:
-            bus.publish(STEP_TOPIC, step_at(frame.received_at, pose_age))
+            at = frame.received_at
+            bus.publish(STEP_TOPIC, step_at(at, pose_age, yaw(at)))
             bus.publish(VIDEO_TOPIC, frame)
             await asyncio.sleep(0)
             while (message := queue.next()) is not None:
@@ -107,3 +111,23 @@ async def test_after_a_lost_frame_nothing_is_shown_until_the_next_key_frame() ->
     shown = await watched((ZONE,), frames=frames)
     assert len(shown) == 4 + 15
     assert shown[0].shape == (*SIZE[::-1], 3)
+
+
+@pytest.mark.parametrize("is_late", [False, True])
+async def test_pictures_that_come_late_are_blank_where_the_zone_was_when_they_were_taken(
+    is_late: bool,
+) -> None:
+    """The drone turns its back on the zone; the wire then holds its pictures up more and more."""
+    prompt = list(video(2.0))
+    begin, turned = prompt[0].received_at, prompt[8].received_at
+    taken = [
+        min(one.received_at, turned + 1e-3 * n) if is_late else one.received_at
+        for n, one in enumerate(prompt)
+    ]
+    frames = tuple(
+        replace(one, drone_time=50.0 + at - begin) for one, at in zip(prompt, taken, strict=True)
+    )
+    shown = await watched((ZONE,), frames=frames, yaw=lambda at: pi * (at > turned))
+    blank = [is_blank(picture[IN_ZONE]) for picture in shown]
+    assert all(blank[:9])
+    assert blank[16:] == [is_late] * 14

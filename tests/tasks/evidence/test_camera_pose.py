@@ -99,3 +99,12 @@ def test_a_picture_that_comes_long_after_the_last_pose_has_none() -> None:
         track.add(at(9.0 + n / 20))
     assert track.poses(9.95)
     assert not track.poses(10.3)
+
+
+def test_a_late_picture_may_have_been_taken_in_older_poses_and_one_too_late_in_any() -> None:
+    track = CameraTrack(0.35)
+    for n in range(60):
+        track.add(at(9.0 + n / 20))
+    assert track.poses(11.96)[0].at == pytest.approx(11.6)
+    assert track.poses(11.96, 0.8)[0].at == pytest.approx(10.8)
+    assert track.poses(11.96, 1.9) == ()

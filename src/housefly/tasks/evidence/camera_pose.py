@@ -74,13 +74,14 @@ class CameraTrack:
         while self._poses[0].at < pose.at - _KEPT:
             self._poses.popleft()
 
-    def poses(self, received_at: float) -> tuple[CameraPose, ...]:
+    def poses(self, received_at: float, late: float = 0.0) -> tuple[CameraPose, ...]:
         """Return the poses around the moment of a picture, by time; () when it is not known.
 
         Args:
             received_at: when the picture came [s].
+            late: by how much it came later than others [s].
         """
-        start = received_at - self._latency_max
+        start = received_at - self._latency_max - late
         before = max((pose.at for pose in self._poses if pose.at <= start), default=start)
         chosen = tuple(pose for pose in self._poses if before <= pose.at <= received_at)
         times = (*(pose.at for pose in chosen), received_at)

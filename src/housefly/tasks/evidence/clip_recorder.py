@@ -28,6 +28,7 @@ from housefly.tasks.evidence.clip_writer import CLIP_SUFFIX
 from housefly.tasks.evidence.face_blur import FaceBlur, face_blur_of
 from housefly.tasks.evidence.frame_blanker import FrameBlanker
 from housefly.tasks.evidence.picture_cover import FilmedFrame
+from housefly.tasks.evidence.picture_lateness import PictureLateness
 from housefly.tasks.evidence.ring_buffer import RingBuffer
 from housefly.tasks.evidence.snapshots import SNAPSHOT_SUFFIX, newest_picture, write_snapshot
 from housefly.tasks.evidence.writer_thread import WriterThread
@@ -78,6 +79,7 @@ class ClipRecorder:
         self._faces: FaceBlur | None = None
         self._lock = threading.RLock()
         self._ring, self._track = RingBuffer(config.clip_before), CameraTrack()
+        self._lateness = PictureLateness()
         self._take: ClipTake | None = None
         self._take_ends = float("inf")
         self._is_skipping = False
@@ -140,10 +142,11 @@ class ClipRecorder:
         """
         with self._lock:
             self._track.add(pose)
+            late = self._lateness.of(frame)
             if not self._may_film(frame.received_at):
                 self._ring.clear()
                 return
-            poses = self._track.poses(frame.received_at)
+            poses = self._track.poses(frame.received_at, late)
             cover = self._zones[self._mode].cover(poses, frame.width, frame.height)
             filmed = FilmedFrame(frame, cover)
             self._ring.add(filmed)

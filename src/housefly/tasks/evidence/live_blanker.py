@@ -10,6 +10,7 @@ from housefly.tasks.api.values import HouseMode
 from housefly.tasks.evidence.camera_pose import CameraTrack, camera_pose_of
 from housefly.tasks.evidence.frame_blanker import FrameBlanker
 from housefly.tasks.evidence.picture_cover import FilmedFrame
+from housefly.tasks.evidence.picture_lateness import PictureLateness
 from housefly.tasks.evidence.zone_projection import zone_projectors
 
 
@@ -28,6 +29,7 @@ class LiveBlanker:
         self._zones = zone_projectors(config)
         self._mode = mode
         self._track, self._blanker = CameraTrack(), FrameBlanker()
+        self._lateness = PictureLateness()
         self._lock = threading.Lock()
 
     @property
@@ -54,6 +56,7 @@ class LiveBlanker:
         if not self.is_needed:
             return frame
         with self._lock:
-            poses, zones = self._track.poses(frame.received_at), self._zones[self._mode]
+            late, zones = self._lateness.of(frame), self._zones[self._mode]
+            poses = self._track.poses(frame.received_at, late)
         cover = zones.cover(poses, frame.width, frame.height)
         return self._blanker.filtered(FilmedFrame(frame, cover))
