@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from housefly.app.flight_quality.scenario import Way
+
 
 @dataclass(frozen=True, slots=True)
 class Ablation:
@@ -13,10 +15,12 @@ class Ablation:
     Attributes:
         name: for the table.
         changes: keys; a tree that does not know them does not offer this.
+        way: of flying; None is the best that the tree offers.
     """
 
     name: str
     changes: dict[str, Any]
+    way: Way | None = None
 
 
 ABLATIONS: tuple[Ablation, ...] = (
@@ -38,5 +42,7 @@ ABLATIONS: tuple[Ablation, ...] = (
         {"estimation__disturbance_wander": 0.0, "estimation__lift_wander": 0.0},
     ),
     Ablation("gain schedule", {"estimation__mistrust": 0.0}),
-    Ablation("free heading", {"control__free_heading": False}),
+    # In space nothing waits for the heading; on corners the acceptor does.
+    Ablation("nothing, on corners", {}, Way.GRID),
+    Ablation("waiting for the heading, on corners", {"control__epsilon_yaw": 1.5}, Way.GRID),
 )

@@ -117,7 +117,7 @@ def run_gate(run: GateRun, tell: Tell) -> GateResult:
         found += limit_findings(row, mine, whole=not run.quick)
     best = Way.SPACE if Way.SPACE in ways else Way.GRID
     ablated = tuple(
-        (one.name, pilots.flown(_ablated(one), best) if offered(one.changes) else None)
+        (one.name, pilots.flown(_ablated(one), one.way or best) if offered(one.changes) else None)
         for one in (ABLATIONS if run.ablated else ())
     )
     left_out = tuple(row.name for row in wanted if not is_there(row.room))
