@@ -5,7 +5,9 @@ from 100 to 10 Hz.
 from __future__ import annotations
 
 import time
+from pathlib import Path
 from statistics import mean
+from tempfile import TemporaryDirectory
 
 from _run import table
 from housefly.app.loaded_site import LoadedSite, open_site, read_site
@@ -13,6 +15,7 @@ from housefly.app.lockstep import fly_lockstep
 from housefly.messages import Order, OrderKind, PilotStep
 from housefly.record.series import collect
 from housefly.record.summary import Summary, summarize_flight
+from housefly.record.truth import read_truth
 
 SEEDS = (1, 2, 3)
 CASES = ((100.0, 0.02, 0.0), (30.0, 0.02, 0.2), (10.0, 0.05, 0.0), (10.0, 0.1, 0.3))
@@ -21,11 +24,16 @@ CASES = ((100.0, 0.02, 0.0), (30.0, 0.02, 0.2), (10.0, 0.05, 0.0), (10.0, 0.1, 0
 def fly(loaded: LoadedSite) -> tuple[Summary, float]:
     """Fly one service; return its summary and the flight seconds per second of processor time."""
     steps: list[PilotStep] = []
-    start = time.process_time()
-    outcome = fly_lockstep(loaded, Order(OrderKind.SERVICE, "entrance", look_s=3.0), steps.append)
-    speed = steps[-1].now / (time.process_time() - start)
+    order = Order(OrderKind.SERVICE, "entrance", look_s=3.0)
+    with TemporaryDirectory() as folder:
+        course = Path(folder) / "truth.jsonl"
+        start = time.process_time()
+        outcome = fly_lockstep(loaded, order, steps.append, truth_file=course)
+        speed = steps[-1].now / (time.process_time() - start)
+        truth = read_truth(course)
     flight = collect(steps, loaded.site.tracking.body)
-    return summarize_flight(flight, outcome, loaded.site, loaded.room, loaded.grid), speed
+    site, room, grid = loaded.site, loaded.room, loaded.grid
+    return summarize_flight(flight, outcome, site, room, grid, truth=truth), speed
 
 
 def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
@@ -73,8 +81,8 @@ def main() -> None:
     ]  # fmt: skip
     print(table(headings, [row(mode, *case) for case in CASES for mode in ("default", "paper")]))
     print(
-        f"\nMeans over seeds {', '.join(map(str, SEEDS))}. Errors are of the measured place against"
-        " the planned path."
+        f"\nMeans over seeds {', '.join(map(str, SEEDS))}. Errors are of the true place against the"
+        " planned path."
     )
 
 
