@@ -37,13 +37,15 @@ BLOCK = 5.75
 """Where the block in the hall begins along x [m], at y below 2 m."""
 
 
-def hold(flight: Any, velocity: Vec3, seconds: float, age: float = 0.0) -> list[float]:
+def hold(
+    flight: Any, velocity: Vec3, seconds: float, age: float = 0.0, sender: str = "Ann"
+) -> list[float]:
     """Hold a velocity as a page does, ten times a second; return the largest x of each step."""
     xs = []
     for n in range(round(seconds / 0.01)):
         given_at = flight.now - age
-        nudge = flight.order(OrderKind.NUDGE, velocity=velocity, sender="Ann")
-        nudge = type(nudge)(nudge.kind, velocity=velocity, sender="Ann", issued_at=given_at)
+        nudge = flight.order(OrderKind.NUDGE, velocity=velocity, sender=sender)
+        nudge = type(nudge)(nudge.kind, velocity=velocity, sender=sender, issued_at=given_at)
         flight.step(*((nudge,) if n % 10 == 0 else ()))
         xs.append(flight.body.x)
     return xs
@@ -102,6 +104,14 @@ def test_one_line_says_that_it_began_and_one_that_it_ended(hovering: Any) -> Non
     hovering.run(4.0)
     told = [event.text for event in hovering.events[before:]]
     assert told == ["moved by hand by Ann", "moved by hand no longer"]
+
+
+def test_who_goes_on_in_anothers_place_is_told(hovering: Any) -> None:
+    before = len(hovering.events)
+    hold(hovering, EAST, 0.5)
+    hold(hovering, EAST, 0.5, sender="Ben")
+    told = [event.text for event in hovering.events[before:]]
+    assert told == ["moved by hand by Ann", "moved by hand by Ben"]
 
 
 def test_an_order_that_was_held_up_is_nothing(hovering: Any) -> None:

@@ -70,7 +70,7 @@ class NudgeMonitor:
         self._is_braking = False
         self._asked_at = self._held_at = self._limited_at = -inf
         self._limited = b""
-        self._is_told = False
+        self._told_of: str | None = None
 
     @property
     def is_moving(self) -> bool:
@@ -100,7 +100,7 @@ class NudgeMonitor:
             vehicle: status and place of the drone.
             share: of the speed that people leave, 0 to 1.
         """
-        if self._wish is None and not self._is_told:
+        if self._wish is None and self._told_of is None:
             return []
         state = self._commander.state
         is_ours = state.phase is Phase.HOLDING and not state.stopped and vehicle.estimate
@@ -147,17 +147,17 @@ class NudgeMonitor:
         self._task, self._is_braking = task, False
 
     def _begun(self, wish: HeldWish, vehicle: VehicleStatus) -> list[Event]:
-        if self._is_told:
+        if self._told_of == wish.sender:
             return []
-        self._is_told = True
+        self._told_of = wish.sender
         by = f" by {wish.sender}" if wish.sender else ""
         return [Event(vehicle.now, Severity.INFO, "nudge_began", f"moved by hand{by}")]
 
     def _ended(self, vehicle: VehicleStatus, *, at_once: bool) -> list[Event]:
         is_over = at_once or vehicle.now - self._held_at >= QUIET_TIME
-        if not (self._is_told and is_over):
+        if not (self._told_of is not None and is_over):
             return []
-        self._is_told, self._limited, self._task = False, b"", None
+        self._told_of, self._limited, self._task = None, b"", None
         return [Event(vehicle.now, Severity.INFO, "nudge_ended", "moved by hand no longer")]
 
     def _tell_limit(self, why: str, wish: HeldWish, now: float) -> list[Event]:
