@@ -129,9 +129,11 @@ def main() -> None:
     refused = sum((day.refused for day in days), Counter())
     touched = [words for day in days for words in day.violations]
     walked = [day.walked_into for day in days if day.walked_into]
+    given_up = [day.told["take_off_given_up"] for day in days]
     rows = [
         ("services flown", sum(day.flown for day in days)),
         ("refused before take-off", sum(refused.values())),
+        ("given up at the floor, because somebody came", sum(given_up)),
         ("contacts, or another invariant broken", len(touched)),
         ("walked into during its own take-off", len(walked)),
         ("nearest a person came to the hull", f"{min(d.person_clearance for d in days):.2f} m"),
