@@ -1,6 +1,7 @@
 """The console's one screen in real Chromium, over a fake pilot at 100 Hz and 30 pictures a second.
 
-``MINUTES`` of flight (30 by default) and ``PRESSES`` of STOP (100) may be set for a short run.
+``SECONDS`` over which the processor is looked at (60 by default) and ``PRESSES`` of STOP (100) may
+be set for a short run. What the page keeps in a long flight is in ``console_heap.py``.
 """
 
 from __future__ import annotations
@@ -15,7 +16,9 @@ import tempfile
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import dist
 from pathlib import Path
 
 import numpy as np
@@ -25,9 +28,20 @@ from console_latency import HOST, feed
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
-from housefly.bus.topics import ORDER_TOPIC
+from housefly.bus.topics import ORDER_TOPIC, TRAJECTORY_TOPIC
 from housefly.clock import RealClock
-from housefly.messages import DroneStatus, Order, OrderKind, Phase, SafetyMode, Severity
+from housefly.geometry import Vec2
+from housefly.messages import (
+    DroneStatus,
+    Order,
+    OrderKind,
+    Phase,
+    PlannedTrajectory,
+    SafetyMode,
+    Severity,
+    TrajectoryPoint,
+)
+from housefly.messages import Path as FlightPath
 from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
 from housefly.web.flight_log import (
@@ -41,16 +55,15 @@ from housefly.web.flight_log import (
 from housefly.web.process import make_server
 from housefly.web.server import create_app
 
-MINUTES = float(os.environ.get("MINUTES", "30"))
-PRESSES = int(os.environ.get("PRESSES", "100"))
-CPU_TIME = min(60.0, 20.0 * MINUTES)
+SECONDS = float(os.environ.get("SECONDS", "60"))
 """Over which the processor's share is taken [s]."""
+PRESSES = int(os.environ.get("PRESSES", "100"))
 THROTTLE = 6
 REPLAYED = 600.0
 """How long the flight in the time bar is [s]."""
 SCRUBBED = 5.0
-LEVEL = 1.1
-"""A heap that is level grows by less than this in its second half."""
+LEG = 0.12
+"""Between two points of a curve in space [m]."""
 SIZE: ViewportSize = {"width": 1280, "height": 800}
 WATCH_STOP = """
 window.confirmed = [];
@@ -195,12 +208,6 @@ async def processor_times(one: Scene) -> dict[str, float]:
     return {"page": times.get("renderer", 0.0), "thread": thread, "all": sum(times.values())}
 
 
-async def heap(one: Scene) -> float:
-    """Return what the page's objects take after a collection [MB]."""
-    await one.devtools.send("HeapProfiler.collectGarbage")
-    return float((await one.devtools.send("Runtime.getHeapUsage"))["usedSize"]) / 1e6
-
-
 def row(what: str, figure: str, goal: str) -> None:
     """Print a row of the table."""
     print(f"| {what} | {figure} | {goal} |")
@@ -223,23 +230,53 @@ async def measure_flight(one: Scene) -> None:
     row(f"... on a processor {THROTTLE} times slower", slow, "p99 400 ms")
     await one.devtools.send("Emulation.setCPUThrottlingRate", {"rate": 1})
     await asyncio.sleep(2.0)
-    before, began = await processor_times(one), time.monotonic()
-    await asyncio.sleep(CPU_TIME)
-    after, took = await processor_times(one), time.monotonic() - began
-    share = {name: 100.0 * (after[name] - before[name]) / took for name in after}
-    row("share of a core: the page's process", f"{share['page']:.0f} %", "25 %")
-    row("... of that its main thread", f"{share['thread']:.0f} %", "")
-    row("... with the rest of Chromium, without a GPU", f"{share['all']:.0f} %", "")
-    heaps = []
-    for _ in range(max(2, round(MINUTES))):
-        await asyncio.sleep(60.0 * MINUTES / max(2, round(MINUTES)))
-        heaps.append(await heap(one))
-    grown = heaps[-1] / heaps[len(heaps) // 2 - 1]
-    row(f"heap over {MINUTES:g} min", ", ".join(f"{size:.1f}" for size in heaps) + " MB", "level")
-    row("... its second half", f"x {grown:.2f}", f"below x {LEVEL}")
+    await measure_processor(one, "share of a core: the page's process")
+    bending = asyncio.create_task(bend(one))
+    await asyncio.sleep(2.0)
+    await measure_processor(one, "the same while a curve with heights and speeds is flown")
+    bending.cancel()
     flying.cancel()
     one.pilot.status, one.pilot.phase, one.pilot.height = DroneStatus.LANDED, Phase.IDLE, 0.0
     one.pilot.position, one.pilot.path = one.pilot.room.home, None
+
+
+async def measure_processor(one: Scene, what: str) -> None:
+    """Print what the page takes."""
+    before, began = await processor_times(one), time.monotonic()
+    await asyncio.sleep(SECONDS)
+    after, took = await processor_times(one), time.monotonic() - began
+    share = {name: 100.0 * (after[name] - before[name]) / took for name in after}
+    row(what, f"{share['page']:.0f} %", "25 %")
+    row("... of that its main thread", f"{share['thread']:.0f} %", "")
+    row("... with the rest of Chromium, without a GPU", f"{share['all']:.0f} %", "")
+
+
+async def bend(one: Scene) -> None:
+    """Give each path of the fake pilot heights and speeds, as the real one plans them."""
+    bent: FlightPath | None = None
+    while True:
+        path = one.pilot.path
+        if path is not None and path is not bent:
+            legs = pairwise(path.waypoints)
+            way = [path.waypoints[0], *(point for leg in legs for point in between(*leg))]
+            bent = one.pilot.path = replace(path, waypoints=tuple(way))
+            one.pilot.waypoint = 1
+            last = len(way) - 1
+            points = tuple(
+                TrajectoryPoint((*place, 1.1), LEG * k / 0.4, 0.8 * min(k, last - k) / last)
+                for k, place in enumerate(way)
+            )
+            one.bus.publish(TRAJECTORY_TOPIC, PlannedTrajectory(0.0, points))
+        await asyncio.sleep(0.05)
+
+
+def between(start: Vec2, end: Vec2) -> list[Vec2]:
+    """Return points on a straight line, without its start."""
+    count = max(1, round(dist(start, end) / LEG))
+    return [
+        (start[0] + (end[0] - start[0]) * k / count, start[1] + (end[1] - start[1]) * k / count)
+        for k in range(1, count + 1)
+    ]
 
 
 async def measure_time_bar(one: Scene) -> None:

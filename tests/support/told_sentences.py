@@ -203,7 +203,10 @@ def _knowledge(draw: Random, reasons: list[str], failing: list[PreflightCheck]) 
     stop = draw.choice((latch, latch.acknowledged())).view(
         NOW, airborne=None, pilot_is_heard=step_age < 1.0
     )
-    known = ConsoleKnowledge(NOW, step, step_age, None, preflight, _ROOM, stop, 1, "Anna")
+    moved = draw.choice(("", "", "moved by hand", "moved by hand by Anna"))
+    known = ConsoleKnowledge(
+        NOW, step, step_age, None, preflight, _ROOM, stop, 1, "Anna", hand_motion=moved
+    )
     return known if draw.random() > 0.01 else replace(known, step=None)
 
 

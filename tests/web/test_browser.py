@@ -431,7 +431,12 @@ async def test_the_console_comes_back_by_itself_after_the_server_was_started_aga
         await context.close()
 
 
-PIXEL = "c => Array.from(c.getContext('2d').getImageData(160, 90, 1, 1).data)"
+PIXEL = """(canvas) => {
+  const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+  copy.drawImage(canvas, 0, 0);
+  return Array.from(copy.getImageData(160, 90, 1, 1).data);
+}"""
+"""A worker draws on the canvas: the page can only copy it."""
 
 
 async def feed(bus: Any) -> None:

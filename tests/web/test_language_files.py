@@ -1,15 +1,19 @@
-"""The message files of the page: the same texts with the same values in each language."""
+"""The message files of the pages: the same texts with the same values in each language."""
 
 from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 
 from housefly.web.page_routes import STATIC_FOLDER
 
 CLIENT = STATIC_FOLDER.parent / "client" / "src"
+CONSOLE, NEW_SITE = CLIENT / "messages", CLIENT / "new" / "messages"
+PAGES = {CONSOLE: 300, NEW_SITE: 150}
+"""Where the texts of a page are, and how many it has at least."""
 OTHERS = ("ja", "de")
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 _TEXT = r'"(?:[^"\\]|\\.)*"(?:\s*\+\s*"(?:[^"\\]|\\.)*")*'
@@ -22,29 +26,33 @@ def spoken(text: str) -> str:
     return "".join(json.loads(part) for part in re.findall(r'"(?:[^"\\]|\\.)*"', text))
 
 
-def english() -> list[str]:
-    source = (CLIENT / "messages" / "en.ts").read_text(encoding="utf-8")
+def english(page: Path = CONSOLE) -> list[str]:
+    source = (page / "en.ts").read_text(encoding="utf-8")
     return [spoken(text) for text in re.findall(rf"^  ({_TEXT}),$", source, re.MULTILINE)]
 
 
-def texts(name: str) -> dict[str, str]:
+def texts(page: Path, name: str) -> dict[str, str]:
     """Return the entries of one of the files, English to that language."""
-    source = (CLIENT / "messages" / f"{name}.ts").read_text(encoding="utf-8")
+    source = (page / f"{name}.ts").read_text(encoding="utf-8")
     pairs = re.findall(rf"^  \[?({_TEXT})\]?:\s*({_TEXT}),$", source, re.MULTILINE)
     return {spoken(key): spoken(own) for key, own in pairs}
 
 
-def test_each_language_has_every_text_of_the_page_once() -> None:
-    keys = english()
-    assert len(keys) > 300 and len(keys) == len(set(keys))
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_each_language_has_every_text_of_the_page_once(page: Path) -> None:
+    keys = english(page)
+    assert len(keys) > PAGES[page] and len(keys) == len(set(keys))
     for name in OTHERS:
-        assert set(texts(name)) == set(keys), name
-    assert set(texts("ja-told")) == set(texts("de-told"))
+        assert set(texts(page, name)) == set(keys), name
+    assert set(texts(page, "ja-told")) == set(texts(page, "de-told"))
 
 
 @pytest.mark.parametrize("name", ["ja", "de", "ja-told", "de-told"])
-def test_each_text_has_the_values_of_the_english_one_and_is_not_empty(name: str) -> None:
-    for key, own in texts(name).items():
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_each_text_has_the_values_of_the_english_one_and_is_not_empty(
+    page: Path, name: str
+) -> None:
+    for key, own in texts(page, name).items():
         assert own.strip(), key
         assert set(PLACEHOLDER.findall(own)) == set(PLACEHOLDER.findall(key)), key
 
@@ -55,15 +63,24 @@ def test_every_line_of_the_list_of_keys_is_a_text_of_the_page() -> None:
     assert len(lines) > 20 and {spoken(line) for line in lines} <= set(english())
 
 
-def test_japanese_has_no_plural_and_german_has_one_where_english_has() -> None:
-    assert not any("|" in own for own in texts("ja").values())
-    assert all(("|" in own) == ("|" in key) for key, own in texts("de").items())
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_japanese_has_no_plural_and_german_has_one_where_english_has(page: Path) -> None:
+    assert not any("|" in own for own in texts(page, "ja").values())
+    assert all(("|" in own) == ("|" in key) for key, own in texts(page, "de").items())
 
 
-def test_no_text_is_kept_that_no_page_shows() -> None:
-    files = [path for path in CLIENT.rglob("*.ts*") if path.parent.name != "messages"]
-    source = "".join(path.read_text(encoding="utf-8") for path in files)
-    words = {key for key in english() if json.dumps(key, ensure_ascii=False) not in source}
+def sources(page: Path) -> str:
+    """Return the code of a page, without its texts."""
+    files = page.parent.rglob("*.ts*")
+    return "".join(
+        path.read_text(encoding="utf-8") for path in files if path.parent.name != "messages"
+    )
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.parent.name)
+def test_no_text_is_kept_that_no_page_shows(page: Path) -> None:
+    source = sources(page)
+    words = {key for key in english(page) if json.dumps(key, ensure_ascii=False) not in source}
     built = {key for key in words if key.endswith(("^lines", "^mode", "^phase"))}
     told = {"waiting", "skipped", *_STAGES}
     assert words - built - told == set()

@@ -76,6 +76,7 @@ async def test_keys_move_it_while_they_are_held_and_no_longer(
         assert velocity[axis] == pytest.approx(0.4 * sign)
         assert sum(abs(part) for part in velocity) == pytest.approx(0.4)
         await expect(says(page)).to_contain_text("Moving")
+        await expect(page.locator(".headline")).to_contain_text("Moved by hand by Viewer")
         await page.keyboard.up(key)
         await is_still(page, console)
     console.pilot.position = (0.8, 1.5)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import AsyncIterator, Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -155,20 +153,3 @@ async def test_whoever_watches_reads_it_in_large_and_has_stop_and_land(
     await orders.get_by_role("button", name="Land").click()
     await until(lambda: [one.kind for one in console.pilot.orders] == [OrderKind.LAND])
     await watcher.close()
-
-
-@pytest.mark.skipif("HOUSEFLY_AXE" not in os.environ, reason="HOUSEFLY_AXE: where axe.min.js is")
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("state", STATES)
-async def test_axe_finds_nothing(page: Page, console: Any, state: str, scheme: Any) -> None:
-    change, words = STATES[state]
-    change(console.pilot)
-    await expect(page.locator(".headline")).to_contain_text(words)
-    await page.emulate_media(color_scheme=scheme)
-    await page.evaluate(Path(os.environ["HOUSEFLY_AXE"]).read_text(encoding="utf-8"))
-    for width, height in FIVE_SIZES:
-        await page.set_viewport_size({"width": width, "height": height})
-        found = await page.evaluate(
-            "axe.run().then(all => all.violations.map(one => [one.id, one.nodes[0].html]))"
-        )
-        assert found == [], f"{width}x{height}"

@@ -59,6 +59,7 @@ def knowing(
     goal: str = "",
     checks: PreflightView = PASSED,
     stop: StopView | None = None,
+    moved: str = "",
 ) -> ConsoleKnowledge:
     """Return what the server knows of a drone that is as told."""
     at = NOW - step_age
@@ -68,7 +69,10 @@ def knowing(
         Command(Action.FLY), estimate, phase=phase, safety=safety, goal_name=goal, reason="a reason"
     )
     step = PilotStep(7, at, Inputs((), told), out)
-    return ConsoleKnowledge(NOW, step, step_age, None, checks, ROOM, stop or StopView(), 1, "Anna")
+    view = stop or StopView()
+    return ConsoleKnowledge(
+        NOW, step, step_age, None, checks, ROOM, view, 1, "Anna", hand_motion=moved
+    )
 
 
 def objection(verdict: ConsoleVerdict, order: OrderKind) -> str:
@@ -91,6 +95,7 @@ knowledge = st.builds(
         [PASSED, PreflightView(), PreflightView(False, (TOO_LOW, *EXAMPLE_CHECKS[1:]))]
     ),
     stop=st.builds(StopView, st.sampled_from(StopProgress)),
+    moved=st.sampled_from(["", "moved by hand by Anna"]),
 )
 
 
@@ -207,6 +212,18 @@ def test_in_flight_each_fault_has_its_own_words(
     flying = {"status": DroneStatus.FLYING, "phase": Phase.OUTBOUND, "goal": "entrance"}
     verdict = console_verdict(knowing(**{**flying, **change}))  # type: ignore[arg-type]
     assert verdict.headline == headline and detail in verdict.detail
+
+
+def test_a_drone_that_somebody_moves_is_said_to_be_moved_and_by_whom() -> None:
+    moved = "moved by hand by Anna"
+    flying = knowing(status=DroneStatus.FLYING, phase=Phase.HOLDING, moved=moved)
+    verdict = console_verdict(flying)
+    assert verdict.headline == "Moved by hand by Anna" and verdict.shape is HeadlineShape.MOVING
+    assert "let go" in verdict.detail
+    silent = console_verdict(replace(flying, step_age=6.0))
+    assert silent.headline == "No contact with the pilot" and f"it was {moved}" in silent.detail
+    still = console_verdict(replace(flying, hand_motion=""))
+    assert still.headline == "Hovering" and still.shape is HeadlineShape.HOLDING
 
 
 def test_a_dead_console_is_not_said_to_end_a_flight() -> None:

@@ -217,6 +217,7 @@ class Console:
             pilot=holder,
             control="" if holder is None else self._name(holder),
             task_subject=self._task_subject(),
+            hand_motion=self.feed.hand_motion,
         )
         stop = self.feed.stop.view(
             now, airborne=known.may_be_airborne, pilot_is_heard=known.pilot_is_heard

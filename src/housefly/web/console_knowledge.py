@@ -35,6 +35,7 @@ class ConsoleKnowledge:
         stop: the STOP that holds.
         pilot, control: number and name of who has control.
         task_subject: what the task that flies looks at, as people call it, or "".
+        hand_motion: the pilot's words while somebody moves the drone by hand, or "".
     """
 
     now: float
@@ -47,6 +48,7 @@ class ConsoleKnowledge:
     pilot: int | None = None
     control: str = ""
     task_subject: str = ""
+    hand_motion: str = ""
 
     @property
     def pilot_is_heard(self) -> bool:

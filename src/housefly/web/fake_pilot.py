@@ -276,7 +276,11 @@ class FakePilot:
                 self._arrive()
 
     def _drift(self, nudge: Order, dt: float) -> None:
-        if nudge.velocity is None or self.clock.now() - nudge.issued_at > _NUDGE_LIFETIME:
+        quiet = self.clock.now() - nudge.issued_at
+        if quiet > _NUDGE_QUIET_TIME:
+            self.nudge = None
+            self.add_event(Severity.INFO, "nudge_ended", "moved by hand no longer")
+        if nudge.velocity is None or quiet > _NUDGE_LIFETIME:
             return
         vx, vy, vz = nudge.velocity
         x0, y0, x1, y1 = self.room.bounds

@@ -53,6 +53,8 @@ def _last_word(known: ConsoleKnowledge) -> str:
     assert known.step is not None
     if not known.may_be_airborne:
         return "it was on the ground"
+    if known.hand_motion:
+        return f"it was {known.hand_motion}"
     out = known.step.outputs
     return f"it was {_DOING[out.phase].format(goal=goal_title(known))}"
 
@@ -117,10 +119,17 @@ def _in_flight(known: ConsoleKnowledge) -> Headline:
         ),
         Phase.RETURNING: Headline(HeadlineShape.MOVING, "Coming home", _left(known)),
         Phase.LANDING: Headline(HeadlineShape.MOVING, "Landing"),
-    }.get(out.phase, Headline(HeadlineShape.HOLDING, "Hovering", "waiting for an order"))
+    }.get(out.phase, _at_rest(known))
     if not known.is_seen:
         return Headline(HeadlineShape.WARNING, line.text, f"tracking {last_seen(known)}")
     return Headline(line.shape, line.text, slowly) if slowly else line
+
+
+def _at_rest(known: ConsoleKnowledge) -> Headline:
+    if moved := known.hand_motion:
+        text = f"{moved[0].upper()}{moved[1:]}"
+        return Headline(HeadlineShape.MOVING, text, "hovers when it is let go")
+    return Headline(HeadlineShape.HOLDING, "Hovering", "waiting for an order")
 
 
 def _left(known: ConsoleKnowledge) -> str:

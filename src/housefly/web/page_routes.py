@@ -18,6 +18,7 @@ from housefly.web.error_pages import (
     no_session,
 )
 from housefly.web.logins import Logins
+from housefly.web.page_language import page_language
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_pages import session_answer
 
@@ -44,8 +45,9 @@ def page_routes(
             return _open_session(request, auth, offered)
         if not auth.cookie_session(request):
             if _PROOF.fullmatch(proof := request.query_params.get("proof", "")):
-                return came_from_elsewhere(proof)
-            return login_page() if logins and logins.is_open else no_session()
+                return came_from_elsewhere(page_language(request), proof)
+            page = login_page if logins and logins.is_open else no_session
+            return page(page_language(request))
         return FileResponse(STATIC_FOLDER / "index.html", headers=_ALWAYS_NEW)
 
     async def service_worker(request: Request) -> Response:
@@ -56,7 +58,7 @@ def page_routes(
 
     async def authority_certificate(request: Request) -> Response:
         if authority is None:
-            return no_authority()
+            return no_authority(page_language(request))
         return Response(authority, media_type=_CERTIFICATE_TYPE, headers=_ALWAYS_NEW)
 
     return [
@@ -73,7 +75,9 @@ def _open_session(request: Request, auth: SessionAuth, token: str) -> Response:
     session = auth.redeem(token)
     if session is None:
         # Reloading the printed address in a browser with a session shows the console again.
-        return RedirectResponse("/", 303) if auth.cookie_session(request) else link_used()
+        if auth.cookie_session(request):
+            return RedirectResponse("/", 303)
+        return link_used(page_language(request))
     return session_answer(request, auth, session)
 
 

@@ -16,6 +16,7 @@ from starlette.routing import BaseRoute, Route
 from housefly.web.audit_log import AuditLog
 from housefly.web.error_pages import login_page, signed_in, signed_out
 from housefly.web.logins import LoginRefusal, Logins
+from housefly.web.page_language import page_language
 from housefly.web.responses import error_response
 from housefly.web.session_auth import SessionAuth, cookie_name, is_encrypted, same_origin
 
@@ -41,7 +42,7 @@ def session_routes(
         address = request.client.host if request.client else ""
         found = await logins.log_in(form.get("name", ""), form.get("password", ""), address)
         if isinstance(found, LoginRefusal):
-            return login_page(found.words, found.wait)
+            return login_page(page_language(request), found.words, found.wait)
         return session_answer(request, auth, auth.log_in(found))
 
     async def log_out(request: Request) -> Response:
@@ -51,7 +52,7 @@ def session_routes(
         auth.log_out(session)
         if audit is not None:
             audit.record(session.user, session.name, "logged out")
-        answer = signed_out()
+        answer = signed_out(page_language(request))
         answer.delete_cookie(
             cookie_name(request), httponly=True, samesite="strict", secure=is_encrypted(request)
         )
@@ -61,7 +62,7 @@ def session_routes(
         session = auth.cookie_session(request)
         if session is None:
             return RedirectResponse("/", 303)
-        return signed_in(session.user, session.role.value)
+        return signed_in(page_language(request), session.user, session.role.value)
 
     return [
         Route("/login", log_in, methods=["POST"]),

@@ -26,6 +26,7 @@ from housefly.messages import (
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
 from housefly.room.tracked import footprint_of
 from housefly.web.flight_log_writer import FlightListener
+from housefly.web.hand_motion import hand_motion_words
 from housefly.web.protocol import EventView, LinkMessage, OtherBody, PathMessage, StateMessage
 from housefly.web.stop_latch import StopLatch
 
@@ -74,6 +75,7 @@ class StateFeed:
     _path_number: int = 0
     _trajectory: tuple[TrajectoryPoint, ...] = ()
     _restarts: int = 0
+    _hand_motion: str = ""
     _stop: StopLatch = field(default_factory=StopLatch)
 
     def listen(self, bus: Bus) -> None:
@@ -116,6 +118,12 @@ class StateFeed:
         """Time since the pilot was last heard [s]; infinite before the first step."""
         with self._lock:
             return self.clock.now() - self._heard_at if self._step else float("inf")
+
+    @property
+    def hand_motion(self) -> str:
+        """The pilot's words while somebody moves the drone by hand, or ""."""
+        with self._lock:
+            return self._hand_motion
 
     @property
     def restarts(self) -> int:
@@ -181,11 +189,13 @@ class StateFeed:
         with self._lock:
             if self._step is not None and step.sequence < self._step.sequence:
                 self._restarts += 1
+                self._hand_motion = ""
                 self._stop = self._stop.pilot_restarted(now)
             if on_the_ground(self._step) and not on_the_ground(step):
                 self._trail.clear()
             self._step, self._heard_at = step, now
             self._stop = self._stop.heard(step)
+            self._hand_motion = hand_motion_words(self._hand_motion, step)
             for event in step.outputs.events:
                 self._add_event(event.severity, event.code, event.text)
             for sighting in step.inputs.sightings:

@@ -12,6 +12,7 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from housefly.web.error_pages import no_session
 from housefly.web.mjpeg import mjpeg_response
+from housefly.web.page_language import page_language
 from housefly.web.roles import Role
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth, chosen_subprotocol
@@ -32,7 +33,7 @@ def video_routes(video: VideoRelay, auth: SessionAuth) -> list[BaseRoute]:
     async def jpeg(request: Request) -> Response:
         session = auth.session_of(request)
         if session is None:
-            return no_session()
+            return no_session(page_language(request))
         return mjpeg_response(
             video, seats, session.owner, lambda: auth.renewed(session) is not None
         )

@@ -291,3 +291,26 @@ async def test_at_double_size_on_a_phone_the_head_leaves_room_for_the_steps(page
     head = await page.locator("header.top").bounding_box()
     assert head is not None and head["height"] < 140
     assert await page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+async def test_what_is_typed_slowly_stays_while_answers_of_the_server_come(
+    page: Page, page_of_nothing: Any
+) -> None:
+    await size(page)
+    await open_step(page, "Walls and furniture")
+    await button(page, "Add a table").click()
+    name = number(page, "Name")
+    await name.fill("")
+    await expect(page.locator(".wrong")).to_contain_text("at least 1 character")
+    for n in range(1, 5):
+        await page.keyboard.type("Desk"[n - 1])
+        await expect(page.locator(".kept")).to_have_attribute("data-kept", "true")
+        await expect(name).to_have_value("Desk"[:n])
+    width = number(page, "width")
+    await width.press("Control+a")
+    for key, shown in zip("1.25", ("1", "1", "1.2", "1.25"), strict=True):
+        await page.keyboard.press(key)
+        await expect(page.locator(".kept")).to_have_attribute("data-kept", "true")
+        assert (await width.input_value()).rstrip(".") == shown
+    (table,) = (await kept(page, page_of_nothing)).furniture
+    assert (table.name, table.width) == ("Desk", 1.25)

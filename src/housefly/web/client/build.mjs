@@ -20,15 +20,38 @@ const options = {
   legalComments: "none",
   logLevel: "warning",
 };
+/** What is fetched later begins with all of the first load: esbuild then keeps that in one file. */
+const firstTogether = {
+  name: "first together",
+  setup({ onLoad, onResolve, resolve: find }) {
+    onResolve({ filter: /^\./ }, async ({ kind, path, ...from }) => {
+      if (kind !== "dynamic-import") return undefined;
+      const found = await find(path, { ...from, kind: "import-statement" });
+      return { path: found.path, namespace: "later" };
+    });
+    onLoad({ filter: /./, namespace: "later" }, ({ path }) => ({
+      contents: `import "./main"; export * from ${JSON.stringify(path)};`,
+      resolveDir: "src",
+    }));
+  },
+};
 // The screens beside the first are chunks of their own, fetched when there is time or need.
-for (const old of await readdir(target)) if (/^chunk-.*\.(js|css)$/.test(old)) await rm(`${target}/${old}`);
+for (const old of await readdir(target)) if (/^(chunk|new)-.*\.(js|css)$/.test(old)) await rm(`${target}/${old}`);
 await build({
   ...options,
   entryPoints: { app: "src/main.tsx" },
   splitting: true,
+  plugins: [firstTogether],
   chunkNames: "chunk-[name]-[hash]",
 });
-await build({ ...options, entryPoints: { new: "src/new/main.tsx" } });
+await build({ ...options, entryPoints: { app: "src/styles.css" } });
+await build({ ...options, entryPoints: { "video-worker": "src/wire/video-worker.ts" } });
+await build({
+  ...options,
+  entryPoints: { new: "src/new/main.tsx" },
+  splitting: true,
+  chunkNames: "new-[name]-[hash]",
+});
 await copyFile("src/index.html", `${target}/index.html`);
 await copyFile("src/new.html", `${target}/new.html`);
 for (const name of ["favicon.svg", "icon-192.png", "icon-512.png", "manifest.json"])

@@ -20,6 +20,7 @@ from starlette.staticfiles import StaticFiles
 
 from housefly.web.error_pages import no_draft_session
 from housefly.web.new_site.draft_api import DraftApi
+from housefly.web.page_language import page_language
 from housefly.web.page_routes import STATIC_FOLDER
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
 from housefly.web.session_auth import SessionAuth
@@ -50,7 +51,7 @@ def create_new_site_app(
             # Reloading the printed address in the browser that has the session shows the page.
             return RedirectResponse("/", 303)
         if not auth.cookie_session(request):
-            return no_draft_session()
+            return no_draft_session(page_language(request))
         return FileResponse(STATIC_FOLDER / "new.html", headers={"cache-control": "no-store"})
 
     @asynccontextmanager

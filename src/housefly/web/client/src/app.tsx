@@ -15,11 +15,11 @@ import { Questions } from "./tasks/questions";
 
 const SCREENS: Record<Screen, () => ComponentChild> = {
   live: LiveScene,
-  edit: lazyScreen(async () => (await import("./live/edit-screen")).EditScreen),
-  tasks: lazyScreen(async () => (await import("./tasks/tasks-screen")).TasksScreen),
+  edit: lazyScreen(async () => (await import("./other-screens")).EditScreen),
+  tasks: lazyScreen(async () => (await import("./other-screens")).TasksScreen),
 };
 
-const Invite = lazyScreen(async () => (await import("./device/invite")).Invite);
+const Invite = lazyScreen(async () => (await import("./other-screens")).Invite);
 
 /** The live scene, and beside it editing and the tasks; STOP is on each, in the same place. */
 export function App() {

@@ -1,5 +1,6 @@
 // What this console knows, as signals. Only wire/socket.ts writes the first block.
 import { computed, signal } from "@preact/signals";
+import type { Trail } from "./trail";
 import { now } from "./wire/clock";
 import type {
   EventView,
@@ -31,7 +32,7 @@ export const path = signal<PathMessage | null>(null);
 export const link = signal<LinkMessage | null>(null);
 export const viewers = signal<ViewersMessage>({ pilot: null, viewers: [], type: "viewers" });
 export const events = signal<EventView[]>([]);
-export const trail = signal<Point[]>([]);
+export const trail = signal<Trail>([]);
 export const notice = signal("");
 
 /** Whether the picture is large and the map small; scene/stage.ts sets it, and a person. */
@@ -73,6 +74,8 @@ export function freshness(age: number): Freshness {
   return age < OLD ? "fresh" : age < DEAD ? "old" : "dead";
 }
 
+export const stateFreshness = computed(() => freshness(stateAge.value));
+
 /** Time since the server's last verdict [s]; it sends one twice a second. */
 export const silence = computed(() =>
   verdict.value ? Math.max(0, now.value - verdict.value.at) : Infinity,
@@ -82,6 +85,8 @@ export const lineLives = computed(() => contact.value === "open" && silence.valu
 
 /** Time since tracking saw the drone [s]. */
 export const poseAge = computed(() => (state.value?.pose_age ?? Infinity) + stateAge.value);
+
+export const poseFreshness = computed(() => freshness(poseAge.value));
 
 /** Whether one must reckon with a drone in the air. */
 export const flying = computed(() => verdict.value?.may_be_airborne ?? false);

@@ -1,5 +1,6 @@
 // What stands beside the mark of a thing, and where it covers no other mark's words.
-import { blockOf, namesOf, overlap, type Box } from "../map/labels";
+import { placed, type Box } from "../map/label-spots";
+import { namesOf } from "../map/labels";
 import type { Projection } from "../map/projection";
 import { at, moment, situations, type Seen } from "./store";
 import { percent } from "../format";
@@ -7,14 +8,12 @@ import { room } from "../store";
 import { ago, isWorry, kindOf, worthSaying } from "./words";
 import { t, translated } from "../messages/language";
 
-export const LINE = 13;
 export const MOVES = ["person", "robot", "object"];
 const OLD = 10;
 /** On a narrow map [px] that is not near [px/m] only names and worries have room. */
 const NARROW = 500;
 const NEAR = 50;
 const SPARED: Line["kind"][] = ["content", "situation"];
-const OUTSIDE_COST = 1e4;
 
 export interface Line {
   kind: "name" | "age" | "content" | "situation" | "worry";
@@ -29,22 +28,29 @@ export interface Words {
   y: number;
 }
 
-/** Words for each thing, placed in turn: what moves chooses first, what stands still gives way. */
+/** What the names of the room cover, before anything that moves is named. */
+export const takenByNames = (to: Projection): Box[] =>
+  room.value ? namesOf(room.value, to) : [];
+
+/**
+ * Words for each thing, placed in turn, and the room they take added to `taken`: what moves
+ * chooses first; what stands still, and what is said beside names, gives way.
+ */
 export function wordsOf(
   drawn: Seen[],
   inside: Map<string, Seen[]>,
   to: Projection,
+  taken: Box[],
 ): Map<string, Words> {
-  const taken: Box[] = room.value ? namesOf(room.value, to) : [];
   const still = (one: Seen): number => (MOVES.includes(kindOf(one)) ? 0 : 1);
   const words = new Map<string, Words>();
-  for (const one of [...drawn].sort((a, b) => still(a) - still(b))) {
+  const inTurn = [...drawn].sort((a, b) => still(a) - still(b));
+  taken.push(...inTurn.map((one) => markOf(one, to)));
+  for (const one of inTurn) {
     const age = ageOf(one);
     const all = linesOf(one, age, inside.get(one.thing) ?? []);
-    const isTight = to.width < NARROW && to.scale < NEAR;
-    const lines = isTight ? all.filter((line) => !SPARED.includes(line.kind)) : all;
     const said = all.map((line) => line.text).join(", ");
-    words.set(one.thing, { lines, said, age, ...spotOf(one, lines, to, taken) });
+    words.set(one.thing, { said, age, ...roomFor(one, all, to, taken) });
   }
   return words;
 }
@@ -58,40 +64,39 @@ export function personRadius(scale: number): number {
   return Math.max(9, 0.24 * scale);
 }
 
-function spotOf(
+function reachOf(thing: Seen, to: Projection): number {
+  return kindOf(thing) === "person" ? personRadius(to.scale) : 11;
+}
+
+function markOf(thing: Seen, to: Projection): Box {
+  const [u, v] = to.at([thing.position![0], thing.position![1]]);
+  const reach = reachOf(thing, to) - 1; // words beside it may touch its edge
+  return { x0: u - reach, y0: v - reach, x1: u + reach, y1: v + reach };
+}
+
+/** The lines that have room, and where they stand; those who move keep their names anyway. */
+function roomFor(
   thing: Seen,
-  lines: Line[],
+  all: Line[],
   to: Projection,
   taken: Box[],
-): { x: number; y: number } {
-  const [u, v] = to.at([thing.position![0], thing.position![1]]);
-  const reach = kindOf(thing) === "person" ? personRadius(to.scale) : 11;
-  const texts = lines.map((line) => line.text);
-  const side = blockOf(texts, 0, 0).x1 + reach;
-  const middle = 4 - ((lines.length - 1) * LINE) / 2;
-  const spots = [
-    { x: 0, y: reach + LINE },
-    { x: 0, y: -reach - 5 - (lines.length - 1) * LINE },
-    { x: side, y: middle },
-    { x: -side, y: middle },
-  ];
-  const costs = spots.map(({ x, y }) => {
-    const block = blockOf(texts, u + x, v + y);
-    return (
-      overlap(block, taken) +
-      (block.x0 < 0 || block.x1 > to.width || block.y0 < 0 || block.y1 > to.height
-        ? OUTSIDE_COST
-        : 0)
-    );
-  });
-  const best = spots[costs.indexOf(Math.min(...costs))]!;
-  taken.push(blockOf(texts, u + best.x, v + best.y), {
-    x0: u - reach,
-    y0: v - reach,
-    x1: u + reach,
-    y1: v + reach,
-  });
-  return best;
+): Pick<Words, "lines" | "x" | "y"> {
+  const isTight = to.width < NARROW && to.scale < NEAR;
+  const few = all.filter((line) => !SPARED.includes(line.kind));
+  const least = all.filter((line) => line.kind === "name" || line.kind === "worry");
+  const choices = isTight ? [few, least] : [all, few, least];
+  const found = placed(
+    {
+      at: to.at([thing.position![0], thing.position![1]]),
+      reach: reachOf(thing, to),
+      choices: choices.map((lines) => lines.map((line) => line.text)),
+      isKept: MOVES.includes(kindOf(thing)),
+    },
+    to,
+    taken,
+  );
+  if (!found) return { lines: [], x: 0, y: 0 };
+  return { lines: choices[found.choice]!, ...found.spot };
 }
 
 /** What is said of a thing, the same on the plan and in space. */

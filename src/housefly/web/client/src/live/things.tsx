@@ -1,10 +1,10 @@
-import { TRACKED, at, found, obstacles, shown, type Seen } from "./store";
-import type { ObstacleAnswer } from "../wire/room-messages";
-import { turn, type Projection } from "../map/projection";
+import { at, found, shown, type Seen } from "./store";
+import type { Projection } from "../map/projection";
 import { keepInView } from "../map/view";
 import { find } from "./room-client";
-import { LINE, MOVES, personRadius, wordsOf, type Words } from "./thing-labels";
-import { percent } from "../format";
+import { LINE } from "../map/label-spots";
+import { ObstacleLayer } from "./obstacles";
+import { MOVES, personRadius, takenByNames, wordsOf, type Words } from "./thing-labels";
 import { kindOf } from "./words";
 
 const FADES: [number, number][] = [
@@ -28,14 +28,18 @@ export function ThingsLayer({ to }: { to: Projection }) {
       (kindOf(one) !== "robot" || at.value !== null) &&
       (inside.has(one.thing) || (MOVES.includes(kindOf(one)) && !byId.get(one.inside)?.position)),
   );
-  const words = wordsOf(drawn, inside, to);
+  const taken = takenByNames(to);
+  const words = wordsOf(drawn, inside, to, taken);
   return (
-    <g class="things">
-      <Rings to={to} byId={byId} />
-      {drawn.map((one) => (
-        <Mark key={one.thing} to={to} thing={one} words={words.get(one.thing)!} />
-      ))}
-    </g>
+    <>
+      <ObstacleLayer to={to} taken={taken} />
+      <g class="things">
+        <Rings to={to} byId={byId} />
+        {drawn.map((one) => (
+          <Mark key={one.thing} to={to} thing={one} words={words.get(one.thing)!} />
+        ))}
+      </g>
+    </>
   );
 }
 
@@ -137,56 +141,6 @@ function Shape({ kind, yaw, scale }: { kind: string; yaw: number | null; scale: 
 /** How pale a thing is that was seen so long ago [s]. */
 export function fade(age: number | null): number {
   return FADES.find(([limit]) => age !== null && age < limit)?.[1] ?? FAINTEST;
-}
-
-/** What no map knows and the scanners see now. */
-export function ObstacleLayer({ to }: { to: Projection }) {
-  if (at.value !== null) return null;
-  return (
-    <g class="obstacles">
-      {obstacles.value.map((one) => (
-        <Obstacle key={one.obstacle} to={to} one={one} />
-      ))}
-    </g>
-  );
-}
-
-function Obstacle({ to, one }: { to: Projection; one: ObstacleAnswer }) {
-  const [u, v] = to.at([one.x, one.y]);
-  const speed = Math.hypot(one.vx, one.vy);
-  const radius = Math.max(6, one.radius * to.scale);
-  const [length, width] = [one.length * to.scale, one.width * to.scale];
-  const tracked = one.source === TRACKED;
-  return (
-    <g
-      class={tracked ? "obstacle tracked" : "obstacle"}
-      transform={`translate(${u.toFixed(1)} ${v.toFixed(1)})`}
-      opacity={Math.max(FAINTEST, 1 - one.age)}
-    >
-      {length ? (
-        <rect
-          x={-length / 2}
-          y={-width / 2}
-          width={length}
-          height={width}
-          transform={turn(one.yaw)}
-        />
-      ) : (
-        <circle r={radius} />
-      )}
-      {speed > 0.05 && (
-        <path
-          d={`M0 0H${(speed * to.scale).toFixed(1)}m-6 -4l6 4l-6 4`}
-          transform={turn(Math.atan2(one.vy, one.vx))}
-        />
-      )}
-      <text y={tracked ? 4 : -radius - 5}>
-        {tracked && one.obstacle.slice(TRACKED.length + 1)}
-        {speed > 0.05 && ` ${speed.toFixed(1)} m/s,`}
-        {tracked ? "" : ` ${percent(one.confidence)} sure`}
-      </text>
-    </g>
-  );
 }
 
 /** Things that move and have no place: nobody may think that they are gone. */

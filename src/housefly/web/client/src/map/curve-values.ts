@@ -111,3 +111,10 @@ export const braking = computed(() => {
   const distance = moves ? (now.stopping_distance ?? 0) : 0;
   return { at, rest: Math.min(way.marks.at(-1)!, at + distance), distance };
 });
+
+/** How far the drone has come: the last point or second of its curve that it has passed [m]. */
+export const flown = computed(() => {
+  const [way, here] = [curve.value, braking.value];
+  if (!way || !here) return 0;
+  return Math.max(0, ...[...way.marks, ...seconds(way)].filter((mark) => mark <= here.at));
+});

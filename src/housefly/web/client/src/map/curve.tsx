@@ -1,6 +1,8 @@
+import { useMemo } from "preact/hooks";
 import {
   braking,
   curve,
+  flown,
   pointAt,
   seconds,
   speedClass,
@@ -30,22 +32,54 @@ export function CurveLayer({ to }: { to: Projection }) {
 
 /** A line whose colour is the planned speed; what is flown already is faint. */
 export function SpeedLine({ to, way, top = topSpeed.value }: Props & { top?: number }) {
-  const flown = braking.value && way === curve.value ? braking.value.at : 0;
+  const done = way === curve.value ? flown.value : 0;
+  const dots = useMemo(
+    () => seconds(way).map((mark) => ({ mark, spot: to.at(pointAt(way, mark)) })),
+    [to, way],
+  );
   return (
     <>
-      {runs(way, top).map(({ first, last, kind }) => (
+      <Runs
+        way={way}
+        top={top}
+        done={done}
+        line={(first, last) => polyline(to, way.points.slice(first, last + 1))}
+        by={to}
+      />
+      {dots.map(({ mark, spot: [u, v] }, k) => (
+        <circle key={k} class="second" cx={u} cy={v} r={DOT} data-flown={mark <= done} />
+      ))}
+    </>
+  );
+}
+
+interface RunsProps {
+  way: Curve;
+  top: number;
+  /** How far along the curve the drone has come [m]. */
+  done: number;
+  /** How the points from one number to another are drawn, as long as `by` stays the same. */
+  line: (first: number, last: number) => string;
+  by: unknown;
+}
+
+/** The lines are made once for a curve: only what is flown changes while it is. */
+export function Runs({ way, top, done, line, by }: RunsProps) {
+  const parts = useMemo(
+    () => runs(way, top).map((run) => ({ ...run, d: line(run.first, run.last) })),
+    [way, top, by],
+  );
+  return (
+    <>
+      {parts.map(({ first, last, kind, d }) => (
         <path
           key={first}
           class="speed"
           data-speed={kind}
-          data-flown={way.marks[last]! <= flown}
-          d={polyline(to, way.points.slice(first, last + 1))}
+          data-flown={way.marks[last]! <= done}
+          d={d}
         />
       ))}
-      {seconds(way).map((mark, k) => {
-        const [u, v] = to.at(pointAt(way, mark));
-        return <circle key={k} class="second" cx={u} cy={v} r={DOT} data-flown={mark <= flown} />;
-      })}
     </>
   );
 }
@@ -62,7 +96,7 @@ interface Run {
 }
 
 /** Neighbouring legs of one class of speed as one run. */
-export function runs(way: Curve, top: number): Run[] {
+function runs(way: Curve, top: number): Run[] {
   const found: Run[] = [];
   for (let k = 0; k + 1 < way.points.length; k++) {
     const kind = speedClass((way.speeds[k]! + way.speeds[k + 1]!) / 2, top);

@@ -1,9 +1,12 @@
 import { milliseconds } from "../format";
-import { state, trail, freshness, poseAge } from "../store";
+import { useMemo } from "preact/hooks";
+import { poseAge, poseFreshness, state, trail, type Point } from "../store";
+import { STRETCHES } from "../trail";
 import { polyline, type Projection } from "./projection";
 
 const HULL = 0.26;
-const FADES = 4;
+/** How strong the parts of the trail are, the newest first. */
+const STRENGTHS = [0.8, 0.7, 0.6, 0.5];
 
 let lastYaw = 0;
 
@@ -26,20 +29,34 @@ export function DroneLayer({ to }: { to: Projection }) {
 }
 
 function Trail({ to }: { to: Projection }) {
-  const points = trail.value;
-  const part = Math.ceil(points.length / FADES);
-  if (points.length < 2) return null;
+  const stretches = trail.value;
   return (
     <g class="trail">
-      {Array.from({ length: FADES }, (_, k) => (
-        <path
-          key={k}
-          d={polyline(to, points.slice(k * part, (k + 1) * part + 1))}
-          opacity={(k + 1) / FADES}
+      {stretches.map((points, k) => (
+        <Stretch
+          key={points[0]!.join()}
+          to={to}
+          points={points}
+          opacity={strength(stretches.length - 1 - k)}
         />
       ))}
     </g>
   );
+}
+
+/** Few steps, so that few stretches change as a new one begins. */
+const strength = (age: number): number =>
+  STRENGTHS[Math.floor((STRENGTHS.length * age) / STRETCHES)]!;
+
+interface StretchProps {
+  to: Projection;
+  points: readonly Point[];
+  opacity: number;
+}
+
+function Stretch({ to, points, opacity }: StretchProps) {
+  const line = useMemo(() => polyline(to, points), [to, points]);
+  return <path d={line} stroke-opacity={opacity} />;
 }
 
 function arrow(radius: number): string {
@@ -52,7 +69,7 @@ function Drone({ to }: { to: Projection }) {
   if (!now?.position) return null;
   const [u, v] = to.at([now.position[0], now.position[1]]);
   const radius = Math.max(9, HULL * to.scale);
-  const fresh = freshness(poseAge.value);
+  const fresh = poseFreshness.value;
   const sigma = (now.position_std ?? 0) * to.scale;
   return (
     <g

@@ -4,12 +4,11 @@ import { lazyPart } from "./lazy-part";
 import { polyline, type Projection } from "./projection";
 import { decimal } from "../messages/language";
 
-const CurveLayer = lazyPart(async () => (await import("./curve")).CurveLayer);
+const CurveLayer = lazyPart(async () => (await import("../scene/parts")).CurveLayer);
 
 /** The path that is being flown: what is left of it strong, what is done faint. */
 export function PathLayer({ to }: { to: Projection }) {
   const way = path.value?.waypoints ?? [];
-  const now = state.value;
   if (way.length < 2) return null;
   if (path.value!.speeds.length > 1)
     return (
@@ -18,15 +17,19 @@ export function PathLayer({ to }: { to: Projection }) {
         <Target to={to} at={way.at(-1)!} />
       </g>
     );
-  const here: Point[] = now?.position ? [[now.position[0], now.position[1]]] : [];
-  const left = [...here, ...way.slice(now?.waypoint ?? 0)];
   return (
     <g class="way">
       <path class="done" d={polyline(to, way)} />
-      <path class="left" d={polyline(to, left)} />
+      <Left to={to} way={way} />
       <Target to={to} at={way.at(-1)!} />
     </g>
   );
+}
+
+function Left({ to, way }: { to: Projection; way: readonly Point[] }) {
+  const now = state.value;
+  const here: Point[] = now?.position ? [[now.position[0], now.position[1]]] : [];
+  return <path class="left" d={polyline(to, [...here, ...way.slice(now?.waypoint ?? 0)])} />;
 }
 
 function Target({ to, at }: { to: Projection; at: Point }) {

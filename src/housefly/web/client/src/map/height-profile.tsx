@@ -1,8 +1,8 @@
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
-import { freshness, poseAge, room, state } from "../store";
-import { runs } from "./curve";
-import { braking, curve, heightAt, topSpeed, type Curve } from "./curve-values";
+import { poseFreshness, room, state } from "../store";
+import { Runs } from "./curve";
+import { braking, curve, flown, heightAt, topSpeed, type Curve } from "./curve-values";
 import { decimal, t } from "../messages/language";
 
 /** Space around the chart [px]; a slim one, as on phones, has no words in it. */
@@ -29,7 +29,11 @@ interface Frame {
   isSlim: boolean;
 }
 
-function frameOf(length: number, top: number): Frame {
+const top = computed(() => room.value?.limits.height_max ?? 2);
+
+/** How the chart is laid out, the same while the curve is. */
+const layout = computed<Frame>(() => {
+  const length = curve.value?.marks.at(-1) ?? 0;
   const [width, height] = size.value;
   const isSlim = height < SLIM;
   const inside = INSIDE[isSlim ? "slim" : "full"];
@@ -37,15 +41,21 @@ function frameOf(length: number, top: number): Frame {
   const perMetre = Math.max(1, width - inside.left - inside.right) / (length || 1);
   return {
     across: (mark) => inside.left + perMetre * mark,
-    up: (metres) => inside.top + high * (1 - Math.max(0, Math.min(1, metres / top))),
+    up: (metres) => inside.top + high * (1 - Math.max(0, Math.min(1, metres / top.value))),
     left: inside.left,
     right: width - inside.right,
     foot: height - 3,
     perMetre,
-    perHeight: high / top,
+    perHeight: high / top.value,
     isSlim,
   };
-}
+});
+
+/** The drone's height to the centimetre, in words, or null. */
+const heightWords = computed(() => {
+  const metres = state.value?.position?.[2];
+  return metres === undefined ? null : `${decimal(metres, 2)} m`;
+});
 
 /** The height along the curve that is flown: speed as colour, the drone, and where it can rest. */
 export function HeightProfile() {
@@ -57,38 +67,43 @@ export function HeightProfile() {
     observer.observe(chart.current!);
     return () => observer.disconnect();
   }, []);
-  const way = curve.value;
-  const height = state.value?.position?.[2] ?? null;
   return (
-    <div class="profile" data-curve={way !== null} data-age={freshness(poseAge.value)}>
-      <span class="value">{height === null ? "–" : `${decimal(height, 2)} m`}</span>
+    <div class="profile" data-curve={curve.value !== null} data-age={poseFreshness.value}>
+      <Value />
       <div class="chart" ref={chart}>
-        {size.value[0] > 0 && <Chart way={way} height={height} />}
+        {size.value[0] > 0 && <Chart />}
       </div>
     </div>
   );
 }
 
-function Chart({ way, height }: { way: Curve | null; height: number | null }) {
-  const top = room.value?.limits.height_max ?? 2;
-  const frame = frameOf(way?.marks.at(-1) ?? 0, top);
-  const words = way ? inWords(way) : height === null ? t("height unknown") : inAir(height);
+const Value = () => <span class="value">{heightWords.value ?? "–"}</span>;
+
+/** What the chart says, in words. */
+const words = computed(() => {
+  const height = state.value?.position?.[2];
+  if (curve.value) return inWords(curve.value);
+  return height === undefined
+    ? t("height unknown")
+    : t("height {d} m, no curve is flown", { d: decimal(height, 1) });
+});
+
+function Chart() {
+  const frame = layout.value;
+  const way = curve.value;
   return (
-    <svg width={size.value[0]} height={size.value[1]} role="img" aria-label={words}>
-      <Axes frame={frame} top={top} />
+    <svg width={size.value[0]} height={size.value[1]} role="img" aria-label={words.value}>
+      <Axes frame={frame} />
       {way ? <Line frame={frame} way={way} /> : <FlightHeight frame={frame} />}
-      {way ? <Here frame={frame} way={way} /> : <Aside frame={frame} height={height} />}
+      {way ? <Here frame={frame} way={way} /> : <Aside frame={frame} />}
       {way && !frame.isSlim && (
         <text class="note" x={frame.right} y={frame.foot} text-anchor="end">
-          {words}
+          {words.value}
         </text>
       )}
     </svg>
   );
 }
-
-const inAir = (height: number): string => 
-  t("height {d} m, no curve is flown", { d: decimal(height, 1) });
 
 /** Where there is no curve: the height at which the drone flies, and the drone at its own. */
 function FlightHeight({ frame }: { frame: Frame }) {
@@ -97,10 +112,11 @@ function FlightHeight({ frame }: { frame: Frame }) {
   return <path class="wanted" d={`M${frame.left} ${frame.up(wanted)}H${frame.right}`} />;
 }
 
-function Aside({ frame, height }: { frame: Frame; height: number | null }) {
-  if (height === null) return null;
+function Aside({ frame }: { frame: Frame }) {
+  const height = state.value?.position?.[2];
+  if (height === undefined) return null;
   return (
-    <g class="here" data-age={freshness(poseAge.value)}>
+    <g class="here" data-age={poseFreshness.value}>
       <Hull frame={frame} at={frame.left + ASIDE} height={height} half={ASIDE - 2} />
     </g>
   );
@@ -141,8 +157,8 @@ function inWords(way: Curve): string {
   });
 }
 
-function Axes({ frame, top }: { frame: Frame; top: number }) {
-  const ticks = Array.from({ length: Math.floor(top) + 1 }, (_, k) => k);
+function Axes({ frame }: { frame: Frame }) {
+  const ticks = Array.from({ length: Math.floor(top.value) + 1 }, (_, k) => k);
   return (
     <g class="axes" aria-hidden="true">
       {ticks.map((tick) => (
@@ -167,22 +183,15 @@ function drawn(frame: Frame, way: Curve, first: number, last: number): string {
   return `M${points.join("L")}`;
 }
 
-function Line({ frame, way }: { frame: Frame; way: Curve }) {
-  const flown = braking.value?.at ?? 0;
-  return (
-    <>
-      {runs(way, topSpeed.value).map(({ first, last, kind }) => (
-        <path
-          key={first}
-          class="speed"
-          data-speed={kind}
-          data-flown={way.marks[last]! <= flown}
-          d={drawn(frame, way, first, last)}
-        />
-      ))}
-    </>
-  );
-}
+const Line = ({ frame, way }: { frame: Frame; way: Curve }) => (
+  <Runs
+    way={way}
+    top={topSpeed.value}
+    done={flown.value}
+    line={(first, last) => drawn(frame, way, first, last)}
+    by={frame}
+  />
+);
 
 /** The drone where tracking sees it, as uncertain as the filter says, and where it would rest. */
 function Here({ frame, way }: { frame: Frame; way: Curve }) {
@@ -193,7 +202,7 @@ function Here({ frame, way }: { frame: Frame; way: Curve }) {
   const rest = frame.across(brakes.rest);
   const half = Math.max(3, (HULL.wide / 2) * frame.perMetre);
   return (
-    <g class="here" data-age={freshness(poseAge.value)}>
+    <g class="here" data-age={poseFreshness.value}>
       {brakes.distance > 0 && (
         <path class="rest" d={`M${rest} ${frame.up(heightAt(way, brakes.rest)) - 8}v16`} />
       )}

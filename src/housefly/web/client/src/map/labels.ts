@@ -1,5 +1,6 @@
 // Where names go on the map: places always get one, things only where there is room for it.
 import type { PlaceView, RoomView } from "../wire/messages";
+import { around, boxOf, overlap, type Box } from "./label-spots";
 import type { Projection } from "./projection";
 
 export interface Label {
@@ -9,14 +10,6 @@ export interface Label {
   y: number;
 }
 
-export interface Box {
-  x0: number;
-  y0: number;
-  x1: number;
-  y1: number;
-}
-
-const LETTER = 6.4;
 const LINE = 14;
 const FILLED = 0.35;
 const MARK = 6;
@@ -34,17 +27,15 @@ export function labels(view: RoomView, to: Projection): Label[] {
   return [...places, ...things];
 }
 
-/** What the names of places cover, for others to keep clear of. */
+/** What the names of places and things cover, for others to keep clear of. */
 export function namesOf(view: RoomView, to: Projection): Box[] {
-  return labels(view, to)
-    .filter((one) => one.kind === "spot")
-    .map((one) => boxOf(one.text, one.x, one.y));
+  return labels(view, to).map((one) => boxOf(one.text, one.x, one.y));
 }
 
 /** The name of a place stands below, above, right or left of its mark: where it covers least. */
 function besideMark(place: PlaceView, to: Projection, taken: Box[]): Label {
   const [u, v] = to.at(place.viewpoint);
-  const side = (place.title.length * LETTER) / 2 + 12;
+  const side = boxOf(place.title, 0, 0).x1 + 9;
   const spots: [number, number][] = [
     [u, v + 18],
     [u, v - 10],
@@ -116,36 +107,6 @@ function marks(view: RoomView, to: Projection): Box[] {
   });
 }
 
-function around(points: [number, number][]): Box {
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  return { x0: Math.min(...xs), y0: Math.min(...ys), x1: Math.max(...xs), y1: Math.max(...ys) };
-}
-
-function boxOf(text: string, x: number, y: number): Box {
-  const half = (text.length * LETTER) / 2 + 3;
-  return { x0: x - half, y0: y - LINE + 3, x1: x + half, y1: y + 3 };
-}
-
-/** The box [px] of lines under each other, the first at (x, y), each centred on x. */
-export function blockOf(texts: string[], x: number, y: number): Box {
-  const boxes = texts.map((text, line) => boxOf(text, x, y + line * LINE));
-  return around(
-    boxes.flatMap((box): [number, number][] => [
-      [box.x0, box.y0],
-      [box.x1, box.y1],
-    ]),
-  );
-}
-
 function area(box: Box): number {
   return (box.x1 - box.x0) * (box.y1 - box.y0);
-}
-
-export function overlap(box: Box, others: Box[]): number {
-  return others.reduce((sum, other) => {
-    const width = Math.min(box.x1, other.x1) - Math.max(box.x0, other.x0);
-    const height = Math.min(box.y1, other.y1) - Math.max(box.y0, other.y0);
-    return sum + (width > 0 && height > 0 ? width * height : 0);
-  }, 0);
 }

@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { choosePoint } from "../goal";
@@ -14,7 +15,7 @@ import {
   things,
   trouble,
 } from "../live/store";
-import { ObstacleLayer, placeless, ThingsLayer } from "../live/things";
+import { placeless, ThingsLayer } from "../live/things";
 import { isWorry, worthSaying } from "../live/words";
 import { SwapButton } from "../panels/video";
 import { RecordedBanner } from "../replay/recorded";
@@ -32,10 +33,10 @@ import { moving, projection, size, zoom } from "./view";
 import { ToTheDrone, WholeRoomButton, ZoomButtons } from "./zoom";
 import { t, translated } from "../messages/language";
 
-const SpeedLegend = lazyPart(async () => (await import("./curve")).SpeedLegend);
-const HeightProfile = lazyPart(async () => (await import("./height-profile")).HeightProfile);
+const SpeedLegend = lazyPart(async () => (await import("../scene/parts")).SpeedLegend);
+const HeightProfile = lazyPart(async () => (await import("../scene/parts")).HeightProfile);
 const RecordedLayer = lazyPart(
-  async () => (await import("../replay/recorded-layer")).RecordedLayer,
+  async () => (await import("../scene/parts")).RecordedLayer,
 );
 
 interface FrameProps {
@@ -89,16 +90,18 @@ export function PlanFrame({ label, onPoint, children }: FrameProps) {
   );
 }
 
+const past = computed(() => at.value !== null || replaying.value);
+/** Whether the room tells who and what is where. */
+const heard = computed(() => things.value.size > 0 && !trouble.value);
+
 /** The floor plan: who and what is where, and click where the drone should go. */
 export function MapView() {
   const recorded = replaying.value;
-  const past = at.value !== null || recorded;
-  const heard = things.value.size > 0 && !trouble.value;
   return (
     <section
       class="view map live"
       aria-label={t("Map of the room")}
-      data-past={past}
+      data-past={past.value}
       data-recorded={recorded}
       data-margins={showsMargins.value}
       data-coverage={showsCoverage.value}
@@ -110,23 +113,22 @@ export function MapView() {
           label={t(
             "Floor plan with the drone. Arrow keys move the goal; a list of places follows.",
           )}
-          {...(past ? {} : { onPoint: (point: [number, number]) => choosePoint(point) })}
+          {...(past.value ? {} : { onPoint: (point: [number, number]) => choosePoint(point) })}
         >
           {(to) => (
             <>
-              <RoomLayer to={to} visitors={!heard && !past} />
+              <RoomLayer to={to} visitors={!heard.value && !past.value} />
               <CoverageLayer to={to} />
-              {!past && <PathLayer to={to} />}
-              {!past && <GoalLayer to={to} />}
-              {showsThings.value && <ObstacleLayer to={to} />}
+              {!past.value && <PathLayer to={to} />}
+              {!past.value && <GoalLayer to={to} />}
               {showsThings.value && <ThingsLayer to={to} />}
-              {recorded ? <RecordedLayer to={to} /> : !past && <DroneLayer to={to} />}
+              {recorded ? <RecordedLayer to={to} /> : !past.value && <DroneLayer to={to} />}
             </>
           )}
         </PlanFrame>
       )}
-      {!past && <HeightStrip />}
-      {!past && <HeightProfile />}
+      {!past.value && <HeightStrip />}
+      {!past.value && <HeightProfile />}
       <Notes />
       <Layers />
       <SpaceButton />

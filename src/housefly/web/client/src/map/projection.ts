@@ -52,7 +52,11 @@ export function placed(
 }
 
 /** SVG path text through points. */
-export function polyline(projection: Projection, points: Point[], closed = false): string {
+export function polyline(
+  projection: Projection,
+  points: readonly Point[],
+  closed = false,
+): string {
   const steps = points.map((point, k) => {
     const [u, v] = projection.at(point);
     return `${k ? "L" : "M"}${u.toFixed(1)} ${v.toFixed(1)}`;

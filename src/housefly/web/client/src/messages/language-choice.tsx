@@ -1,4 +1,5 @@
-import { choose, language, LANGUAGES, type Language } from "./language";
+import { language, type Language } from "./numbers";
+import { choose, LANGUAGES } from "./speech";
 
 /** What the field is called: in English, too, for whoever cannot read the language it shows. */
 const NAMES: Record<Language, string> = {

@@ -1,4 +1,4 @@
-import { tongue } from "./language";
+import { tongue } from "./speech";
 
 /** Words of the server as `translated` gives them; marked as English where they are not. */
 export const Told = ({ words }: { words: string }) => {

@@ -1,10 +1,14 @@
 import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { sentence } from "../format";
+import { LanguageChoice } from "../messages/language-choice";
+import { translated } from "../messages/speech";
+import { Told } from "../messages/told";
 import { act, busy, draft, keep, kept, said, trouble, view } from "./draft";
 import { DroneStep } from "./drone-step";
 import { Button } from "./fields";
 import { FrameStep } from "./frame-step";
+import { t } from "./messages/texts";
 import { STEPS } from "./names";
 import { ObjectsStep } from "./objects-step";
 import { Plan } from "./plan";
@@ -33,7 +37,7 @@ export function App() {
   if (!view.value || !draft.value)
     return (
       <p class="veil" role="status">
-        {trouble.value ? trouble.value.words : "Waiting for the draft …"}
+        {trouble.value ? told(trouble.value.words) : t("Waiting for the draft …")}
       </p>
     );
   return (
@@ -41,10 +45,10 @@ export function App() {
       <Top />
       <main class="new-deck">
         <Plan />
-        <section class="card edit" aria-label="Steps">
+        <section class="card edit" aria-label={t("Steps")}>
           {trouble.value && (
             <p class="wrong" role="alert">
-              △ {sentence(trouble.value.words)}
+              △ {told(trouble.value.words)}
             </p>
           )}
           <ol class="steps">
@@ -52,11 +56,14 @@ export function App() {
               <StepItem key={one.step} index={index} />
             ))}
           </ol>
+          <LanguageChoice />
         </section>
       </main>
     </div>
   );
 }
+
+const told = (words: string) => <Told words={sentence(translated(words))} />;
 
 function Top() {
   const { undoable, redoable } = view.value!;
@@ -64,26 +71,28 @@ function Top() {
     <header class="top">
       <div class="brand">
         <h1>Housefly</h1>
-        <span class="site">new site: {draft.value!.name || "without a name"}</span>
+        <span class="site">
+          {t("new site: {name}", { name: draft.value!.name || t("without a name") })}
+        </span>
       </div>
       <p role="status" class="kept" data-kept={kept.value}>
         {status()}
       </p>
       <Button ready={undoable || !kept.value} press={undo}>
-        Undo
+        {t("Undo")}
       </Button>
       <Button ready={redoable} press={redo}>
-        Redo
+        {t("Redo")}
       </Button>
     </header>
   );
 }
 
-function status(): string {
+function status() {
   if (busy.value) return busy.value;
-  if (!kept.value) return trouble.value ? "△ Not kept" : "Keeping …";
-  if (!view.value!.settled) return "Kept; checking where one can fly …";
-  return said.value ? sentence(said.value) : "Everything is kept.";
+  if (!kept.value) return trouble.value ? t("△ Not kept") : t("Keeping …");
+  if (!view.value!.settled) return t("Kept; checking where one can fly …");
+  return said.value ? told(said.value) : t("Everything is kept.");
 }
 
 /** Undo what is kept; what could not be kept is dropped instead. */
@@ -124,7 +133,7 @@ function StepItem({ index }: { index: number }) {
           <span class="mark" aria-hidden="true">
             {name === "save" && !lacks ? "" : MARKS[state]}
           </span>
-          <span>{title}</span>
+          <span>{t(title)}</span>
           <small class="quiet">{words(draft.value!)}</small>
         </button>
       </h2>
@@ -132,7 +141,7 @@ function StepItem({ index }: { index: number }) {
         .filter((one) => open || one.hinders)
         .map((one) => (
           <p key={one.words} class={one.hinders ? "lack" : "quiet advice"}>
-            {sentence(one.words)} {open && sentence(one.mend)}
+            {told(one.words)} {open && told(one.mend)}
           </p>
         ))}
       {open && (
@@ -140,7 +149,7 @@ function StepItem({ index }: { index: number }) {
           {BODIES[name]()}
           {next && (
             <button type="button" class="next" onClick={() => openStep(next.step)}>
-              Next: {next.title}
+              {t("Next: {title}", { title: t(next.title) })}
             </button>
           )}
         </div>

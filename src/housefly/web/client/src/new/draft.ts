@@ -2,8 +2,10 @@
 import { batch, computed, signal } from "@preact/signals";
 import type { DraftView, HeardView, SiteDraft, WrittenView } from "../wire/draft-messages";
 import { fetchAsSession } from "../wire/session";
+import { t } from "./messages/texts";
 
 export interface Trouble {
+  /** In English: what shows it puts it into the language of the page. */
   words: string;
   /** What is wrong: "furniture.0.length"; "" is nothing that one could point to. */
   key: string;
@@ -103,7 +105,7 @@ export async function ask<Answer extends HeardView | WrittenView>(
 
 /** Bring a file to the server; true when it is there. */
 export async function upload(file: File): Promise<boolean> {
-  busy.value = `Bringing ${file.name} …`;
+  busy.value = t("Bringing {file} …", { file: file.name });
   const answer = await answered(() =>
     fetchAsSession(`/files/${encodeURIComponent(file.name)}`, { method: "PUT", body: file }),
   );

@@ -3,22 +3,23 @@ import type { HeardView } from "../wire/draft-messages";
 import { ask, change, known } from "./draft";
 import { Button, Text } from "./fields";
 import { Words } from "./heard-words";
+import { t } from "./messages/texts";
 
 const answered = signal<HeardView | null>(null);
 
 export function DroneStep() {
   const { hardware, drone } = known.value;
   if (!hardware || !drone)
-    return <p class="quiet">The drone is simulated; “Tracking” says what flies.</p>;
+    return <p class="quiet">{t("The drone is simulated; “Tracking” says what flies.")}</p>;
   return (
     <>
       <Text
-        name="Address"
+        name={t("Address")}
         value={drone.address}
         set={(address) => change({ drone: { ...drone, address } }, "drone.address")}
       />
       <Text
-        name="Profile of housefly identify (may be empty)"
+        name={t("Profile of housefly identify (may be empty)")}
         value={drone.profile}
         max={400}
         set={(profile) => change({ drone: { ...drone, profile } }, "drone.profile")}
@@ -26,13 +27,13 @@ export function DroneStep() {
       <Button
         press={async () => {
           answered.value = null;
-          answered.value = await ask<HeardView>("/drone/heard", "Asking the drone …");
+          answered.value = await ask<HeardView>("/drone/heard", t("Asking the drone …"));
         }}
       >
-        Ask the drone
+        {t("Ask the drone")}
       </Button>
       <Words said={answered.value} />
-      <p class="quiet">Nothing turns: it is only asked how it is.</p>
+      <p class="quiet">{t("Nothing turns: it is only asked how it is.")}</p>
     </>
   );
 }

@@ -1,10 +1,13 @@
 import { Metres } from "../controls/metres";
+import { translated } from "../messages/speech";
+import { Told } from "../messages/told";
 import type { FramePoint } from "../wire/draft-messages";
 import { change, known, view } from "./draft";
 import { Button, Text } from "./fields";
 import { Words } from "./heard-words";
 import { ItemList } from "./item-list";
 import { with_ } from "./items";
+import { t } from "./messages/texts";
 import { addInTheMiddle } from "./tools";
 import { heard, listen } from "./tracking-step";
 
@@ -12,19 +15,26 @@ import { heard, listen } from "./tracking-step";
 export function FrameStep() {
   const { hardware } = known.value;
   const fit = view.value!.fit;
-  if (!hardware) return <p class="quiet">The simulated tracking system uses the map's frame.</p>;
+  if (!hardware)
+    return <p class="quiet">{t("The simulated tracking system uses the map's frame.")}</p>;
   return (
     <>
       <p class="quiet">
-        Lay the drone on three points of the floor that are far from each other. For each, say where
-        it is on the map, and take where tracking sees the drone.
+        {t("Lay the drone on three points of the floor that are far from each other.")}{" "}
+        {t("For each, say where it is on the map, and take where tracking sees the drone.")}
       </p>
-      <Button press={() => addInTheMiddle("frame_points")}>Add a point</Button>
-      <ItemList kind="frame_points" label="Points" form={(index) => <PointForm index={index} />} />
+      <Button press={() => addInTheMiddle("frame_points")}>{t("Add a point")}</Button>
+      <ItemList
+        kind="frame_points"
+        label={t("Points")}
+        form={(index) => <PointForm index={index} />}
+      />
       {fit && (
-        <ul class="notes" data-well={fit.trusted} aria-label="What the points say">
+        <ul class="notes" data-well={fit.trusted} aria-label={t("What the points say")}>
           {fit.words.map((words) => (
-            <li key={words}>{words}</li>
+            <li key={words}>
+              <Told words={translated(words)} />
+            </li>
           ))}
         </ul>
       )}
@@ -47,10 +57,10 @@ function PointForm({ index }: { index: number }) {
   };
   return (
     <>
-      <Text name="Name" value={point.name} set={(name) => set({ name }, "name")} />
+      <Text name={t("Name")} value={point.name} set={(name) => set({ name }, "name")} />
       {(["on_map", "seen"] as const).map((key) => (
         <fieldset key={key}>
-          <legend>{key === "on_map" ? "On the map [m]" : "As tracking sees it [m]"}</legend>
+          <legend>{key === "on_map" ? t("On the map [m]") : t("As tracking sees it [m]")}</legend>
           {AXES.map((axis, k) => (
             <Metres
               key={axis}
@@ -66,7 +76,7 @@ function PointForm({ index }: { index: number }) {
         </fieldset>
       ))}
       <Button ready={known.value.tracking !== null} press={take}>
-        Take what tracking sees now
+        {t("Take what tracking sees now")}
       </Button>
       <Words said={heard.value} />
     </>

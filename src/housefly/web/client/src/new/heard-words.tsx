@@ -1,3 +1,5 @@
+import { translated } from "../messages/speech";
+import { Told } from "../messages/told";
 import type { HeardView } from "../wire/draft-messages";
 
 /** What a live test said. */
@@ -7,7 +9,9 @@ export function Words({ said }: { said: HeardView | null }) {
       {said && (
         <ul class="notes">
           {said.words.map((words) => (
-            <li key={words}>{words}</li>
+            <li key={words}>
+              <Told words={translated(words)} />
+            </li>
           ))}
         </ul>
       )}

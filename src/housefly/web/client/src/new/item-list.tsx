@@ -2,6 +2,7 @@ import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { known } from "./draft";
 import { countOf, type Kind } from "./items";
+import { t } from "./messages/texts";
 import { nameOfItem } from "./names";
 import { choose, chosen, remove } from "./tools";
 
@@ -51,8 +52,12 @@ function Row({ kind, index, form }: RowProps) {
         >
           {name}
         </button>
-        <button type="button" aria-label={`Remove ${name}`} onClick={() => remove(item)}>
-          Remove
+        <button
+          type="button"
+          aria-label={t("Remove {name}", { name })}
+          onClick={() => remove(item)}
+        >
+          {t("Remove")}
         </button>
       </div>
       {open && (
@@ -64,7 +69,7 @@ function Row({ kind, index, form }: RowProps) {
           }}
         >
           {form(index)}
-          <button type="submit">Done</button>
+          <button type="submit">{t("Done")}</button>
         </form>
       )}
     </li>

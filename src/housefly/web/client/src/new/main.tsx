@@ -8,10 +8,15 @@ import "./new.css";
 import "./new-plan.css";
 import { App, redo, undo } from "./app";
 import { leave, load, trouble } from "./draft";
+import { t } from "./messages/texts";
 import { openKey } from "./tools";
 
 render(<App />, document.getElementById("app")!);
 void load();
+
+effect(() => {
+  document.title = `${t("New site")} · Housefly`;
+});
 
 // What was refused is opened, so that it stands beside the words.
 effect(() => {

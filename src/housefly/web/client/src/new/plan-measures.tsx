@@ -1,4 +1,5 @@
 import type { Projection } from "../map/projection";
+import { decimal } from "../messages/numbers";
 import type { Point } from "../store";
 import type { SiteDraft } from "../wire/draft-messages";
 import { cornersOf, rectangleOf } from "./geometry";
@@ -27,14 +28,14 @@ export function Measures({ all, to, item }: MeasuresProps) {
     const box = all.furniture[item.index]!;
     const corners = cornersOf(box);
     const low = corners.reduce((a, b) => (b[1] < a[1] ? b : a));
-    const words = `${box.length.toFixed(2)} × ${box.width.toFixed(2)} m`;
+    const words = `${decimal(box.length, 2)} × ${decimal(box.width, 2)} m`;
     return <Tag to={to} from={[box.x, low[1]]} until={[box.x, low[1]]} words={words} below />;
   }
   return null;
 }
 
 function lengthOf(a: Point, b: Point): string {
-  return `${Math.hypot(b[0] - a[0], b[1] - a[1]).toFixed(2)} m`;
+  return `${decimal(Math.hypot(b[0] - a[0], b[1] - a[1]), 2)} m`;
 }
 
 interface TagProps {
@@ -70,7 +71,7 @@ export function Preview({ line, to }: { line: Line; to: Projection }) {
     );
   }
   const area = rectangleOf(line.from, line.to);
-  const words = `${(area[2] - area[0]).toFixed(2)} × ${(area[3] - area[1]).toFixed(2)} m`;
+  const words = `${decimal(area[2] - area[0], 2)} × ${decimal(area[3] - area[1], 2)} m`;
   const low: Point = [(area[0] + area[2]) / 2, area[1]];
   return (
     <g class="preview" aria-hidden="true">

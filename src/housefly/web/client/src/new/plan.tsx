@@ -1,11 +1,14 @@
 import { signal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { fit, type Projection } from "../map/projection";
+import { decimal } from "../messages/numbers";
 import type { Point } from "../store";
 import type { SiteDraft } from "../wire/draft-messages";
 import { change, draft, preview } from "./draft";
 import { rounded } from "./geometry";
 import { anchorOf, gripsOf, itemAt, moved, type Grip, type Item } from "./items";
+import type { Key } from "./messages/en";
+import { t } from "./messages/texts";
 import { PlanLayers } from "./plan-layers";
 import { choose, chosen, drawn, finishDrawing, moves, step, tap, TOUCHED } from "./tools";
 
@@ -44,29 +47,38 @@ export function Plan() {
   const all = draft.value!;
   const to = projection(all);
   return (
-    <section class="view map plan" aria-label="Floor plan">
+    <section class="view map plan" aria-label={t("Floor plan")}>
       <div class="plan-view" ref={frame}>
-        {to ? <Drawing all={all} to={to} /> : <p class="veil">Give the room a size first.</p>}
+        {to ? (
+          <Drawing all={all} to={to} />
+        ) : (
+          <p class="veil">{t("Give the room a size first.")}</p>
+        )}
       </div>
       <p class="where">
-        <span>{pointer.value ? wordsOf(pointer.value) : (HINTS[step.value] ?? "")}</span>
-        {to && <span class="too-close">too close to fly</span>}
+        <span>{pointer.value ? wordsOf(pointer.value) : hint()}</span>
+        {to && <span class="too-close">{t("too close to fly")}</span>}
       </p>
     </section>
   );
 }
 
 function wordsOf([x, y]: Point): string {
-  return `x ${rounded(x).toFixed(2)} m, y ${rounded(y).toFixed(2)} m`;
+  return `x ${decimal(rounded(x), 2)} m, y ${decimal(rounded(y), 2)} m`;
 }
 
-const HINTS: Partial<Record<string, string>> = {
+const HINTS: Partial<Record<string, Key>> = {
   objects: "Drag to draw; tap what is drawn to move it.",
   pad: "Tap where the pad lies; pull its line to where the nose looks.",
   places: "Tap for a new place; pull its line to what it looks at.",
   zones: "Drag over what is to be kept free.",
   frame: "Tap where a point lies on the floor.",
 };
+
+function hint(): string {
+  const key = HINTS[step.value];
+  return key ? t(key) : "";
+}
 
 function projection(all: SiteDraft): Projection | null {
   const [width, height] = size.value;
@@ -104,7 +116,7 @@ function Drawing({ all, to }: { all: SiteDraft; to: Projection }) {
       width={to.width}
       height={to.height}
       role="group"
-      aria-label="Floor plan. Tab reaches what the open step draws; arrow keys move it."
+      aria-label={t("Floor plan. Tab reaches what the open step draws; arrow keys move it.")}
       data-scale={to.scale}
       data-step={step.value}
       data-origin={to.at([0, 0]).join(" ")}

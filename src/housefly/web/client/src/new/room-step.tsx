@@ -1,9 +1,13 @@
 import { signal } from "@preact/signals";
 import { useState } from "preact/hooks";
 import { Metres } from "../controls/metres";
+import { translated } from "../messages/speech";
+import { Told } from "../messages/told";
 import { act, change, known, trouble, upload, view } from "./draft";
 import { Button, Choice, Text } from "./fields";
 import { millimetres } from "./geometry";
+import type { Key } from "./messages/en";
+import { t } from "./messages/texts";
 
 /** The files that are read as rooms; what comes with them has other endings. */
 const ROOMS = /\.(ya?ml|ply|obj|glb|gltf|stl|svg|dxf)$/i;
@@ -16,12 +20,18 @@ const UNITS = [
   ["0.001", "millimetres"],
   ["0.0254", "inches"],
   ["0.3048", "feet"],
-] as const;
+] as const satisfies [string, Key][];
 const UPS = [
   ["auto", "found out"],
   ["z", "z"],
   ["y", "y"],
 ] as const;
+
+const named = <Value extends string>(all: readonly (readonly [Value, Key | "z" | "y"])[]) =>
+  all.map(([value, words]): [Value, string] => [
+    value,
+    words === "z" || words === "y" ? words : t(words),
+  ]);
 
 const files = signal<File[]>([]);
 
@@ -30,17 +40,17 @@ export function RoomStep() {
   return (
     <>
       <Text
-        name="Name of the site"
+        name={t("Name of the site")}
         value={all.name}
         set={(name) => change({ name }, "name")}
-        placeholder="my lab"
+        placeholder={t("my lab")}
       />
       <SizeForm key={JSON.stringify([all.bounds, all.height])} />
       <FileForm />
       <fieldset class="two">
-        <legend>The drone flies at [m]</legend>
+        <legend>{t("The drone flies at [m]")}</legend>
         <Metres
-          name="height above the floor"
+          name={t("height above the floor")}
           value={all.flight_height}
           set={(value) => change({ flight_height: value }, "flight_height")}
         />
@@ -67,28 +77,30 @@ function SizeForm() {
       }}
     >
       <fieldset>
-        <legend>An empty rectangle [m]</legend>
+        <legend>{t("An empty rectangle [m]")}</legend>
         <Metres
-          name="length (x)"
+          name={t("length (x)")}
           value={size.length}
           set={(length) => setSize((old) => ({ ...old, length }))}
         />
         <Metres
-          name="width (y)"
+          name={t("width (y)")}
           value={size.width}
           set={(width) => setSize((old) => ({ ...old, width }))}
         />
         <Metres
-          name="ceiling"
+          name={t("ceiling")}
           value={size.height}
           set={(value) => setSize((old) => ({ ...old, height: value }))}
         />
       </fieldset>
       <button type="submit" class={bounds ? "" : "strong"}>
-        {bounds ? "Change the size" : "Make this room"}
+        {bounds ? t("Change the size") : t("Make this room")}
       </button>
       {bounds && walls.length > 4 && (
-        <small class="quiet">Four new walls take the place of those that are drawn.</small>
+        <small class="quiet">
+          {t("Four new walls take the place of those that are drawn.")}
+        </small>
       )}
     </form>
   );
@@ -103,13 +115,13 @@ function FileForm() {
     for (const file of files.value) if (!(await upload(file))) return;
     const words = layers.split(",").map((word) => word.trim()).filter(Boolean);
     const asked = { file: main!.name, unit: unit ? Number(unit) : null, up, layers: words };
-    await act("/draft/import", asked, `Reading ${main!.name} …`);
+    await act("/draft/import", asked, t("Reading {file} …", { file: main!.name }));
   };
   return (
     <fieldset class="file">
-      <legend>Or a file of it</legend>
+      <legend>{t("Or a file of it")}</legend>
       <label>
-        ROS map (yaml and its picture), scan (ply, obj, gltf, glb, stl), floor plan (svg, dxf)
+        {t("ROS map (yaml and its picture), scan (ply, obj, gltf, glb, stl), plan (svg, dxf)")}
         <input
           type="file"
           multiple
@@ -121,30 +133,32 @@ function FileForm() {
         />
       </label>
       <div class="pair">
-        <Choice name="Unit of the file" value={unit} options={UNITS} set={setUnit} />
-        <Choice name="Up in a scan" value={up} options={UPS} set={setUp} />
+        <Choice name={t("Unit of the file")} value={unit} options={named(UNITS)} set={setUnit} />
+        <Choice name={t("Up in a scan")} value={up} options={named(UPS)} set={setUp} />
       </div>
       {main && /\.(svg|dxf)$/i.test(main.name) && (
         <Text
-          name="Layers of the plan that hold the walls (may be empty)"
+          name={t("Layers of the plan that hold the walls (may be empty)")}
           value={layers}
           set={setLayers}
-          placeholder="walls, windows"
+          placeholder={t("walls, windows")}
         />
       )}
       {files.value.length > 0 && !main && (
         <p class="wrong" role="alert">
-          △ None of these is a room: choose the yaml, the scan or the plan too.
+          △ {t("None of these is a room: choose the yaml, the scan or the plan too.")}
         </p>
       )}
       <Button ready={main !== undefined} press={read}>
-        {main ? `Read ${main.name}` : "Read it"}
+        {main ? t("Read {file}", { file: main.name }) : t("Read it")}
       </Button>
-      {known.value.source && <p>Read from {known.value.source}.</p>}
+      {known.value.source && <p>{t("Read from {file}.", { file: known.value.source })}</p>}
       {view.value!.notes.length > 0 && (
         <ul class="notes">
           {view.value!.notes.map((note) => (
-            <li key={note}>{note}</li>
+            <li key={note}>
+              <Told words={translated(note)} />
+            </li>
           ))}
         </ul>
       )}

@@ -2,13 +2,15 @@ import { signal } from "@preact/signals";
 import type { WrittenView } from "../wire/draft-messages";
 import { ask, view } from "./draft";
 import { Button } from "./fields";
+import type { Key } from "./messages/en";
+import { t } from "./messages/texts";
 
 const written = signal<{ version: string; files: WrittenView["files"] } | null>(null);
 
-function commands(folder: string, hardware: boolean): [string, string][] {
+function commands(folder: string, hardware: boolean): [Key, string][] {
   const site = /^[\w./-]+$/.test(folder) ? folder : `'${folder.replaceAll("'", "'\\''")}'`;
   const simulated = hardware ? site.replace(/'?$/, "/simulated.toml$&") : site;
-  const first: [string, string][] = [
+  const first: [Key, string][] = [
     ["Is this machine fit for it?", `housefly doctor --site ${site}`],
     ["The whole thing, simulated", `housefly demo --site ${simulated}`],
   ];
@@ -28,27 +30,29 @@ export function SaveStep() {
   const hindered = missing.some((one) => one.hinders);
   const write = async (): Promise<void> => {
     written.value = null;
-    const answer = await ask<WrittenView>("/site", "Writing …");
+    const answer = await ask<WrittenView>("/site", t("Writing …"));
     if (answer) written.value = { version: view.value!.version, files: answer.files };
   };
   const done = written.value?.version === version ? written.value.files : null;
   return (
     <>
       {hindered ? (
-        <p>What the steps above still lack has to be said first.</p>
+        <p>{t("What the steps above still lack has to be said first.")}</p>
       ) : (
-        <p class="quiet">Room and site are written as files that you can read and change.</p>
+        <p class="quiet">
+          {t("Room and site are written as files that you can read and change.")}
+        </p>
       )}
       <Button strong ready={!hindered} press={write}>
-        Write the site
+        {t("Write the site")}
       </Button>
       <div role="status">
         {done && (
           <>
-            <p>Written to {folder}. In a terminal:</p>
+            <p>{t("Written to {folder}. In a terminal:", { folder })}</p>
             {commands(folder, draft.hardware).map(([words, line]) => (
               <div key={line} class="next-line">
-                <small class="quiet">{words}</small>
+                <small class="quiet">{t(words)}</small>
                 <pre>{line}</pre>
               </div>
             ))}

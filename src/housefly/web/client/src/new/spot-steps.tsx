@@ -5,6 +5,7 @@ import { Button, Text, Tick } from "./fields";
 import { ItemList } from "./item-list";
 import { degrees, radians, rounded } from "./geometry";
 import { lookOf, with_ } from "./items";
+import { t } from "./messages/texts";
 import { slug } from "./unique-names";
 import { addInTheMiddle } from "./tools";
 
@@ -13,25 +14,29 @@ export function PadStep() {
   return (
     <>
       <div class="chips">
-        <Button press={() => act("/draft/pad", {}, "Looking for a roomy spot …")}>
-          Choose a roomy spot
+        <Button press={() => act("/draft/pad", {}, t("Looking for a roomy spot …"))}>
+          {t("Choose a roomy spot")}
         </Button>
-        {!pad && <Button press={() => addInTheMiddle("pad")}>Put it in the middle</Button>}
+        {!pad && (
+          <Button press={() => addInTheMiddle("pad")}>{t("Put it in the middle")}</Button>
+        )}
       </div>
       {pad && (
         <fieldset>
-          <legend>Pad [m], nose [°]</legend>
+          <legend>{t("Pad [m], nose [°]")}</legend>
           <Metres name="x" value={pad[0]} set={(x) => change({ pad: [x, pad[1]] }, "pad.0")} />
           <Metres name="y" value={pad[1]} set={(y) => change({ pad: [pad[0], y] }, "pad.1")} />
           <Metres
-            name="nose looks to"
+            name={t("nose looks to")}
             step={5}
             value={degrees(pad_yaw)}
             set={(value) => change({ pad_yaw: radians(value) }, "pad_yaw")}
           />
         </fieldset>
       )}
-      <p class="quiet">The drone starts and lands there. 0° is along x, 90° along y.</p>
+      <p class="quiet">
+        {t("The drone starts and lands there. 0° is along x, 90° along y.")}
+      </p>
     </>
   );
 }
@@ -40,12 +45,12 @@ export function PlacesStep() {
   return (
     <>
       <div class="chips">
-        <Button press={() => addInTheMiddle("places")}>Add a place</Button>
-        <Button press={() => act("/draft/places", {}, "Looking for roomy spots …")}>
-          Choose roomy spots
+        <Button press={() => addInTheMiddle("places")}>{t("Add a place")}</Button>
+        <Button press={() => act("/draft/places", {}, t("Looking for roomy spots …"))}>
+          {t("Choose roomy spots")}
         </Button>
       </div>
-      <ItemList kind="places" label="Places" form={(index) => <PlaceForm index={index} />} />
+      <ItemList kind="places" label={t("Places")} form={(index) => <PlaceForm index={index} />} />
     </>
   );
 }
@@ -66,28 +71,32 @@ function PlaceForm({ index }: { index: number }) {
   return (
     <>
       <Text
-        name="Name"
+        name={t("Name")}
         value={place.title}
         max={40}
-        placeholder="Reading corner"
+        placeholder={t("Reading corner")}
         set={(title) => set(retitled(known.value, index, title), "title")}
       />
-      <small class="quiet">In commands: {place.name}</small>
+      <small class="quiet">{t("In commands: {name}", { name: place.name })}</small>
       <fieldset class="two">
-        <legend>Hovers at [m]</legend>
+        <legend>{t("Hovers at [m]")}</legend>
         <Metres name="x" value={place.x} set={(x) => set({ x }, "x")} />
         <Metres name="y" value={place.y} set={(y) => set({ y }, "y")} />
       </fieldset>
       {place.look_at && (
         <fieldset>
-          <legend>Looks at [m]</legend>
+          <legend>{t("Looks at [m]")}</legend>
           <Metres name="x" value={u} set={(x) => set({ look_at: [x, v, height] }, "u")} />
           <Metres name="y" value={v} set={(y) => set({ look_at: [u, y, height] }, "v")} />
-          <Metres name="height" value={height} set={(z) => set({ look_at: [u, v, z] }, "z")} />
+          <Metres
+            name={t("height")}
+            value={height}
+            set={(z) => set({ look_at: [u, v, z] }, "z")}
+          />
         </fieldset>
       )}
       <Tick
-        name="looks away from the pad"
+        name={t("looks away from the pad")}
         value={place.look_at === null}
         set={(away) => set({ look_at: away ? null : [u, v, height] }, "away")}
       />
@@ -98,33 +107,39 @@ function PlaceForm({ index }: { index: number }) {
 export function ZonesStep() {
   return (
     <>
-      <Button press={() => addInTheMiddle("zones")}>Add a zone</Button>
-      <ItemList kind="zones" label="No-fly zones" form={(index) => <ZoneForm index={index} />} />
-      <p class="quiet">None are needed: walls and furniture are kept away from anyway.</p>
+      <Button press={() => addInTheMiddle("zones")}>{t("Add a zone")}</Button>
+      <ItemList
+        kind="zones"
+        label={t("No-fly zones")}
+        form={(index) => <ZoneForm index={index} />}
+      />
+      <p class="quiet">
+        {t("None are needed: walls and furniture are kept away from anyway.")}
+      </p>
     </>
   );
 }
 
-const CORNERS = ["x from", "y from", "x to", "y to"];
+const CORNERS = ["x from", "y from", "x to", "y to"] as const;
 
 function ZoneForm({ index }: { index: number }) {
   const zone = known.value.zones[index]!;
   return (
     <>
       <Text
-        name="Reason"
+        name={t("Reason")}
         value={zone.reason}
-        placeholder="Wet floor"
+        placeholder={t("Wet floor")}
         set={(reason) =>
           change(with_(known.value, "zones", index, { reason }), `zones.${index}.reason`)
         }
       />
       <fieldset class="two">
-        <legend>Kept free [m]</legend>
+        <legend>{t("Kept free [m]")}</legend>
         {CORNERS.map((name, k) => (
           <Metres
             key={name}
-            name={name}
+            name={t(name)}
             value={zone.rectangle[k]!}
             set={(value) => {
               const next: typeof zone.rectangle = [...zone.rectangle];

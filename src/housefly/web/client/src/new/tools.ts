@@ -4,6 +4,8 @@ import type { Point } from "../store";
 import type { SiteDraft } from "../wire/draft-messages";
 import { act, change, known } from "./draft";
 import { millimetres, rectangleOf, rounded, snapped, squared } from "./geometry";
+import type { Key } from "./messages/en";
+import { t } from "./messages/texts";
 import { without, type Item, type Kind } from "./items";
 import { slug, unused } from "./unique-names";
 
@@ -23,7 +25,7 @@ export type Step =
 export type Tool = "move" | "wall" | "box" | "erase";
 
 export interface Preset {
-  name: string;
+  name: Key;
   length: number;
   width: number;
   top: number;
@@ -167,7 +169,7 @@ export function addWall(start: Point, end: Point): void {
 export function addBox([x0, y0, x1, y1]: [number, number, number, number]): void {
   const { name, top } = preset.value;
   add("furniture", {
-    name: unused(name, known.value.furniture.map((one) => one.name)),
+    name: unused(t(name), known.value.furniture.map((one) => one.name)),
     x: millimetres((x0 + x1) / 2),
     y: millimetres((y0 + y1) / 2),
     length: millimetres(x1 - x0),
@@ -181,17 +183,17 @@ export function addBox([x0, y0, x1, y1]: [number, number, number, number]): void
 
 export function addPlace([x, y]: Point): void {
   const all = known.value.places;
-  const title = unused("Place", all.map((one) => one.title));
+  const title = unused(t("Place"), all.map((one) => one.title));
   const name = slug(title, all.map((one) => one.name));
   add("places", { name, x, y, title, look_at: null });
 }
 
 function addZone(rectangle: [number, number, number, number]): void {
-  add("zones", { rectangle, reason: "kept free" });
+  add("zones", { rectangle, reason: t("kept free") });
 }
 
 export function addFramePoint([x, y]: Point): void {
-  const name = `point ${known.value.frame_points.length + 1}`;
+  const name = t("point {k}", { k: known.value.frame_points.length + 1 });
   add("frame_points", { name, on_map: [x, y, BODY_HEIGHT], seen: [0, 0, 0] });
 }
 

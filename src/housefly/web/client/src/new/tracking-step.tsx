@@ -4,19 +4,22 @@ import type { DraftTracking, HeardView } from "../wire/draft-messages";
 import { ask, change, known } from "./draft";
 import { Button, Choice, Text } from "./fields";
 import { Words } from "./heard-words";
+import { t } from "./messages/texts";
 
-const KINDS = [
-  ["vicon", "Vicon (DataStream)"],
-  ["natnet", "OptiTrack (NatNet)"],
-  ["vrpn", "VRPN"],
-  ["bridge", "another, by motioncapture"],
-] as const;
+const kinds = () =>
+  [
+    ["vicon", "Vicon (DataStream)"],
+    ["natnet", "OptiTrack (NatNet)"],
+    ["vrpn", "VRPN"],
+    ["bridge", t("another, by motioncapture")],
+  ] as const;
 const PORTS = { vicon: 801, natnet: 1510, vrpn: 3883, bridge: null };
-const UPS = [
-  ["auto", "as usual"],
-  ["z", "z"],
-  ["y", "y"],
-] as const;
+const ups = () =>
+  [
+    ["auto", t("as usual")],
+    ["z", "z"],
+    ["y", "y"],
+  ] as const;
 const TRANSPORTS = [
   ["tcp", "TCP"],
   ["udp", "UDP"],
@@ -37,19 +40,20 @@ export function TrackingStep() {
   const { hardware } = known.value;
   return (
     <>
-      <div class="chips" role="group" aria-label="What flies">
+      <div class="chips" role="group" aria-label={t("What flies")}>
         <Button pressed={!hardware} press={() => change({ hardware: false })}>
-          All simulated
+          {t("All simulated")}
         </Button>
         <Button pressed={hardware} press={() => change({ hardware: true, ...realDrone() })}>
-          Real hardware
+          {t("Real hardware")}
         </Button>
       </div>
       {hardware ? (
         <TrackingForm />
       ) : (
         <p class="quiet">
-          Drone and tracking are simulated: try the room first. What is real can be said later.
+          {t("Drone and tracking are simulated: try the room first.")}{" "}
+          {t("What is real can be said later.")}
         </p>
       )}
     </>
@@ -70,17 +74,22 @@ function TrackingForm() {
   const usual = PORTS[tracking.kind];
   return (
     <>
-      <Choice name="System" value={tracking.kind} options={KINDS} set={(kind) => set({ kind })} />
+      <Choice
+        name={t("System")}
+        value={tracking.kind}
+        options={kinds()}
+        set={(kind) => set({ kind })}
+      />
       <div class="pair">
         <Text
-          name="Address"
+          name={t("Address")}
           value={tracking.address}
           placeholder="10.0.0.5"
           set={(address) => set({ address })}
         />
         {usual !== null && (
           <Metres
-            name="Port"
+            name={t("Port")}
             step={1}
             value={tracking.port ?? usual}
             set={(port) => set({ port: port === usual ? null : port })}
@@ -88,7 +97,7 @@ function TrackingForm() {
         )}
         {tracking.kind === "bridge" && (
           <Text
-            name="Its type in motioncapture"
+            name={t("Its type in motioncapture")}
             value={tracking.bridge_system}
             set={(bridge_system) => set({ bridge_system })}
           />
@@ -96,21 +105,21 @@ function TrackingForm() {
       </div>
       <div class="pair">
         <Text
-          name="The drone's name there"
+          name={t("The drone's name there")}
           value={tracking.body}
           set={(body) => set({ body })}
         />
         {tracking.kind === "natnet" && (
           <Choice
-            name="Axis up"
+            name={t("Axis up")}
             value={tracking.up_axis}
-            options={UPS}
+            options={ups()}
             set={(up_axis) => set({ up_axis })}
           />
         )}
         {tracking.kind === "vrpn" && (
           <Choice
-            name="Begins by"
+            name={t("Begins by")}
             value={tracking.vrpn_transport}
             options={TRANSPORTS}
             set={(vrpn_transport) => set({ vrpn_transport })}
@@ -118,11 +127,11 @@ function TrackingForm() {
         )}
       </div>
       <Button ready={known.value.tracking !== null} press={listen}>
-        Listen for 3 s
+        {t("Listen for {n} s", { n: 3 })}
       </Button>
       <Words said={heard.value} />
       {heard.value && heard.value.bodies.length > 0 && (
-        <div class="chips" role="group" aria-label="Which one is the drone">
+        <div class="chips" role="group" aria-label={t("Which one is the drone")}>
           {heard.value.bodies.map(({ name }) => (
             <Button
               key={name}
@@ -141,5 +150,5 @@ function TrackingForm() {
 /** Listen to what is kept as the tracking system. */
 export async function listen(): Promise<void> {
   heard.value = null;
-  heard.value = await ask<HeardView>("/tracking/heard", "Listening …");
+  heard.value = await ask<HeardView>("/tracking/heard", t("Listening …"));
 }

@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import { AskIcon, ListIcon, ShapeIcon } from "../controls/icons";
 import { House } from "../tasks/house";
 import { asked } from "../tasks/board";
@@ -51,7 +52,7 @@ export function Top() {
         </nav>
         <div class="facts">
           <House />
-          <span class="charge">{charge()}</span>
+          <span class="charge">{charge.value}</span>
           <span class="lag" title={t("Round trip between this browser and the server")}>
             {t("lag {time}", { time: lag.value === null ? "–" : milliseconds(lag.value) })}
           </span>
@@ -96,17 +97,21 @@ export function Top() {
           ?
         </button>
       </div>
-      <p class="banner" role="alert" lang={tongue(banner.value)} hidden={!banner.value}>
-        {banner.value}
-      </p>
+      <Banner />
     </header>
   );
 }
 
-function charge(): string {
+const Banner = () => (
+  <p class="banner" role="alert" lang={tongue(banner.value)} hidden={!banner.value}>
+    {banner.value}
+  </p>
+);
+
+const charge = computed(() => {
   const share = state.value?.battery;
   return share == null ? "" : t("battery {p}", { p: percent(share) });
-}
+});
 
 /** The site's name, and its mode when it is not the usual one. */
 function site(): string {

@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { SwapIcon } from "../controls/icons";
 import { RecordedPicture } from "../replay/recorded";
@@ -28,14 +29,24 @@ function JpegVideo() {
   );
 }
 
+/** Time since the picture on the screen was taken [s], counted when it is no longer new. */
+const age = computed(() => {
+  if (!picture.value) return Infinity;
+  const age = now.value - picture.value.receivedAt;
+  return freshness(age) === "fresh" ? 0 : age;
+});
+
 function LiveVideo() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => watch(canvas.current!), []);
-  const age = picture.value ? Math.max(0, now.value - picture.value.receivedAt) : Infinity;
   return (
-    <section class="view video" aria-label={t("Picture from the drone")} data-age={freshness(age)}>
+    <section
+      class="view video"
+      aria-label={t("Picture from the drone")}
+      data-age={freshness(age.value)}
+    >
       <canvas ref={canvas} width={640} height={360} />
-      <p class="veil">{veil(age)}</p>
+      <p class="veil">{veil(age.value)}</p>
       <PictureClip />
       <SwapButton to="picture" />
     </section>

@@ -197,7 +197,8 @@ function Field({ parameter }: { parameter: ParameterInfo }) {
         required={parameter.required}
         maxLength={200}
         autocomplete="off"
-        value={value === null ? "" : String(value)}
+        defaultValue={value === null ? "" : String(value)}
+        placeholder={parameter.default === null ? "" : String(parameter.default)}
         onInput={(event) => {
           const text = event.currentTarget.value;
           put(name, isNumber && text !== "" ? Number(text) : text);

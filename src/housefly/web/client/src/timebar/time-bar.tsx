@@ -1,3 +1,4 @@
+import { computed } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { minutes } from "../format";
 import { askEvents } from "../live/room-client";
@@ -19,7 +20,7 @@ import type { FlightView } from "../wire/room-messages";
 import { endOf, go } from "./past";
 import { t, translated } from "../messages/language";
 
-const Recording = lazyPart(async () => (await import("./recording")).Recording);
+const Recording = lazyPart(async () => (await import("../scene/parts")).Recording);
 
 const SPANS: [number, Key][] = [
   [600, "10 min"],
@@ -53,10 +54,19 @@ export function TimeBar() {
   );
 }
 
+/** Time moves on by so many steps from end to end of the bar: about a pixel each. */
+const PIXELS = 1000;
+/** The right end of the bar [Unix time, s]. */
+const rightEnd = computed(() => {
+  if (at.value !== null) return endOf.value;
+  const step = span.value / PIXELS;
+  return step * Math.ceil(hubNow.value / step);
+});
+
 /** The room's past on a slider, and the flights in it; the right end is now. */
 function Present() {
   const past = at.value !== null;
-  const right = past ? endOf.value : hubNow.value;
+  const right = rightEnd.value;
   const value = past ? Math.max(-span.value, at.value! - right) : 0;
   const words = past ? `${clock(at.value!)}, ${ago(hubNow.value - at.value!)}` : t("now");
   const share = (time: number): number => 100 * (1 - (right - time) / span.value);
@@ -104,21 +114,27 @@ function Present() {
           }}
         />
       </div>
-      <select
-        aria-label={t("How far back")}
-        value={span.value}
-        onChange={(event) => {
-          span.value = Number(event.currentTarget.value);
-          void askEvents().catch(() => undefined);
-        }}
-      >
-        {SPANS.map(([seconds, name]) => (
-          <option key={seconds} value={seconds}>
-            {t(name)}
-          </option>
-        ))}
-      </select>
+      <HowFar />
     </>
+  );
+}
+
+function HowFar() {
+  return (
+    <select
+      aria-label={t("How far back")}
+      value={span.value}
+      onChange={(event) => {
+        span.value = Number(event.currentTarget.value);
+        void askEvents().catch(() => undefined);
+      }}
+    >
+      {SPANS.map(([seconds, name]) => (
+        <option key={seconds} value={seconds}>
+          {t(name)}
+        </option>
+      ))}
+    </select>
   );
 }
 

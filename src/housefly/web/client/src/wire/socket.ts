@@ -4,6 +4,7 @@ import * as store from "../store";
 import { sentence } from "../format";
 import { tellRefusal } from "../said";
 import { told } from "../tasks/board";
+import { extended, trailOf } from "../trail";
 import { assume, learn, localNow } from "./clock";
 import type {
   AcceptedReply,
@@ -26,8 +27,6 @@ const PING_PERIOD = 1000;
 const STOP_PATIENCE = 300;
 const NOTICE_KEPT = 20_000;
 const EVENTS_KEPT = 300;
-const TRAIL_KEPT = 600;
-const TRAIL_STEP = 0.04;
 const NAME_KEY = "housefly name";
 const TAB_KEY = "housefly tab";
 
@@ -138,12 +137,16 @@ function receive(message: ServerMessage): void {
         store.me.value = message.you;
         store.role.value = message.role;
         store.events.value = message.events;
-        store.trail.value = message.trail;
+        store.trail.value = trailOf(message.trail);
         store.contact.value = "open";
         break;
       case "state":
         store.state.value = message;
-        if (message.position) extendTrail([message.position[0], message.position[1]]);
+        if (message.position)
+          store.trail.value = extended(store.trail.value, [
+            message.position[0],
+            message.position[1],
+          ]);
         break;
       case "room":
         store.room.value = message.room;
@@ -200,10 +203,4 @@ function answer(message: Answer): void {
   waiting.delete(message.id);
   if (resolve) resolve(message);
   else if (message.type === "refused") store.notice.value = message.reason;
-}
-
-function extendTrail(point: store.Point): void {
-  const last = store.trail.value.at(-1);
-  if (last && Math.hypot(point[0] - last[0], point[1] - last[1]) < TRAIL_STEP) return;
-  store.trail.value = [...store.trail.value.slice(1 - TRAIL_KEPT), point];
 }

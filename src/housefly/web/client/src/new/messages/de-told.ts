@@ -1,0 +1,277 @@
+// What the server of the page of a new site says, in German: templates of its sentences.
+import type { Templates } from "../../messages/templates";
+
+export const DE_TOLD: Templates = {
+  // what a draft lacks, and what mends it
+  "the room has no size yet": "der Raum hat noch keine Größe",
+  "give length x width x height in metres (6x4x2.5), or a file of the room":
+    "Länge x Breite x Höhe in Metern angeben (6x4x2.5) oder eine Datei des Raums",
+  "the room has no size yet: give its length and width, or a file":
+    "der Raum hat noch keine Größe: Länge und Breite angeben oder eine Datei",
+  "x_min must be below x_max, and y_min below y_max [m]":
+    "x_min muss unter x_max liegen und y_min unter y_max [m]",
+  "correct that value": "diesen Wert berichtigen",
+  "the ceiling ({a} m) is less than 0.4 m above the flight height ({b} m)":
+    "die Decke ({a} m) liegt weniger als 0,4 m über der Flughöhe ({b} m)",
+  "correct the height of the room, or lower flight_height":
+    "die Höhe des Raums berichtigen oder flight_height senken",
+  "the room has no walls": "der Raum hat keine Wände",
+  "draw them, or give the size again: a rectangle brings its four walls":
+    "sie zeichnen oder die Größe neu angeben: Ein Rechteck bringt seine vier Wände mit",
+  "the drone fits nowhere in this room": "die Drohne passt nirgends in diesen Raum",
+  "the drone fits nowhere in this room: is there a free floor?":
+    "die Drohne passt nirgends in diesen Raum: Gibt es freien Boden?",
+  "check the unit of the file or the size: are they metres? Or take furniture and zones out":
+    "die Einheit der Datei oder die Größe prüfen: Sind es Meter? Oder Möbel und Zonen herausnehmen",
+  "it is not said where the pad lies, on which the drone starts and lands":
+    "es ist nicht gesagt, wo der Landeplatz liegt, auf dem die Drohne startet und landet",
+  "say where: ({x}, {y}) m is roomy": "angeben, wo: ({x}, {y}) m ist geräumig",
+  "move the pad: ({x}, {y}) m is roomy": "den Landeplatz verschieben: ({x}, {y}) m ist geräumig",
+  "the drone cannot start at ({x}, {y}) m: {why}":
+    "die Drohne kann bei ({x}, {y}) m nicht starten: {why}",
+  "the drone cannot hover at {place}, ({x}, {y}) m: {why}":
+    "die Drohne kann bei {place}, ({x}, {y}) m nicht schweben: {why}",
+  "no way leads there from home": "kein Weg führt von zu Hause dorthin",
+  "the site file keeps it free by order": "die Standortdatei hält es frei",
+  "it is behind a wall or inside something": "es liegt hinter einer Wand oder in etwas",
+  "the nearest obstacle is {a} m away and the drone keeps {b} m":
+    "das nächste Hindernis ist {a} m entfernt, und die Drohne hält {b} m Abstand",
+  ["something stands on the floor {a} m from the middle of the pad, and the drone " +
+      "starts with {b} m and more around it"]:
+    "etwas steht {a} m von der Mitte des Landeplatzes auf dem Boden, und die Drohne " +
+      "startet mit {b} m und mehr um sich",
+  "there is no place to fly to": "es gibt keinen Ort zum Hinfliegen",
+  "name one and say where it is": "einen benennen und angeben, wo er ist",
+  "two places are called {place}": "zwei Orte heißen {place}",
+  "rename one": "einen umbenennen",
+  "move it, or leave it out": "ihn verschieben oder weglassen",
+  "the zone {name} covers the pad": "die Zone {name} bedeckt den Landeplatz",
+  "keep it {a} m away from ({x}, {y}) m": "sie {a} m von ({x}, {y}) m entfernt halten",
+  "it is not said which motion capture system sees the drone":
+    "es ist nicht gesagt, welches Ortungssystem die Drohne sieht",
+  "say its kind and address, such as: vicon 10.0.0.5":
+    "Art und Adresse angeben, etwa: vicon 10.0.0.5",
+  "nobody compared the tracking frame with the map yet":
+    "niemand hat den Ortungsrahmen bisher mit der Karte verglichen",
+  "take three points here, or carry the drone: housefly preflight --frames --site SITE":
+    "hier drei Punkte nehmen oder die Drohne tragen: housefly preflight --frames --site SITE",
+  "take the points again": "die Punkte neu nehmen",
+  "it is not said where the drone answers": "es ist nicht gesagt, wo die Drohne antwortet",
+  "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1":
+    "ihre Adresse angeben; eine AR.Drone 2.0 in ihrem eigenen Netz hat 192.168.1.1",
+  "the drone flies with the constants of a usual AR.Drone 2.0":
+    "die Drohne fliegt mit den Konstanten einer üblichen AR.Drone 2.0",
+  "measure yours: housefly identify (docs/identify-and-gains.md)":
+    "die eigene vermessen: housefly identify (docs/identify-and-gains.md)",
+  // the points of the tracking frame
+  "the tracking frame has its origin at ({x}, {y}, {z}) m on the map, turned by {a} deg":
+    "der Ortungsrahmen hat seinen Ursprung bei ({x}, {y}, {z}) m auf der Karte, gedreht um {a}°",
+  "left over: {name}": "Rest: {name}",
+  ["the points fit as in a mirror: two were exchanged, or the tracking system counts " +
+      "one axis the other way; take them again in the right order, or choose z up, " +
+      "right-handed, in its software"]:
+    "die Punkte passen wie im Spiegel: Zwei wurden vertauscht, oder das Ortungssystem " +
+      "zählt eine Achse andersherum; sie in der richtigen Reihenfolge neu nehmen oder in " +
+      "seiner Software z nach oben, rechtshändig, wählen",
+  ["tracking sees a metre as {a} m: measure the points again; if it comes again, " +
+      "calibrate the cameras or set metres in the tracking software"]:
+    "die Ortung sieht einen Meter als {a} m: die Punkte neu messen; kommt es wieder, die " +
+      "Kameras kalibrieren oder in der Ortungssoftware Meter einstellen",
+  ["the points do not agree to {n} cm, {name} worst: put the drone there again and " +
+      "measure, or measure its place on the map again"]:
+    "die Punkte stimmen nicht auf {n} cm überein, am schlechtesten {name}: die Drohne dort " +
+      "neu hinlegen und messen oder die Stelle auf der Karte neu messen",
+  ["the points lie on one line: an axis that is counted the other way would not show; " +
+      "take one more beside it"]:
+    "die Punkte liegen auf einer Linie: Eine andersherum gezählte Achse fiele nicht auf; " +
+      "noch einen daneben nehmen",
+  "two points cannot check each other: take a third":
+    "zwei Punkte können einander nicht prüfen: einen dritten nehmen",
+  "two points are needed, and a third to check them":
+    "zwei Punkte sind nötig und ein dritter, um sie zu prüfen",
+  ["the points are within {a} m of each other on the map; take points that are {b} m " +
+      "and more apart, better several metres"]:
+    "die Punkte liegen auf der Karte innerhalb von {a} m; Punkte nehmen, die {b} m und " +
+      "mehr auseinanderliegen, besser mehrere Meter",
+  ["the points are within {a} m of each other as tracking sees them; take points that " +
+      "are {b} m and more apart, better several metres"]:
+    "die Punkte liegen für die Ortung innerhalb von {a} m; Punkte nehmen, die {b} m und " +
+      "mehr auseinanderliegen, besser mehrere Meter",
+  // what was done, and what was not
+  "a room of {a} x {b} m, {c} m high": "ein Raum von {a} x {b} m, {c} m hoch",
+  "read {name}": "{name} gelesen",
+  "erased": "entfernt",
+  "a roomy spot": "eine geräumige Stelle",
+  "roomy spots": "geräumige Stellen",
+  "undone": "rückgängig gemacht",
+  "done again": "wiederholt",
+  "there is nothing more to go back to": "weiter zurück geht es nicht",
+  "no further roomy spot can be reached from the pad":
+    "vom Landeplatz ist keine weitere geräumige Stelle erreichbar",
+  ["the draft was changed elsewhere, in another tab or in a terminal: this is how it is " +
+      "now; make your last change again"]:
+    "der Entwurf wurde anderswo geändert, in einem anderen Tab oder Terminal: So ist er " +
+      "jetzt; die letzte Änderung noch einmal machen",
+  "no contact with `housefly new`: does it still run? What you do now is not kept":
+    "kein Kontakt zu housefly new: Läuft es noch? Was jetzt geschieht, wird nicht gespeichert",
+  "say first which system it is, and where it answers":
+    "zuerst angeben, welches System es ist und wo es antwortet",
+  "say first where the drone answers": "zuerst angeben, wo die Drohne antwortet",
+  "this browser has no session": "dieser Browser hat keine Sitzung",
+  "this page may not change the site": "diese Seite darf den Standort nicht ändern",
+  "too much; allowed: {n} MiB": "zu viel; erlaubt: {n} MiB",
+  "the browser left before the whole file was here":
+    "der Browser ging, bevor die ganze Datei da war",
+  "the file cannot be kept: {name}": "die Datei kann nicht gespeichert werden: {name}",
+  "nothing was kept: {name}": "nichts wurde gespeichert: {name}",
+  "{name} did not arrive: choose the file again":
+    "{name} kam nicht an: die Datei noch einmal wählen",
+  "{n} files are here already: start the page again":
+    "{n} Dateien sind schon hier: die Seite neu starten",
+  "{name} is larger than {n} MiB: thin the scan out first, 5 cm between its points are enough":
+    "{name} ist größer als {n} MiB: den Scan erst ausdünnen, 5 cm zwischen den Punkten genügen",
+  ["the file is called {name}; allowed: up to 100 letters, digits, spaces and . _ - + ( " +
+      "), a letter or digit first"]:
+    "die Datei heißt {name}; erlaubt: bis zu 100 Buchstaben, Ziffern, Leerzeichen und . _ " +
+      "- + ( ), vorn ein Buchstabe oder eine Ziffer",
+  "{words}; {then}": "{words}; {then}",
+  "{name}: {words}": "{name}: {words}",
+  // a value that is not allowed
+  "is not a known key": "ist kein bekannter Schlüssel",
+  "is missing": "fehlt",
+  "is {name}; {words}": "ist {name}; {words}",
+  "is {name}; allowed: a number from {a} to {b} m":
+    "ist {name}; erlaubt: eine Zahl von {a} bis {b} m",
+  "is {name}; allowed: {thing} metres per unit of the file":
+    "ist {name}; erlaubt als Meter je Einheit der Datei: {thing}",
+  "input should be less than or equal to {n}": "höchstens {n}",
+  "input should be greater than or equal to {n}": "mindestens {n}",
+  "input should be greater than {n}": "größer als {n}",
+  "input should be less than {n}": "kleiner als {n}",
+  "input should be a valid number": "eine Zahl angeben",
+  "input should be a valid number, unable to parse string as a number": "eine Zahl angeben",
+  "unexpected keyword argument": "kein bekannter Schlüssel",
+  "map.flight_height ({a} m) must lie in limits.height_min..height_max ({b} .. {c} m)":
+    "map.flight_height ({a} m) muss in limits.height_min..height_max ({b} .. {c} m) liegen",
+  "input should be a finite number": "eine endliche Zahl angeben",
+  "input should be a valid integer, got a number with a fractional part": "eine ganze Zahl angeben",
+  "string should have at least 1 character": "mindestens ein Zeichen",
+  "string should have at most {n} characters": "höchstens {n} Zeichen",
+  "string should match pattern {name}": "es muss zu {name} passen",
+  // what a tracking system and a drone say
+  "heard nothing: {name}": "nichts gehört: {name}",
+  "nothing came from {place}": "von {place} kam nichts",
+  "{name} sends {n} frames a second": "{name} sendet {n} Bilder je Sekunde",
+  "{name} at ({x}, {y}, {z}) m, heading {a} deg, in {n} % of the frames":
+    "{name} bei ({x}, {y}, {z}) m, Richtung {a}°, in {n} % der Bilder",
+  "but: {name}": "aber: {name}",
+  ["the drone's body {name} is not among them (seen: {thing}): uncover its markers, or " +
+      "say its name as the tracking software has it"]:
+    "der Körper der Drohne {name} ist nicht dabei (gesehen: {thing}): ihre Marker " +
+      "freilegen oder ihren Namen so angeben, wie ihn die Ortungssoftware hat",
+  "none": "keiner",
+  "fewer than 20 frames a second: fly slowly, or raise the rate":
+    "weniger als 20 Bilder je Sekunde: langsam fliegen oder die Rate erhöhen",
+  "{place} answers {n} times a second: {words}, battery {p} %, firmware {name}":
+    "{place} antwortet {n}-mal je Sekunde: {words}, Akku {p} %, Firmware {name}",
+  "not reached: {name}": "nicht erreicht: {name}",
+  "no report came from {place}": "von {place} kam kein Bericht",
+  "unknown": "unbekannt",
+  "landed": "gelandet",
+  "taking off": "hebt ab",
+  "flying": "fliegt",
+  "landing": "landet",
+  "emergency": "Notaus",
+  // what a file holds, and why it cannot be read
+  "the drone fits nowhere: is the unit of the file right?":
+    "die Drohne passt nirgends hin: Stimmt die Einheit der Datei?",
+  ["{name}: {a} m x {b} m, {n} boxes; a ROS map is flat, so its walls reach from the " +
+      "floor to the ceiling"]:
+    "{name}: {a} m x {b} m, {n} Quader; eine ROS-Karte ist flach, deshalb reichen ihre " +
+      "Wände vom Boden bis zur Decke",
+  "the room begins at (0, 0), which the ROS map calls ({x}, {y}) m":
+    "der Raum beginnt bei (0, 0), was die ROS-Karte ({x}, {y}) m nennt",
+  "the room begins at (0, 0), which the scan calls ({x}, {y}) m":
+    "der Raum beginnt bei (0, 0), was der Scan ({x}, {y}) m nennt",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m":
+    "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
+    "{name}: {a} m x {b} m, {n} Quader aus {m} Punkten; Decke {c} m (nicht im Scan: wie üblich)",
+  "floor that no point was measured on is unexplored, and not flown over":
+    "Boden ohne gemessenen Punkt gilt als unerkundet und wird nicht überflogen",
+  "walls are taken from the layers {name}": "Wände stammen aus den Ebenen {name}",
+  "every line is taken for a wall: no layer is called so":
+    "jede Linie gilt als Wand: Keine Ebene heißt so",
+  "one unit is {a} m, as you said": "eine Einheit ist {a} m, wie angegeben",
+  ["its numbers ({a} x {b}) are taken for {words}: measure one wall, and say the unit " +
+      "if it is not so long"]:
+    "seine Zahlen ({a} x {b}) gelten als {words}: eine Wand messen und die Einheit " +
+      "angeben, wenn sie nicht so lang ist",
+  ["its numbers ({a} x {b}) are {c} m each, as the file says: measure one wall, and say " +
+      "the unit if it is not so long"]:
+    "seine Zahlen ({a} x {b}) sind laut Datei je {c} m: eine Wand messen und die Einheit " +
+      "angeben, wenn sie nicht so lang ist",
+  "its numbers ({thing}) were taken for {words}": "seine Zahlen ({thing}) gelten als {words}",
+  "metres": "Meter",
+  "centimetres": "Zentimeter",
+  "millimetres": "Millimeter",
+  "inches": "Zoll",
+  ["its outer walls do not close, so nothing says what is outside: look at the map, and " +
+      "draw walls where they are missing"]:
+    "seine Außenwände schließen nicht, also sagt nichts, was außen ist: die Karte ansehen " +
+      "und fehlende Wände zeichnen",
+  "what is outside of its walls is not flown in": "außerhalb seiner Wände wird nicht geflogen",
+  ["{name}: {a} m x {b} m, {n} lines became walls up to the ceiling (doors and windows " +
+      "too, where they are drawn on the same layer)"]:
+    "{name}: {a} m x {b} m, {n} Linien wurden Wände bis zur Decke (auch Türen und Fenster, " +
+      "wo sie auf derselben Ebene liegen)",
+  "{name} points up, as you said": "{name} zeigt nach oben, wie angegeben",
+  "y points up, as glTF has it": "y zeigt nach oben, wie glTF es hat",
+  "{name} was taken to point up": "{name} gilt als oben",
+  "{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?":
+    "{name} enthält keine Linien: Sind die Wände als Linien oder Formen gezeichnet, nicht " +
+      "als Bild?",
+  "{name} has a line with an end that is not finite":
+    "{name} hat eine Linie mit einem Ende, das nicht endlich ist",
+  "{name} has {n} lines, at most {m} are read: say which layers hold the walls; it has: {thing}":
+    "{name} hat {n} Linien, höchstens {m} werden gelesen: angeben, welche Ebenen die Wände " +
+      "enthalten; es gibt: {thing}",
+  "no layer's name holds {name}; there are: {thing}":
+    "kein Ebenenname enthält {name}; es gibt: {thing}",
+  "{name} is {a} m x {b} m with unit={c}; allowed: {d} to {e} m: say another unit":
+    "{name} ist {a} m x {b} m mit unit={c}; erlaubt: {d} bis {e} m: eine andere Einheit angeben",
+  "{name} measures {thing}: no room in any usual unit; say how many metres one unit is":
+    "{name} misst {thing}: in keiner üblichen Einheit ein Raum; angeben, wie viele Meter " +
+      "eine Einheit ist",
+  ["{name} measures {thing}: no room in any usual unit; say how many metres one unit is " +
+      "(0.001 for millimetres), and which axis points up"]:
+    "{name} misst {thing}: in keiner üblichen Einheit ein Raum; angeben, wie viele Meter " +
+      "eine Einheit ist (0.001 für Millimeter) und welche Achse nach oben zeigt",
+  "{name} holds no points, or some that are not finite":
+    "{name} enthält keine Punkte oder solche, die nicht endlich sind",
+  "{name} has {n} points; at least {m} are needed, better one on each 2 cm of wall and floor":
+    "{name} hat {n} Punkte; mindestens {m} sind nötig, besser einer je 2 cm Wand und Boden",
+  ["{name} holds {n} points, at most {m} are read: thin the scan out, 2 cm between " +
+      "points are enough"]:
+    "{name} enthält {n} Punkte, höchstens {m} werden gelesen: den Scan ausdünnen, 2 cm " +
+      "zwischen den Punkten genügen",
+  "{name} has more than {n} MB; thin the scan out, 2 cm between points are enough":
+    "{name} hat mehr als {n} MB; den Scan ausdünnen, 2 cm zwischen den Punkten genügen",
+  "{name} holds neither points nor surfaces": "{name} enthält weder Punkte noch Flächen",
+  "{name} covers {a} m^2; cut out the part to fly in":
+    "{name} umfasst {a} m²; den Teil zum Fliegen ausschneiden",
+  ["{n} boxes and more are needed, at most {m} are supported: cut out the part to fly " +
+      "in, and clean it of single points"]:
+    "{n} Quader und mehr wären nötig, höchstens {m} gehen: den Teil zum Fliegen " +
+      "ausschneiden und von einzelnen Punkten säubern",
+  "{name} cannot be read as a scan: {thing}": "{name} kann nicht als Scan gelesen werden: {thing}",
+  "{name} cannot be read as SVG: {thing}": "{name} kann nicht als SVG gelesen werden: {thing}",
+  "{name} cannot be read as DXF: {thing}": "{name} kann nicht als DXF gelesen werden: {thing}",
+  "{name} cannot be read: {thing}": "{name} kann nicht gelesen werden: {thing}",
+  "{name} is too long, or defines entities; save it as plain SVG":
+    "{name} ist zu lang oder definiert Entitäten; als einfaches SVG speichern",
+  "{name}: no room is read from such a file; allowed: {thing}":
+    "{name}: aus so einer Datei wird kein Raum gelesen; erlaubt: {thing}",
+  "{name} is no file; check its name": "{name} ist keine Datei; den Namen prüfen",
+  "{name} is missing; install it with: {thing}": "{name} fehlt; zu installieren mit: {thing}",
+};

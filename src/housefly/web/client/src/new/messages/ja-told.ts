@@ -1,0 +1,230 @@
+// What the server of the page of a new site says, in Japanese: templates of its sentences.
+import type { Templates } from "../../messages/templates";
+
+export const JA_TOLD: Templates = {
+  // what a draft lacks, and what mends it
+  "the room has no size yet": "部屋の大きさがまだありません",
+  "give length x width x height in metres (6x4x2.5), or a file of the room":
+    "長さ×幅×高さをメートルで（6x4x2.5）、または部屋のファイルを指定してください",
+  "the room has no size yet: give its length and width, or a file":
+    "部屋の大きさがまだありません。長さと幅、またはファイルを指定してください",
+  "x_min must be below x_max, and y_min below y_max [m]":
+    "x_minはx_maxより、y_minはy_maxより小さくしてください [m]",
+  "correct that value": "この値を直してください",
+  "the ceiling ({a} m) is less than 0.4 m above the flight height ({b} m)":
+    "天井（{a} m）が飛行の高さ（{b} m）より0.4 m以上高くありません",
+  "correct the height of the room, or lower flight_height": "部屋の高さを直すか、flight_heightを下げてください",
+  "the room has no walls": "部屋に壁がありません",
+  "draw them, or give the size again: a rectangle brings its four walls":
+    "壁を描くか、大きさを入力し直してください。長方形には4枚の壁が付きます",
+  "the drone fits nowhere in this room": "この部屋にはドローンが入る場所がありません",
+  "the drone fits nowhere in this room: is there a free floor?": "この部屋にはドローンが入る場所がありません。空いた床はありますか",
+  "check the unit of the file or the size: are they metres? Or take furniture and zones out":
+    "ファイルの単位か大きさを確かめてください（メートルですか）。または家具や区域を減らしてください",
+  "it is not said where the pad lies, on which the drone starts and lands": "離着陸するパッドの位置が決まっていません",
+  "say where: ({x}, {y}) m is roomy": "位置を決めてください。({x}, {y}) m は広く空いています",
+  "move the pad: ({x}, {y}) m is roomy": "パッドを動かしてください。({x}, {y}) m は広く空いています",
+  "the drone cannot start at ({x}, {y}) m: {why}": "({x}, {y}) m からは離陸できません。{why}",
+  "the drone cannot hover at {place}, ({x}, {y}) m: {why}":
+    "{place} ({x}, {y}) m ではホバリングできません。{why}",
+  "no way leads there from home": "ホームからそこへの道がありません",
+  "the site file keeps it free by order": "サイトのファイルで飛行禁止です",
+  "it is behind a wall or inside something": "壁の向こうか、何かの中です",
+  "the nearest obstacle is {a} m away and the drone keeps {b} m": "最も近い障害物まで {a} m、必要な距離は {b} m です",
+  ["something stands on the floor {a} m from the middle of the pad, and the drone " +
+      "starts with {b} m and more around it"]:
+    "パッドの中心から {a} m の床に物があります。離陸には周囲 {b} m 以上が必要です",
+  "there is no place to fly to": "飛んでいく場所がありません",
+  "name one and say where it is": "名前と位置を決めてください",
+  "two places are called {place}": "{place} という場所が2つあります",
+  "rename one": "片方の名前を変えてください",
+  "move it, or leave it out": "動かすか、外してください",
+  "the zone {name} covers the pad": "区域 {name} がパッドを覆っています",
+  "keep it {a} m away from ({x}, {y}) m": "({x}, {y}) m から {a} m 離してください",
+  "it is not said which motion capture system sees the drone": "ドローンを計測するシステムが決まっていません",
+  "say its kind and address, such as: vicon 10.0.0.5": "種類とアドレスを入力してください（例：vicon 10.0.0.5）",
+  "nobody compared the tracking frame with the map yet": "計測の座標系と地図はまだ照合されていません",
+  "take three points here, or carry the drone: housefly preflight --frames --site SITE":
+    "ここで3点を取るか、ドローンを持って歩いてください：housefly preflight --frames --site SITE",
+  "take the points again": "点を取り直してください",
+  "it is not said where the drone answers": "ドローンのアドレスが決まっていません",
+  "say its address; an AR.Drone 2.0 in its own network is 192.168.1.1":
+    "アドレスを入力してください。AR.Drone 2.0 の自前のネットワークでは 192.168.1.1 です",
+  "the drone flies with the constants of a usual AR.Drone 2.0": "一般的なAR.Drone 2.0の定数で飛びます",
+  "measure yours: housefly identify (docs/identify-and-gains.md)":
+    "ご自分の機体を測ってください：housefly identify (docs/identify-and-gains.md)",
+  // the points of the tracking frame
+  "the tracking frame has its origin at ({x}, {y}, {z}) m on the map, turned by {a} deg":
+    "計測の座標系の原点は地図上の ({x}, {y}, {z}) m、回転 {a}°です",
+  "left over: {name}": "残りのずれ：{name}",
+  ["the points fit as in a mirror: two were exchanged, or the tracking system counts " +
+      "one axis the other way; take them again in the right order, or choose z up, " +
+      "right-handed, in its software"]:
+    "点が鏡像になっています。2点が入れ替わったか、計測の軸が1つ逆です。正しい順で取り直すか、計測ソフトでz上向きの右手系を選んでください",
+  ["tracking sees a metre as {a} m: measure the points again; if it comes again, " +
+      "calibrate the cameras or set metres in the tracking software"]:
+    "計測では1 mが {a} m に見えます。点を測り直してください。それでも同じなら、カメラを校正するか、計測ソフトの単位をメートルにしてください",
+  ["the points do not agree to {n} cm, {name} worst: put the drone there again and " +
+      "measure, or measure its place on the map again"]:
+    "点が {n} cm 以内で一致しません（最大は{name}）。ドローンを置き直して測るか、地図上の位置を測り直してください",
+  ["the points lie on one line: an axis that is counted the other way would not show; " +
+      "take one more beside it"]:
+    "点が一直線上にあり、逆向きの軸を見つけられません。線の横にもう1点取ってください",
+  "two points cannot check each other: take a third": "2点では互いに確かめられません。3点目を取ってください",
+  "two points are needed, and a third to check them": "2点と、確認用の3点目が必要です",
+  ["the points are within {a} m of each other on the map; take points that are {b} m " +
+      "and more apart, better several metres"]:
+    "地図上の点が {a} m 以内にあります。{b} m 以上、できれば数メートル離れた点を取ってください",
+  ["the points are within {a} m of each other as tracking sees them; take points that " +
+      "are {b} m and more apart, better several metres"]:
+    "計測された点が {a} m 以内にあります。{b} m 以上、できれば数メートル離れた点を取ってください",
+  // what was done, and what was not
+  "a room of {a} x {b} m, {c} m high": "{a} x {b} m、高さ {c} m の部屋を作りました",
+  "read {name}": "{name} を読み込みました",
+  "erased": "消しました",
+  "a roomy spot": "広い位置を選びました",
+  "roomy spots": "広い位置をいくつか選びました",
+  "undone": "元に戻しました",
+  "done again": "やり直しました",
+  "there is nothing more to go back to": "これ以上は戻れません",
+  "no further roomy spot can be reached from the pad": "パッドから行ける広い位置はもうありません",
+  ["the draft was changed elsewhere, in another tab or in a terminal: this is how it is " +
+      "now; make your last change again"]:
+    "下書きは別のタブか端末で変更されました。今の内容を表示しています。最後の変更をやり直してください",
+  "no contact with `housefly new`: does it still run? What you do now is not kept":
+    "housefly new と通信できません。まだ動いていますか。今の操作は保存されません",
+  "say first which system it is, and where it answers": "先にシステムの種類とアドレスを入力してください",
+  "say first where the drone answers": "先にドローンのアドレスを入力してください",
+  "this browser has no session": "このブラウザーにはセッションがありません",
+  "this page may not change the site": "このページはサイトを変更できません",
+  "too much; allowed: {n} MiB": "大きすぎます。{n} MiBまでです",
+  "the browser left before the whole file was here": "ファイルが届き終わる前にブラウザーが離れました",
+  "the file cannot be kept: {name}": "ファイルを保存できません：{name}",
+  "nothing was kept: {name}": "何も保存されませんでした：{name}",
+  "{name} did not arrive: choose the file again": "{name} が届きませんでした。もう一度選んでください",
+  "{n} files are here already: start the page again": "すでにファイルが{n}個あります。housefly newを起動し直してください",
+  "{name} is larger than {n} MiB: thin the scan out first, 5 cm between its points are enough":
+    "{name} は {n} MiB を超えています。先にスキャンの点を間引いてください。間隔は5 cmで十分です",
+  ["the file is called {name}; allowed: up to 100 letters, digits, spaces and . _ - + ( " +
+      "), a letter or digit first"]:
+    "ファイル名が {name} です。使えるのは100文字までの文字、数字、空白、. _ - + ( ) で、先頭は文字か数字です",
+  "{words}; {then}": "{words}。{then}",
+  "{name}: {words}": "{name}：{words}",
+  // a value that is not allowed
+  "is not a known key": "は知られていない項目です",
+  "is missing": "がありません",
+  "is {name}; {words}": "{name}です。{words}",
+  "is {name}; allowed: a number from {a} to {b} m": "{name}です。{a}から{b} mの数にしてください",
+  "is {name}; allowed: {thing} metres per unit of the file":
+    "{name}です。ファイルの1単位のメートル数は次の間です：{thing}",
+  "input should be less than or equal to {n}": "{n}以下にしてください",
+  "input should be greater than or equal to {n}": "{n}以上にしてください",
+  "input should be greater than {n}": "{n}より大きくしてください",
+  "input should be less than {n}": "{n}より小さくしてください",
+  "input should be a valid number": "数を入力してください",
+  "input should be a valid number, unable to parse string as a number": "数を入力してください",
+  "unexpected keyword argument": "知られていない項目です",
+  "map.flight_height ({a} m) must lie in limits.height_min..height_max ({b} .. {c} m)":
+    "map.flight_height（{a} m）は limits.height_min..height_max（{b} .. {c} m）の間にしてください",
+  "input should be a finite number": "有限の数を入力してください",
+  "input should be a valid integer, got a number with a fractional part": "整数を入力してください",
+  "string should have at least 1 character": "1文字以上入力してください",
+  "string should have at most {n} characters": "{n}文字までです",
+  "string should match pattern {name}": "形は {name} に合わせてください",
+  // what a tracking system and a drone say
+  "heard nothing: {name}": "何も受信できません：{name}",
+  "nothing came from {place}": "{place} から何も届きません",
+  "{name} sends {n} frames a second": "{name} は毎秒{n}フレームを送っています",
+  "{name} at ({x}, {y}, {z}) m, heading {a} deg, in {n} % of the frames":
+    "{name}：({x}, {y}, {z}) m、向き {a}°、フレームの{n} %",
+  "but: {name}": "ただし：{name}",
+  ["the drone's body {name} is not among them (seen: {thing}): uncover its markers, or " +
+      "say its name as the tracking software has it"]:
+    "ドローン {name} が見つかりません（見えているもの：{thing}）。マーカーを隠さないようにするか、計測ソフトでの名前を入力してください",
+  "none": "なし",
+  "fewer than 20 frames a second: fly slowly, or raise the rate": "毎秒20フレーム未満です。ゆっくり飛ぶか、頻度を上げてください",
+  "{place} answers {n} times a second: {words}, battery {p} %, firmware {name}":
+    "{place} は毎秒{n}回応答：{words}、バッテリー {p} %、ファームウェア {name}",
+  "not reached: {name}": "つながりません：{name}",
+  "no report came from {place}": "{place} から報告がありません",
+  "unknown": "不明",
+  "landed": "着陸済み",
+  "taking off": "離陸中",
+  "flying": "飛行中",
+  "landing": "着陸中",
+  "emergency": "非常停止",
+  // what a file holds, and why it cannot be read
+  "the drone fits nowhere: is the unit of the file right?": "ドローンが入る場所がありません。ファイルの単位は正しいですか",
+  ["{name}: {a} m x {b} m, {n} boxes; a ROS map is flat, so its walls reach from the " +
+      "floor to the ceiling"]:
+    "{name}：{a} m x {b} m、箱{n}個。ROSの地図は平面なので、壁は床から天井までとします",
+  "the room begins at (0, 0), which the ROS map calls ({x}, {y}) m":
+    "部屋の始点は (0, 0) で、ROSの地図では ({x}, {y}) m です",
+  "the room begins at (0, 0), which the scan calls ({x}, {y}) m":
+    "部屋の始点は (0, 0) で、スキャンでは ({x}, {y}) m です",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m":
+    "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m",
+  "{name}: {a} m x {b} m, {n} boxes from {m} points; ceiling {c} m (not in the scan: as usual)":
+    "{name}：{a} m x {b} m、{m}点から箱{n}個。天井 {c} m（スキャンになく、標準の値）",
+  "floor that no point was measured on is unexplored, and not flown over": "点のない床は未知とし、その上は飛びません",
+  "walls are taken from the layers {name}": "壁はレイヤー {name} から取りました",
+  "every line is taken for a wall: no layer is called so": "壁という名のレイヤーがないため、すべての線を壁とします",
+  "one unit is {a} m, as you said": "指定どおり、1単位は {a} m です",
+  ["its numbers ({a} x {b}) are taken for {words}: measure one wall, and say the unit " +
+      "if it is not so long"]:
+    "数値 ({a} x {b}) は{words}とみなしました。壁を1枚測り、長さが違えば単位を指定してください",
+  ["its numbers ({a} x {b}) are {c} m each, as the file says: measure one wall, and say " +
+      "the unit if it is not so long"]:
+    "数値 ({a} x {b}) は、ファイルによれば1単位 {c} m です。壁を1枚測り、長さが違えば単位を指定してください",
+  "its numbers ({thing}) were taken for {words}": "数値 ({thing}) は{words}とみなしました",
+  "metres": "メートル",
+  "centimetres": "センチメートル",
+  "millimetres": "ミリメートル",
+  "inches": "インチ",
+  ["its outer walls do not close, so nothing says what is outside: look at the map, and " +
+      "draw walls where they are missing"]:
+    "外壁が閉じておらず、どこが外か分かりません。地図を見て、足りない壁を描いてください",
+  "what is outside of its walls is not flown in": "壁の外は飛びません",
+  ["{name}: {a} m x {b} m, {n} lines became walls up to the ceiling (doors and windows " +
+      "too, where they are drawn on the same layer)"]:
+    "{name}：{a} m x {b} m、線{n}本を天井までの壁にしました（同じレイヤーにあればドアと窓も）",
+  "{name} points up, as you said": "指定どおり、{name}が上向きです",
+  "y points up, as glTF has it": "glTFのとおり、yが上向きです",
+  "{name} was taken to point up": "{name}を上向きとみなしました",
+  "{name} holds no lines: are its walls drawn as lines or shapes, not as a picture?":
+    "{name} に線がありません。壁は画像でなく線や図形で描かれていますか",
+  "{name} has a line with an end that is not finite": "{name} に有限でない線があります",
+  "{name} has {n} lines, at most {m} are read: say which layers hold the walls; it has: {thing}":
+    "{name} には線が{n}本あり、読めるのは{m}本までです。壁のレイヤーを指定してください。レイヤー：{thing}",
+  "no layer's name holds {name}; there are: {thing}": "{name} を含むレイヤーがありません。あるのは：{thing}",
+  "{name} is {a} m x {b} m with unit={c}; allowed: {d} to {e} m: say another unit":
+    "{name} は単位 {c} では {a} m x {b} m です。{d} から {e} m になるよう、別の単位を指定してください",
+  "{name} measures {thing}: no room in any usual unit; say how many metres one unit is":
+    "{name} の大きさ {thing} は、どの標準の単位でも部屋になりません。1単位が何メートルか指定してください",
+  ["{name} measures {thing}: no room in any usual unit; say how many metres one unit is " +
+      "(0.001 for millimetres), and which axis points up"]:
+    "{name} の大きさ {thing} は、どの標準の単位でも部屋になりません。1単位が何メートルか（ミリメートルなら0.001）と、上向きの軸を指定してください",
+  "{name} holds no points, or some that are not finite": "{name} に点がないか、有限でない点があります",
+  "{name} has {n} points; at least {m} are needed, better one on each 2 cm of wall and floor":
+    "{name} は{n}点です。少なくとも{m}点、できれば壁と床の2 cmごとに1点必要です",
+  ["{name} holds {n} points, at most {m} are read: thin the scan out, 2 cm between " +
+      "points are enough"]:
+    "{name} は{n}点あり、読めるのは{m}点までです。点を間引いてください。間隔は2 cmで十分です",
+  "{name} has more than {n} MB; thin the scan out, 2 cm between points are enough":
+    "{name} は {n} MB を超えています。点を間引いてください。間隔は2 cmで十分です",
+  "{name} holds neither points nor surfaces": "{name} に点も面もありません",
+  "{name} covers {a} m^2; cut out the part to fly in": "{name} は {a} m²あります。飛ぶ部分を切り出してください",
+  ["{n} boxes and more are needed, at most {m} are supported: cut out the part to fly " +
+      "in, and clean it of single points"]:
+    "箱が{n}個以上必要で、上限は{m}個です。飛ぶ部分を切り出し、孤立した点を除いてください",
+  "{name} cannot be read as a scan: {thing}": "{name} をスキャンとして読めません：{thing}",
+  "{name} cannot be read as SVG: {thing}": "{name} をSVGとして読めません：{thing}",
+  "{name} cannot be read as DXF: {thing}": "{name} をDXFとして読めません：{thing}",
+  "{name} cannot be read: {thing}": "{name} を読めません：{thing}",
+  "{name} is too long, or defines entities; save it as plain SVG":
+    "{name} は長すぎるか、実体を定義しています。プレーンSVGで保存してください",
+  "{name}: no room is read from such a file; allowed: {thing}":
+    "{name}：この種類のファイルからは部屋を読めません。使えるのは：{thing}",
+  "{name} is no file; check its name": "{name} というファイルはありません。名前を確かめてください",
+  "{name} is missing; install it with: {thing}": "{name} がありません。次で入れられます：{thing}",
+};

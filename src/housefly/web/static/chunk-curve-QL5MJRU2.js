@@ -1,1 +1,0 @@
-import{a,b,c,d}from"./chunk-chunk-XDUDLZYC.js";import"./chunk-chunk-6SMD7JYY.js";import"./chunk-chunk-7DUICMII.js";import"./chunk-chunk-57ETJHH7.js";export{a as CurveLayer,d as SpeedLegend,b as SpeedLine,c as runs};

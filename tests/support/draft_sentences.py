@@ -1,0 +1,225 @@
+"""Sentences that the server of ``housefly new`` says in English, each by what says it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from housefly.errors import HouseflyError
+from housefly.room.draft.alignment import rigid_fit
+from housefly.room.draft.imports.contracts import ImportHints
+from housefly.room.draft.imports.imported import imported
+from housefly.room.draft.model import (
+    DraftBox,
+    DraftDrone,
+    DraftPlace,
+    DraftTracking,
+    DraftZone,
+    FramePoint,
+    SiteDraft,
+    with_size,
+)
+from housefly.room.draft.site_of_draft import suggested_places
+from housefly.room.draft.suggestions import suggested_pad
+from housefly.tracking.live_check import Heard, HeardBody, heard_words
+from housefly.web.new_site.draft_actions import KeepDraft, SizeRoom, parsed_request
+from housefly.web.new_site.draft_answers import draft_refusal
+from housefly.web.new_site.draft_view import fit_view, missing_views
+
+_SQUARE = ((1.0, 1.0), (5.0, 1.0), (5.0, 3.0))
+_ZONE = DraftZone((2.0, 1.5, 3.0, 2.5), "kept free")
+_SVG = '<svg xmlns="http://www.w3.org/2000/svg"><g id="{layer}"><rect {size}/></g></svg>'
+
+
+def _whole() -> SiteDraft:
+    draft = with_size(SiteDraft("lab"), 6.0, 4.0)
+    draft = replace(draft, pad=suggested_pad(draft))
+    return replace(draft, places=suggested_places(draft))
+
+
+def _points(*seen: tuple[float, float]) -> tuple[FramePoint, ...]:
+    return tuple(
+        FramePoint(f"point {n}", (x, y, 0.05), (u, v, 0.05))
+        for n, ((x, y), (u, v)) in enumerate(zip(_SQUARE, seen, strict=False), 1)
+    )
+
+
+FRAMES = (
+    _points(*_SQUARE),
+    _points(*_SQUARE[:2]),
+    _points((1.0, 1.0), (1.1, 1.0)),
+    _points((1.0, -1.0), (5.0, -1.0), (5.0, -3.0)),
+    _points((2.0, 2.0), (10.0, 2.0), (10.0, 6.0)),
+    _points((1.0, 1.0), (5.3, 1.0), (5.0, 3.0)),
+    tuple(FramePoint("p", (x, 1.0, 0.0), (x, 1.0, 0.0)) for x in (1.0, 3.0, 5.0)),
+    tuple(FramePoint("p", (1.0, 1.0, 0.0), (x, 1.0, 0.0)) for x in (1.0, 3.0)),
+)
+"""Points that agree, that are too few or too near, and every way in which they do not agree."""
+
+
+def _drafts() -> list[SiteDraft]:
+    whole = _whole()
+    box = DraftBox("box", 3.0, 2.0, 1.0, 1.0, top=2.0)
+    low = replace(box, top=0.2)
+    full = tuple(
+        DraftBox("b", 0.5 * i, 0.5 * j, 0.3, 0.3, 0.2) for i in range(13) for j in range(9)
+    )
+    places = [DraftPlace("spot", x, y) for x, y in ((3.0, 2.0), (9.0, 9.0), (3.0, 1.35))]
+    behind = DraftPlace("behind", 5.5, 3.5)
+    wall = DraftBox("divider", 4.5, 2.0, 0.1, 5.0, 2.5)
+    hard = replace(whole, hardware=True)
+    tracking = DraftTracking("vicon", "10.0.0.5")
+    drafts = [
+        SiteDraft(),
+        whole,
+        replace(whole, pad=None),
+        replace(whole, bounds=(3.0, 0.0, 1.0, 4.0)),
+        replace(whole, height=1.2),
+        replace(whole, walls=()),
+        replace(whole, furniture=(box,), pad=(3.0, 2.0)),
+        replace(whole, furniture=(low,), pad=(3.0, 2.0)),
+        replace(whole, furniture=(low,), pad=(3.0, 1.3)),
+        replace(whole, furniture=full),
+        with_size(SiteDraft(), 1.0, 1.0),
+        replace(whole, pad=(9.0, 9.0)),
+        replace(whole, zones=(_ZONE,), pad=(2.5, 2.0)),
+        replace(whole, zones=(_ZONE,), pad=(0.8, 0.8), places=(DraftPlace("a", 2.5, 2.0),)),
+        replace(whole, furniture=(box,), pad=(0.8, 0.8), places=tuple(places)),
+        replace(whole, furniture=(wall,), pad=(1.0, 1.0), places=(behind,)),
+        replace(whole, places=()),
+        replace(whole, places=(*whole.places, *whole.places)),
+        hard,
+        replace(hard, tracking=tracking, drone=DraftDrone()),
+        replace(hard, tracking=tracking, drone=DraftDrone(profile="x.toml")),
+    ]
+    return drafts + [replace(hard, frame_points=points) for points in FRAMES]
+
+
+def missing_sentences() -> set[str]:
+    """Return what drafts lack, with what mends it, and what the points of the frame say."""
+    found: set[str] = set()
+    for draft in _drafts():
+        for one in missing_views(draft):
+            found |= {one.words, one.mend}
+        if fit := fit_view(draft):
+            found |= set(fit.words)
+    return found
+
+
+def heard_sentences() -> set[str]:
+    """Return what a live test of the tracking system says."""
+    body = HeardBody("ardrone", (1.5, 2.5, 0.05), 0.3, 90.0, 0.001)
+    heard = Heard("10.0.0.5:801", 100.0, (body,), "")
+    several = (
+        heard,
+        replace(heard, rate_hz=9.0, problem="the line broke"),
+        replace(heard, bodies=()),
+        Heard("10.0.0.5:801", 0.0, (), "nothing came from 10.0.0.5:801"),
+    )
+    names = ("ardrone", "other")
+    return {words for one in several for name in names for words in heard_words(one, name)}
+
+
+def refusal_sentences(folder: Path) -> set[str]:
+    """Return why values and files are refused."""
+    tries: list[Callable[[], object]] = [
+        *(partial(parsed_request, kind, body) for kind, body in _BAD),
+        partial(with_size, SiteDraft(), 0.1, 4.0),
+        partial(rigid_fit, ()),
+    ]
+    for name, text, hints in _FILES:
+        (folder / name).write_text(text, encoding="utf-8")
+        tries.append(partial(imported, SiteDraft(), folder / name, hints))
+    found = {_refused(one) for one in tries}
+    return found - {""}
+
+
+_DRAFT = b'{"based_on": "a", "draft": {%s}}'
+_BAD = (
+    (SizeRoom, b'{"based_on": "a", "length": 6, "width": 4}'),
+    (SizeRoom, b'{"based_on": "a", "length": 2000, "width": 4, "height": 2}'),
+    (SizeRoom, b'{"based_on": "a", "length": 6, "width": 4, "height": 2, "more": 1}'),
+    (KeepDraft, _DRAFT % b'"flight_height": 9.0'),
+    (KeepDraft, _DRAFT % b'"flight_height": 0.1'),
+    (KeepDraft, _DRAFT % b'"name": "%s"' % (b"a" * 61)),
+    (KeepDraft, _DRAFT % b'"drone": {"address": ""}'),
+    (KeepDraft, _DRAFT % b'"height": "high"'),
+    (
+        KeepDraft,
+        _DRAFT % b'"furniture": [{"name": "", "x": 1, "y": 1, "length": 0, "width": 1, "top": 1}]',
+    ),
+)
+_ANY = ImportHints()
+_ROOM = _SVG.format(layer="walls", size='width="6000" height="4000"')
+_FILES = (
+    ("room.txt", "nothing", _ANY),
+    ("empty.svg", '<svg xmlns="http://www.w3.org/2000/svg"/>', _ANY),
+    ("broken.svg", "<svg", _ANY),
+    ("tiny.svg", _SVG.format(layer="walls", size='width="0.001" height="0.002"'), _ANY),
+    ("unit.svg", _ROOM, ImportHints(unit=1.0)),
+    ("unit0.svg", _ROOM, ImportHints(unit=1e-9)),
+    ("layer.svg", _ROOM, ImportHints(layers=("doors",))),
+)
+
+
+def _refused(work: Callable[[], object]) -> str:
+    try:
+        work()
+    except HouseflyError as error:
+        return str(json.loads(bytes(draft_refusal(error).body))["error"])
+    return ""
+
+
+def import_sentences(folder: Path) -> set[str]:
+    """Return what is said of plans that are read: with and without layers, closed and open."""
+    rooms = {
+        "walls.svg": (_ROOM, _ANY),
+        "lines.svg": (_SVG.format(layer="l", size='width="6" height="4"'), ImportHints(unit=1.0)),
+        "open.svg": (
+            '<svg xmlns="http://www.w3.org/2000/svg"><line x1="0" y1="0" x2="6" y2="0"/>'
+            '<line x1="0" y1="0" x2="0" y2="4"/></svg>',
+            _ANY,
+        ),
+    }
+    found: set[str] = set()
+    for name, (text, hints) in rooms.items():
+        (folder / name).write_text(text, encoding="utf-8")
+        found |= set(imported(SiteDraft(), folder / name, hints).notes)
+    return found
+
+
+SAID = (
+    "a room of 6 x 4.5 m, 2.5 m high",
+    "read plan.svg",
+    "erased",
+    "a roomy spot",
+    "roomy spots",
+    "undone",
+    "done again",
+    "there is nothing more to go back to",
+    "pad: the drone fits nowhere in this room: is there a free floor?",
+    "places: no further roomy spot can be reached from the pad",
+    "the draft was changed elsewhere, in another tab or in a terminal: this is how it is now; make"
+    " your last change again",
+    "No contact with `housefly new`: does it still run? What you do now is not kept",
+    "tracking: say first which system it is, and where it answers",
+    "drone: say first where the drone answers",
+    "not reached: no report came from 192.168.1.1",
+    "192.168.1.1 answers 15 times a second: landed, battery 61 %, firmware 2.4.8",
+    "'plan.svg' did not arrive: choose the file again",
+)
+"""What was done, and what the page itself or a live part says."""
+
+
+def draft_sentences(folder: Path) -> set[str]:
+    """Return all of them; small files are written into the folder."""
+    return {
+        *missing_sentences(),
+        *heard_sentences(),
+        *refusal_sentences(folder),
+        *import_sentences(folder),
+        *SAID,
+    }

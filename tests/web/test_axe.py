@@ -1,0 +1,135 @@
+"""axe-core finds nothing: the console in each state, its sheets, tasks and clips, and the login."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import AsyncIterator, Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+import pytest_asyncio
+from axe_audit import axe_findings
+from clip_rows import clip
+from filming import video
+from playwright.async_api import Browser, Page, expect
+from stand_in_tasks import StandInTasks
+
+from housefly.config.tasks import TasksConfig
+from housefly.messages import DroneStatus, Phase, Severity
+from housefly.tasks.evidence.clip_index import ClipIndex
+from housefly.tasks.evidence.clip_writer import ClipWriter
+from housefly.web.role import Role
+from housefly.web.users import UserBook
+
+pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
+
+PHONE_AND_DESKTOP = ((390, 844), (1440, 900))
+SHEETS = ("You have control", "More", "Details")
+"""What opens each sheet."""
+
+
+def ready(pilot: Any) -> None:
+    """Leave it on its pad."""
+
+
+def flying(pilot: Any) -> None:
+    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.HOLDING
+
+
+def looking(pilot: Any) -> None:
+    flying(pilot)
+    pilot.phase, pilot.looking_until = Phase.LOOKING, pilot.clock.now() + 600.0
+
+
+def fault(pilot: Any) -> None:
+    pilot.status, pilot.pose_age = DroneStatus.EMERGENCY, 9.8
+    pilot.add_event(Severity.FAULT, "crash", "Motors cut: the drone hit something")
+
+
+def silent(pilot: Any) -> None:
+    flying(pilot)
+    pilot.publishing = False
+
+
+STATES: dict[str, tuple[Callable[[Any], None], str]] = {
+    "ready": (ready, "ready"),
+    "flying": (flying, "holding"),
+    "looking": (looking, "holding"),
+    "fault": (fault, "warning"),
+    "silent": (silent, "lost"),
+}
+"""What happens one after another, and the shape of the headline by which it shows."""
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def page(
+    console: Any, chromium: Browser, ready_page: Callable[..., Any]
+) -> AsyncIterator[Page]:
+    async with ready_page(chromium, console) as page:
+        yield page
+
+
+async def test_axe_finds_nothing_on_the_live_scene_in_any_state(page: Page, console: Any) -> None:
+    for state, (change, shape) in STATES.items():
+        change(console.pilot)
+        await expect(page.locator(".headline")).to_have_attribute("data-shape", shape)
+        assert await axe_findings(page) == [], state
+
+
+async def test_axe_finds_nothing_on_its_sheets(page: Page) -> None:
+    for name in SHEETS:
+        await page.get_by_role("button", name=name, exact=True).click()
+        assert await axe_findings(page, PHONE_AND_DESKTOP) == [], name
+        await page.keyboard.press("Escape")
+    await page.keyboard.press("?")
+    await expect(page.get_by_role("dialog")).to_be_visible()
+    assert await axe_findings(page, PHONE_AND_DESKTOP) == []
+
+
+async def test_axe_sees_what_is_wrong(page: Page) -> None:
+    await page.evaluate("document.querySelector('.brand').append(new Image())")
+    await page.evaluate("document.querySelector('.headline').style.color = '#999'")
+    found = " ".join(await axe_findings(page, ((1440, 900),)))
+    assert "image-alt" in found and "color-contrast" in found
+
+
+async def test_axe_finds_nothing_on_tasks_clips_and_a_clip(
+    serving: Any, loopback: str, tmp_path: Path, chromium: Browser
+) -> None:
+    index = ClipIndex(tmp_path, TasksConfig())
+    row = clip(time.time() - 60.0)
+    writer = ClipWriter(tmp_path / row.file_name)
+    for frame in video(1.0):
+        writer.add(frame)
+    written = writer.finish()
+    assert written is not None
+    index.finish(replace(row, size=written.size, duration=written.duration))
+    async with serving(loopback, clips=index) as console:
+        tasks = StandInTasks(console.bus.join())
+        tasks.keep_evidence(index)
+        tasks.ring()
+        tasks.tell()
+        page = await chromium.new_page()
+        await page.goto(console.link + "#tasks")
+        await expect(page.get_by_role("region", name="Services")).to_be_visible()
+        assert await axe_findings(page, PHONE_AND_DESKTOP) == []
+        await page.close()
+
+
+async def test_axe_finds_nothing_on_the_login_and_on_a_used_link(
+    serving: Any, loopback: str, tmp_path: Path, chromium: Browser, cheap_passwords: None
+) -> None:
+    users = UserBook(tmp_path / "users.json")
+    users.put("anna", Role.FLY, "a password of anna")
+    async with serving(loopback, users=users) as console:
+        page = await chromium.new_page(locale="de-DE")
+        for address, words in (("/?token=used", "schon benutzt"), ("/", "Passwort")):
+            await page.goto(console.origin + address)
+            await expect(page.locator("main")).to_contain_text(words)
+            assert await axe_findings(page, PHONE_AND_DESKTOP) == [], address
+            if folder := os.environ.get("HOUSEFLY_LOGIN_SHOTS"):
+                await page.screenshot(path=Path(folder) / f"{words}.png")
+        await page.close()
