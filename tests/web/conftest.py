@@ -101,7 +101,7 @@ class Served:
             return (
                 answer.status,
                 {k.lower(): v for k, v in answer.getheaders()},
-                answer.read().decode(),
+                answer.read().decode(errors="replace"),
             )
         finally:
             connection.close()

@@ -51,6 +51,12 @@ async def test_every_answer_carries_the_protective_headers(console: Any) -> None
         assert headers["referrer-policy"] == "no-referrer"
 
 
+async def test_files_travel_compressed_to_whoever_can_read_them_so(console: Any) -> None:
+    _, plain, _ = await console.request("GET", "/static/app.css")
+    _, packed, _ = await console.request("GET", "/static/app.css", **{"Accept-Encoding": "gzip"})
+    assert "content-encoding" not in plain and packed["content-encoding"] == "gzip"
+
+
 async def test_a_foreign_host_name_is_turned_away(console: Any) -> None:
     cookie = await console.session()
     status, _, _ = await console.request("GET", "/", Host="evil.example:80", Cookie=cookie)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
@@ -65,7 +66,7 @@ def page_routes(
         Route("/", index),
         Route("/service-worker.js", service_worker),
         Route("/authority.crt", authority_certificate),
-        Mount("/static", StaticFiles(directory=STATIC_FOLDER)),
+        Mount("/static", GZipMiddleware(StaticFiles(directory=STATIC_FOLDER), compresslevel=6)),
     ]
 
 
