@@ -160,7 +160,7 @@ async def test_a_person_logs_in_sees_the_drone_and_logs_out_in_a_browser(
     assert page.url == f"{console.origin}/"
     other = await context.new_page()
     await other.goto(f"{console.origin}/account")
-    await expect(other.locator("main")).to_contain_text("You are anna; your role is 'fly'")
+    await expect(other.locator("main")).to_contain_text("You are anna; your role is “fly”")
     await other.get_by_role("button", name="Log out").click()
     await expect(other.locator("main")).to_contain_text("You are logged out")
     await page.reload()

@@ -180,7 +180,11 @@ def _http(data: bytes) -> None:
     waiting = [{"type": "http.request", "body": body, "more_body": False}]
 
     async def receive() -> dict[str, Any]:
-        return waiting.pop() if waiting else {"type": "http.disconnect"}
+        if waiting:
+            return waiting.pop()
+        while not answers:  # whoever asks waits for the beginning of an answer
+            await asyncio.sleep(0.001)
+        return {"type": "http.disconnect"}
 
     async def send(message: dict[str, Any]) -> None:
         answers.append(message)

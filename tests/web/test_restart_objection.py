@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -69,11 +69,13 @@ async def desk(serving: Any, loopback: str, tmp_path: Path) -> AsyncIterator[Des
             yield found
 
 
-async def test_who_has_control_uses_it_on_the_ground_and_everybody_is_told(desk: Desk) -> None:
+async def test_who_has_control_uses_it_on_the_ground_and_everybody_is_told(
+    desk: Desk, until: Callable[..., Any]
+) -> None:
     assert await desk.ask() == (200, "")
     assert desk.used == [1]
     said = "Ada starts the pilot again, so that the drone has the newest places and zones"
-    assert said in desk.audit.read_text()
+    await until(lambda: desk.audit.exists() and said in desk.audit.read_text())
 
 
 async def test_in_flight_and_in_doubt_nobody_is_asked_to_start_anything(desk: Desk) -> None:

@@ -3,6 +3,7 @@
 import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
+import { relative } from "node:path";
 
 const target = process.argv[2] ?? "../static";
 const bundled = ["preact", "@preact/signals", "@preact/signals-core", "three"];
@@ -27,10 +28,11 @@ const firstTogether = {
     onResolve({ filter: /^\./ }, async ({ kind, path, ...from }) => {
       if (kind !== "dynamic-import") return undefined;
       const found = await find(path, { ...from, kind: "import-statement" });
-      return { path: found.path, namespace: "later" };
+      // Names of files are made of it: the same wherever the source lies.
+      return { path: relative("src", found.path), namespace: "later" };
     });
     onLoad({ filter: /./, namespace: "later" }, ({ path }) => ({
-      contents: `import "./main"; export * from ${JSON.stringify(path)};`,
+      contents: `import "./main"; export * from ${JSON.stringify(`./${path}`)};`,
       resolveDir: "src",
     }));
   },

@@ -1,1 +1,1 @@
-import"./chunk-chunk-B555YXXZ.js";
+import"./chunk-chunk-S72SCAVZ.js";
