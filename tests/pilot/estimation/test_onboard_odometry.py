@@ -90,6 +90,23 @@ def test_a_gap_of_the_reports_is_a_hole() -> None:
     assert state.since == after
 
 
+def test_reports_that_were_never_read_are_a_hole_though_the_next_one_came_at_once() -> None:
+    """A driver that was held up reads the oldest report that waits, then the newest."""
+    motion = ring()
+    state = begun(motion, 0.0)
+    for tick in range(1, 51):
+        at = 0.01 * tick
+        report = LEVEL._replace(at=at, forward=0.5, drone_time=7.0 + at)
+        state = odometry_advanced(state, motion, report)
+    assert state.since <= 0.01
+    late = LEVEL._replace(at=0.75, forward=0.5, drone_time=7.52)
+    newest = LEVEL._replace(at=0.76, forward=0.5, drone_time=7.52 + REPORT_GAP_MAX + 0.01)
+    state = odometry_advanced(state, motion, late)
+    assert state.since <= 0.01
+    state = odometry_advanced(state, motion, newest)
+    assert state.since == 0.76
+
+
 def test_a_stall_of_the_link_does_not_lengthen_the_way_of_a_drone_that_tells_its_time() -> None:
     motion = ring()
     state = begun(motion, 0.0)

@@ -147,18 +147,19 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     zero_since = min(s.zero_since, report.at) if is_zero else inf
     silent = report.at - zero_since > UNTOLD_AFTER
     since = s.since
-    if dt > REPORT_GAP_MAX or silent or isnan(s.heading):
+    flown = dt if s.reports == 0 else _drone_seconds(before.drone_time, report.drone_time, dt)
+    is_hole = max(dt, flown) > REPORT_GAP_MAX
+    if is_hole or silent or isnan(s.heading):
         since = report.at
     row.at, row.height, row.drone_time = report.at, report.height, report.drone_time
     row.psi = report.psi if s.reports == 0 else before.psi + wrapped(report.psi - before.psi)
     row.vx, row.vy = _world_velocity(s, ring, report)
-    if s.reports == 0 or dt > REPORT_GAP_MAX:
+    if s.reports == 0 or is_hole:
         row.x, row.y, row.way, row.variance, row.stalled = 0.0, 0.0, 0.0, 0.0, 0.0
         if s.reports > 0:
             row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance
     else:
         mean_x, mean_y = 0.5 * (before.vx + row.vx), 0.5 * (before.vy + row.vy)
-        flown = _drone_seconds(before.drone_time, row.drone_time, dt)
         is_long = max(dt, flown) > STALL_MIN + STALL_PERIODS * s.period
         row.stalled = 1.0 if is_long else 0.0
         row.x, row.y = before.x + flown * mean_x, before.y + flown * mean_y
@@ -181,7 +182,8 @@ def _drone_seconds(before: float, now: float, received: float) -> float:
 
     A link that holds reports back, and a simulated drone whose machine stood still, stretch the
     time in which they are received: not the time in which the drone flew. After a stall the same
-    report may come again. The drone's clock wraps, may stand and may jump: then ours counts.
+    report may come again. The drone's clock wraps and may stand: then ours counts. Where it jumps
+    reports were never read: a driver that was held up reads an old one, then the newest.
 
     Args:
         before: time of the drone's clock [s], nan where it does not tell it.
@@ -191,7 +193,7 @@ def _drone_seconds(before: float, now: float, received: float) -> float:
     seconds = now - before
     if seconds == 0.0 and received > STALL_MIN:
         return 0.0
-    return seconds if 0.0 < seconds <= REPORT_GAP_MAX else received
+    return seconds if seconds > 0.0 else received
 
 
 @compiled
