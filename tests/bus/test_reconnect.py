@@ -46,6 +46,27 @@ async def lived_through(
     return pauses, data
 
 
+class Leaving(ReconnectingClient[int]):
+    """Loses its connection while it leaves it, as a broker's library does on a busy machine."""
+
+    async def _read_connection(self, sink: Callable[[int], None]) -> None:
+        sink(1)
+        try:
+            await asyncio.sleep(60.0)
+        except asyncio.CancelledError:
+            raise LinkError("gone") from None
+
+
+async def test_a_connection_that_is_lost_while_it_is_left_does_not_begin_again() -> None:
+    begun: list[int] = []
+    task = asyncio.create_task(Leaving("here").run(begun.append))
+    await asyncio.sleep(0)
+    task.cancel()
+    await asyncio.wait({task}, timeout=5.0)
+    assert task.cancelled()
+    assert begun == [1]
+
+
 async def test_pauses_double_up_to_two_seconds_and_shrink_when_data_arrived(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
