@@ -49,7 +49,7 @@ static void push_cell(Cell *marks, int32_t *heads, int32_t number, int32_t slot)
 
 double shortest_length(const uint8_t *free_cells, const double *weights, int32_t start,
                        int32_t goal, const int64_t *shape, const Moves *moves, int32_t stamp,
-                       int32_t *heads, int32_t buckets, Cell *marks, int64_t *settled) {
+                       int32_t *heads, int32_t buckets, Cell *marks) {
     int64_t row = shape[2], plane = shape[1] * shape[2], mask = buckets - 1;
     int64_t gi = goal / plane, gj = goal % plane / row, gk = goal % row;
     for (int32_t b = 0; b < buckets; b++)
@@ -60,7 +60,6 @@ double shortest_length(const uint8_t *free_cells, const double *weights, int32_t
     push_cell(marks, heads, start, (int32_t)(bucket & mask));
     int64_t waiting = 1;
     double best = INFINITY;
-    *settled = 0;
     while (waiting > 0 && (double)bucket * BUCKET < best) {
         int32_t number = heads[bucket & mask];
         if (number < 0) {
@@ -71,7 +70,6 @@ double shortest_length(const uint8_t *free_cells, const double *weights, int32_t
         unlink_cell(marks, heads, cell);
         cell->mark = stamp + 1;
         waiting--;
-        (*settled)++;
         i = number / plane, j = number % plane / row, k = number % row;
         double here = cell->length;
         if (here + octile(llabs(i - gi), llabs(j - gj), llabs(k - gk)) >= best - SAME)

@@ -9,15 +9,14 @@ from __future__ import annotations
 import asyncio
 import os
 import re
-import shutil
 import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from playwright.async_api import async_playwright
 
+from _chromium import headless_chromium
 from console_scene import Scene, fly, kept_flight, row, scene
 from housefly.messages import DroneStatus, Phase
 
@@ -89,20 +88,15 @@ async def watch(one: Scene) -> list[Kept]:
 
 async def main() -> None:
     """Print the table; exit with 1 where the heap is not level."""
-    path = shutil.which("chromium")
-    if path is None:
-        sys.exit("Chromium is not installed")
     print("### Console: what the page keeps\n")
     print("| minute | heap MB | DOM nodes | listeners | process MB |\n|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         kept_flight(Path(folder) / "flights")
-        async with async_playwright() as playwright:
-            browser = await playwright.chromium.launch(
-                executable_path=path, args=["--no-sandbox", "--disable-gpu"]
-            )
-            async with scene(browser, Path(folder) / "flights") as one:
-                found = await watch(one)
-            await browser.close()
+        async with (
+            headless_chromium() as browser,
+            scene(browser, Path(folder) / "flights") as one,
+        ):
+            found = await watch(one)
     settled = found[MINUTES // 2 :]
     rise = trend([each.heap for each in settled])
     nodes = trend([each.nodes for each in settled])

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import secrets
-import shutil
 import socket
-import sys
 import time
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
@@ -21,8 +19,9 @@ from itertools import cycle
 
 import av
 import numpy as np
-from playwright.async_api import Browser, Page, async_playwright
+from playwright.async_api import Browser, Page
 
+from _chromium import headless_chromium
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
@@ -169,15 +168,8 @@ async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[flo
 
 async def main() -> None:
     """Print the table."""
-    path = shutil.which("chromium")
-    if path is None:
-        sys.exit("Chromium is not installed")
-    async with async_playwright() as playwright:
-        browser = await playwright.chromium.launch(
-            executable_path=path, args=["--no-sandbox", "--disable-gpu"]
-        )
+    async with headless_chromium() as browser:
         measured = [row for busy in (False, True) for row in await rows(browser, busy=busy)]
-        await browser.close()
     print("### Console: from the hand to the pilot\n")
     print("| what | with | p50 ms | p95 ms | p99 ms | max ms | limit | limit / measured |")
     print("|---|---|---|---|---|---|---|---|")

@@ -9,9 +9,7 @@ from __future__ import annotations
 import asyncio
 import os
 import secrets
-import shutil
 import socket
-import sys
 import tempfile
 import time
 from collections.abc import AsyncIterator
@@ -22,8 +20,9 @@ from math import dist
 from pathlib import Path
 
 import numpy as np
-from playwright.async_api import Browser, CDPSession, Page, ViewportSize, async_playwright
+from playwright.async_api import Browser, CDPSession, Page, ViewportSize
 
+from _chromium import headless_chromium
 from console_latency import HOST, feed
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
@@ -294,21 +293,16 @@ async def measure_time_bar(one: Scene) -> None:
 
 async def main() -> None:
     """Print the table."""
-    path = shutil.which("chromium")
-    if path is None:
-        sys.exit("Chromium is not installed")
     print("### Console: the one screen\n")
     print("| what | measured | goal |\n|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
         kept_flight(Path(folder) / "flights")
-        async with async_playwright() as playwright:
-            browser = await playwright.chromium.launch(
-                executable_path=path, args=["--no-sandbox", "--disable-gpu"]
-            )
-            async with scene(browser, Path(folder) / "flights") as one:
-                await measure_flight(one)
-                await measure_time_bar(one)
-            await browser.close()
+        async with (
+            headless_chromium() as browser,
+            scene(browser, Path(folder) / "flights") as one,
+        ):
+            await measure_flight(one)
+            await measure_time_bar(one)
     load = ", ".join(f"{value:.1f}" for value in os.getloadavg())
     print(
         f"\nHeadless Chromium at {SIZE['width']} x {SIZE['height']} and a fake pilot on one"

@@ -66,7 +66,7 @@ class SearchInC:
         self._moves = moves_of(grid.shape)
         self._marks = np.zeros(grid.size, CELL_MARK)
         self._heads = np.empty(BUCKETS, dtype=np.int32)
-        self._stamp, self._settled = 1, ctypes.c_int64()
+        self._stamp = 1
         self._call = library.shortest_length
         self._call.restype = ctypes.c_double
         parts = (self._moves.steps, self._moves.offsets, self._moves.needs, self._moves.lengths)
@@ -88,7 +88,6 @@ class SearchInC:
                 pointer(self._heads.ctypes.data),
                 BUCKETS,
                 pointer(self._marks.ctypes.data),
-                ctypes.byref(self._settled),
             )
         )
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-import shutil
 import signal
 import socket
 import subprocess
@@ -21,11 +20,12 @@ from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
-from playwright.async_api import Page, async_playwright
+from playwright.async_api import Page
 from websockets.asyncio.client import connect
 from websockets.exceptions import WebSocketException
 from websockets.typing import Origin
 
+from _chromium import headless_chromium
 from console_latency import HOST, STAMPS, Arrivals, feed
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
@@ -137,9 +137,6 @@ async def serve(stop_port: int) -> None:
 async def measured() -> tuple[list[float], list[float]]:
     """Return the delays idle and under attack [ms]."""
     arrivals = Arrivals()
-    path = shutil.which("chromium")
-    if path is None:
-        sys.exit("Chromium is not installed")
     stop = StopListener(HOST, 0, SECRET, arrivals.stop)
     await stop.start()
     console = subprocess.Popen(
@@ -149,10 +146,7 @@ async def measured() -> tuple[list[float], list[float]]:
     try:
         assert console.stdout is not None
         port = console.stdout.readline().strip()
-        async with async_playwright() as playwright:
-            browser = await playwright.chromium.launch(
-                executable_path=path, args=["--no-sandbox", "--disable-gpu"]
-            )
+        async with headless_chromium() as browser:
             page = await (await browser.new_context()).new_page()
             await page.add_init_script(STAMPS)
             await page.goto(f"http://{HOST}:{port}/?token=the-first-link")
@@ -170,7 +164,6 @@ async def measured() -> tuple[list[float], list[float]]:
             attacks += [attack(kind, *given[kind]) for kind in given if kind in ATTACKS]
             await asyncio.sleep(5.0)
             loaded = await presses(page, arrivals)
-            await browser.close()
     finally:
         for one in attacks:
             one.kill()

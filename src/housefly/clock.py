@@ -1,4 +1,4 @@
-"""Real and stepped clocks, and a rate keeper.
+"""Real and stepped clocks, a rate keeper, and the offset of another clock.
 
 Everything pure takes ``now`` as an argument; only shells read a clock.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import asyncio
 import time
+from collections import deque
 from typing import Protocol
 
 
@@ -66,3 +67,30 @@ class Rate:
         self.missed += skipped
         self._next += (skipped + 1) * self.period
         return late
+
+
+class ClockOffset:
+    """The offset between our clock and somebody's stamps, by the quickest of what came lately.
+
+    It is the smallest ``received - stamped`` of a window: what came without delay tells it best.
+
+    Args:
+        window: how long an offset counts [s].
+    """
+
+    def __init__(self, window: float) -> None:
+        self._window = window
+        self._offsets: deque[tuple[float, float]] = deque()  # received at, offset: both rising
+
+    def reset(self) -> None:
+        """Forget the offsets: the other clock is another one now."""
+        self._offsets.clear()
+
+    def least(self, offset: float, received_at: float) -> float:
+        """Take in an offset [s]; return the smallest in the window before ``received_at`` [s]."""
+        while self._offsets and self._offsets[-1][1] >= offset:
+            self._offsets.pop()
+        self._offsets.append((received_at, offset))
+        while self._offsets[0][0] < received_at - self._window:
+            self._offsets.popleft()
+        return self._offsets[0][1]

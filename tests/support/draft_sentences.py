@@ -8,6 +8,8 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from drafts import whole_draft
+
 from housefly.errors import HouseflyError
 from housefly.room.draft.alignment import rigid_fit
 from housefly.room.draft.imports.contracts import ImportHints
@@ -22,8 +24,6 @@ from housefly.room.draft.model import (
     SiteDraft,
     with_size,
 )
-from housefly.room.draft.site_of_draft import suggested_places
-from housefly.room.draft.suggestions import suggested_pad
 from housefly.tracking.live_check import Heard, HeardBody, heard_words
 from housefly.web.new_site.draft_actions import KeepDraft, SizeRoom, parsed_request
 from housefly.web.new_site.draft_answers import draft_refusal
@@ -32,12 +32,6 @@ from housefly.web.new_site.draft_view import fit_view, missing_views
 _SQUARE = ((1.0, 1.0), (5.0, 1.0), (5.0, 3.0))
 _ZONE = DraftZone((2.0, 1.5, 3.0, 2.5), "kept free")
 _SVG = '<svg xmlns="http://www.w3.org/2000/svg"><g id="{layer}"><rect {size}/></g></svg>'
-
-
-def _whole() -> SiteDraft:
-    draft = with_size(SiteDraft("lab"), 6.0, 4.0)
-    draft = replace(draft, pad=suggested_pad(draft))
-    return replace(draft, places=suggested_places(draft))
 
 
 def _points(*seen: tuple[float, float]) -> tuple[FramePoint, ...]:
@@ -61,7 +55,7 @@ FRAMES = (
 
 
 def _drafts() -> list[SiteDraft]:
-    whole = _whole()
+    whole = whole_draft()
     box = DraftBox("box", 3.0, 2.0, 1.0, 1.0, top=2.0)
     low = replace(box, top=0.2)
     full = tuple(

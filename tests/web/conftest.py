@@ -267,3 +267,10 @@ async def chromium() -> AsyncIterator[Browser]:
         browser = await playwright.chromium.launch(executable_path=path, args=quiet)
         yield browser
         await browser.close()
+
+
+@pytest_asyncio.fixture(loop_scope="module")
+async def page(console: Any, chromium: Browser) -> AsyncIterator[Page]:
+    """Yield the console that is ready on the pad; fails on errors of the page."""
+    async with ready_page(chromium, console) as page:
+        yield page

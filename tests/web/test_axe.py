@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import os
 import time
-from collections.abc import AsyncIterator, Callable
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
-import pytest_asyncio
 from axe_audit import axe_findings
 from clip_rows import clip
 from filming import video
+from pilot_states import fault, flying, looking, ready, silent
 from playwright.async_api import Browser, Page, expect
 from stand_in_tasks import StandInTasks
 
 from housefly.config.tasks import TasksConfig
-from housefly.messages import DroneStatus, Phase, Severity
 from housefly.tasks.evidence.clip_index import ClipIndex
 from housefly.tasks.evidence.clip_writer import ClipWriter
 from housefly.web.role import Role
@@ -31,29 +29,6 @@ SHEETS = ("You have control", "More", "Details")
 """What opens each sheet."""
 
 
-def ready(pilot: Any) -> None:
-    """Leave it on its pad."""
-
-
-def flying(pilot: Any) -> None:
-    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.HOLDING
-
-
-def looking(pilot: Any) -> None:
-    flying(pilot)
-    pilot.phase, pilot.looking_until = Phase.LOOKING, pilot.clock.now() + 600.0
-
-
-def fault(pilot: Any) -> None:
-    pilot.status, pilot.pose_age = DroneStatus.EMERGENCY, 9.8
-    pilot.add_event(Severity.FAULT, "crash", "Motors cut: the drone hit something")
-
-
-def silent(pilot: Any) -> None:
-    flying(pilot)
-    pilot.publishing = False
-
-
 STATES: dict[str, tuple[Callable[[Any], None], str]] = {
     "ready": (ready, "ready"),
     "flying": (flying, "holding"),
@@ -62,14 +37,6 @@ STATES: dict[str, tuple[Callable[[Any], None], str]] = {
     "silent": (silent, "lost"),
 }
 """What happens one after another, and the shape of the headline by which it shows."""
-
-
-@pytest_asyncio.fixture(loop_scope="module")
-async def page(
-    console: Any, chromium: Browser, ready_page: Callable[..., Any]
-) -> AsyncIterator[Page]:
-    async with ready_page(chromium, console) as page:
-        yield page
 
 
 async def test_axe_finds_nothing_on_the_live_scene_in_any_state(page: Page, console: Any) -> None:
@@ -130,6 +97,4 @@ async def test_axe_finds_nothing_on_the_login_and_on_a_used_link(
             await page.goto(console.origin + address)
             await expect(page.locator("main")).to_contain_text(words)
             assert await axe_findings(page, PHONE_AND_DESKTOP) == [], address
-            if folder := os.environ.get("HOUSEFLY_LOGIN_SHOTS"):
-                await page.screenshot(path=Path(folder) / f"{words}.png")
         await page.close()

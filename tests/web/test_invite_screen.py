@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator
 from typing import Any
 
 import pytest
@@ -26,14 +26,6 @@ async def console(serving: Any, loopback: str) -> AsyncIterator[Any]:
     """Yield a console that says that phones find it at another address."""
     async with serving(loopback, guest_address=PHONE_ADDRESS) as served:
         yield served
-
-
-@pytest_asyncio.fixture(loop_scope="module")
-async def page(
-    console: Any, chromium: Browser, ready_page: Callable[..., Any]
-) -> AsyncIterator[Page]:
-    async with ready_page(chromium, console) as page:
-        yield page
 
 
 async def invite(page: Page, role: str) -> Any:

@@ -7,10 +7,10 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from pilot_states import fault, flying, silent
 from playwright.async_api import Browser, Page, expect
 from told_sentences import told_sentences
 
-from housefly.messages import DroneStatus, Phase, Severity
 from housefly.web.page_routes import STATIC_FOLDER
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
@@ -49,20 +49,6 @@ async def speaking_fixture(console: Any, chromium: Browser) -> AsyncIterator[Cal
     yield speaking
     for page in pages:
         await page.context.close()
-
-
-def flying(pilot: Any) -> None:
-    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.HOLDING
-
-
-def fault(pilot: Any) -> None:
-    pilot.status, pilot.pose_age = DroneStatus.EMERGENCY, 9.8
-    pilot.add_event(Severity.FAULT, "crash", "Motors cut: the drone hit something")
-
-
-def silent(pilot: Any) -> None:
-    flying(pilot)
-    pilot.publishing = False
 
 
 def away(pilot: Any) -> None:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable
+from collections.abc import Callable
 from typing import Any
 
 import pytest
-import pytest_asyncio
-from playwright.async_api import Browser, FloatRect, Page, expect
+from pilot_states import fault, flying, looking, ready, silent
+from playwright.async_api import FloatRect, Page, expect
 
-from housefly.messages import DroneStatus, OrderKind, Phase, Severity
+from housefly.messages import OrderKind, Phase
 
 pytestmark = [pytest.mark.browser, pytest.mark.asyncio(loop_scope="module")]
 
@@ -18,38 +18,6 @@ AT_200_PERCENT = [(640, 400), (720, 450), (384, 512)]
 """What a laptop, a larger one and a tablet have left at 200 % zoom."""
 ORDERS = (".acts > :first-child", ".acts .action >> nth=0", ".acts .action >> nth=1")
 VIEWS = (".view.map", ".view.video")
-
-
-@pytest_asyncio.fixture(loop_scope="module")
-async def page(
-    console: Any, chromium: Browser, ready_page: Callable[..., Any]
-) -> AsyncIterator[Page]:
-    """Yield the live scene; fails on errors of the page."""
-    async with ready_page(chromium, console) as page:
-        yield page
-
-
-def ready(pilot: Any) -> None:
-    """Leave it on its pad."""
-
-
-def flying(pilot: Any) -> None:
-    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.HOLDING
-
-
-def looking(pilot: Any) -> None:
-    pilot.status, pilot.phase = DroneStatus.FLYING, Phase.LOOKING
-    pilot.looking_until = pilot.clock.now() + 600.0
-
-
-def fault(pilot: Any) -> None:
-    pilot.status, pilot.pose_age = DroneStatus.EMERGENCY, 9.8
-    pilot.add_event(Severity.FAULT, "crash", "Motors cut: the drone hit something")
-
-
-def silent(pilot: Any) -> None:
-    flying(pilot)
-    pilot.publishing = False
 
 
 STATES: dict[str, tuple[Callable[[Any], None], str]] = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import deque
+from housefly.clock import ClockOffset
 
 OFFSET_WINDOW = 1.0
 """Window of the min-filter [s]: long against jitter, short against a server's clock drift."""
@@ -18,12 +18,12 @@ class CaptureClock:
     """
 
     def __init__(self) -> None:
-        self._offsets: deque[tuple[float, float]] = deque()
+        self._offset = ClockOffset(OFFSET_WINDOW)
         self._last = float("-inf")
 
     def reset(self) -> None:
         """Forget the offsets: the server restarted its count."""
-        self._offsets.clear()
+        self._offset.reset()
 
     def captured_at(self, number: int, period: float, latency: float, received_at: float) -> float:
         """Return when a frame was captured [s].
@@ -36,17 +36,7 @@ class CaptureClock:
         """
         captured = latest = received_at - latency
         if period > 0:
-            captured = min(
-                latest, number * period + self._offset(latest - number * period, received_at)
-            )
+            offset = self._offset.least(latest - number * period, received_at)
+            captured = min(latest, number * period + offset)
         self._last = max(captured, self._last)
         return self._last
-
-    def _offset(self, offset: float, received_at: float) -> float:
-        """Return the smallest offset in the window, from a monotonic queue."""
-        while self._offsets and self._offsets[-1][1] >= offset:
-            self._offsets.pop()
-        self._offsets.append((received_at, offset))
-        while self._offsets[0][0] < received_at - OFFSET_WINDOW:
-            self._offsets.popleft()
-        return self._offsets[0][1]

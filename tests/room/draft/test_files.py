@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from drafts import completed
 
 from housefly.app.loaded_site import load_site
 from housefly.errors import ConfigError, RoomError
@@ -19,8 +20,6 @@ from housefly.room.draft.model import (
     SiteDraft,
     with_size,
 )
-from housefly.room.draft.site_of_draft import suggested_places
-from housefly.room.draft.suggestions import suggested_pad
 
 
 def whole() -> SiteDraft:
@@ -29,8 +28,7 @@ def whole() -> SiteDraft:
         furniture=(DraftBox("table", 3.0, 1.0, 1.2, 0.8, 0.75),),
         zones=(DraftZone((0.0, 0.0, 0.5, 0.5), "the door swings"),),
     )
-    draft = replace(draft, pad=suggested_pad(draft))
-    return replace(draft, places=suggested_places(draft))
+    return completed(draft)
 
 
 def real() -> SiteDraft:

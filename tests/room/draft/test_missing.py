@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from drafts import whole_draft
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -25,12 +26,6 @@ from housefly.room.draft.site_of_draft import site_of_draft, suggested_places
 from housefly.room.draft.suggestions import PAD_CLEARANCE, suggested_pad
 from housefly.room.edits import reached_from
 from housefly.room.grid import build_grid
-
-
-def whole() -> SiteDraft:
-    draft = with_size(SiteDraft("lab"), 6.0, 4.0)
-    draft = replace(draft, pad=suggested_pad(draft))
-    return replace(draft, places=suggested_places(draft))
 
 
 def steps(draft: SiteDraft, *, hinders: bool = True) -> list[DraftStep]:
@@ -78,11 +73,11 @@ def test_an_empty_draft_asks_for_the_room_first() -> None:
 
 
 def test_a_whole_rectangle_lacks_nothing() -> None:
-    assert missing(whole()) == ()
+    assert missing(whole_draft()) == ()
 
 
 def test_a_pad_on_low_furniture_is_refused_though_the_drone_flies_over_it() -> None:
-    draft = whole()
+    draft = whole_draft()
     assert draft.pad is not None
     bed = DraftBox("bed", *draft.pad, 2.0, 1.0, 0.5)
     assert steps(replace(draft, furniture=(bed,))) == [DraftStep.PAD]
@@ -101,23 +96,23 @@ def test_a_room_full_of_low_things_has_no_spot_for_a_pad() -> None:
 
 def test_a_pad_in_a_wall_or_outside_is_told_with_a_better_one() -> None:
     for pad in ((0.1, 2.0), (9.0, 9.0)):
-        assert DraftStep.PAD in steps(replace(whole(), pad=pad))
-        assert "is roomy" in words(replace(whole(), pad=pad))
+        assert DraftStep.PAD in steps(replace(whole_draft(), pad=pad))
+        assert "is roomy" in words(replace(whole_draft(), pad=pad))
 
 
 def test_a_place_that_cannot_be_reached_is_named() -> None:
-    draft = replace(whole(), places=(DraftPlace("corner", 0.1, 0.1),))
+    draft = replace(whole_draft(), places=(DraftPlace("corner", 0.1, 0.1),))
     assert steps(draft) == [DraftStep.PLACES]
     assert "corner" in words(draft)
 
 
 def test_two_places_of_one_name_are_told() -> None:
-    spot = whole().places[0]
-    assert steps(replace(whole(), places=(spot, spot))) == [DraftStep.PLACES]
+    spot = whole_draft().places[0]
+    assert steps(replace(whole_draft(), places=(spot, spot))) == [DraftStep.PLACES]
 
 
 def test_a_zone_over_the_pad_is_told() -> None:
-    draft = whole()
+    draft = whole_draft()
     assert draft.pad is not None
     x, y = draft.pad
     zone = DraftZone((x - 0.3, y - 0.3, x + 0.3, y + 0.3), "children play here")
@@ -125,7 +120,7 @@ def test_a_zone_over_the_pad_is_told() -> None:
 
 
 def test_a_zone_without_area_is_told_and_not_a_crash() -> None:
-    draft = replace(whole(), zones=(DraftZone((2.0, 2.0, 2.0, 2.0), "nothing"),))
+    draft = replace(whole_draft(), zones=(DraftZone((2.0, 2.0, 2.0, 2.0), "nothing"),))
     assert DraftStep.ROOM in steps(draft) or DraftStep.ZONES in steps(draft)
 
 
@@ -136,11 +131,11 @@ def test_a_room_in_millimetres_that_nobody_could_fly_in_is_told() -> None:
 
 
 def test_a_ceiling_below_the_flight_height_is_told() -> None:
-    assert DraftStep.ROOM in steps(replace(whole(), height=1.2))
+    assert DraftStep.ROOM in steps(replace(whole_draft(), height=1.2))
 
 
 def test_real_hardware_needs_tracking_and_drone_and_advises_on_the_frame() -> None:
-    draft = replace(whole(), hardware=True)
+    draft = replace(whole_draft(), hardware=True)
     assert steps(draft) == [DraftStep.TRACKING, DraftStep.DRONE]
     draft = replace(draft, tracking=DraftTracking("vicon", "10.0.0.5"), drone=DraftDrone())
     assert steps(draft) == []
@@ -154,8 +149,8 @@ def test_points_of_the_frame_that_disagree_hinder() -> None:
         for name, x, y, off in (("a", 1.0, 1.0, 0.0), ("b", 5.0, 1.0, 0.5), ("c", 1.0, 3.0, 0.0))
     )
     draft = replace(
-        whole(), hardware=True, tracking=DraftTracking("vicon", "10.0.0.5"), drone=DraftDrone(),
-        frame_points=points,
+        whole_draft(), hardware=True, tracking=DraftTracking("vicon", "10.0.0.5"),
+        drone=DraftDrone(), frame_points=points,
     )  # fmt: skip
     assert steps(draft) == [DraftStep.FRAME]
 

@@ -154,7 +154,7 @@ def odometry_advanced(s: OdometryState, ring: MotionRing, report: OnboardReport)
     row.at, row.height, row.drone_time = report.at, report.height, report.drone_time
     row.psi = report.psi if s.reports == 0 else before.psi + wrapped(report.psi - before.psi)
     row.vx, row.vy = _world_velocity(s, ring, report)
-    if s.reports == 0 or is_hole:
+    if is_hole:
         row.x, row.y, row.way, row.variance, row.stalled = 0.0, 0.0, 0.0, 0.0, 0.0
         if s.reports > 0:
             row.x, row.y, row.way, row.variance = before.x, before.y, before.way, before.variance

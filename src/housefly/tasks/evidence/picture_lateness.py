@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import deque
-
+from housefly.clock import ClockOffset
 from housefly.messages import VideoFrame
 
 _WINDOW = 30.0
@@ -18,22 +17,17 @@ class PictureLateness:
 
     def __init__(self) -> None:
         self._newest: VideoFrame | None = None
-        self._quickest: deque[tuple[float, float]] = deque()  # arrival and delay, delays rising
+        self._quickest = ClockOffset(_WINDOW)
 
     def of(self, frame: VideoFrame) -> float:
         """Return how late a picture is [s]; 0 when the drone does not stamp its pictures."""
         if not frame.drone_time:
             return 0.0
         if self._newest is not None and self._has_another_clock(self._newest, frame):
-            self._quickest.clear()
+            self._quickest.reset()
         self._newest = frame
         delay = frame.received_at - frame.drone_time
-        while self._quickest and self._quickest[-1][1] >= delay:
-            self._quickest.pop()
-        self._quickest.append((frame.received_at, delay))
-        while self._quickest[0][0] < frame.received_at - _WINDOW:
-            self._quickest.popleft()
-        return delay - self._quickest[0][1]
+        return delay - self._quickest.least(delay, frame.received_at)
 
     @staticmethod
     def _has_another_clock(before: VideoFrame, frame: VideoFrame) -> bool:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-S72SCAVZ.js";
+import"./chunk-chunk-65J64GUM.js";

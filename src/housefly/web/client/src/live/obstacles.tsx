@@ -1,4 +1,5 @@
 import { percent } from "../format";
+import { Footprint } from "../map/footprint";
 import { placed, type Box, type Spot } from "../map/label-spots";
 import { turn, type Projection } from "../map/projection";
 import { decimal, t } from "../messages/language";
@@ -67,13 +68,7 @@ function Obstacle({ to, one, spot }: ObstacleProps) {
       opacity={Math.max(FAINTEST, 1 - one.age)}
     >
       {length ? (
-        <rect
-          x={-length / 2}
-          y={-width / 2}
-          width={length}
-          height={width}
-          transform={turn(one.yaw)}
-        />
+        <Footprint length={length} width={width} yaw={one.yaw} />
       ) : (
         <circle r={radiusOf(one, to)} />
       )}

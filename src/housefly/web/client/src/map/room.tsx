@@ -1,9 +1,10 @@
 import { computed } from "@preact/signals";
 import { room, state } from "../store";
 import type { GridView, OtherBody, OutlineView, PlaceView, RoomView } from "../wire/messages";
+import { Footprint } from "./footprint";
 import { runs } from "./grid";
 import { labels, WALLS } from "./labels";
-import { polyline, turn, type Projection } from "./projection";
+import { polyline, type Projection } from "./projection";
 
 const GRID_LINES_FROM = 13;
 
@@ -182,13 +183,7 @@ function Piece({ to, one }: { to: Projection; one: OtherBody }) {
   const [length, width] = [one.size[0] * to.scale, one.size[1] * to.scale];
   return (
     <g class="piece" transform={`translate(${u} ${v})`}>
-      <rect
-        x={-length / 2}
-        y={-width / 2}
-        width={length}
-        height={width}
-        transform={turn(one.yaw)}
-      />
+      <Footprint length={length} width={width} yaw={one.yaw} />
       <text y="4">{one.name}</text>
     </g>
   );
