@@ -331,3 +331,35 @@ def test_a_drone_that_stands_on_something_has_not_just_landed(fly: Fly) -> None:
     last = next(event for event in reversed(flight.events) if event.code == "grounded")
     assert "on something" in last.text and "landed" not in last.text
     assert any("on something" in words for words in flight.run(0.5).warnings)
+
+
+@pytest.mark.parametrize("push", [(0.0, 3.0), (-0.5, 2.7)])
+def test_a_drone_that_was_pushed_off_its_course_rests_and_goes_on_from_where_it_is(
+    fly: Fly, push: tuple[float, float]
+) -> None:
+    flight = cruising(fly())
+    calm, flight.wind = flight.wind, push
+    flight.until(lambda o: o.safety is SafetyMode.HOLD, 3.0)
+    flight.wind = calm
+    flight.until(lambda o: o.phase is Phase.HOLDING, 60.0)
+    assert flight.told("off_course") and flight.status is DroneStatus.FLYING
+    assert distance((flight.body.x, flight.body.y), (10.75, 1.25)) < 0.15
+
+
+def test_a_drone_whose_orders_go_on_lagging_is_landed(fly: Fly) -> None:
+    flight = cruising(fly())
+    flight.delay = 1.0
+    landed(flight, 40.0)
+
+
+def test_a_drone_that_is_held_off_its_course_by_tracking_that_is_refused_goes_nowhere(
+    fly: Fly,
+) -> None:
+    flight = cruising(fly())
+    look = flight._look
+    flight._look = lambda: tuple(
+        replace(s, pose=replace(s.pose, position=(s.pose.position[0] + 0.9, *s.pose.position[1:])))
+        for s in look()
+    )
+    landed(flight, 30.0)
+    assert not flight.told("off_course")

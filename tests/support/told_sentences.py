@@ -55,6 +55,7 @@ _SEEN = FlightObservations(
     start=(4.0, 2.0),
     tilt_asked=0.2,
     tilt_error=0.3,
+    tilt_wrong_for=0.9,
     velocity_change=2.5,
     velocity_error=1.4,
     held_for=5.5,

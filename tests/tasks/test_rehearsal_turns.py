@@ -134,6 +134,7 @@ def test_many_rehearsals_hold_up_no_other_question(tmp_path: Path) -> None:
         asked = [answerers.submit(stage.ask, question) for _ in range(60)]
         board = answerers.submit(stage.ask, BoardQuestion())
         assert board.result(10.0).tasks == ()
+        waiting(lambda: sum(one.done() for one in asked) == 60 - MOST_ASKED)
         waiting(lambda: bool(stage.rehearsals.finish() or all(one.done() for one in asked)))
     codes = [error.code for one in asked if isinstance(error := one.exception(), TaskError)]
     assert codes == ["rate_limit"] * (60 - MOST_ASKED)

@@ -61,7 +61,8 @@ class RemoteDrone(asyncio.Protocol):
         if self._keeping is None:
             self._keeping = asyncio.create_task(self._keep_connected(), name="driver link")
         try:
-            await asyncio.wait_for(self._reached.wait(), _CONNECT_TIMEOUT)
+            async with asyncio.timeout(_CONNECT_TIMEOUT):
+                await self._reached.wait()
         except TimeoutError as error:
             raise LinkError(self._unreached) from error
 

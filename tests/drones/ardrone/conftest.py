@@ -21,6 +21,7 @@ from housefly.twin.kinematic import KinematicWorld
 UDP_PORTS = (5554, 5556)
 TCP_PORTS = (5555, 5559)
 Address = tuple[str, int]
+SEND_PERIOD = 0.01
 
 
 class RadioLink:
@@ -121,6 +122,8 @@ class RadioLink:
                     if self.down:
                         writer.write(data)
                         await writer.drain()
+            except (ConnectionError, asyncio.CancelledError):
+                pass  # cut, or somebody went away
             finally:
                 drone_writer.transport.abort()
                 writer.transport.abort()
@@ -147,8 +150,16 @@ class Flight:
     radio: RadioLink
 
     async def hold(self, action: Action, setpoint: Setpoint = LEVEL, *, seconds: float) -> None:
-        """Send a command for some time."""
-        await self.until(lambda: False, action, setpoint, seconds=seconds, may_end=True)
+        """Send a command for at least this time, and as often as that time has hundredths.
+
+        A machine that stands still for a while takes nothing from what was sent.
+        """
+        end = time.monotonic() + seconds
+        sent = 0
+        while sent < seconds / SEND_PERIOD or time.monotonic() < end:
+            self.drone.send(Command(action, setpoint))
+            sent += 1
+            await asyncio.sleep(SEND_PERIOD)
 
     async def until(
         self,
@@ -156,17 +167,14 @@ class Flight:
         action: Action,
         setpoint: Setpoint = LEVEL,
         *,
-        seconds: float = 8.0,
-        may_end: bool = False,
+        seconds: float = 20.0,
     ) -> None:
         """Send a command until something holds; fail after this time."""
         end = time.monotonic() + seconds
         while not holds():
-            if time.monotonic() > end:
-                assert may_end, f"not reached within {seconds} s: {self.drone.telemetry}"
-                return
+            assert time.monotonic() < end, f"not reached within {seconds} s: {self.drone.telemetry}"
             self.drone.send(Command(action, setpoint))
-            await asyncio.sleep(0.01)
+            await asyncio.sleep(SEND_PERIOD)
 
     async def silence(self, seconds: float) -> None:
         """Say nothing to the driver for some time, as a pilot that has died."""

@@ -106,10 +106,10 @@ async def test_numbers_only_rise_in_a_steady_flight(flight) -> None:
 
 async def test_cutting_motors_and_coming_back_toggles_once_each(flight) -> None:
     await flying(flight)
-    await flight.until(lambda: status(flight) is DroneStatus.EMERGENCY, Action.CUT, seconds=2.0)
+    await flight.until(lambda: status(flight) is DroneStatus.EMERGENCY, Action.CUT)
     await flight.hold(Action.CUT, seconds=1.0)
     assert flight.world.flight is twin.FlightState.EMERGENCY
-    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.RESET, seconds=2.0)
+    await flight.until(lambda: status(flight) is DroneStatus.LANDED, Action.RESET)
     await flight.hold(Action.RESET, seconds=1.0)
     assert flight.world.flight is twin.FlightState.LANDED
 

@@ -97,6 +97,6 @@ async def test_without_another_word_and_over_a_bad_radio_no_light_stays_on(fligh
     assert flight.world.truth().leds == RECORDING_LED.animation
     # Until then a lost datagram lets the light go out for a moment.
     await flight.hold(Action.IDLE, seconds=LIGHT_TIMEOUT)
-    await flight.until(lambda: flight.world.truth().leds == STANDARD, Action.IDLE, seconds=4.0)
+    await flight.until(lambda: flight.world.truth().leds == STANDARD, Action.IDLE)
     await asyncio.sleep(0.3)
     assert flight.world.truth().leds == STANDARD

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
+
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.drones.ardrone.telemetry import NAVDATA_TIMEOUT, NavdataReports
+from housefly.clock import RealClock
+from housefly.drones.ardrone.telemetry import NAVDATA_TIMEOUT, NavdataLink, NavdataReports
 from housefly.messages import DroneStatus
 from housefly.wires.ardrone.navdata import RawOption, StateBits, encode_navdata
 from housefly.wires.ardrone.navdata_options import Demo, MajorState
@@ -87,3 +91,22 @@ def test_an_unread_report_is_not_lost_to_a_bootstrap_packet() -> None:
     reports.accept(report(1), 1.0)
     reports.accept(encode_navdata(StateBits.NAVDATA_BOOTSTRAP, 2), 1.1)
     assert reports.telemetry is not None and reports.telemetry.received_at == 1.0
+
+
+@pytest.mark.parametrize("timeout", [None, 10.0])
+async def test_who_waits_for_a_report_and_is_told_to_end_as_it_comes_ends(
+    timeout: float | None,
+) -> None:
+    link = NavdataLink("127.0.0.1", RealClock())
+    waiting = asyncio.create_task(link.wait_for(lambda packet: True, timeout))
+    await asyncio.sleep(0)
+    link.datagram_received(report(1), ("127.0.0.1", 5554))
+    waiting.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await waiting
+
+
+async def test_nobody_waits_for_a_report_for_longer_than_he_said() -> None:
+    link = NavdataLink("127.0.0.1", RealClock())
+    assert await link.wait_for(lambda packet: True, 0.01) is None
+    link.datagram_received(report(1), ("127.0.0.1", 5554))

@@ -32,6 +32,24 @@ def test_what_we_ask_for_is_smoothed_about_as_the_drone_answers() -> None:
     assert isnan(seen.tilt_asked) and isnan(seen.tilt_error)
 
 
+def test_leaning_otherwise_than_told_is_added_up_while_the_drone_flies_as_told() -> None:
+    observer, leaned = FlightObserver(LimitsConfig()), []
+    report = Telemetry(0.0, DroneStatus.FLYING, 0.9, phi=0.0, theta=0.21)
+    level = replace(FINE, telemetry=report, flown=Setpoint(), phase=Phase.OUTBOUND)
+    for n in range(1600):
+        flown = Setpoint() if n < 60 or 200 <= n < 240 else None
+        inputs = replace(level, now=TICK * n, flown=flown)
+        leaned.append(observer.observe(inputs, held=flown is None, landing=False).tilt_wrong_for)
+    assert leaned[150] == pytest.approx(0.59) and leaned[300] == pytest.approx(0.99)
+    assert leaned[1150] == pytest.approx(0.4, abs=0.02) and leaned[-1] == 0.0
+    on_its_way_down = replace(level, now=20.0, phase=Phase.LANDING)
+    for n in range(100):
+        seen = observer.observe(
+            replace(on_its_way_down, now=20.0 + TICK * n), held=False, landing=True
+        )
+    assert seen.tilt_wrong_for == 0.0
+
+
 def test_holding_is_added_up_in_the_air_only_and_forgotten_after_ten_seconds() -> None:
     observer, held = FlightObserver(LimitsConfig()), []
     for n in range(1600):

@@ -16,7 +16,7 @@ from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget
 from housefly.pilot.safety.gate import Gate, GateAssessment
 from housefly.pilot.safety.inputs import GateInputs, Geofence
-from housefly.pilot.safety.motion_rules import vertical_speed
+from housefly.pilot.safety.motion_rules import TILT_WRONG_MAX, vertical_speed
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObservations
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
@@ -189,6 +189,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "height_not_reached": (at(0.84), at(0.86), 0.0),
     "vertical_speed": (moving(0.0, 1.11), moving(0.0, -1.09), 0.0),
     "tilt_error": (told(phi=-0.21), told(phi=0.19), 0.0),
+    "tilt_lost": (told(phi=-0.21), pulsed(2.0, 0.15, told(phi=0.21)), TILT_WRONG_MAX),
     "contact": (told(acceleration=(6.0, 0.0, 15.0)), told(acceleration=(4.0, 0.0, 14.0)), 0.0),
     "stuck": (DAWDLING, now(flown=Setpoint(theta=0.12), velocity=(0.09, 0.0, 0.0)), 0.4),
     "control_lost": (off(1.01), off(0.99), 0.0),
@@ -380,7 +381,7 @@ def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direct
     unknown = replace(FINE, velocity=None)
     assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE)) == 0.0
     assert FlightObservations() == FlightObservations(
-        0.0, 0.0, None, None, nan, nan, 0.0, 0.0, 0.0, 0, 0.0, NO_ENERGY
+        0.0, 0.0, None, None, nan, nan, 0.0, 0.0, 0.0, 0.0, 0, 0.0, NO_ENERGY
     )
     assert EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0) == NO_ENERGY
 

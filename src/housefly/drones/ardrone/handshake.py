@@ -7,7 +7,6 @@ and applications count only when our three ids come right before (Parrot ARDrone
 from __future__ import annotations
 
 import asyncio
-import contextlib
 
 from housefly.drones.ardrone.link import CommandLink
 from housefly.drones.ardrone.telemetry import NavdataLink, PacketCondition
@@ -114,8 +113,6 @@ class Configurator:
         finally:
             asking.cancel()
             writer.close()
-            with contextlib.suppress(OSError):
-                await writer.wait_closed()
 
     async def _ask_for_dump(self) -> None:
         while True:

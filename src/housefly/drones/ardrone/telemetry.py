@@ -172,7 +172,9 @@ class NavdataLink(asyncio.DatagramProtocol):
         future: asyncio.Future[NavdataPacket] = asyncio.get_running_loop().create_future()
         self._waiters[future] = condition
         try:
-            return await asyncio.wait_for(future, timeout)
+            # asyncio.wait_for of Python 3.11 returns in place of ending when it is cancelled late
+            async with asyncio.timeout(timeout):
+                return await future
         except TimeoutError:
             return None
         finally:

@@ -13,6 +13,7 @@ from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleS
 from housefly.pilot.behavior.mission_monitor import MissionMonitor
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.nudging import NudgeMonitor
+from housefly.pilot.behavior.off_course import OffCourseMonitor
 from housefly.pilot.behavior.passing_monitor import PassingMonitor
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.separation_monitor import SeparationMonitor
@@ -32,6 +33,7 @@ class MissionManager:
         self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
         self._passing = PassingMonitor(self._commander, navigator)
+        self._off_course = OffCourseMonitor(self._commander, limits)
         self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)
@@ -90,6 +92,8 @@ class MissionManager:
         is_yielding = self._separation.is_yielding
         is_paused = is_yielding or self._passing.is_waiting
         events.extend(self._collisions.step(vehicle, target, paused=is_paused))
+        if not is_paused:
+            events.extend(self._off_course.step(vehicle, target))
         events.extend(self._passing.step(vehicle, paused=is_yielding))
         events.extend(self._faster.step(vehicle, paused=is_yielding))
         events.extend(self._separation.step(vehicle, self._passing.rate))

@@ -9,6 +9,8 @@ from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.standing import STANDS_HIGH
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import (
+    HOLD_SPAN,
+    TILT_ERROR_MAX,
     control_error,
     velocity_error,
 )
@@ -26,8 +28,12 @@ CLIMB_TIME = 6.0
 """After a take-off, and when another height is wanted, it has this long to reach it [s]."""
 VERTICAL_SPEED_SLACK = 0.4
 """A drone may climb or sink this much faster than ``limits.vertical_speed_max`` [m/s]."""
-TILT_ERROR_MAX = 0.2
-"""The attitude may differ from what we ask for by this [rad]."""
+TILT_HOLD_TIME = 1.5
+"""A drone that leans otherwise than told holds itself for this long [s]: a link that lagged has
+then passed on what was said to it ...
+"""
+TILT_WRONG_MAX = 0.8
+"""... and who leaned so for longer than this in the last ``HOLD_SPAN`` lands [s]."""
 BLOW_ACCELERATION = 6.0
 """A specific force that differs from gravity by more than this is a blow [m/s^2] ..."""
 BLOW_SPEED = 0.55
@@ -178,16 +184,15 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         clears=Clearing.GROUND,
     ),
     SafetyRule(
-        code="tilt_error",
+        code="tilt_lost",
         mode=M.LAND,
         counts=N.CRUISE,
-        condition="leans otherwise than told",
-        broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
+        condition="leans otherwise than told, again",
+        broken=lambda c: c.seen.tilt_wrong_for > TILT_WRONG_MAX,
         words=lambda c: (
-            f"leans {degrees(c.seen.tilt_error):.0f} degrees otherwise than told"
-            f" (limit {degrees(TILT_ERROR_MAX):.0f}): landing"
+            f"leaned otherwise than told for {c.seen.tilt_wrong_for:.1f} of the last"
+            f" {HOLD_SPAN:.0f} s (limit {TILT_WRONG_MAX:g} s): landing"
         ),
-        after=0.5,
         clears=Clearing.GROUND,
     ),
     SafetyRule(
@@ -232,6 +237,19 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: _leaving(c) > LEAVING_MAX,
         words=lambda c: f"about to leave the map by {_leaving(c):.1f} m: the drone holds itself",
         lasts=0.5,
+    ),
+    SafetyRule(
+        code="tilt_error",
+        mode=M.HOLD,
+        counts=N.CRUISE,
+        condition="leans otherwise than told",
+        broken=lambda c: c.seen.tilt_error > TILT_ERROR_MAX,
+        words=lambda c: (
+            f"leans {degrees(c.seen.tilt_error):.0f} degrees otherwise than told"
+            f" (limit {degrees(TILT_ERROR_MAX):.0f}): the drone holds itself"
+        ),
+        after=0.5,
+        lasts=TILT_HOLD_TIME,
     ),
     SafetyRule(
         code="control_error",

@@ -22,13 +22,15 @@ SETTLING_TIME = 0.5
 RECOVERY_TIME = 1.0
 """After old poses or late steps the drone's own velocity is put right for so long [s]."""
 HOLD_SPAN = 10.0
-"""How far back holding is added up [s]."""
+"""How far back holding, and leaning otherwise than told, are added up [s]."""
 DRIFT_TIME = 0.15
 """Time constant with which the velocity of a take-off is smoothed [s]: filters may be noisy."""
 VELOCITY_ERROR_SPAN = 4.0
 """Time constant of the mean square of the velocity error [s]."""
 VELOCITY_ERROR_CAP = 0.3
 """A larger error counts as this: one hard stop is not seconds of gusts [m/s]."""
+TILT_ERROR_MAX = 0.2
+"""The attitude may differ from what we ask for by this [rad]."""
 LATE_SPAN = 1.0
 """How far back late steps are counted [s]."""
 LATE_STEP = 0.05
@@ -67,6 +69,7 @@ class FlightObservations:
         tilt_asked: smoothed tilt that we ask for [rad]; nan while the drone flies itself.
         tilt_error: angle between that attitude and the one that the drone reports [rad]; nan where
             either is unknown.
+        tilt_wrong_for: how long that was above ``TILT_ERROR_MAX`` in the last ``HOLD_SPAN`` [s].
         velocity_change: within ``VELOCITY_SPAN``, in the plane [m/s].
         velocity_error: rms off the wanted velocity, over ``VELOCITY_ERROR_SPAN`` [m/s].
         held_for: how long it was held in the last ``HOLD_SPAN`` [s].
@@ -81,6 +84,7 @@ class FlightObservations:
     drift: Vec2 | None = None
     tilt_asked: float = nan
     tilt_error: float = nan
+    tilt_wrong_for: float = 0.0
     velocity_change: float = 0.0
     velocity_error: float = 0.0
     held_for: float = 0.0
@@ -109,6 +113,7 @@ class FlightObserver:
         self._error_squared = 0.0
         self._steady = Stopwatch()
         self._held: Window[float] = Window(HOLD_SPAN)
+        self._tilted: Window[float] = Window(HOLD_SPAN)
         self._late: Window[float] = Window(LATE_SPAN)
 
     def observe(self, inputs: GateInputs, held: bool, landing: bool) -> FlightObservations:
@@ -124,6 +129,8 @@ class FlightObserver:
         self._now = now
         self._stand(inputs)
         self._tilt(inputs, dt)
+        tilt_error = self._tilt_error(inputs)
+        is_tilted = inputs.cruising and tilt_error > TILT_ERROR_MAX
         steady = self._steady_for(inputs)
         wants_down = inputs.airborne and (landing or inputs.phase is Phase.LANDING)
         return FlightObservations(
@@ -132,10 +139,11 @@ class FlightObserver:
             start=self._start,
             drift=self._drifting(inputs, dt),
             tilt_asked=hypot(*self._asked) if self._asked else nan,
-            tilt_error=self._tilt_error(inputs),
+            tilt_error=tilt_error,
+            tilt_wrong_for=_added_up(self._tilted, now, dt if is_tilted else 0.0),
             velocity_change=self._velocity_change(inputs, steady),
             velocity_error=self._velocity_error(inputs, steady, dt),
-            held_for=self._held_for(now, dt if held and inputs.airborne else 0.0),
+            held_for=_added_up(self._held, now, dt if held and inputs.airborne else 0.0),
             late_steps=self._late_steps(inputs),
             landing_for=self._landing.update(wants_down, now),
             energy=self._energy.observe(inputs),
@@ -219,12 +227,14 @@ class FlightObserver:
             self._error_squared += share * (error * error - self._error_squared)
         return sqrt(self._error_squared)
 
-    def _held_for(self, now: float, dt: float) -> float:
-        if dt:
-            self._held.add(now, dt)
-        return sum(self._held.values(now))
-
     def _late_steps(self, inputs: GateInputs) -> int:
         if inputs.late > LATE_STEP:
             self._late.add(inputs.now, inputs.late)
         return len(self._late.values(inputs.now))
+
+
+def _added_up(spans: Window[float], now: float, dt: float) -> float:
+    """Take in a span of this length [s], and return the sum of those of late."""
+    if dt:
+        spans.add(now, dt)
+    return sum(spans.values(now))

@@ -1,1 +1,1 @@
-import"./chunk-chunk-65J64GUM.js";
+import"./chunk-chunk-GY776DSV.js";

@@ -221,6 +221,8 @@ export const DE_TOLD: Templates = {
   "lower than {d} m": "tiefer als {d} m",
   "climbs at {d} m/s": "steigt mit {d} m/s",
   "leans {n} degrees otherwise than told": "neigt sich {n} Grad anders als befohlen",
+  "leaned otherwise than told for {d} of the last {n} s":
+    "neigte sich {d} der letzten {n} s anders als befohlen",
   "leans {n} degrees and does not move (limit {m}): stuck on something, landing":
     "neigt sich {n} Grad und bewegt sich nicht (Grenze {m}): hängt fest, sie landet",
   "{d} m from where it should be": "{d} m von der Sollposition",

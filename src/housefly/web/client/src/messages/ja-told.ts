@@ -197,6 +197,7 @@ export const JA_TOLD: Templates = {
   "lower than {d} m": "高さ {d} m を下回りました",
   "climbs at {d} m/s": "上昇速度 {d} m/s",
   "leans {n} degrees otherwise than told": "傾きが指令と{n}度違います",
+  "leaned otherwise than told for {d} of the last {n} s": "直前{n}秒のうち{d}秒、傾きが指令と違いました",
   "leans {n} degrees and does not move (limit {m}): stuck on something, landing":
     "{n}度傾いても動きません（限度 {m}）。何かに引っかかっています。着陸します",
   "{d} m from where it should be": "予定の位置から {d} m ずれています",

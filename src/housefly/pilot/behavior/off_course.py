@@ -1,0 +1,61 @@
+"""Plans anew for a drone that was held, and has come to rest away from its reference.
+
+The gate holds a drone that is far from where it should be. Where it then hovers, still and well
+tracked, its reference would wait for it in vain, until it was landed for being held too long.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+
+from housefly.config.limits import LimitsConfig
+from housefly.geometry import distance
+from housefly.messages.flight import Event, Severity
+from housefly.pilot.behavior.collision_monitor import ON_THE_WAY
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.path_progress import LAG_MAX, TrajectorySetpoint
+
+REST_SPEED, REST_TIME = 0.2, 0.5
+"""A drone slower than this [m/s] for this long [s] has nearly come to rest: its place is known."""
+
+
+class OffCourseMonitor:
+    """Watches one commander's drone while the gate holds it."""
+
+    def __init__(self, commander: Commander, limits: LimitsConfig) -> None:
+        self._commander = commander
+        self._pose_age_max = limits.pose_age_level
+        self._rests_since: float | None = None
+
+    def step(self, vehicle: VehicleStatus, target: TrajectorySetpoint | None) -> list[Event]:
+        """Plan anew once the drone rests off its course.
+
+        Args:
+            vehicle: status and place of the drone.
+            target: what was tracked in the last step, None while nothing was.
+        """
+        if not self._is_resting_off_course(vehicle, target):
+            self._rests_since = None
+            return []
+        if self._rests_since is None:
+            self._rests_since = vehicle.now
+        if vehicle.now - self._rests_since < REST_TIME:
+            return []
+        self._rests_since = None
+        if self._commander.go_around(vehicle) is not None:
+            return []
+        text = "came to rest off its course: going on from there"
+        return [Event(vehicle.now, Severity.INFO, "off_course", text)]
+
+    def _is_resting_off_course(
+        self, vehicle: VehicleStatus, target: TrajectorySetpoint | None
+    ) -> bool:
+        state, task, estimate = self._commander.state, self._commander.task, vehicle.estimate
+        if target is None or estimate is None or state.phase not in ON_THE_WAY or state.stopped:
+            return False
+        is_held = vehicle.held and not vehicle.landing_forced and not task.waiting
+        is_known = estimate.pose_age <= self._pose_age_max and not vehicle.consistency.refused_for
+        off = distance((target.x, target.y), estimate.position[:2])
+        is_still = hypot(*estimate.velocity[:2]) < REST_SPEED
+        return is_held and is_known and is_still and off > LAG_MAX
