@@ -7,7 +7,8 @@ PEERS := tests/peers
 CLIENT := src/housefly/web/client
 FUZZ_SECONDS ?= 30
 CODE := src tests benchmarks examples scripts
-PYTEST := $(BIN)/python -m pytest -q --dist worksteal --durations=10 --durations-min=1
+PYTEST := $(BIN)/python -m pytest -q --dist worksteal --durations=10 --durations-min=1 \
+	--hypothesis-profile=same-examples
 REALTIME := $(PYTEST) -n 2
 # What failed beside others is run once more, alone: a machine that stood still passes, a defect
 # fails again. Both results are printed; who maintains this looks at both.

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-settings.register_profile(
-    "housefly", deadline=None
-)  # the first call of a compiled function compiles it
+# The first call of a compiled function compiles it: no deadline. `make test` tries the same
+# examples each time, so that it tells of a change and not of chance; pytest alone goes on looking.
+settings.register_profile("housefly", deadline=None)
+settings.register_profile("same-examples", deadline=None, derandomize=True)
 settings.load_profile("housefly")
 
 _counter = itertools.count(1)

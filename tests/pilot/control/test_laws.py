@@ -74,7 +74,7 @@ def test_joint_saturation_keeps_the_direction_and_the_bound(
     assert hypot(a, b) <= bound * (1.0 + 1e-12)
     assert a * phi == pytest.approx(b * theta, abs=1e-12)
     assert a * theta >= 0.0 and b * phi >= 0.0
-    if hypot(theta, phi) <= bound:
+    if hypot(theta, phi) <= bound * (1.0 - 1e-12):
         assert (a, b) == (theta, phi)
 
 
