@@ -7,6 +7,7 @@ import sys
 import time
 from math import hypot
 
+import aiomqtt
 import pytest
 
 from housefly.config.devices import MqttConfig
@@ -95,6 +96,27 @@ async def test_the_devices_find_a_broker_that_comes_back_and_leave_their_wills(
             "sends its state" in heard.health("floor-1").problem
             or "offline" in heard.health("floor-1").problem
         )
+
+
+async def test_devices_that_are_told_to_end_while_their_connection_is_lost_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    scene = load_scene("bsen")
+    link = MqttPublisher(MqttConfig(), SimulatedDevices(scene, "bsen"), lambda: 0.0)
+
+    async def lost(address: object) -> None:
+        """As the library leaves a connection whose broker does not answer any more."""
+        try:
+            await asyncio.sleep(60.0)
+        except asyncio.CancelledError:
+            raise aiomqtt.MqttError("Operation timed out") from None
+
+    monkeypatch.setattr(link, "_publish_once_connected", lost)
+    task = asyncio.create_task(link.run())
+    await asyncio.sleep(0.05)
+    task.cancel()
+    done, _ = await asyncio.wait({task}, timeout=5.0)
+    assert done and task.cancelled()
 
 
 @pytest.mark.slow

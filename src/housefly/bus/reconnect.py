@@ -65,7 +65,7 @@ class ReconnectingClient(ABC, Generic[_Item]):
                 self._problem = self._protocol_problem(error)
             except (LinkError, MissingPartError) as error:
                 self._problem = str(error)
-            _stop_if_cancelled()
+            stop_if_cancelled()
             await asyncio.sleep(self._pause)
             self._pause = min(2 * self._pause, _LONGEST_PAUSE)
 
@@ -101,7 +101,7 @@ class ReconnectingClient(ABC, Generic[_Item]):
         return await within(self.SILENCE_TIMEOUT, reading, silence)
 
 
-def _stop_if_cancelled() -> None:
+def stop_if_cancelled() -> None:
     """Raise the cancellation that a library turned into a lost connection while it left it."""
     task = asyncio.current_task()
     if task is not None and task.cancelling():

@@ -13,7 +13,7 @@ from housefly.app.safety_case.trial import TrialKey
     [
         ("F34/walks_up", 2, 0.3),
         pytest.param("F34/walks_up", 3, 0.3, marks=pytest.mark.safety),
-        pytest.param("F34/walks_up", 9, 0.2, marks=pytest.mark.safety),
+        pytest.param("F34/walks_up", 9, 0.1, marks=pytest.mark.safety),
         pytest.param("F34/head_on", 3, 0.0, marks=pytest.mark.safety),
         ("F34/head_on", 7, 0.3),
         pytest.param("F34/head_on", 9, 0.0, marks=pytest.mark.safety),

@@ -33,7 +33,7 @@ class MissionManager:
         self._commander = Commander(limits, navigator, frames)
         self._collisions = CollisionMonitor(self._commander, navigator)
         self._passing = PassingMonitor(self._commander, navigator)
-        self._off_course = OffCourseMonitor(self._commander, limits)
+        self._off_course = OffCourseMonitor(self._commander, limits, paper)
         self._faster = FasterWayMonitor(self._commander, navigator)
         self._separation = SeparationMonitor(self._commander, navigator, paper)
         self._nudges = NudgeMonitor(self._commander, navigator, limits)

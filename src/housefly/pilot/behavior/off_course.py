@@ -21,10 +21,11 @@ REST_SPEED, REST_TIME = 0.2, 0.5
 
 
 class OffCourseMonitor:
-    """Watches one commander's drone while the gate holds it."""
+    """Watches one commander's drone while the gate holds it; mode ``paper`` flies without."""
 
-    def __init__(self, commander: Commander, limits: LimitsConfig) -> None:
+    def __init__(self, commander: Commander, limits: LimitsConfig, paper: bool) -> None:
         self._commander = commander
+        self._is_paper = paper
         self._pose_age_max = limits.pose_age_level
         self._rests_since: float | None = None
 
@@ -52,7 +53,8 @@ class OffCourseMonitor:
         self, vehicle: VehicleStatus, target: TrajectorySetpoint | None
     ) -> bool:
         state, task, estimate = self._commander.state, self._commander.task, vehicle.estimate
-        if target is None or estimate is None or state.phase not in ON_THE_WAY or state.stopped:
+        is_on_way = state.phase in ON_THE_WAY and not state.stopped
+        if target is None or estimate is None or self._is_paper or not is_on_way:
             return False
         is_held = vehicle.held and not vehicle.landing_forced and not task.waiting
         is_known = estimate.pose_age <= self._pose_age_max and not vehicle.consistency.refused_for

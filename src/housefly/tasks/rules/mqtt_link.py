@@ -15,7 +15,7 @@ from paho.mqtt.properties import Properties
 from paho.mqtt.subscribeoptions import SubscribeOptions
 
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem
-from housefly.bus.reconnect import ReconnectingClient
+from housefly.bus.reconnect import ReconnectingClient, stop_if_cancelled
 from housefly.clock import Clock
 from housefly.config.devices import MqttConfig
 from housefly.config.tasks import TasksConfig
@@ -119,6 +119,7 @@ class MqttLink(ReconnectingClient[MqttTrigger]):
 
     async def _send(self, link: aiomqtt.Client) -> None:
         while True:
+            stop_if_cancelled()
             topic, payload = await self._outgoing.get()
             try:
                 await link.publish(topic, payload, qos=1)

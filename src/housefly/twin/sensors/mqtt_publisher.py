@@ -9,6 +9,7 @@ from collections.abc import Callable
 import aiomqtt
 
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem, read_password
+from housefly.bus.reconnect import stop_if_cancelled
 from housefly.clock import Rate
 from housefly.config.devices import MqttConfig
 from housefly.twin.sensors.devices import DeviceMessage, SimulatedDevices
@@ -91,6 +92,7 @@ class MqttPublisher:
                 self._set_problem(
                     mqtt_problem(group.exceptions[0], self._config, self.sent > before)
                 )
+            stop_if_cancelled()
             pause = _FIRST_RETRY_DELAY if self.sent > before else min(2 * pause, _MAX_RETRY_DELAY)
             await asyncio.sleep(pause)
 
@@ -120,6 +122,7 @@ class MqttPublisher:
                 retain=message.retain,
             )
             self.sent += 1
+            stop_if_cancelled()
 
     def _set_problem(self, problem: str) -> None:
         """Report a broker that went or came back, once for all devices."""
