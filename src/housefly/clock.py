@@ -1,11 +1,10 @@
-"""Real and stepped clocks, a rate keeper, and the offset of another clock.
+"""Real and stepped clocks, and the offset of another clock.
 
 Everything pure takes ``now`` as an argument; only shells read a clock.
 """
 
 from __future__ import annotations
 
-import asyncio
 import time
 from collections import deque
 from typing import Protocol
@@ -43,30 +42,6 @@ class SteppedClock:
             raise ValueError("a stepped clock does not run backwards")
         self._now += seconds
         return self._now
-
-
-class Rate:
-    """Keeps an asyncio loop on a fixed period without accumulating drift.
-
-    After a stall it does not catch up: missed ticks are counted and skipped.
-    """
-
-    def __init__(self, frequency_hz: float, clock: Clock | None = None) -> None:
-        self.period = 1.0 / frequency_hz
-        self.missed = 0
-        self._clock = clock or RealClock()
-        self._next = self._clock.now() + self.period
-
-    async def sleep(self) -> float:
-        """Wait for the next tick and return how late [s] it was."""
-        delay = self._next - self._clock.now()
-        if delay > 0:
-            await asyncio.sleep(delay)
-        late = self._clock.now() - self._next
-        skipped = max(0, int(late / self.period))
-        self.missed += skipped
-        self._next += (skipped + 1) * self.period
-        return late
 
 
 class ClockOffset:

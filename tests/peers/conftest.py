@@ -16,7 +16,8 @@ import av
 import numpy as np
 import pytest
 
-from housefly.clock import Rate, RealClock
+from housefly.bus.rate import Rate
+from housefly.clock import RealClock
 from housefly.config.site import Site
 from housefly.geometry import wrap_angle
 from housefly.room.files import load_room

@@ -27,6 +27,7 @@ from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.stand_down import StandDown
 from housefly.bus.bus import Bus
+from housefly.bus.rate import Rate
 from housefly.bus.topics import (
     FRAME_TOPIC,
     LINK_TOPIC,
@@ -38,7 +39,7 @@ from housefly.bus.topics import (
     TRAJECTORY_TOPIC,
     VIDEO_TOPIC,
 )
-from housefly.clock import Rate, RealClock
+from housefly.clock import RealClock
 from housefly.config.frame_check import frames_known
 from housefly.drones.contracts import Drone
 from housefly.errors import LinkError

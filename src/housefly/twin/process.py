@@ -17,9 +17,10 @@ from functools import partial
 from pathlib import Path
 
 from housefly.bus.bus import Bus
+from housefly.bus.rate import Rate
 from housefly.bus.simulated_bell import BELL_QUERY, BellPress, press_to_json
 from housefly.bus.zenoh_bus import ZenohBus
-from housefly.clock import Rate, RealClock
+from housefly.clock import RealClock
 from housefly.config.site import Site, site_from_file
 from housefly.errors import HouseflyError
 from housefly.room.files import load_room

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from housefly.clock import Clock, Rate
+from housefly.bus.rate import Rate
+from housefly.clock import Clock
 from housefly.twin.contracts import TwinWorld
 
 _TICK_HZ = 200.0

@@ -28,6 +28,7 @@ from housefly.pilot.estimation.onboard_odometry import (
     odometry_at,
     odometry_headed,
 )
+from housefly.pilot.estimation.report_clock import ReportClock
 from housefly.pilot.estimation.track_windows import (
     EMPTY_WINDOWS,
     TRACK_ROW,
@@ -73,7 +74,8 @@ class TrackingMonitor:
         self._airborne = False
         self._attitude_told = False
         self._height_told = False
-        self._reported_at = -inf
+        self._report_clock = ReportClock()
+        self._received_at = self._reported_at = -inf
         self._last: tuple[Sighting, OdometryAt] | None = None
         self._start: Vec3 | None = None
         self._rest: Vec2 | None = None
@@ -83,9 +85,11 @@ class TrackingMonitor:
 
     def feel(self, telemetry: Telemetry | None, status: DroneStatus, vz: float) -> None:
         """Take in the drone's newest report, with the climb rate by tracking [m/s]."""
-        if telemetry is None or telemetry.received_at <= self._reported_at:
+        if telemetry is None or telemetry.received_at <= self._received_at:
             return
-        self._reported_at = telemetry.received_at
+        self._received_at = telemetry.received_at
+        at = self._report_clock.written_at(telemetry.drone_time, telemetry.received_at)
+        self._reported_at = max(at, self._reported_at)
         airborne = status in AIRBORNE_STATUSES
         if airborne != self._airborne:
             self._leave_or_reach_ground(airborne)
@@ -94,7 +98,7 @@ class TrackingMonitor:
         self._height_told = not airborne or telemetry.height > 0.0
         forward, left, _ = telemetry.velocity
         report = OnboardReport(
-            at=telemetry.received_at,
+            at=at,
             theta=telemetry.theta,
             phi=telemetry.phi,
             psi=telemetry.psi,

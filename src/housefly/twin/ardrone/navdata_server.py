@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import asyncio
 
-from housefly.clock import Rate
+from housefly.bus.rate import Rate
 from housefly.twin.address import PeerAddress
 from housefly.twin.ardrone.link import LINK_LOST_AFTER, UNFILTERED, Link, LinkFilters
 from housefly.twin.ardrone.navdata_writer import NavdataWriter

@@ -9,8 +9,8 @@ from collections.abc import Callable
 import aiomqtt
 
 from housefly.bus.mqtt import MQTT_ERRORS, mqtt_client, mqtt_problem, read_password
+from housefly.bus.rate import Rate
 from housefly.bus.reconnect import stop_if_cancelled
-from housefly.clock import Rate
 from housefly.config.devices import MqttConfig
 from housefly.twin.sensors.devices import DeviceMessage, SimulatedDevices
 from housefly.wires.devices import Channel, DeviceAddress

@@ -1,0 +1,31 @@
+"""Keeps a loop on its period."""
+
+from __future__ import annotations
+
+import asyncio
+
+from housefly.clock import Clock, RealClock
+
+
+class Rate:
+    """Keeps an asyncio loop on a fixed period without accumulating drift.
+
+    After a stall it does not catch up: missed ticks are counted and skipped.
+    """
+
+    def __init__(self, frequency_hz: float, clock: Clock | None = None) -> None:
+        self.period = 1.0 / frequency_hz
+        self.missed = 0
+        self._clock = clock or RealClock()
+        self._next = self._clock.now() + self.period
+
+    async def sleep(self) -> float:
+        """Wait for the next tick and return how late [s] it was."""
+        delay = self._next - self._clock.now()
+        if delay > 0:
+            await asyncio.sleep(delay)
+        late = self._clock.now() - self._next
+        skipped = max(0, int(late / self.period))
+        self.missed += skipped
+        self._next += (skipped + 1) * self.period
+        return late
