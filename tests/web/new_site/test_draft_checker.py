@@ -33,5 +33,6 @@ def test_an_answer_comes_with_the_last_check_while_a_large_room_is_still_checked
     may_end.set()
     last, settled = checker.of(rooms[-1], patience=10.0)
     assert settled and next(one.step for one in last.missing if one.hinders) == "pad"
-    assert checked in (["empty", "large", "newest"], ["empty", "newest"])
+    # One more may have been begun before the newest was there.
+    assert checked[0] == "empty" and checked[-1] == "newest" and len(checked) <= 3
     checker.close()

@@ -19,6 +19,8 @@ _RATE_HZ = 20.0
 """How often the devices are polled."""
 _MAX_QUEUED = 64
 """Messages kept per device while the broker is away; the oldest are dropped."""
+_END_AGAIN = 1.0
+"""A task that has not ended is told again after this [s]."""
 _FIRST_RETRY_DELAY, _MAX_RETRY_DELAY = 0.1, 2.0
 
 
@@ -67,10 +69,12 @@ class MqttPublisher:
 
     async def run(self) -> None:
         """Publish until cancelled."""
-        async with asyncio.TaskGroup() as group:
-            for address in self._queues:
-                group.create_task(self._publish_forever(address))
-            group.create_task(self._poll_devices())
+        tasks = [asyncio.create_task(self._publish_forever(one)) for one in self._queues]
+        tasks.append(asyncio.create_task(self._poll_devices()))
+        try:
+            await asyncio.gather(*tasks)
+        finally:
+            await _end(tasks)
 
     async def _poll_devices(self) -> None:
         rate = Rate(_RATE_HZ)
@@ -92,7 +96,6 @@ class MqttPublisher:
                 self._set_problem(
                     mqtt_problem(group.exceptions[0], self._config, self.sent > before)
                 )
-            stop_if_cancelled()
             pause = _FIRST_RETRY_DELAY if self.sent > before else min(2 * pause, _MAX_RETRY_DELAY)
             await asyncio.sleep(pause)
 
@@ -132,6 +135,14 @@ class MqttPublisher:
                 or f"the MQTT broker at {self._config.broker}:{self._config.port} is there again"
             )
         self.problem = problem
+
+
+async def _end(tasks: list[asyncio.Task[None]]) -> None:
+    """End tasks, however often: a connection that is lost just then may take a cancellation."""
+    while tasks := [task for task in tasks if not task.done()]:
+        for task in tasks:
+            task.cancel()
+        await asyncio.wait(tasks, timeout=_END_AGAIN)
 
 
 async def _notice_loss(link: aiomqtt.Client) -> None:
