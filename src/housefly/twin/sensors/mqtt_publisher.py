@@ -125,7 +125,7 @@ class MqttPublisher:
                 retain=message.retain,
             )
             self.sent += 1
-            stop_if_cancelled()
+            stop_if_cancelled()  # the group tells its tasks once only
 
     def _set_problem(self, problem: str) -> None:
         """Report a broker that went or came back, once for all devices."""

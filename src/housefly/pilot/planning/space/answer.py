@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
 
 from housefly.geometry import Vec3
 from housefly.pilot.planning.space.passage import Passage
+from housefly.pilot.planning.space.reachability import reached_from_voxel
 from housefly.pilot.planning.space.voxels import VoxelMap, VoxelMask
 from housefly.pilot.planning.trajectory.trajectory import Trajectory
 
@@ -32,6 +33,27 @@ class SpaceAnswer:
     comfort: float = 0.0
     passage: Passage | None = None
     arrival: float = inf
+
+
+def arriving(answer: SpaceAnswer, comfort: float) -> SpaceAnswer:
+    """Return an answer with its arrival where nobody walks, who are kept from by so much [m]."""
+    if answer.trajectory is None:
+        return answer
+    return replace(answer, comfort=comfort, arrival=answer.trajectory.duration)
+
+
+def cut_off(voxels: VoxelMap, free: VoxelMask, here: Vec3, goal: Vec3) -> SpaceAnswer:
+    """Return that no free way leads from one place to another [m], and what could be reached."""
+    reached = reached_from_voxel(free, voxels.voxel_of(here))
+    why = f"there is no free way from {in_words(here)} to {in_words(goal)}"
+    return SpaceAnswer(None, why, nearest_free(voxels, reached, goal))
+
+
+def too_fast(is_standing: bool) -> SpaceAnswer:
+    """Return that no trajectory keeps the limits, for a drone that stands or flies."""
+    if is_standing:
+        return SpaceAnswer(None, "no way of flying there keeps the limits of the drone")
+    return SpaceAnswer(None, "the drone is too fast to turn there: let it stop first")
 
 
 def objection(voxels: VoxelMap, open_air: VoxelMask, name: str, point: Vec3) -> str:

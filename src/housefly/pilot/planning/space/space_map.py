@@ -17,7 +17,15 @@ from housefly.geometry import GRAVITY, Vec3
 from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
 from housefly.pilot.planning.people import ObservedPeople, is_walking, may_be_person
-from housefly.pilot.planning.space.answer import SpaceAnswer, in_words, nearest_free, objection
+from housefly.pilot.planning.space.answer import (
+    SpaceAnswer,
+    arriving,
+    cut_off,
+    in_words,
+    nearest_free,
+    objection,
+    too_fast,
+)
 from housefly.pilot.planning.space.approach import with_approach
 from housefly.pilot.planning.space.clearance import HullCylinder, hull_clearances
 from housefly.pilot.planning.space.costs import above_things, blindness, height_wish, narrowness
@@ -30,7 +38,7 @@ from housefly.pilot.planning.space.passage import (
     first_passage,
     passages,
 )
-from housefly.pilot.planning.space.reachability import reached_from_voxel, within_reach
+from housefly.pilot.planning.space.reachability import within_reach
 from housefly.pilot.planning.space.search import CellSearch, SearchScratch
 from housefly.pilot.planning.space.site_volumes import site_volumes
 from housefly.pilot.planning.space.solid_rows import filled_rows, live_rows
@@ -193,7 +201,7 @@ class SpaceMap:
             people: where they are when it starts.
         """
         if not len(people.walking()):
-            return _arriving(self.answer(start, goal, now, comfort, yaw), comfort)
+            return arriving(self.answer(start, goal, now, comfort, yaw), comfort)
         past = self._timed(start, goal, now, comfort, yaw, people, 0.0)
         if past.passage is not None and past.passage.wait <= 0.0 and past.passage.rate >= 1.0:
             return past
@@ -301,11 +309,11 @@ class SpaceMap:
             return self._escaping(moment, start, end)
         corners = moment.corners(start.place, end)
         if corners is None:
-            return _cut_off(moment, (x, y, z), goal)
+            return cut_off(moment.voxels, moment.free, (x, y, z), goal)
         flight = trajectory_along(
             voxels, moment.free, moment.rows, corners, start, self.limits, self._zones
         )
-        return SpaceAnswer(flight) if flight is not None else _too_fast(start)
+        return SpaceAnswer(flight) if flight is not None else too_fast(_stands(start))
 
     def _moment(self, comfort: float, horizon: float = PLAN_HORIZON) -> SpaceMoment:
         """Return the map of now; made when somebody plans, because most steps do not."""
@@ -348,20 +356,7 @@ class SpaceMap:
         flight = trajectory_along(
             lower, opened, moment.rows, corners, start, self.limits, self._zones
         )
-        return SpaceAnswer(flight) if flight is not None else _too_fast(start)
-
-
-def _cut_off(moment: SpaceMoment, here: Vec3, goal: Vec3) -> SpaceAnswer:
-    reached = reached_from_voxel(moment.free, moment.voxels.voxel_of(here))
-    why = f"there is no free way from {in_words(here)} to {in_words(goal)}"
-    return SpaceAnswer(None, why, nearest_free(moment.voxels, reached, goal))
-
-
-def _arriving(answer: SpaceAnswer, comfort: float) -> SpaceAnswer:
-    """Return an answer with its arrival where nobody walks."""
-    if answer.trajectory is None:
-        return answer
-    return replace(answer, comfort=comfort, arrival=answer.trajectory.duration)
+        return SpaceAnswer(flight) if flight is not None else too_fast(_stands(start))
 
 
 def _stands(start: KinematicState) -> bool:
@@ -372,9 +367,3 @@ def _staying(start: KinematicState, clearance: float) -> Trajectory:
     rows = np.zeros((2, 9))
     rows[:, :3] = start.place
     return Trajectory(rows, 0.0, clearance)
-
-
-def _too_fast(start: KinematicState) -> SpaceAnswer:
-    if _stands(start):
-        return SpaceAnswer(None, "no way of flying there keeps the limits of the drone")
-    return SpaceAnswer(None, "the drone is too fast to turn there: let it stop first")
