@@ -50,6 +50,14 @@ def test_the_air_below_a_fan_falls_no_faster_farther_out(near: float, far: float
     assert far < 0.9 or outer == 0.0
 
 
+@given(st.floats(0.0, 0.5))
+def test_gusts_do_not_blow_through_the_floor(height: float) -> None:
+    rough = Disturbances(gust=1.0, gust_time=0.5)
+    free, near = (ExternalForces(1, DRAG)._wind(rough, at((0.0, 0.0, z))) for z in (1.0, height))
+    assert near[:2] == free[:2]
+    assert near[2] == pytest.approx(2.0 * height * free[2])
+
+
 def test_gusts_have_the_size_and_the_memory_that_is_asked() -> None:
     forces = ExternalForces(1, DRAG)
     rough = Disturbances(gust=1.0, gust_time=0.5)

@@ -69,10 +69,16 @@ class ExternalForces:
                 self._random.standard_normal(3)
             )
             gx, gy, gz = (disturbances.gust * self._gust).tolist()
-            x, y, z = x + gx, y + gy, z + _VERTICAL_GUST * gz
+            through = _share_along_z(disturbances.gust * disturbances.gust_time, body.position[2])
+            x, y, z = x + gx, y + gy, z + _VERTICAL_GUST * through * gz
         if disturbances.fan is not None:
             z -= downwash_at(disturbances.fan, body.position)
         return x, y, z
+
+
+def _share_along_z(eddy: float, height: float) -> float:
+    """Return what is left of gusts along z: none at the floor, all above an eddy's size [m]."""
+    return min(max(height, 0.0) / eddy, 1.0) if eddy > 0.0 else 1.0
 
 
 def downwash_at(fan: CeilingFan, position: Vec3) -> float:

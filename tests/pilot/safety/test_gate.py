@@ -238,7 +238,7 @@ def test_a_landing_for_a_wrong_height_is_steered_until_the_drone_is_low_and_then
         {"consistency": TrackingConsistency(refused_for=0.1)},
         {"telemetry_age": 3.0},
         {"stopped": True},
-        {"reference": Reference((5.5, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0)},
+        {"reference": Reference((5.9, 2.0, 1.1), (0.0, 0.0, 0.0), 0.0)},
     ],
 )
 def test_a_landing_is_steered_no_more_once_the_place_is_in_doubt(change: dict[str, object]) -> None:

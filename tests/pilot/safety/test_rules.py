@@ -119,6 +119,19 @@ def taking_off(aside: float, z: float) -> Change:
     )
 
 
+def landing(aside: float, height: float) -> Change:
+    """It lands and moves aside so fast, so far above the floor by tracking and by itself."""
+    report = replace(REPORT, status=DroneStatus.LANDING, height=height)
+    return now(
+        status=DroneStatus.LANDING,
+        phase=Phase.LANDING,
+        position=(5.0, 2.0, height),
+        velocity=(aside, 0.0, -0.3),
+        reference=None,
+        telemetry=report,
+    )
+
+
 CONFIGURED_LATE = told(configured=False)
 DAWDLING = now(flown=Setpoint(theta=0.12))
 
@@ -182,7 +195,8 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "outside_fence": (now(position=(11.01, 2.0, 1.1)), now(position=(10.99, 2.0, 1.1)), 0.0),
     "too_high": (at(2.31), at(2.3), 0.0),
     "take_off_drift": (taking_off(0.09, 0.15), taking_off(0.07, 0.15), 0.0),
-    "take_off_aborted": (taking_off(0.12, 0.1), taking_off(0.12, 0.18), 0.0),
+    "take_off_aborted": (taking_off(0.15, 0.07), taking_off(0.15, 0.18), 0.0),
+    "landing_drift": (landing(0.26, 0.05), landing(0.26, 0.1), 0.0),
     "blown_about": (now(velocity=(0.2, 0.0, 0.0)), now(velocity=(0.0, -0.14, 0.0)), 3.4),
     "too_low": (at(0.29), at(0.31), 0.0),
     "height_error": (at(1.51), at(1.49), 0.0),
@@ -381,7 +395,7 @@ def test_what_was_never_observed_breaks_no_rule_in_flight_and_moves_in_no_direct
     unknown = replace(FINE, velocity=None)
     assert vertical_speed(RuleContext(unknown, NOTHING_OBSERVED, LIMITS, FENCE)) == 0.0
     assert FlightObservations() == FlightObservations(
-        0.0, 0.0, None, None, nan, nan, 0.0, 0.0, 0.0, 0.0, 0, 0.0, NO_ENERGY
+        0.0, 0.0, 0.0, None, None, nan, nan, 0.0, 0.0, 0.0, 0.0, 0, 0.0, NO_ENERGY
     )
     assert EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0) == NO_ENERGY
 

@@ -173,12 +173,13 @@ class FaultyFlight:
             self._reached[phase] = step.now
         return phase in self._reached and step.now >= self._reached[phase] + onset.delay
 
-    def finish(self, key: TrialKey) -> TrialResult:
-        """Let the faults of a flight begin, fly on to the end, and return how it ended."""
+    def finish(self, key: TrialKey, faults: tuple[Fault, ...] | None = None) -> TrialResult:
+        """Let faults begin, those of the row unless given; fly on, and return how it ended."""
         assert self._last is not None
         now = self._last.now
         self._oracle.faulty_since, self._oracle.cannot_hover = now, _cannot_hover(key.row)
-        self._simulation.inject(*(fault.shifted(now) for fault in faults_of_key(key)))
+        faults = faults_of_key(key) if faults is None else faults
+        self._simulation.inject(*(fault.shifted(now) for fault in faults))
         while not self.is_over:
             self.advance()
         return self.result(key)

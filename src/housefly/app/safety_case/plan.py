@@ -60,8 +60,10 @@ def flown_rows() -> tuple[FaultRow, ...]:
 
 
 def variants_flown(row: FaultRow) -> tuple[str, ...]:
-    """Return the names of a row's variants that can be flown in lock step."""
-    return tuple(f"{row.number}/{v.name}" for v in row.variants if not v.wires_only)
+    """Return the names of a row's variants that are flown in lock step."""
+    return tuple(
+        f"{row.number}/{v.name}" for v in row.variants if not (v.wires_only or v.is_extreme)
+    )
 
 
 def shared_out(names: tuple[str, ...], flights: int) -> list[tuple[str, int]]:

@@ -102,7 +102,8 @@ def _variants_wired(row: FaultRow) -> tuple[str, ...]:
     return processes + tuple(
         f"{row.number}/{variant.name}"
         for variant in row.variants
-        if all(Injection.WIRES in fault.type.where for fault in variant.faults)
+        if not variant.is_extreme
+        and all(Injection.WIRES in fault.type.where for fault in variant.faults)
     )
 
 

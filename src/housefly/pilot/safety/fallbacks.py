@@ -22,7 +22,7 @@ DESCENT_MARGIN = 3.0
 
 STEERED_MAX = 8.0
 """A landing that the pilot steers has to be near the floor after this [s]."""
-STEERED_ERROR_MAX = 0.4
+STEERED_ERROR_MAX = 0.8
 """Farther from its spot than this the pilot does not steer what it believes to steer [m]."""
 
 

@@ -43,7 +43,9 @@ STUCK_TILT, STUCK_SPEED = 0.1, 0.08
 CONTROL_ERROR_HOLD, CONTROL_ERROR_LAND = 0.5, 1.0
 """Distance to the reference: hold, land [m]."""
 VELOCITY_ERROR_MAX = 0.3
-"""The velocity may differ from that of the reference by this [m/s]."""
+"""The velocity may differ from that of the reference by this [m/s] ..."""
+TAKE_OVER_TIME = 1.5
+"""... once the pilot has had so long to stop what the take-off left it with [s]."""
 LEAVING_MAX = 0.1
 """A drone is held that would come to rest this much farther outside [m]."""
 
@@ -80,6 +82,11 @@ def _leaving(c: RuleContext) -> float:
     if c.now.position is None or c.now.velocity is None:
         return 0.0
     return c.fence.leaving(c.now.position, c.now.velocity)
+
+
+def _is_drifting(c: RuleContext) -> bool:
+    is_taken_over = c.seen.cruising_for > TAKE_OVER_TIME
+    return is_taken_over and velocity_error(c.now) > VELOCITY_ERROR_MAX
 
 
 def _is_too_high(c: RuleContext) -> bool:
@@ -268,7 +275,7 @@ MOTION_RULES: tuple[SafetyRule, ...] = (
         mode=M.HOLD,
         counts=N.CRUISE,
         condition="moves otherwise than told",
-        broken=lambda c: velocity_error(c.now) > VELOCITY_ERROR_MAX,
+        broken=_is_drifting,
         words=lambda _: (
             f"moves more than {VELOCITY_ERROR_MAX:g} m/s otherwise than told:"
             " the drone holds itself"

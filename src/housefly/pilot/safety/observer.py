@@ -62,6 +62,7 @@ class FlightObservations:
     """What a flight has shown so far.
 
     Attributes:
+        cruising_for: how long the drone has flown and not been told to land [s].
         climbing_for: how long the drone has flown at its present wanted height [s].
         standing_height: tracked height of a drone that stands [m].
         start: where it took off [m]; None before it was seen standing.
@@ -78,6 +79,7 @@ class FlightObservations:
         energy: what charge and clock still allow.
     """
 
+    cruising_for: float = 0.0
     climbing_for: float = 0.0
     standing_height: float = 0.0
     start: Vec2 | None = None
@@ -103,7 +105,7 @@ class FlightObserver:
         self._limits = limits
         self._energy = EnergyMonitor(limits)
         self._now = inf
-        self._climbing, self._landing = Stopwatch(), Stopwatch()
+        self._cruising, self._climbing, self._landing = Stopwatch(), Stopwatch(), Stopwatch()
         self._height = inf
         self._standing = inf
         self._start: Vec2 | None = None
@@ -134,6 +136,7 @@ class FlightObserver:
         steady = self._steady_for(inputs)
         wants_down = inputs.airborne and (landing or inputs.phase is Phase.LANDING)
         return FlightObservations(
+            cruising_for=self._cruising.update(inputs.cruising, now),
             climbing_for=self._climbing_for(inputs),
             standing_height=self._standing if isfinite(self._standing) else 0.0,
             start=self._start,

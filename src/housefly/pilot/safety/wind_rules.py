@@ -6,8 +6,9 @@ where the drone would stand if it landed now, not where it is.
 
 from __future__ import annotations
 
-from math import dist, inf
+from math import dist, hypot, inf, sqrt
 
+from housefly.geometry import GRAVITY
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.safety.limits import too_old
@@ -22,8 +23,12 @@ LANDING_TURN, LANDING_RISE, LANDING_SINK = 0.9, 0.1, 0.15
 """A landing out of a climb near the floor: it still rises for so long [s] and so far [m], then
 sinks slowly [m/s].
 """
-TAKE_OFF_ABORT_HEIGHT = 0.12
-"""Who is blown away below this is stopped at once, because a landing drifts on for 2 s [m]."""
+HARMLESS_FALL = 1.3
+"""Who is blown away where a fall ends no faster than this is stopped at once, because a landing
+drifts on for 2 s [m/s] ...
+"""
+LANDING_DRIFT = 0.25
+"""... and so is who lands and is blown along faster than this [m/s]."""
 STEERABLE_AT, STEERABLE_RATE = 0.95, 0.25
 """The drone can be steered from this height on [m], and climbs there so fast at least [m/s]."""
 BLOWN_ABOUT = 0.15
@@ -57,6 +62,17 @@ def _drift(c: RuleContext) -> float:
     return dist(tuple(rest), start)
 
 
+def _is_just_above_floor(c: RuleContext) -> bool:
+    """Return whether a fall from here does no harm, by tracking and by the drone's own height."""
+    height = max(_rise(c), _own_height(c), 0.0)
+    sink = c.now.velocity[2] if c.now.velocity else 0.0
+    return sqrt(sink * sink + 2.0 * GRAVITY * height) < HARMLESS_FALL
+
+
+def _speed(c: RuleContext) -> float:
+    return hypot(*c.now.velocity[:2]) if c.now.velocity else 0.0
+
+
 WIND_RULES: tuple[SafetyRule, ...] = (
     SafetyRule(
         code="take_off_drift",
@@ -77,11 +93,23 @@ WIND_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: (
             c.now.status is DroneStatus.TAKING_OFF
             and _drift(c) > TAKE_OFF_DRIFT
-            and max(_rise(c), _own_height(c)) < TAKE_OFF_ABORT_HEIGHT
+            and _is_just_above_floor(c)
         ),
         words=lambda c: (
             f"blown {_drift(c):.2f} m from where it took off (limit {TAKE_OFF_DRIFT} m) and only"
             f" {max(_rise(c), 0.0):.2f} m up: cutting the motors"
+        ),
+        clears=Clearing.RESET,
+    ),
+    SafetyRule(
+        code="landing_drift",
+        mode=M.CUT,
+        counts=N.LANDING,
+        condition="blown along just above the floor while it lands",
+        broken=lambda c: _is_just_above_floor(c) and _speed(c) > LANDING_DRIFT,
+        words=lambda c: (
+            f"blown along at {_speed(c):.1f} m/s (limit {LANDING_DRIFT:g} m/s) and only"
+            f" {max(_rise(c), 0.0):.2f} m above the floor: cutting the motors"
         ),
         clears=Clearing.RESET,
     ),

@@ -27,6 +27,7 @@ class FaultVariant:
         wires_only: it cannot be made in lock step.
         cannot_hover: nothing keeps the drone in the air any more, so that it falls is not judged;
             that its motors stop, and what it strikes, is.
+        is_extreme: stronger than the drone is made for, so that campaigns leave it out.
     """
 
     name: str
@@ -34,6 +35,7 @@ class FaultVariant:
     from_start: bool = False
     wires_only: bool = False
     cannot_hover: bool = False
+    is_extreme: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,10 +116,15 @@ def _one(
     name: str = "",
     wires_only: bool = False,
     cannot_hover: bool = False,
+    is_extreme: bool = False,
 ) -> FaultVariant:
     fault = Fault(component, kind, aspect, 0.0, lasting, size)
     return FaultVariant(
-        name or kind.value, (fault,), wires_only=wires_only, cannot_hover=cannot_hover
+        name or kind.value,
+        (fault,),
+        wires_only=wires_only,
+        cannot_hover=cannot_hover,
+        is_extreme=is_extreme,
     )
 
 
@@ -307,7 +314,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
             _one(_C.PAYLOAD, _K.WRONG, size=0.05, name="50g"),
             _one(_C.FAN, _K.WRONG, size=2.0, name="fan"),
             _one(_C.WIND, _K.WRONG, size=1.0, name="wind"),
-            _one(_C.WIND, _K.WRONG, "gust", 1.0, name="gusts"),
+            _one(_C.WIND, _K.WRONG, "gust", 0.5, name="gusts"),
+            _one(_C.WIND, _K.WRONG, "gust", 1.0, name="storm", is_extreme=True),
         ), True,
     ),
     FaultRow(

@@ -62,7 +62,9 @@ def faults_page() -> str:
     matrix = [
         "## The fault matrix",
         "",
-        "Harmful: whether the same flight without its guards is expected to do harm.",
+        "Harmful: whether the same flight without its guards is expected to do harm. Extreme:"
+        " stronger than",
+        "the drone is made for; campaigns leave it out.",
         "",
         "| row | what happens | how it must end | variants, the first is meant | where | harmful |",
         "|---|---|---|---|---|---|",
@@ -79,7 +81,10 @@ def faults_page() -> str:
 
 
 def _row(row: FaultRow) -> str:
-    names = ", ".join(f"`{row.number}/{variant.name}`" for variant in row.variants)
+    names = ", ".join(
+        f"`{row.number}/{variant.name}`{' (extreme)' * variant.is_extreme}"
+        for variant in row.variants
+    )
     covered = f"covered by {_quoted(row.covered_by)}" if row.covered_by else ""
     how = "; ".join(filter(None, (names, covered)))
     harmful = "yes" if row.harmful else "no" if row.variants else "-"

@@ -1,1 +1,1 @@
-import"./chunk-chunk-GY776DSV.js";
+import"./chunk-chunk-C2U4MGNN.js";

@@ -232,6 +232,8 @@ export const DE_TOLD: Templates = {
     "steht {d} m über dem Boden (Grenze {m} m): auf etwas",
   "blown {d} m from where it took off (limit {m} m) and only {k} m up: cutting the motors":
     "{d} m vom Startort verweht (Grenze {m} m) und nur {k} m hoch: Motoren werden abgeschaltet",
+  "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor: cutting the motors":
+    "mit {d} m/s verweht (Grenze {m} m/s), nur {k} m über dem Boden: Motoren werden abgeschaltet",
   "blown {d} m from where it took off": "{d} m vom Startort verweht",
   "blown about: {d} m/s off the wanted velocity for {n} s":
     "Böen: seit {n} s {d} m/s neben der Sollgeschwindigkeit",

@@ -206,6 +206,8 @@ export const JA_TOLD: Templates = {
   "stands {d} m above the floor (limit {m} m): on something": "床より {d} m 高い所にあります（限度 {m} m）。何かの上です",
   "blown {d} m from where it took off (limit {m} m) and only {k} m up: cutting the motors":
     "離陸位置から {d} m 流され（限度 {m} m）、高さは {k} m だけです。モーターを遮断します",
+  "blown along at {d} m/s (limit {m} m/s) and only {k} m above the floor: cutting the motors":
+    "{d} m/s で流され（限度 {m} m/s）、床から {k} m だけです。モーターを遮断します",
   "blown {d} m from where it took off": "離陸位置から {d} m 流されました",
   "blown about: {d} m/s off the wanted velocity for {n} s": "風にあおられています：{n}秒間、速度が {d} m/s ずれました",
   "the command was not a number": "指令が数値ではありません",
