@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 import pytest_asyncio
+from axe_audit import axe_findings
 from playwright.async_api import Browser, Page, expect
 
 from housefly.app.loaded_site import open_site, read_site
@@ -255,6 +256,21 @@ async def test_who_was_overtaken_is_told_and_takes_what_the_other_saved(
     await button(page, "Discard").click()
     await expect(button(page, "Bed")).to_be_visible()
     await expect(button(page, "TV")).to_have_count(0)
+
+
+async def test_axe_finds_nothing_while_a_zone_and_a_place_are_edited(
+    page: Page, versions: EditVersions
+) -> None:
+    sizes = (tuple(DESKTOP.values()), tuple(PHONE.values()))
+    await drag(page, (9.9, 0.8), (11.2, 1.8))
+    await type_into(page, "Reason", "Wet floor")
+    await button(page, "Save").click()
+    await expect(panel(page).get_by_role("alert")).to_contain_text("covers the home pad")
+    assert await axe_findings(page, sizes) == []
+    await page.set_viewport_size(DESKTOP)
+    await button(page, "Discard").click()
+    await add_corner(page)
+    assert await axe_findings(page, sizes) == []
 
 
 @pytest.mark.parametrize(

@@ -51,10 +51,35 @@ async def test_every_answer_carries_the_protective_headers(console: Any) -> None
         assert headers["referrer-policy"] == "no-referrer"
 
 
-async def test_files_travel_compressed_to_whoever_can_read_them_so(console: Any) -> None:
-    _, plain, _ = await console.request("GET", "/static/app.css")
-    _, packed, _ = await console.request("GET", "/static/app.css", **{"Accept-Encoding": "gzip"})
-    assert "content-encoding" not in plain and packed["content-encoding"] == "gzip"
+@pytest.mark.parametrize(
+    ("read", "sent"),
+    [
+        (None, None),
+        ("gzip", "gzip"),
+        ("gzip, deflate, br, zstd", "br"),
+        ("br;q=0.8", "br"),
+        ("gzip, br; q=0", "gzip"),
+        ("identity", None),
+    ],
+)
+async def test_files_travel_compressed_to_whoever_can_read_them_so(
+    console: Any, read: str | None, sent: str | None
+) -> None:
+    asked = {} if read is None else {"Accept-Encoding": read}
+    status, headers, body = await console.request("GET", "/static/app.css", **asked)
+    assert (status, headers.get("content-encoding")) == (200, sent)
+    assert headers["content-type"].startswith("text/css") and body
+    assert "accept-encoding" in headers["vary"].lower()
+    again, _, body = await console.request(
+        "GET", "/static/app.css", **asked, **{"If-None-Match": headers["etag"]}
+    )
+    assert (again, body) == (304, "")
+
+
+@pytest.mark.parametrize("name", ["..%2f..%2fserver.py", "%00", "nothing.js", "x" * 300])
+async def test_what_is_not_there_is_not_found_packed_either(console: Any, name: str) -> None:
+    status, _, _ = await console.request("GET", f"/static/{name}", **{"Accept-Encoding": "br"})
+    assert status == 404
 
 
 async def test_a_foreign_host_name_is_turned_away(console: Any) -> None:

@@ -9,7 +9,6 @@ from starlette.middleware.gzip import GZipMiddleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import BaseRoute, Mount, Route
-from starlette.staticfiles import StaticFiles
 
 from housefly.web.error_pages import (
     came_from_elsewhere,
@@ -19,6 +18,7 @@ from housefly.web.error_pages import (
     no_session,
 )
 from housefly.web.logins import Logins
+from housefly.web.packed_files import PackedFiles
 from housefly.web.page_language import page_language
 from housefly.web.session_auth import SessionAuth
 from housefly.web.session_pages import session_answer
@@ -66,7 +66,7 @@ def page_routes(
         Route("/", index),
         Route("/service-worker.js", service_worker),
         Route("/authority.crt", authority_certificate),
-        Mount("/static", GZipMiddleware(StaticFiles(directory=STATIC_FOLDER), compresslevel=6)),
+        Mount("/static", GZipMiddleware(PackedFiles(directory=STATIC_FOLDER), compresslevel=6)),
     ]
 
 

@@ -4,6 +4,7 @@ import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
 import { relative } from "node:path";
+import { brotliCompressSync } from "node:zlib";
 
 const target = process.argv[2] ?? "../static";
 const bundled = ["preact", "@preact/signals", "@preact/signals-core", "three"];
@@ -38,7 +39,8 @@ const firstTogether = {
   },
 };
 // The screens beside the first are chunks of their own, fetched when there is time or need.
-for (const old of await readdir(target)) if (/^(chunk|new)-.*\.(js|css)$/.test(old)) await rm(`${target}/${old}`);
+for (const old of await readdir(target))
+  if (/^(chunk|new)-.*\.(js|css)$|\.br$/.test(old)) await rm(`${target}/${old}`);
 await build({
   ...options,
   entryPoints: { app: "src/main.tsx" },
@@ -73,6 +75,10 @@ await build({
     FILES: JSON.stringify(shell.map((name) => `/static/${name}`)),
   },
 });
+// Packed once, here: the machine that serves them flies a drone.
+for (const name of await readdir(target))
+  if (/\.(js|css)$/.test(name))
+    await writeFile(`${target}/${name}.br`, brotliCompressSync(await readFile(`${target}/${name}`)));
 const licences = await Promise.all(
   bundled.map(
     async (name) => `${name}\n\n${await readFile(`node_modules/${name}/LICENSE`, "utf8")}`,

@@ -16,10 +16,10 @@ from starlette.middleware import Middleware
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route
-from starlette.staticfiles import StaticFiles
 
 from housefly.web.error_pages import no_draft_session
 from housefly.web.new_site.draft_api import DraftApi
+from housefly.web.packed_files import PackedFiles
 from housefly.web.page_language import page_language
 from housefly.web.page_routes import STATIC_FOLDER
 from housefly.web.security import LOOPBACK_NAMES, HostGuard
@@ -62,7 +62,7 @@ def create_new_site_app(
     return Starlette(
         routes=[
             Route("/", index),
-            Mount("/static", StaticFiles(directory=STATIC_FOLDER)),
+            Mount("/static", PackedFiles(directory=STATIC_FOLDER)),
             *api.routes(),
         ],
         middleware=[Middleware(HostGuard, hosts=hosts)],

@@ -1,1 +1,1 @@
-import"./chunk-chunk-C2U4MGNN.js";
+import"./chunk-chunk-EAI2IBFR.js";

@@ -15,11 +15,11 @@ import { Questions } from "./tasks/questions";
 
 const SCREENS: Record<Screen, () => ComponentChild> = {
   live: LiveScene,
-  edit: lazyScreen(async () => (await import("./other-screens")).EditScreen),
-  tasks: lazyScreen(async () => (await import("./other-screens")).TasksScreen),
+  edit: lazyScreen(async () => (await import("./later")).EditScreen),
+  tasks: lazyScreen(async () => (await import("./later")).TasksScreen),
 };
 
-const Invite = lazyScreen(async () => (await import("./other-screens")).Invite);
+const Invite = lazyScreen(async () => (await import("./later")).Invite);
 
 /** The live scene, and beside it editing and the tasks; STOP is on each, in the same place. */
 export function App() {

@@ -1,10 +1,9 @@
-// Whether the drone may be moved by hand now; the code for it is fetched when it first may.
-import { computed, signal } from "@preact/signals";
-import type { ComponentChild } from "preact";
-import { useEffect } from "preact/hooks";
+// Whether the drone may be moved by hand now.
+import { computed } from "@preact/signals";
+import { lazyPart } from "../lazy-part";
 import { flying, iFly, lineLives, room, verdict } from "../store";
 
-const loaded = signal<(() => ComponentChild) | null>(null);
+const Nudge = lazyPart(async () => (await import("../later")).Nudge);
 
 /** Whether the site allows it, the drone holds its place, and this page has control. */
 export const offered = computed(() => {
@@ -15,18 +14,5 @@ export const offered = computed(() => {
 });
 
 export function NudgeHere() {
-  return offered.value ? <Fetched /> : null;
-}
-
-function Fetched() {
-  useEffect(() => {
-    if (!loaded.peek())
-      // Without contact there is nothing to move; the next hover asks again.
-      import("./nudge").then(
-        (code) => (loaded.value = code.Nudge),
-        () => undefined,
-      );
-  }, []);
-  const Nudge = loaded.value;
-  return Nudge ? <Nudge /> : null;
+  return offered.value ? <Nudge /> : null;
 }

@@ -1,6 +1,6 @@
 // Whether somebody who sees this page for the first time is shown around, and by which step.
 import { computed, effect, signal } from "@preact/signals";
-import type { ComponentChild } from "preact";
+import { lazyPart } from "../lazy-part";
 import { bellRings } from "../scene/bell";
 import { said } from "../said";
 import { flying, iFly, lineLives, panel, screen, verdict } from "../store";
@@ -61,18 +61,9 @@ effect(() => {
   if (flying.value && iFly.value && step.peek() < HINTS) endHints();
 });
 
-const code = signal<(() => ComponentChild) | null>(null);
-
-effect(() => {
-  if (isDue.value && !code.peek())
-    import("./bubbles").then(
-      ({ Bubble }) => (code.value = Bubble),
-      () => undefined,
-    );
-});
+const Bubble = lazyPart(async () => (await import("../later")).Bubble);
 
 /** The hint of now, if one is due. */
 export function Hints() {
-  const Shown = isDue.value ? code.value : null;
-  return Shown && <Shown />;
+  return isDue.value ? <Bubble /> : null;
 }

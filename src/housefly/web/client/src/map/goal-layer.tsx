@@ -1,10 +1,10 @@
 import { goal } from "../goal";
 import { path, state, type Point } from "../store";
-import { lazyPart } from "./lazy-part";
+import { lazyPart } from "../lazy-part";
 import { polyline, type Projection } from "./projection";
 import { decimal } from "../messages/language";
 
-const CurveLayer = lazyPart(async () => (await import("../scene/parts")).CurveLayer);
+const CurveLayer = lazyPart(async () => (await import("../later")).CurveLayer);
 
 /** The path that is being flown: what is left of it strong, what is done faint. */
 export function PathLayer({ to }: { to: Projection }) {

@@ -26,17 +26,17 @@ import { DroneLayer } from "./drone";
 import { GoalLayer, PathLayer } from "./goal-layer";
 import { listenToHands } from "./gestures";
 import { HeightStrip } from "./height";
-import { lazyPart } from "./lazy-part";
+import { lazyPart } from "../lazy-part";
 import type { Projection } from "./projection";
 import { RoomLayer } from "./room";
 import { moving, projection, size, zoom } from "./view";
 import { ToTheDrone, WholeRoomButton, ZoomButtons } from "./zoom";
 import { t, translated } from "../messages/language";
 
-const SpeedLegend = lazyPart(async () => (await import("../scene/parts")).SpeedLegend);
-const HeightProfile = lazyPart(async () => (await import("../scene/parts")).HeightProfile);
+const SpeedLegend = lazyPart(async () => (await import("../later")).SpeedLegend);
+const HeightProfile = lazyPart(async () => (await import("../later")).HeightProfile);
 const RecordedLayer = lazyPart(
-  async () => (await import("../scene/parts")).RecordedLayer,
+  async () => (await import("../later")).RecordedLayer,
 );
 
 interface FrameProps {

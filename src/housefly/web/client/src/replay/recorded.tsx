@@ -1,7 +1,7 @@
 // Banner, log and picture of a recording; their code is fetched after the first paint.
-import { lazyPart } from "../map/lazy-part";
+import { lazyPart } from "../lazy-part";
 
-const parts = (): Promise<typeof import("../scene/parts")> => import("../scene/parts");
+const parts = (): Promise<typeof import("../later")> => import("../later");
 
 export const RecordedBanner = lazyPart(async () => (await parts()).RecordedBanner);
 export const RecordedLog = lazyPart(async () => (await parts()).RecordedLog);

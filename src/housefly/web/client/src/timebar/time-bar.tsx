@@ -5,7 +5,7 @@ import { askEvents } from "../live/room-client";
 import { at, events, hubNow, span } from "../live/store";
 import type { Key } from "../messages/en";
 import { ago, clock } from "../live/words";
-import { lazyPart } from "../map/lazy-part";
+import { lazyPart } from "../lazy-part";
 import { flying } from "../store";
 import {
   askFlights,
@@ -20,7 +20,7 @@ import type { FlightView } from "../wire/room-messages";
 import { endOf, go } from "./past";
 import { t, translated } from "../messages/language";
 
-const Recording = lazyPart(async () => (await import("../scene/parts")).Recording);
+const Recording = lazyPart(async () => (await import("../later")).Recording);
 
 const SPANS: [number, Key][] = [
   [600, "10 min"],

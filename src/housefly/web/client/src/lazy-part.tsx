@@ -1,4 +1,4 @@
-// Parts of a screen whose code the first paint does not need: fetched soon after it, or when shown.
+// Parts whose code the first paint does not need: fetched soon after it, or when they are shown.
 import { signal } from "@preact/signals";
 import type { ComponentChild } from "preact";
 import { useEffect } from "preact/hooks";
@@ -8,9 +8,16 @@ const AGAIN = 1000;
 
 type Part<Props> = (props: Props) => ComponentChild;
 
-/** Return a component that shows a part as soon as its code is there, and nothing before. */
-export function lazyPart<Props extends object>(load: () => Promise<Part<Props>>): Part<Props> {
+/**
+ * Return a component that shows a part as soon as its code is there, and tries until it is.
+ * Before that it shows what `waiting` says, if anything.
+ */
+export function lazyPart<Props extends object>(
+  load: () => Promise<Part<Props>>,
+  waiting: (failed: boolean) => ComponentChild = () => null,
+): Part<Props> {
   const loaded = signal<Part<Props> | null>(null);
+  const failed = signal(false);
   let loading = false;
   const fetchCode = async (): Promise<void> => {
     if (loading || loaded.peek()) return;
@@ -19,7 +26,9 @@ export function lazyPart<Props extends object>(load: () => Promise<Part<Props>>)
       const found = await load();
       loaded.value = found;
     } catch {
-      setTimeout(() => void fetchCode(), AGAIN); // no contact with the server
+      // No contact with the server; a module that did not load may be asked for again.
+      failed.value = true;
+      setTimeout(() => void fetchCode(), AGAIN);
     }
     loading = false;
   };
@@ -27,6 +36,6 @@ export function lazyPart<Props extends object>(load: () => Promise<Part<Props>>)
   return function Lazy(props: Props) {
     useEffect(() => void fetchCode(), []);
     const Shown = loaded.value;
-    return Shown && <Shown {...props} />;
+    return Shown ? <Shown {...props} /> : waiting(failed.value);
   };
 }

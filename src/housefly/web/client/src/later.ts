@@ -1,0 +1,11 @@
+// What the first paint does not need, in one file: fetched soon after it, or when it is opened.
+export { Invite } from "./device/invite";
+export { Bubble } from "./hints/bubbles";
+export { EditScreen } from "./live/edit-screen";
+export { CurveLayer, SpeedLegend } from "./map/curve";
+export { HeightProfile } from "./map/height-profile";
+export { Nudge } from "./controls/nudge";
+export { RecordedLayer } from "./replay/recorded-layer";
+export { RecordedBanner, RecordedLog, RecordedPicture } from "./replay/recorded-parts";
+export { TasksScreen } from "./tasks/tasks-screen";
+export { Recording } from "./timebar/recording";
