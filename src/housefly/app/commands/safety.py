@@ -28,7 +28,7 @@ Ctrl-C and the
 same command go on. The result is one page, safety-case.html."""
 _EPILOG = """\
 examples:
-  housefly safety                              all of it (about an hour on two cores)
+  housefly safety                              all of it (an hour and a half on two cores)
   housefly safety --quick                      a few flights of each row
   housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --seeds 0 --wires 10         ten of each in real processes only
@@ -78,7 +78,13 @@ def _run(options: Namespace) -> int:
     if not 0 <= options.seed < 2**31 - 1:
         raise ConfigError("--seed", f"is {options.seed}; allowed: 0 to {2**31 - 2}")
     compile_once(CompiledPart.CHAIN, console.print)
-    return _fly_again(options) if options.again else _fly_all(options)
+    if options.again:
+        return _fly_again(options)
+    try:
+        return _fly_all(options)
+    except KeyboardInterrupt:
+        console.print(f"what was flown is kept in {options.out}: run the same again to go on")
+        raise
 
 
 def _plan(options: Namespace) -> SafetyPlan:

@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
 
@@ -132,6 +132,11 @@ def _flown(keys: list[TrialKey], workers: int) -> Iterator[TrialResult]:
             groups = [pool.submit(fly_alike, group) for group in alike(keys)]
             for flown in as_completed(groups):
                 yield from flown.result()
+        except BaseException:
+            # A signal to this process alone; flights that nobody waits for are not flown on.
+            for worker in active_children():
+                worker.terminate()
+            raise
         finally:
             pool.shutdown(cancel_futures=True)
 
