@@ -13,14 +13,14 @@ from pydantic import ValidationError
 
 from housefly.clock import Clock
 from housefly.config.validation import dotted, words_of
-from housefly.errors import HouseflyError, MissingPartError
-from housefly.hub.api.pilot_queries import PlanRequest, PreflightView, RoomView
+from housefly.errors import MissingPartError
+from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import OrderKind, Severity
 from housefly.web.audit_log import AuditLog
 from housefly.web.console_knowledge import PILOT_TIMEOUT, ConsoleKnowledge
 from housefly.web.console_memory import ConsoleMemory, KeptConsole, KeptControl, KnownTab
 from housefly.web.goal_words import subject_of_task
-from housefly.web.invitations import Invitation
+from housefly.web.guest_links import GuestLinks
 from housefly.web.lease import LEASE_TIMEOUT, Lease
 from housefly.web.nudges import LATE_MAX, NEW_TIME, nudge_order
 from housefly.web.order_objections import order_objection_now
@@ -32,20 +32,18 @@ from housefly.web.orders import (
     to_order,
 )
 from housefly.web.pilot_link import PilotLink
+from housefly.web.plan_answers import answer_plans
 from housefly.web.protocol import (
     CLIENT_MESSAGE,
     AcceptedReply,
     EventsMessage,
     Hello,
-    InvitationUsed,
-    InviteReply,
     InviteRequest,
     LeaseRequest,
     NudgeRequest,
     OrderRequest,
     PingRequest,
     PlanQuestion,
-    PlanReply,
     PongReply,
     PreflightMessage,
     RefusedReply,
@@ -56,7 +54,6 @@ from housefly.web.protocol import (
     Welcome,
     to_text,
 )
-from housefly.web.qr_code import qr_view
 from housefly.web.roles import Role, role_for_message, role_objection
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
@@ -75,14 +72,6 @@ _MAX_REFUSALS = 200
 """A socket that sends this many commands in a row above the rate limit is closed."""
 _STOP_LOG_PERIOD = 0.5
 """STOPs closer together than this make one line of the log [s]."""
-_MAX_HOSTS = 200
-"""Links whose makers are told when they are used."""
-_GUEST_WORDS = {
-    Role.WATCH: "may watch",
-    Role.ASK: "may watch and ask",
-    Role.FLY: "may fly",
-    Role.ADMIN: "may do everything",
-}
 _CLOSE_OPENED_ELSEWHERE = 4001
 """WebSocket close code; the client knows it."""
 
@@ -113,8 +102,12 @@ class Console:
         self._memory, self._kept = memory, KeptControl()
         if memory is not None:
             self._restore(memory.read(clock.now()))
-        self._guest_address, self._hosts = guest_address, dict[str, Viewer]()
-        auth.on_guest = self._on_guest
+        self._links = GuestLinks(
+            auth,
+            guest_address,
+            lambda words: feed.log_event(Severity.INFO, "control", words),
+            lambda words: self._record("", "", words),
+        )
         self._tasks: set[asyncio.Task[None]] = set()
         self._handlers: dict[type, Callable[[Viewer, Any], None]] = {
             Hello: self._hello,
@@ -388,21 +381,7 @@ class Console:
 
     def _plan(self, viewer: Viewer, message: PlanQuestion) -> None:
         viewer.question = message
-        if not viewer.asking:
-            viewer.asking = True
-            self._start(self._answer_plans(viewer))
-
-    async def _answer_plans(self, viewer: Viewer) -> None:
-        """Answer the newest question; older ones are out of date."""
-        while (question := viewer.question) is not None:
-            viewer.question = None
-            try:
-                answer = await self.link.plan(PlanRequest(question.place, question.goal))
-            except HouseflyError as error:
-                viewer.send(RefusedReply(question.id, f"no path could be asked for: {error}"))
-            else:
-                viewer.send(PlanReply(question.id, answer))
-        viewer.asking = False
+        self._start(answer_plans(viewer, self.link))
 
     def _lease(self, viewer: Viewer, message: LeaseRequest) -> None:
         now, me = self._clock.now(), viewer.number
@@ -426,28 +405,10 @@ class Console:
 
     def _invite(self, viewer: Viewer, message: InviteRequest) -> None:
         self._record(viewer.name, viewer.session.name, f"made a one-time link: {message.role}")
-        invitation = self._auth.invite(Role(message.role))
-        self._hosts[invitation.name] = viewer
-        while len(self._hosts) > _MAX_HOSTS:
-            del self._hosts[next(iter(self._hosts))]
-        path, origin = f"/?token={invitation.token}", self._guest_address
         try:
-            qr = qr_view(origin + path) if origin else None
+            viewer.send(self._links.make(viewer, message))
         except MissingPartError as error:
             viewer.send(RefusedReply(message.id, str(error)))
-            return
-        name, until = invitation.name, invitation.until
-        viewer.send(InviteReply(message.id, name, origin, path, until, qr))
-
-    def _on_guest(self, invitation: Invitation) -> None:
-        """Tell everybody that a link was used, and who made it by whose link somebody came."""
-        host = self._hosts.pop(invitation.name, None)
-        by = f"the link that {host.name} made" if host else "the link of the terminal"
-        may = _GUEST_WORDS[invitation.role]
-        self.feed.log_event(Severity.INFO, "control", f"a browser came in by {by}: it {may}")
-        self._record("", "", f"a one-time link was used: {invitation.role.value}, by {by}")
-        if host in self.viewers:
-            host.send(InvitationUsed(invitation.name))
 
     # --- helpers
 
