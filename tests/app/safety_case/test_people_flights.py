@@ -38,6 +38,13 @@ def test_a_chair_that_is_taken_for_a_person_does_not_keep_the_drone_in_the_air(s
     assert result.ending == "stands on the floor"
 
 
+def test_a_chair_beside_the_pad_is_told_and_landed_beside() -> None:
+    """The hull's narrow side would fit; the watch of the way never lets it there."""
+    result = fly_trial(TrialKey("F33/1m", 2))
+    assert not result.violations
+    assert result.told and result.ending == "stands on the floor"
+
+
 def test_who_runs_into_a_drone_that_takes_off_too_late_for_any_steering_is_counted_by_itself() -> (
     None
 ):

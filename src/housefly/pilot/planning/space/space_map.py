@@ -174,6 +174,9 @@ class SpaceMap:
         if answer.trajectory is not None or not is_asked:
             return answer
         live = moment.rows[len(self._solids) :]
+        # A chair beside the goal is no door: the way would be seen blocked for ever.
+        if hull_clearances(live, np.array([goal]), self.hull, CLEARANCE_CAP)[0] < self.keep:
+            return answer
         through = self._doors.trajectory(
             live, moment.rows, start, np.array(goal), yaw, self.limits, self._zones
         )
