@@ -60,7 +60,7 @@ def demo(tmp_path: Path, write_site: Any) -> Iterator[str]:
         alone = {**os.environ, "XDG_RUNTIME_DIR": str(tmp_path / "run")}
         process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, env=alone)
     try:
-        found = wait_for(log, r"http://\S+", 30.0)
+        found = wait_for(log, r"http://\S+", 90.0)
         wait_for(log, "ready after", 60.0)
         yield found
     finally:
@@ -85,7 +85,7 @@ def hold(page: Page, button: Locator, seconds: float) -> None:
     page.mouse.up()
 
 
-@pytest.mark.timeout(240)
+@pytest.mark.timeout(360)
 def test_the_demo_tells_its_story_from_the_bell_on_the_page_to_the_clip_that_plays(
     demo: str, page: Page
 ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from math import cos, hypot, pi, sin
+from math import cos, dist, hypot, pi, sin
 from typing import Any
 
 import pytest
@@ -20,6 +20,9 @@ from housefly.messages import (
     Sighting,
 )
 from housefly.pilot.behavior.braking import LAST_HEIGHT
+from housefly.pilot.behavior.commander import Commander
+from housefly.pilot.behavior.mission import Refused
+from housefly.pilot.planning.people_map import SPOT_APART
 from housefly.room.distance import half_diagonal
 
 Fly = Callable[..., Any]
@@ -270,18 +273,41 @@ def test_in_mode_paper_the_drone_lands_by_itself_with_nobody_near(fly: Fly) -> N
     assert flight.body.z > 0.9
 
 
-def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:
-    flight = homeward(fly)
+def put_stool_on_pad(flight: Any) -> None:
+    """Let the drone's own sensor see something 0.6 m high where the pad is."""
     step = flight.pilot.step
 
     def with_stool(now: float, inputs: Any) -> Any:
         over = flight.home_error < 0.4
-        height = max(0.0, flight.body.z - (0.6 if over else 0.0))
-        return step(now, replace(inputs, telemetry=replace(inputs.telemetry, height=height)))
+        seen = max(0.0, flight.body.z - (0.6 if over else 0.0))
+        return step(now, replace(inputs, telemetry=replace(inputs.telemetry, height=seen)))
 
     flight.pilot.step = with_stool
+
+
+def test_something_that_only_the_sonar_shows_is_not_landed_on(fly: Fly) -> None:
+    flight = homeward(fly)
+    put_stool_on_pad(flight)
     flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
     assert flight.told("landing_blocked") and flight.home_error > 0.5
+
+
+def test_where_no_way_leads_to_the_nearest_places_to_land_the_next_one_is_tried(
+    fly: Fly, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[tuple[float, float]] = []
+    land_at = Commander.land_at
+
+    def first_ones_refused(self: Commander, spot: Any, vehicle: Any) -> Any:
+        asked.append(spot)
+        return Refused("no way") if len(asked) <= 2 else land_at(self, spot, vehicle)
+
+    monkeypatch.setattr(Commander, "land_at", first_ones_refused)
+    flight = homeward(fly)
+    put_stool_on_pad(flight)
+    flight.until(lambda o: flight.status is DroneStatus.LANDED, 60.0)
+    assert len(asked) == 3 and flight.home_error > 0.5
+    assert dist(asked[0], asked[1]) > SPOT_APART and dist(asked[1], asked[2]) > SPOT_APART
 
 
 def test_no_take_off_while_somebody_stands_beside_the_drone(fly: Fly) -> None:

@@ -7,8 +7,9 @@ from dataclasses import replace
 import pytest
 
 from housefly.app.loaded_site import load_site
+from housefly.geometry import Vec2, distance
 from housefly.messages import Obstacle, ObstacleKind
-from housefly.pilot.planning.people_map import UNMOVED_TIME, PeopleMap
+from housefly.pilot.planning.people_map import SPOT_APART, UNMOVED_TIME, PeopleMap
 
 PLACE = (3.5, 2.5)
 
@@ -54,3 +55,15 @@ def test_furniture_is_no_floor_to_land_on_but_the_pad_is_wherever_it_lies() -> N
     assert not PeopleMap(loaded.site, on_sofa, loaded.grid).ground_fault(beside)
     paper = load_site("bsen", hub__enabled=False, mode="paper")
     assert not PeopleMap(paper.site, paper.room, paper.grid).ground_fault(beside)
+
+
+def test_places_to_land_beside_one_that_cannot_be_reached_are_left_out(around: PeopleMap) -> None:
+    around.update((), lambda height: around._grid, 0.0)
+    spots: list[Vec2] = []
+    while (spot := around.landing_spot(PLACE, 0.0, unreachable=spots)) is not None:
+        assert all(distance(spot, other) >= SPOT_APART for other in spots)
+        assert not around.ground_fault(spot)
+        spots.append(spot)
+    assert len(spots) >= 4
+    distances = [round(distance(PLACE, spot), 6) for spot in spots]
+    assert distances == sorted(distances)

@@ -16,7 +16,7 @@ from __future__ import annotations
 from math import inf
 
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import distance
+from housefly.geometry import Vec2, distance
 from housefly.messages.flight import Event, Phase, Severity
 from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.commander import Commander
@@ -34,7 +34,9 @@ GAP_TIME = 0.3
 ON_GOAL = 0.3
 """A landing so near to its goal sinks above the goal, any other one where the drone is [m]."""
 SPOT_PERIOD = 3.0
-"""How often another place to land is looked for [s]."""
+"""How often another place to land is looked for [s] ..."""
+SPOT_RETRY = 0.5
+"""... and how soon the next one when no way leads to it [s]."""
 SPOT_DISTANCE = 0.9
 """Something that only the drone's own sensor shows is left behind by at least this [m]."""
 
@@ -63,7 +65,8 @@ class LandingMonitor:
         self._commander, self._people = commander, navigator.people
         self._guided = navigator.sees_people or not paper
         self._gap_since = inf
-        self._asked_at = -inf
+        self._ask_at = -inf
+        self._unreachable: set[Vec2] = set()
         self._fault = self._told = ""
         self._sinking: TrackingTask | None = None
 
@@ -103,9 +106,10 @@ class LandingMonitor:
             text = f"not landing: {fault}"
             events.append(Event(vehicle.now, Severity.WARNING, "landing_blocked", text))
             is_room = vehicle.place is not None and self._people.ground_fault(vehicle.place)
-            self._told, self._asked_at = fault, -inf if is_room else vehicle.now
-        if vehicle.now - self._asked_at >= SPOT_PERIOD:
-            self._asked_at = vehicle.now
+            self._told, self._ask_at = fault, vehicle.now + (0.0 if is_room else SPOT_PERIOD)
+            self._unreachable.clear()
+        if vehicle.now >= self._ask_at:
+            self._ask_at = vehicle.now + SPOT_PERIOD
             events.extend(self._elsewhere(vehicle))
         return events
 
@@ -157,14 +161,22 @@ class LandingMonitor:
         if place is None:
             return []
         least = SPOT_DISTANCE if self._has_gap(vehicle) else 0.0
-        spot = self._people.landing_spot(place, vehicle.now, least)
-        if spot is None or self._commander.land_at(spot, vehicle) is not None:
-            if self._told != _NOWHERE:
-                self._told = _NOWHERE
-                return [Event(vehicle.now, Severity.WARNING, "landing_blocked", _NOWHERE)]
+        spot = self._people.landing_spot(place, vehicle.now, least, self._unreachable)
+        if spot is None:
+            self._unreachable.clear()
+            return self._nowhere(vehicle)
+        if self._commander.land_at(spot, vehicle) is not None:
+            self._unreachable.add(spot)
+            self._ask_at = vehicle.now + SPOT_RETRY
             return []
         text = f"landing {distance(place, spot):.1f} m beside"
         return [Event(vehicle.now, Severity.INFO, "landing_elsewhere", text)]
+
+    def _nowhere(self, vehicle: VehicleStatus) -> list[Event]:
+        if self._told == _NOWHERE:
+            return []
+        self._told = _NOWHERE
+        return [Event(vehicle.now, Severity.WARNING, "landing_blocked", _NOWHERE)]
 
 
 _NOWHERE = "no clear place to land within 2 m: waiting in the air"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 
 import numpy as np
 
@@ -37,7 +37,8 @@ UNMOVED_RADIUS = 0.1
 """... which is not to leave this distance from a place [m] ..."""
 UNMOVED_DISTANCE = 0.25
 """... but no nearer to the hull than this [m]."""
-
+SPOT_APART = 0.35
+"""Where no way leads to one place to land, those within this distance of it are left out [m]."""
 
 ThingsMap = Callable[[float | None], OccupancyGrid]
 """Makes the map of things at a height of the drone [m], at the usual one for None."""
@@ -150,13 +151,17 @@ class PeopleMap:
         is_clear = self._static.clearance(place) > self.hull + HULL_MARGIN
         return "" if is_clear else "furniture or a wall stands below or beside it"
 
-    def landing_spot(self, place: Vec2, now: float, least: float = 0.0) -> Vec2 | None:
+    def landing_spot(
+        self, place: Vec2, now: float, least: float = 0.0, unreachable: Collection[Vec2] = ()
+    ) -> Vec2 | None:
         """Return the nearest place within 2 m where a landing hurts nobody and nothing [m].
 
-        It is at least ``least`` metres away.
+        It is at least ``least`` metres away, and not beside those to which no way was found.
         """
         grid, wide = self._things(None), self.hull + HULL_MARGIN
         for spot in spots_around(place, least):
+            if any(distance(spot, other) < SPOT_APART for other in unreachable):
+                continue
             is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
             if is_open and not self.landing_fault(spot, now):
                 return spot
