@@ -26,6 +26,8 @@ const KEY_FRAME = 1;
 const DECODING_MAX = 3;
 const MICRO = 1e6;
 const AGAIN = 1000;
+/** How often the page is told of the pictures that were drawn [ms]: its words need no more. */
+const TOLD = 100;
 
 function parse(buffer: ArrayBuffer): Message {
   const view = new DataView(buffer);
@@ -60,6 +62,7 @@ function show({ canvas, address, protocols }: VideoStart): void {
   let codec: string | null = null;
   let socket: WebSocket | null = null;
   let owed = 0;
+  let toldAt = -Infinity;
 
   const draw = (frame: VideoFrame): void => {
     if (canvas.width !== frame.displayWidth || canvas.height !== frame.displayHeight) {
@@ -70,7 +73,10 @@ function show({ canvas, address, protocols }: VideoStart): void {
     const about = decoded.get(frame.timestamp);
     decoded.delete(frame.timestamp);
     frame.close();
-    if (about) postMessage({ ...about, drawnAt: wallClock() } satisfies DrawnPicture);
+    const drawnAt = wallClock();
+    if (!about || drawnAt - toldAt < TOLD) return;
+    toldAt = drawnAt;
+    postMessage({ ...about, drawnAt } satisfies DrawnPicture);
   };
 
   const answer = (): void => {
