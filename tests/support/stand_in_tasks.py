@@ -110,6 +110,7 @@ class StandInTasks:
     Attributes:
         asked: every question it was asked, oldest first.
         rehearses: not set, rehearsals take long.
+        clock_ahead: of the clock of the tasks [s].
         films: whether a photo can be kept.
     """
 
@@ -123,6 +124,7 @@ class StandInTasks:
         self.mode, self.records, self.films = HouseMode.HOME, False, True
         self.clips: tuple[ClipInfo, ...] = ()
         self.notices: tuple[str, ...] = ()
+        self.clock_ahead = 0.0
         self._answers: dict[type, Callable[[Any], TaskAnswer]] = {
             BoardQuestion: lambda _: self.board(),
             ServicesQuestion: lambda _: ServicesAnswer(SERVICES),
@@ -177,7 +179,7 @@ class StandInTasks:
         with self._lock:
             every = tuple(self.tasks.values())
             return TaskBoard(
-                time.time(),
+                time.time() + self.clock_ahead,
                 self.mode,
                 "on the pad",
                 self.records,

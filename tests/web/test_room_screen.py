@@ -340,11 +340,14 @@ async def test_a_bell_is_a_card_in_words_and_in_the_title_and_the_picture_takes_
     page: Page, room: Room, until: Callable[..., Any]
 ) -> None:
     assert await page.title() == "Housefly"
+    await ask(page, "the red cup")
+    await expect(page.locator(".find .answer")).to_be_visible()
     room.happen("bell pressed", "doorbell", "doorbell", 0.0)
     card = page.get_by_role("article", name="Doorbell")
     await expect(card).to_contain_text("Someone at the entrance")
     await expect(page).to_have_title(re.compile("Someone at the entrance"))
     await expect(page.locator(".app")).to_have_attribute("data-swapped", "true")
+    await expect(page.locator(".find .answer")).to_have_count(0)
     stage, card_at = await page.locator(".view.video").bounding_box(), await card.bounding_box()
     assert stage is not None and card_at is not None
     assert stage["width"] > 600 and card_at["x"] >= stage["x"] + stage["width"]

@@ -214,6 +214,17 @@ async def test_a_sentence_is_answered_and_what_flies_waits_for_a_yes(
     await until(lambda: stage_of(house) is TaskStage.QUEUED)
 
 
+async def test_an_answer_over_the_map_is_put_away_after_a_minute(page: Page, house: House) -> None:
+    await page.get_by_role("button", name="Live").first.click()
+    await page.get_by_role("combobox", name="Where is").fill("where is the cup")
+    await page.keyboard.press("Enter")
+    answer = page.locator(".find .answer")
+    await expect(answer).to_contain_text("“where is the cup”, answered now")
+    house.tasks.clock_ahead, house.tasks.notices = 70.0, ("somebody is at the door",)
+    house.tasks.tell()
+    await expect(answer).to_have_count(0)
+
+
 async def test_a_service_asks_for_what_it_needs_and_is_rehearsed_before_the_yes(
     page: Page, house: House, until: Callable[..., Any]
 ) -> None:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-EAI2IBFR.js";
+import"./chunk-chunk-NS7N3RH6.js";

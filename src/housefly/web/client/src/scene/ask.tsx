@@ -1,22 +1,25 @@
 import { useEffect, useRef } from "preact/hooks";
-import { computed, signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 import { HoldButton } from "../controls/hold-button";
 import { sentence } from "../format";
 import { createHold } from "../hold";
-import { unfind } from "../live/room-client";
 import { at, found, nameOf } from "../live/store";
 import { clock } from "../live/words";
 import { refuse } from "../said";
 import { panel } from "../store";
-import { answer, forget, said, trouble } from "../tasks/ask";
-import { running } from "../tasks/board";
+import { answer, answeredAt, said, trouble } from "../tasks/ask";
+import { running, unixNow } from "../tasks/board";
 import { learnNames } from "../tasks/names";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
-import { askFor, ideasFor, lookThere } from "./asked-words";
+import { askFor, ideasFor, lookThere, unask } from "./asked-words";
 import { t, tongue, translated } from "../messages/language";
 
 const HOLD = 0.6;
-const sent = signal("");
+/** How long the answer to a sentence is shown [s]: it is of the moment when it came. */
+const SHOWN = 60;
+const isOld = computed(
+  () => !answer.value?.offer && answer.value !== null && unixNow.value - answeredAt.value > SHOWN,
+);
 const nowhere = computed(() => {
   const known = found.value.answer;
   const somewhere = known?.position || known?.inside.length;
@@ -26,16 +29,10 @@ const look = createHold(HOLD, nowhere, (from) => {
   const known = found.peek().answer;
   if (known)
     lookThere(known).then(
-      () => close(),
+      unask,
       (error: Error) => refuse(translated(error.message), from),
     );
 });
-
-function close(): void {
-  forget();
-  unfind();
-  sent.value = "";
-}
 
 /** Where is it, go there, or whatever else one may ask; the answer lies over the map. */
 export function Ask() {
@@ -46,11 +43,11 @@ export function Ask() {
   }, [panel.value]);
   const go = (words: string): void => {
     if (field.current) field.current.value = words;
-    sent.value = words;
     if (panel.value === "ask") panel.value = "";
     void askFor(words);
   };
-  const shown = found.value.answer || found.value.problem || said.value || trouble.value;
+  const told = (said.value || trouble.value) && !isOld.value;
+  const shown = found.value.answer || found.value.problem || told;
   return (
     <section class="ask-line find" aria-label={t("Ask")}>
       <form
@@ -69,7 +66,7 @@ export function Ask() {
           list="names"
           maxLength={200}
           autocomplete="off"
-          onInput={(event) => event.currentTarget.value === "" && close()}
+          onInput={(event) => event.currentTarget.value === "" && unask()}
         />
         <button type="submit">{t("Ask")}</button>
         <datalist id="names">
@@ -80,7 +77,7 @@ export function Ask() {
       </form>
       {shown && (
         <div class="answer card" role="status">
-          <button type="button" class="shut" aria-label={t("Close the answer")} onClick={close}>
+          <button type="button" class="shut" aria-label={t("Close the answer")} onClick={unask}>
             ×
           </button>
           {said.value || answer.value ? <SentenceAnswerView go={go} /> : <Whereabouts go={go} />}

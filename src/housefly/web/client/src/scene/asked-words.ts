@@ -46,10 +46,15 @@ export function ideasFor(): string[] {
   ];
 }
 
-export async function askFor(typed: string): Promise<void> {
-  const words = typed.trim();
+/** Put away what was asked, and its answer. */
+export function unask(): void {
   forget();
   unfind();
+}
+
+export async function askFor(typed: string): Promise<void> {
+  const words = typed.trim();
+  unask();
   if (!words) return;
   const target = part(GO, words) ?? "";
   const place = placeCalled(target || words);

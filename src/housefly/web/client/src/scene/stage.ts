@@ -1,6 +1,8 @@
-// The picture takes the stage by itself while the drone looks and at a bell, and gives it back.
+// The picture takes the stage by itself while the drone looks and at a bell, and gives it back. An
+// answer that lay over the map would lie over a face, and is of before.
 import { computed, effect } from "@preact/signals";
 import { lineLives, link, state, swapped } from "../store";
+import { unask } from "./asked-words";
 import { bellRings } from "./bell";
 
 const looks = computed(
@@ -17,6 +19,7 @@ effect(() => {
   if (wanted && before === null) {
     before = swapped.peek();
     swapped.value = true;
+    unask();
   } else if (!wanted && before !== null) {
     // Whoever has made the map large again meanwhile keeps it so.
     if (swapped.peek()) swapped.value = before;
