@@ -6,17 +6,17 @@ import os
 import platform
 import time
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
-from housefly.app.terminal import console, new_progress
+from housefly.app.terminal import console
 from housefly.errors import ConfigError
 
 if TYPE_CHECKING:
     from housefly.app.safety_case.plan import SafetyPlan
+    from housefly.app.safety_case.trial import TrialResult
+    from housefly.app.safety_case.wired_flight import WiredResult
 
 _DESCRIPTION = """\
 Fly every fault of the matrix (docs/faults.md) in every phase of a service, in the simulated room, \
@@ -107,18 +107,24 @@ def _fly_all(options: Namespace) -> int:
     )
     from housefly.app.safety_case.page import write_safety_case
     from housefly.app.safety_case.wired_flight import wired_keys
+    from housefly.app.safety_progress import SafetyProgress
 
     out, keys, began = Path(options.out), _plan(options).keys(), time.monotonic()
     workers = options.workers or len(os.sched_getaffinity(0))
     there = {result.key for result in flown_results(out)}
-    with _progress("flights", len(keys), sum(key in there for key in keys)) as add:
-        results = fly_plan(keys, out, workers, lambda r: add(r.unsafe and r.key.guarded))
+    with SafetyProgress("flights", len(keys), sum(key in there for key in keys)) as progress:
+        results = fly_plan(
+            keys,
+            out,
+            workers,
+            lambda r: progress.advance(_unsafe_words(r) if r.key.guarded else ""),
+        )
     results = results or flown_results(out)
     wired_wanted = wired_keys(options.wires, tuple(options.rows))
     wired_there = {result.key for result in wired_results(out)}
     done = sum(key in wired_there for key in wired_wanted)
-    with _progress("in real time", len(wired_wanted), done) as add:
-        wired = fly_wired_plan(wired_wanted, out, lambda r: add(r.unsafe))
+    with SafetyProgress("in real time", len(wired_wanted), done) as progress:
+        wired = fly_wired_plan(wired_wanted, out, lambda r: progress.advance(_unsafe_words(r)))
     made = _made(options, len(results) + len(wired), time.monotonic() - began)
     page = write_safety_case(out, results, wired, made)
     guarded = [result for result in results if result.key.guarded]
@@ -128,25 +134,11 @@ def _fly_all(options: Namespace) -> int:
     return 1 if bad else 0
 
 
-@contextmanager
-def _progress(what: str, total: int, done: int) -> Iterator[Callable[[bool], None]]:
-    """Show how far it is, and yield what counts a flight and whether it was unsafe."""
-    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn(what), BarColumn(30), MofNCompleteColumn(),
-        TextColumn("{task.fields[unsafe]} unsafe"), TimeRemainingColumn(),
-    )  # fmt: skip
-    unsafe = 0
-    with new_progress(*columns) as progress:
-        task = progress.add_task("", total=total, completed=done, unsafe=0, visible=total > 0)
-
-        def add(was_unsafe: bool) -> None:
-            nonlocal unsafe
-            unsafe += was_unsafe
-            progress.update(task, advance=1, unsafe=unsafe)
-
-        yield add
+def _unsafe_words(result: TrialResult | WiredResult) -> str:
+    """Return which flight was unsafe and how, or "" for a safe one."""
+    if not result.unsafe:
+        return ""
+    return f"{result.key.row or 'calm'} seed {result.key.seed}: {'; '.join(result.violations)}"
 
 
 def _fly_again(options: Namespace) -> int:
