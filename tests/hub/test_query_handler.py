@@ -27,6 +27,11 @@ def test_where_a_thing_is_is_told_with_who_says_so_and_how_long_ago(house) -> No
     assert answer.words == "the drone: at (2.00, 3.00, 1.10) m, last seen 3 s ago by vicon"
 
 
+def test_a_height_of_nothing_has_no_minus(house) -> None:
+    house.see("drone", 3.0, (2.0, 3.0, -0.001))
+    assert "at (2.00, 3.00, 0.00) m" in house.ask(WhereQuestion("drone")).words
+
+
 def test_a_thing_in_a_thing_is_where_that_is_and_its_containers_are_named(house) -> None:
     house.see("cup", 100.0, inside="cabinet", source="cabinet")
     answer = house.ask(WhereQuestion("mug"))

@@ -65,7 +65,7 @@ def _alternative_words(one: Hypothesis) -> str:
 
 
 def _place_words(position: Vec3) -> str:
-    return "at ({:.2f}, {:.2f}, {:.2f}) m".format(*position)
+    return "at ({:z.2f}, {:z.2f}, {:z.2f}) m".format(*position)
 
 
 def _percent(confidence: float) -> str:
