@@ -53,7 +53,7 @@ def test_the_visitor_service_may_fly_and_says_what_to_expect() -> None:
     assert 2.0 * planned < report.duration - stay < 2.0 * planned + 30.0
     assert report.charge == pytest.approx(report.duration / 600.0, rel=0.4)
     assert report.shortest == pytest.approx(report.duration - stay)
-    assert f"takes {report.shortest:.0f} s to " in report.words
+    assert f"takes {report.shortest:.0f} to {report.duration:.0f} s" in report.words
     assert report.clearance is not None and 0.2 < report.clearance < 0.5
     assert report.first_look is not None and planned < report.first_look < 1.3 * planned + 8.0
     assert min(x for x, _ in report.way) < 3.3 and len(report.way) > 50
@@ -62,7 +62,7 @@ def test_the_visitor_service_may_fly_and_says_what_to_expect() -> None:
 def test_a_long_hover_is_added_and_said() -> None:
     report = rehearse("look", subject="tv", time=240.0)
     assert report.may_fly and report.duration is not None and report.duration > 240.0
-    assert "hovering that was added" in report.words
+    assert "hovering on the spot" in report.words
     assert report.charge is not None and report.charge > 0.33
 
 

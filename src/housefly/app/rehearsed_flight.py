@@ -269,9 +269,9 @@ def _expectation(report: RehearsalReport, branches: list[RehearsedBranch]) -> st
         return "nothing flies"
     least, most = report.shortest or 0.0, report.duration or 0.0
     is_range = most - least > _RANGE_MIN
-    takes = f"{_minutes(least)} to {_minutes(most)}" if is_range else _minutes(most)
+    takes = _minutes_between(least, most) if is_range else _minutes(most)
     skipped = max(branch.flight.skipped for branch in branches)
-    added = f", up to {_minutes(skipped)} of it hovering that was added" if skipped else ""
+    added = f", up to {_minutes(skipped)} of it hovering on the spot" if skipped else ""
     charge = (
         f" and {'up to ' if is_range else ''}{100 * (report.charge or 0.0):.0f} % of the charge"
     )
@@ -279,6 +279,12 @@ def _expectation(report: RehearsalReport, branches: list[RehearsedBranch]) -> st
     near = report.clearance
     clear = f", {near:.2f} m from the nearest thing" if near is not None else ""
     return f"takes {takes}{added}{charge}{clear}{ways}"
+
+
+def _minutes_between(least: float, most: float) -> str:
+    if most < 180.0:
+        return f"{least:.0f} to {most:.0f} s"
+    return f"{least / 60.0:.1f} to {most / 60.0:.1f} min"
 
 
 def _minutes(seconds: float) -> str:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-NS7N3RH6.js";
+import"./chunk-chunk-6S6ESX7V.js";

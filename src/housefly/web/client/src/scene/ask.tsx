@@ -7,19 +7,14 @@ import { at, found, nameOf } from "../live/store";
 import { clock } from "../live/words";
 import { refuse } from "../said";
 import { panel } from "../store";
-import { answer, answeredAt, said, trouble } from "../tasks/ask";
-import { running, unixNow } from "../tasks/board";
+import { answer, isOld, said, trouble } from "../tasks/ask";
+import { running } from "../tasks/board";
 import { learnNames } from "../tasks/names";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
 import { askFor, ideasFor, lookThere, unask } from "./asked-words";
 import { t, tongue, translated } from "../messages/language";
 
 const HOLD = 0.6;
-/** How long the answer to a sentence is shown [s]: it is of the moment when it came. */
-const SHOWN = 60;
-const isOld = computed(
-  () => !answer.value?.offer && answer.value !== null && unixNow.value - answeredAt.value > SHOWN,
-);
 const nowhere = computed(() => {
   const known = found.value.answer;
   const somewhere = known?.position || known?.inside.length;

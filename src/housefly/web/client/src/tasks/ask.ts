@@ -12,6 +12,12 @@ export const trouble = signal("");
 /** When the answer came [s]: it is about then. */
 export const answeredAt = signal(0);
 
+const SHOWN = 60;
+/** An answer is of the moment when it came, and is put away after a while; an offer waits. */
+export const isOld = computed(
+  () => !answer.value?.offer && answer.value !== null && unixNow.value - answeredAt.value > SHOWN,
+);
+
 let turn = 0;
 
 export async function ask(words: string): Promise<void> {
