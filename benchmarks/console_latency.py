@@ -65,8 +65,8 @@ class Arrivals:
         self.stops.append(1000 * time.time())
 
 
-def pictures() -> list[tuple[bytes, bool]]:
-    """Return two seconds of 640 x 360 H.264; in flight another process encodes."""
+def noise_pictures() -> list[tuple[bytes, bool]]:
+    """Return two seconds of 640 x 360 H.264, harder to decode than any room."""
     encoder = av.CodecContext.create("libx264", "w")
     encoder.width, encoder.height, encoder.pix_fmt, encoder.time_base = (
         640,
@@ -89,9 +89,9 @@ def pictures() -> list[tuple[bytes, bool]]:
     ]
 
 
-async def feed(bus: LocalBus) -> None:
+async def feed(bus: LocalBus, pictures: list[tuple[bytes, bool]]) -> None:
     """Publish pictures, 30 a second, as the drone would."""
-    for number, (data, keyframe) in enumerate(cycle(pictures())):
+    for number, (data, keyframe) in enumerate(cycle(pictures)):
         bus.publish(VIDEO_TOPIC, VideoFrame(data, keyframe, 640, 360, number, time.monotonic()))
         await asyncio.sleep(1 / 30)
 
@@ -136,7 +136,7 @@ async def rows(browser: Browser, *, busy: bool) -> list[tuple[str, str, list[flo
         await page.goto(f"{address}/?token={token}")
         await page.wait_for_selector(".drone")
         if busy:
-            tasks.append(asyncio.create_task(feed(bus.join())))
+            tasks.append(asyncio.create_task(feed(bus.join(), noise_pictures())))
             for _ in range(WATCHERS):
                 await (await context.new_page()).goto(address)
             await page.bring_to_front()

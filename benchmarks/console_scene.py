@@ -1,4 +1,6 @@
-"""The console's one screen in real Chromium, over a fake pilot at 100 Hz and 30 pictures a second.
+"""The console's one screen in real Chromium, over a fake pilot at 100 Hz.
+
+The drone's 30 pictures a second are of the simulated camera on a flight through its room.
 
 ``SECONDS`` over which the processor is looked at (60 by default) and ``PRESSES`` of STOP (100) may
 be set for a short run. What the page keeps in a long flight is in ``console_heap.py``.
@@ -23,6 +25,7 @@ import numpy as np
 from playwright.async_api import Browser, CDPSession, Page, ViewportSize
 
 from _chromium import headless_chromium
+from _pictures import flight_pictures
 from console_latency import HOST, feed
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
@@ -139,7 +142,7 @@ async def scene(browser: Browser, folder: Path) -> AsyncIterator[Scene]:
         sender = StopSender(HOST, stop.address[1], secret)
         server = make_server(create_app(bus, token, sender.send, flights=folder))
         tasks = [asyncio.create_task(server.serve([listener])), asyncio.create_task(pilot.run())]
-        tasks.append(asyncio.create_task(feed(bus.join())))
+        tasks.append(asyncio.create_task(feed(bus.join(), flight_pictures())))
         context = await browser.new_context(viewport=SIZE)
         page = await context.new_page()
         await page.add_init_script(WATCH_STOP)

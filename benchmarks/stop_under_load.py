@@ -26,7 +26,7 @@ from websockets.exceptions import WebSocketException
 from websockets.typing import Origin
 
 from _chromium import headless_chromium
-from console_latency import HOST, STAMPS, Arrivals, feed
+from console_latency import HOST, STAMPS, Arrivals, feed, noise_pictures
 from housefly.bus.local import LocalBus
 from housefly.bus.stop import StopListener
 from housefly.bus.stop_sender import StopSender
@@ -126,7 +126,8 @@ async def serve(stop_port: int) -> None:
     pilot.status, pilot.phase, pilot.height = DroneStatus.FLYING, Phase.HOLDING, 1.1
     tasks = [asyncio.create_task(pilot.run())]
     asyncio.get_running_loop().add_signal_handler(
-        signal.SIGUSR1, lambda: tasks.append(asyncio.create_task(feed(bus.join())))
+        signal.SIGUSR1,
+        lambda: tasks.append(asyncio.create_task(feed(bus.join(), noise_pictures()))),
     )
     with socket.socket() as listener:
         listener.bind((HOST, 0))
