@@ -39,7 +39,7 @@ p {{ margin: 4px 0; color: var(--muted); }}
 .good {{ color: var(--good); }}
 .bad, .problem, tr.fault td:nth-child(2) {{ color: var(--fault); }}
 tr.warning td:nth-child(2) {{ color: var(--warn); }}
-dl {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(160px, 1fr)); gap: 1px;
+dl {{ display: grid; grid-template-columns: repeat(auto-fit, minmax(160px, 1fr)); gap: 1px;
   margin: 24px 0 0; padding: 1px; background: var(--line); border-radius: 10px; overflow: hidden; }}
 dl div {{ padding: 10px 14px; background: var(--card); }}
 dt {{ color: var(--muted); font-size: 12.5px; }}

@@ -6,6 +6,7 @@ import os
 import platform
 import time
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -28,7 +29,7 @@ Ctrl-C and the
 same command go on. The result is one page, safety-case.html."""
 _EPILOG = """\
 examples:
-  housefly safety                              all of it (an hour and a half on two cores)
+  housefly safety                              all of it (about two hours on two cores)
   housefly safety --quick                      a few flights of each row
   housefly safety --wires 1                    and one of each in real processes, over real wires
   housefly safety --seeds 0 --wires 10         ten of each in real processes only
@@ -125,7 +126,7 @@ def _fly_all(options: Namespace) -> int:
     done = sum(key in wired_there for key in wired_wanted)
     with SafetyProgress("in real time", len(wired_wanted), done) as progress:
         wired = fly_wired_plan(wired_wanted, out, lambda r: progress.advance(_unsafe_words(r)))
-    made = _made(options, len(results) + len(wired), time.monotonic() - began)
+    made = _made(options, results, len(wired), time.monotonic() - began)
     page = write_safety_case(out, results, wired, made)
     guarded = [result for result in results if result.key.guarded]
     bad = sum(r.unsafe for r in guarded) + sum(r.unsafe for r in wired)
@@ -152,17 +153,22 @@ def _fly_again(options: Namespace) -> int:
     return 1 if result.unsafe else 0
 
 
-def _made(options: Namespace, flights: int, seconds: float) -> dict[str, str]:
+def _made(
+    options: Namespace, results: Sequence[TrialResult], wired: int, seconds: float
+) -> dict[str, str]:
     from importlib import metadata
 
     rows = f" --rows {' '.join(options.rows)}" if options.rows else ""
-    how = " --quick" if options.quick else f" --seeds {options.seeds}"
+    seeds = options.seeds or 1 + max((r.key.seed for r in results if r.key.row), default=-1)
+    how = " --quick" if options.quick else f" --seeds {seeds}"
+    flights = len(results) + wired
     how += f" --wires {options.wires}" if options.wires else ""
+    took = f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores"
     return {
         "made by": f"housefly safety{how}{rows}",
         "on": time.strftime("%Y-%m-%d %H:%M"),
         "flights": f"{flights:,}".replace(",", " "),
-        "time of this run": f"{seconds / 60:.1f} min, {len(os.sched_getaffinity(0))} cores",
+        **({"time of this run": took} if options.seeds or options.wires else {}),
         "versions": f"Housefly {metadata.version('housefly')}, Python {platform.python_version()}",
     }
 

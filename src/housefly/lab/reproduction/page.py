@@ -42,7 +42,6 @@ margin:.4rem 0 .8rem;color:var(--ink)}
 padding:.55rem 0;border-bottom:1px solid var(--line)}
 @media (max-width:820px){.claim{grid-template-columns:minmax(0,1fr)}}
 .says{color:var(--ink)} dl dd{font-size:15px}
-dl{grid-template-columns:repeat(auto-fit,minmax(160px,1fr))}
 .small{color:var(--muted);font-size:.9em}
 .count{display:flex;flex-wrap:wrap;gap:.4rem 1.4rem;margin:.6rem 0}
 .wide{overflow-x:auto} .wide table{font-variant-numeric:tabular-nums}
