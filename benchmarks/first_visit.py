@@ -10,8 +10,9 @@ import os
 import shutil
 import sys
 import time
+from contextlib import suppress
 
-from playwright.sync_api import Browser, Page, sync_playwright
+from playwright.sync_api import Browser, Page, TimeoutError, sync_playwright
 
 from _run import Running, bench_site, percentile, running, table
 from housefly.messages import OrderKind, Phase
@@ -25,28 +26,35 @@ FLAGS = [
     "--no-first-run",
 ]
 GOAL = 8.0
-HOLD = 0.9
-"""How long a person holds [s]; the button asks for 0.6."""
+HOLD_MAX = 3.0
+"""So long a person holds at most before pressing again [s]; the button asks for 0.6."""
 AIRBORNE = 0.1
 """Height above the pad, by the drone's own sensor [m]."""
 
 
 def main() -> None:
     """Visit, and print how long it took."""
-    with running(bench_site("127.9.1.7")) as state, sync_playwright() as play:
+    visits = []
+    with sync_playwright() as play:
         browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-        visits = [visit(browser, state) for _ in range(VISITS)]
+        for _ in range(VISITS):
+            with running(bench_site("127.9.1.7")) as state:
+                visits.append(visit(browser, state))
         browser.close()
     print("### The first visit: from opening the page to a drone in the air\n")
-    names = ("the large button can be held", "it was held", f"airborne (goal: {GOAL:.0f} s)")
+    names = (
+        "the large button can be held",
+        "taking off, the page says",
+        f"airborne (goal: {GOAL:.0f} s)",
+    )
     rows = [
         [name, f"{percentile(list(times), 0.5):.2f}", f"{max(times):.2f}"]
         for name, times in zip(names, zip(*visits, strict=True), strict=True)
     ]
     print(table(["since the page was opened", "median [s]", "longest [s]"], rows))
     print(
-        f"\n{VISITS} visits over real wires, each in a browser that was never there; one click on a"
-        f" place and one hold of {HOLD} s, hints left alone."
+        f"\n{VISITS} visits over real wires, each to a room that was started for it, in a browser"
+        f" that was never there; one click on a place and one hold, hints left alone."
     )
 
 
@@ -66,18 +74,21 @@ def visit(browser: Browser, state: Running) -> tuple[float, float, float]:
     state.order(OrderKind.HOME)
     state.wait_for(Phase.IDLE, 90.0)
     context.close()
-    time.sleep(3.0)
     return ready, held, airborne
 
 
 def hold(page: Page) -> None:
-    """Hold the one large button, as a person does."""
-    box = page.locator(".primary").first.bounding_box()
-    assert box is not None
-    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-    page.mouse.down()
-    page.wait_for_timeout(1e3 * HOLD)
-    page.mouse.up()
+    """Hold the one large button until the page says that something happens, as a person does."""
+    for _ in range(3):
+        box = page.locator(".primary").first.bounding_box()
+        assert box is not None
+        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        page.mouse.down()
+        with suppress(TimeoutError):
+            taking_off = page.locator(".headline").filter(has_text="Taking off")
+            taking_off.wait_for(timeout=1e3 * HOLD_MAX)
+            return
+        page.mouse.up()
 
 
 def wait_for_air(state: Running) -> None:
