@@ -1,1 +1,1 @@
-import"./chunk-chunk-6S6ESX7V.js";
+import"./chunk-chunk-Y5CURCGG.js";

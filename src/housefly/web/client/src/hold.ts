@@ -44,7 +44,10 @@ export function createHold(
     stop();
   };
   effect(() => {
-    if (objection.value) stop();
+    if (!objection.value) return;
+    // Whoever holds is told why nothing comes of it.
+    if (held.peek()) explain(objection, hold.button);
+    stop();
   });
   const hold: Hold = { seconds, objection, held, button: null, begin, cancel, stop };
   return hold;
