@@ -11,16 +11,10 @@ import time
 import psutil
 from playwright.sync_api import Page, sync_playwright
 
+from _chromium import CHROMIUM_FLAGS
 from _run import Running, bench_site, percentile, running, table
 from housefly.messages import OrderKind, Phase
 
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--no-first-run",
-]
 CPU_GOAL, START_GOAL_S = 1.2, 8.0
 
 
@@ -64,7 +58,9 @@ def seconds(process: psutil.Process) -> float:
 def main() -> None:
     """Fly one service with a browser on the console and print what it cost."""
     with running(bench_site("127.9.1.1")) as state, sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(
+            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
+        )
         page = browser.new_page(viewport={"width": 1280, "height": 800})
         web = state.runtime.site().web
         page.goto(f"http://{web.host}:{web.port}/?token={state.runtime.token}")

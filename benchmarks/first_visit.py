@@ -10,24 +10,17 @@ import os
 import shutil
 import sys
 import time
-from contextlib import suppress
 
-from playwright.sync_api import Browser, Page, TimeoutError, sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
+from _chromium import CHROMIUM_FLAGS
 from _run import Running, bench_site, percentile, running, table
 from housefly.messages import OrderKind, Phase
 
 VISITS = int(os.environ.get("VISITS", "5"))
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--no-first-run",
-]
 GOAL = 8.0
 HOLD_MAX = 3.0
-"""So long a person holds at most before pressing again [s]; the button asks for 0.6."""
+"""A hold of which nothing comes within this fails the benchmark [s]; the button asks for 0.6."""
 AIRBORNE = 0.1
 """Height above the pad, by the drone's own sensor [m]."""
 
@@ -36,7 +29,9 @@ def main() -> None:
     """Visit, and print how long it took."""
     visits = []
     with sync_playwright() as play:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = play.chromium.launch(
+            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
+        )
         for _ in range(VISITS):
             with running(bench_site("127.9.1.7")) as state:
                 visits.append(visit(browser, state))
@@ -78,17 +73,14 @@ def visit(browser: Browser, state: Running) -> tuple[float, float, float]:
 
 
 def hold(page: Page) -> None:
-    """Hold the one large button until the page says that something happens, as a person does."""
-    for _ in range(3):
-        box = page.locator(".primary").first.bounding_box()
-        assert box is not None
-        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        page.mouse.down()
-        with suppress(TimeoutError):
-            taking_off = page.locator(".headline").filter(has_text="Taking off")
-            taking_off.wait_for(timeout=1e3 * HOLD_MAX)
-            return
-        page.mouse.up()
+    """Hold the one large button, once, until the page says that something happens."""
+    box = page.locator(".primary").first.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    taking_off = page.locator(".headline").filter(has_text="Taking off")
+    taking_off.wait_for(timeout=1e3 * HOLD_MAX)
+    page.mouse.up()
 
 
 def wait_for_air(state: Running) -> None:

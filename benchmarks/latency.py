@@ -19,6 +19,7 @@ from pathlib import Path
 
 from playwright.async_api import Page, async_playwright
 
+from _chromium import CHROMIUM_FLAGS
 from _run import bench_site, percentile, table
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
@@ -36,13 +37,6 @@ from housefly.wires.ardrone.conversions import Stick
 
 TRIALS = 200
 CLICKS, LANDINGS = 100, 10
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--no-first-run",
-]
 STEP_ASIDE = 0.03
 """How far the pose jumps [m]: well inside the innovation gate."""
 CADENCE = 0.030
@@ -158,7 +152,9 @@ async def clicks_to_command(
     stops, landings = [], []
     web = runtime.site().web
     async with async_playwright() as play:
-        browser = await play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
+        browser = await play.chromium.launch(
+            executable_path=shutil.which("chromium"), args=CHROMIUM_FLAGS
+        )
         page = await browser.new_page(viewport={"width": 1280, "height": 800})
         await page.goto(f"http://{web.host}:{web.port}/?token={runtime.token}")
         await page.evaluate(

@@ -134,8 +134,8 @@ async def test_a_clip_of_the_twin_has_the_five_seconds_before_and_the_zone_blank
     last = CameraPose(0.0, pose.position, pose.orientation)
     mask = still.cover((last,), 640, 360).mask(640, 360)
     assert mask.sum() > 5000
-    assert np.abs(shown[-1][mask].astype(int) - BLANK).mean() < 5
-    seen = [picture[:60].std() > 5 for picture in shown]  # one that came late is blank all over
-    assert any(seen), "the rest of the room is seen"
+    seen = [picture for picture in shown if picture[:60].std() > 5]  # a late one is blank all over
+    assert seen, "the rest of the room is seen"
+    assert np.abs(seen[-1][mask].astype(int) - BLANK).mean() < 5
     for recorder in recorders:
         recorder.close()

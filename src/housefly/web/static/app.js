@@ -1,1 +1,1 @@
-import"./chunk-chunk-Y5CURCGG.js";
+import"./chunk-chunk-VGICRZLE.js";

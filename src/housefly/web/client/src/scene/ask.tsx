@@ -7,7 +7,7 @@ import { at, found, nameOf } from "../live/store";
 import { clock } from "../live/words";
 import { refuse } from "../said";
 import { panel } from "../store";
-import { answer, isOld, said, trouble } from "../tasks/ask";
+import { answer, said, trouble } from "../tasks/ask";
 import { running } from "../tasks/board";
 import { learnNames } from "../tasks/names";
 import { SentenceAnswerView } from "../tasks/sentence-answer";
@@ -41,8 +41,7 @@ export function Ask() {
     if (panel.value === "ask") panel.value = "";
     void askFor(words);
   };
-  const told = (said.value || trouble.value) && !isOld.value;
-  const shown = found.value.answer || found.value.problem || told;
+  const shown = found.value.answer || found.value.problem || said.value || trouble.value;
   return (
     <section class="ask-line find" aria-label={t("Ask")}>
       <form

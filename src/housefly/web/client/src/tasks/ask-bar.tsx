@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
-import { answer, ask, isOld } from "./ask";
+import { answer, ask } from "./ask";
 import { running } from "./board";
 import { ideas } from "./ideas";
 import { learnNames } from "./names";
@@ -37,7 +37,7 @@ export function AskBar() {
         </button>
       </form>
       <div class="answer" role="status">
-        {!isOld.value && <SentenceAnswerView go={go} />}
+        <SentenceAnswerView go={go} />
       </div>
       {!answer.value?.suggestions.length && <Chips words={ideas()} go={go} />}
     </section>

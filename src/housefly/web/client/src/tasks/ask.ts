@@ -1,5 +1,5 @@
 // A sentence that was asked, and its answer: the same on the live scene and among the tasks.
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { createHold } from "../hold";
 import { running, unixNow } from "./board";
 import { request, say } from "./tasks-client";
@@ -13,11 +13,6 @@ export const trouble = signal("");
 export const answeredAt = signal(0);
 
 const SHOWN = 60;
-/** An answer is of the moment when it came, and is put away after a while; an offer waits. */
-export const isOld = computed(
-  () => !answer.value?.offer && answer.value !== null && unixNow.value - answeredAt.value > SHOWN,
-);
-
 let turn = 0;
 
 export async function ask(words: string): Promise<void> {
@@ -29,8 +24,8 @@ export async function ask(words: string): Promise<void> {
   try {
     const found = await say(words.trim());
     if (mine !== turn) return;
-    answer.value = found;
     answeredAt.value = unixNow.value;
+    answer.value = found;
   } catch (error) {
     if (mine === turn) trouble.value = (error as Error).message;
   }
@@ -43,6 +38,12 @@ export function forget(): void {
   answer.value = null;
   trouble.value = "";
 }
+
+// An answer is of the moment when it came, and is put away after a while; an offer waits.
+effect(() => {
+  const isOld = unixNow.value - answeredAt.value > SHOWN;
+  if (answer.value && !answer.value.offer && isOld) forget();
+});
 
 const HOLD = 0.6;
 export const servicesRun = computed(() =>
