@@ -65,6 +65,13 @@ class Map(Protocol):
         """Return the way from a start to a goal [m]."""
         ...
 
+    def clear_floor(self, place: Vec2, height: float) -> Vec2 | None:
+        """Return where to land beside a place over furniture or people [m], at a height [m].
+
+        None where the place itself is clear, or nothing better can be reached.
+        """
+        ...
+
 
 class Missions(Protocol):
     """Decides what the drone tracks."""

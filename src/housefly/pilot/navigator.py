@@ -271,6 +271,13 @@ class RoomNavigator:
             return comfortable
         return self._way(self._grid(self._kept[1]), start, goal)
 
+    def clear_floor(self, place: Vec2, height: float) -> Vec2 | None:
+        """Return where to land beside a place over furniture or people [m], at a height [m].
+
+        None where the place itself is clear, or nothing better can be reached.
+        """
+        return self.people.clear_floor(place, height, self._refreshed)
+
     def way(self, start: KinematicState, goal: Vec2, yaw: float, lead: float = 0.0) -> SpaceAnswer:
         """Return the trajectory in space from a state, at a heading [rad], to rest at a goal.
 

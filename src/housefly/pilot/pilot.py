@@ -32,10 +32,10 @@ from housefly.messages.steering import (
     Setpoint,
 )
 from housefly.numeric import boxed, wrapped
-from housefly.pilot.behavior.braking import sink_height
 from housefly.pilot.behavior.mission import TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
+from housefly.pilot.behavior.steered_landing import SteeredLanding
 from housefly.pilot.behavior.trajectory_progress import TRAJECTORY_START, is_in_space
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
@@ -111,7 +111,7 @@ class Pilot:
         self._demand: Vec2 | None = None
         self._maneuvering = self._was_free = self._in_space = False
         self._height = settings.flight_height
-        self._landing_spot: Vec2 | None = None
+        self._landing: SteeredLanding | None = None
 
     @property
     def consistency(self) -> TrackingConsistency:
@@ -259,7 +259,7 @@ class Pilot:
         assert self._estimator is not None
         now, state = vehicle.now, self._missions.state
         assessment = self._gate.assess(inputs)
-        guidance = self._guidance(vehicle.estimate, assessment)
+        guidance = self._guidance(now, vehicle.estimate, assessment)
         override = self._override(now, vehicle.estimate)
         self._step, output = boxed_step(
             self._step,
@@ -283,9 +283,11 @@ class Pilot:
         self._in_space = guidance.active and guidance.following and is_in_space(self._profile)
         return verdict
 
-    def _guidance(self, estimate: Estimate | None, assessment: GateAssessment) -> Guidance:
+    def _guidance(
+        self, now: float, estimate: Estimate | None, assessment: GateAssessment
+    ) -> Guidance:
         """Return what to track; a new path begins at its start."""
-        landing = self._steered_landing(estimate, assessment)
+        landing = self._steered_landing(now, estimate, assessment)
         if landing is not None:
             return landing
         task, mission = self._missions.task, self._missions.state
@@ -317,14 +319,18 @@ class Pilot:
         return min(self._missions.speed_factor, SLOW_FACTOR if self._is_slow(assessment) else 1.0)
 
     def _steered_landing(
-        self, estimate: Estimate | None, assessment: GateAssessment
+        self, now: float, estimate: Estimate | None, assessment: GateAssessment
     ) -> Guidance | None:
         """Return where to sink for a landing that the gate wants and the pilot may steer."""
         if estimate is None or self._params.is_paper or not assessment.steered:
-            self._landing_spot = None
+            self._landing = None
             return None
-        self._landing_spot = self._landing_spot or estimate.position[:2]
-        x, y = self._landing_aim(self._landing_spot)
+        here, height = estimate.position[:2], estimate.position[2]
+        if self._landing is None:
+            beside = self._map.clear_floor(here, height)
+            self._landing = SteeredLanding(here, height, now, beside or here)
+        landing = self._landing
+        x, y = self._landing_aim(landing.setpoint(now))
         return Guidance(
             active=True,
             following=False,
@@ -332,7 +338,7 @@ class Pilot:
             y=y,
             yaw=estimate.yaw,
             arrival_yaw=nan,
-            height=sink_height(estimate.position[2], self._settings.sinks_to),
+            height=landing.height_setpoint(now, here, height, self._settings.sinks_to),
             speed_factor=1.0,
         )
 

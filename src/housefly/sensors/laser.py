@@ -6,6 +6,8 @@ import asyncio
 from collections.abc import Callable
 from math import inf
 
+import numpy as np
+
 from housefly.bus.reconnect import ReconnectingClient, open_tcp
 from housefly.clock import Clock
 from housefly.config.laser import LaserConfig
@@ -123,9 +125,9 @@ def scan_of(
         config: its name and latency.
         received_at: [s].
     """
-    metres = tuple(
-        mm / 1000.0 if parameters.shortest <= mm <= parameters.longest else inf for mm in ranges
-    )
+    mm = np.array(ranges, np.float64)
+    is_distance = (mm >= parameters.shortest) & (mm <= parameters.longest)
+    metres = tuple(np.where(is_distance, mm / 1000.0, inf).tolist())
     captured_at = received_at - config.latency
     return Scan(
         config.name, captured_at, received_at, parameters.first_angle, parameters.step, metres

@@ -1,15 +1,18 @@
-"""Who has not moved for long may be landed beside, as a thing is."""
+"""Where a landing hurts nobody and nothing."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from housefly.app.loaded_site import load_site
 from housefly.geometry import Vec2, distance
 from housefly.messages import Obstacle, ObstacleKind
-from housefly.pilot.planning.people_map import SPOT_APART, UNMOVED_TIME, PeopleMap
+from housefly.pilot.navigator import RoomNavigator
+from housefly.pilot.planning.people_map import BESIDE_MAX, SPOT_APART, UNMOVED_TIME, PeopleMap
+from housefly.room.grid import Cell
 
 PLACE = (3.5, 2.5)
 
@@ -67,3 +70,60 @@ def test_places_to_land_beside_one_that_cannot_be_reached_are_left_out(around: P
     assert len(spots) >= 4
     distances = [round(distance(PLACE, spot), 6) for spot in spots]
     assert distances == sorted(distances)
+
+
+SOFA_CORNER = (11.27, 1.28)
+ABOVE_SOFA = 1.0
+BESIDE_THINGS = [(5.0 + 0.4 * n, y) for n in range(22) for y in (0.9, 1.6, 3.6, 5.1)]
+
+
+@pytest.fixture(scope="module")
+def navigator() -> RoomNavigator:
+    loaded = load_site("bsen", hub__enabled=False)
+    return RoomNavigator(loaded.site, loaded.room, loaded.grid)
+
+
+def test_over_furniture_the_nearest_clear_floor_is_straight_beside_it(
+    navigator: RoomNavigator,
+) -> None:
+    navigator.update((), (), 0.0)
+    spot = navigator.clear_floor(SOFA_CORNER, ABOVE_SOFA)
+    assert spot is not None
+    assert distance(spot, SOFA_CORNER) <= BESIDE_MAX
+    assert not navigator.people.ground_fault(spot)
+
+
+def test_over_clear_floor_a_landing_keeps_its_place(navigator: RoomNavigator) -> None:
+    navigator.update((), (), 0.0)
+    assert navigator.clear_floor((3.5, 4.2), ABOVE_SOFA) is None
+
+
+def test_no_landing_is_steered_into_what_stands_as_high_as_the_drone(
+    navigator: RoomNavigator,
+) -> None:
+    navigator.update((), (), 0.0)
+    beside = 0
+    for x, y in BESIDE_THINGS:
+        for height in (0.5, 1.0, 1.4):
+            layer = navigator.people._things(height)
+            spot = navigator.clear_floor((x, y), height)
+            if layer.kind(layer.cell_of((x, y))) is Cell.OCCUPIED or spot is None:
+                continue
+            beside += 1
+            way = np.linspace((x, y), spot, 60).tolist()
+            kinds = {layer.kind(layer.cell_of((at[0], at[1]))) for at in way}
+            assert kinds <= {Cell.FREE, Cell.INFLATED}, (x, y, height)
+    assert beside >= 5
+
+
+def test_nobody_is_landed_on_who_stands_below_and_nobody_is_passed_too_near(
+    navigator: RoomNavigator,
+) -> None:
+    place = (3.5, 4.2)
+    below = Obstacle("below", place, 0.2, seen_at=0.0, source="laser", kind=ObstacleKind.PERSON)
+    navigator.update((below,), (), 0.0)
+    assert navigator.people.landing_fault(place, 0.0)
+    spot = navigator.clear_floor(place, 1.4)
+    if spot is not None:
+        assert distance(spot, place) > navigator.people.hull + 0.2
+        assert not navigator.people.landing_fault(spot, 0.0)

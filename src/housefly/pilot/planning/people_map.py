@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 
 import numpy as np
 
@@ -39,6 +39,10 @@ UNMOVED_DISTANCE = 0.25
 """... but no nearer to the hull than this [m]."""
 SPOT_APART = 0.35
 """Where no way leads to one place to land, those within this distance of it are left out [m]."""
+BESIDE_MAX = 1.2
+"""A landing that the gate asks for is steered no farther beside its place than this [m] ..."""
+BESIDE_SPEED = 0.4
+"""... at this speed [m/s]."""
 
 ThingsMap = Callable[[float | None], OccupancyGrid]
 """Makes the map of things at a height of the drone [m], at the usual one for None."""
@@ -158,12 +162,41 @@ class PeopleMap:
 
         It is at least ``least`` metres away, and not beside those to which no way was found.
         """
+        return next(
+            (
+                spot
+                for spot in self._landing_spots(place, now, least)
+                if all(distance(spot, other) >= SPOT_APART for other in unreachable)
+            ),
+            None,
+        )
+
+    def _landing_spots(self, place: Vec2, now: float, least: float = 0.0) -> Iterator[Vec2]:
+        """Yield where a landing hurts nobody and nothing, nearest first [m]."""
         grid, wide = self._things(None), self.hull + HULL_MARGIN
         for spot in spots_around(place, least):
-            if any(distance(spot, other) < SPOT_APART for other in unreachable):
-                continue
             is_open = grid.is_free(grid.cell_of(spot)) and self._static.clearance(spot) > wide
             if is_open and not self.landing_fault(spot, now):
+                yield spot
+
+    def clear_floor(self, place: Vec2, height: float, now: float) -> Vec2 | None:
+        """Return the nearest clear floor straight beside a place over furniture or people [m].
+
+        None where the place itself is clear, and where the drone would meet something, or somebody,
+        on the straight way at its height [m].
+        """
+        if not (self.ground_fault(place) or self.landing_fault(place, now)):
+            return None
+        grid = self._things(height)
+        for spot in self._landing_spots(place, now):
+            far = distance(place, spot)
+            if far > BESIDE_MAX:
+                return None
+            share = BESIDE_SPEED / far
+            velocity = share * (spot[0] - place[0]), share * (spot[1] - place[1])
+            met = self.separation(place, velocity, now, 1.0 / share)
+            keeps_away = met.closest >= min(met.now, self.config.min_distance)
+            if keeps_away and _is_open_way(grid, place, spot):
                 return spot
         return None
 
@@ -180,3 +213,19 @@ class PeopleMap:
         if now - self._at < 1e-9:
             return self._people
         return people_at(self._obstacles, now, self._grid)
+
+
+def _is_open_way(grid: OccupancyGrid, start: Vec2, end: Vec2) -> bool:
+    """Return whether a straight way [m] is free, or comes nowhere nearer to things than its start.
+
+    Just above a sofa nothing is free, and the way off it is wanted.
+    """
+    least = grid.clearance_at(start) - grid.resolution
+    count = max(2, round(2.0 * distance(start, end) / grid.resolution))
+    for share in np.linspace(0.0, 1.0, count).tolist():
+        point = start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])
+        kind = grid.kind(grid.cell_of(point))
+        is_passable = kind is Cell.INFLATED and grid.clearance_at(point) >= least
+        if not (kind is Cell.FREE or is_passable):
+            return False
+    return True

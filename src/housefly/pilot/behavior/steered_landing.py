@@ -1,0 +1,61 @@
+"""Where a landing that the safety gate asks for comes down, while the pilot can still steer it.
+
+Over clear floor it sinks where it is. Over furniture or people it first moves straight to the
+nearest clear floor, slowly: a setpoint that jumped would look as if the drone had lost its course.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from housefly.geometry import Vec2, distance
+from housefly.pilot.behavior.braking import sink_height
+from housefly.pilot.planning.people_map import BESIDE_SPEED
+
+SETTLED = 0.15
+"""So near to its spot it begins to sink [m] ..."""
+SETTLING_TIME = 2.0
+"""... and this long after its setpoint came there at the latest [s]."""
+
+
+@dataclass(frozen=True, slots=True)
+class SteeredLanding:
+    """One such landing.
+
+    Attributes:
+        begun: where it was asked for [m].
+        height: of the drone then [m].
+        at: when [s].
+        spot: where it comes down [m].
+    """
+
+    begun: Vec2
+    height: float
+    at: float
+    spot: Vec2
+
+    def setpoint(self, now: float) -> Vec2:
+        """Return where to be at a time [s], on the way to the spot [m]."""
+        far = distance(self.begun, self.spot)
+        if far == 0.0:
+            return self.spot
+        share = min(1.0, (now - self.at) * BESIDE_SPEED / far)
+        return (
+            self.begun[0] + share * (self.spot[0] - self.begun[0]),
+            self.begun[1] + share * (self.spot[1] - self.begun[1]),
+        )
+
+    def height_setpoint(self, now: float, here: Vec2, height: float, lowest: float) -> float:
+        """Return the height to want for a drone at a place and a height [m].
+
+        Args:
+            now: time [s].
+            here: where the drone is [m].
+            height: of the drone [m].
+            lowest: height ever wanted [m].
+        """
+        arrival = self.at + distance(self.begun, self.spot) / BESIDE_SPEED
+        is_there = now >= arrival and distance(here, self.spot) < SETTLED
+        if self.spot == self.begun or is_there or now >= arrival + SETTLING_TIME:
+            return sink_height(height, lowest)
+        return self.height
