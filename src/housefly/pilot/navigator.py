@@ -14,6 +14,7 @@ from housefly.messages.obstacles import Obstacle
 from housefly.messages.sensing import Sighting
 from housefly.messages.steering import Path, PlanAnswer
 from housefly.numeric import FloatArray
+from housefly.pilot.behavior.braking import BESIDE_MAX, BESIDE_SPEED
 from housefly.pilot.behavior.mission import STAY, Mission, Refused
 from housefly.pilot.behavior.navigator import PathBlock
 from housefly.pilot.behavior.path_profile import PathProfile
@@ -276,7 +277,7 @@ class RoomNavigator:
 
         None where the place itself is clear, or nothing better can be reached.
         """
-        return self.people.clear_floor(place, height, self._refreshed)
+        return self.people.clear_floor(place, height, self._refreshed, BESIDE_MAX, BESIDE_SPEED)
 
     def way(self, start: KinematicState, goal: Vec2, yaw: float, lead: float = 0.0) -> SpaceAnswer:
         """Return the trajectory in space from a state, at a heading [rad], to rest at a goal.

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.geometry import distance
+from housefly.pilot.behavior.braking import BESIDE_MAX, BESIDE_SPEED
 from housefly.pilot.behavior.steered_landing import SETTLING_TIME, SteeredLanding
-from housefly.pilot.planning.people_map import BESIDE_MAX, BESIDE_SPEED
 
 COORDINATES = st.floats(-BESIDE_MAX / 2, BESIDE_MAX / 2)
 PLACES = st.tuples(COORDINATES, COORDINATES)

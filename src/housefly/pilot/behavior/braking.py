@@ -12,6 +12,10 @@ LAST_HEIGHT = 0.45
 """
 SINK_LEAD = 0.33
 """The wanted height is this much below the drone [m]: it sinks at about 0.4 m/s."""
+BESIDE_MAX = 1.2
+"""A landing that the gate asks for is steered no farther beside its place than this [m] ..."""
+BESIDE_SPEED = 0.4
+"""... at this speed [m/s]."""
 
 
 def sink_height(height: float, lowest: float = LAST_HEIGHT) -> float:

@@ -9,8 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from housefly.geometry import Vec2, distance
-from housefly.pilot.behavior.braking import sink_height
-from housefly.pilot.planning.people_map import BESIDE_SPEED
+from housefly.pilot.behavior.braking import BESIDE_SPEED, sink_height
 
 SETTLED = 0.15
 """So near to its spot it begins to sink [m] ..."""

@@ -39,10 +39,6 @@ UNMOVED_DISTANCE = 0.25
 """... but no nearer to the hull than this [m]."""
 SPOT_APART = 0.35
 """Where no way leads to one place to land, those within this distance of it are left out [m]."""
-BESIDE_MAX = 1.2
-"""A landing that the gate asks for is steered no farther beside its place than this [m] ..."""
-BESIDE_SPEED = 0.4
-"""... at this speed [m/s]."""
 
 ThingsMap = Callable[[float | None], OccupancyGrid]
 """Makes the map of things at a height of the drone [m], at the usual one for None."""
@@ -179,20 +175,22 @@ class PeopleMap:
             if is_open and not self.landing_fault(spot, now):
                 yield spot
 
-    def clear_floor(self, place: Vec2, height: float, now: float) -> Vec2 | None:
+    def clear_floor(
+        self, place: Vec2, height: float, now: float, farthest: float, speed: float
+    ) -> Vec2 | None:
         """Return the nearest clear floor straight beside a place over furniture or people [m].
 
         None where the place itself is clear, and where the drone would meet something, or somebody,
-        on the straight way at its height [m].
+        on the straight way at its height [m] and a speed [m/s].
         """
         if not (self.ground_fault(place) or self.landing_fault(place, now)):
             return None
         grid = self._things(height)
         for spot in self._landing_spots(place, now):
             far = distance(place, spot)
-            if far > BESIDE_MAX:
+            if far > farthest:
                 return None
-            share = BESIDE_SPEED / far
+            share = speed / far
             velocity = share * (spot[0] - place[0]), share * (spot[1] - place[1])
             met = self.separation(place, velocity, now, 1.0 / share)
             keeps_away = met.closest >= min(met.now, self.config.min_distance)
