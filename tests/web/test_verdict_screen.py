@@ -102,6 +102,22 @@ async def test_a_tap_on_what_must_be_held_says_so_at_the_button(page: Page, cons
     assert console.pilot.orders == []
 
 
+async def test_what_ends_a_hold_is_told_although_it_is_over_at_once(
+    page: Page, console: Any
+) -> None:
+    await more(page)
+    button, said = page.get_by_role("button", name="Take off"), page.locator(".said")
+    await button.hover()
+    await page.mouse.down()
+    console.pilot.pose_age = 9.8
+    await expect(page.locator(".headline")).to_contain_text("Not ready")
+    console.pilot.pose_age = 0.02
+    await expect(page.locator(".headline")).to_contain_text("Ready on the pad")
+    await page.mouse.up()
+    await expect(said).to_contain_text("Not ready")
+    assert console.pilot.orders == []
+
+
 async def test_a_refusal_comes_back_to_the_button_that_was_held_and_stays_until_it_is_read(
     page: Page, console: Any, until: Until
 ) -> None:

@@ -1,1 +1,1 @@
-import"./chunk-chunk-VGICRZLE.js";
+import"./chunk-chunk-VUDHG5OW.js";

@@ -45,8 +45,8 @@ export function createHold(
   };
   effect(() => {
     if (!objection.value) return;
-    // Whoever holds is told why nothing comes of it.
-    if (held.peek()) explain(objection, hold.button);
+    // Whoever holds is told why nothing comes of it, also when it is over in a moment.
+    if (held.peek()) hint(objection.value, hold.button);
     stop();
   });
   const hold: Hold = { seconds, objection, held, button: null, begin, cancel, stop };
