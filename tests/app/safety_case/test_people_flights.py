@@ -52,3 +52,19 @@ def test_who_runs_into_a_drone_that_takes_off_too_late_for_any_steering_is_count
     result = fly_trial(TrialKey("F34/head_on", 1))
     assert not result.violations
     assert "person" in result.walked_into
+
+
+def test_what_a_drone_is_thrown_onto_belongs_to_the_blow() -> None:
+    """Somebody runs into its take-off, and it lands on the sofa that it is thrown onto."""
+    result = fly_trial(TrialKey("F34/head_on", 17))
+    assert not result.violations
+    assert "person" in result.walked_into
+    assert "0.8 m" in result.ending
+
+
+@pytest.mark.safety
+def test_who_has_gone_by_no_longer_slows_the_drone_down() -> None:
+    """It flew the rest of its service at half its speed, in silence: 95 s in place of 68."""
+    result = fly_trial(TrialKey("F34/crosses", 20))
+    assert not result.violations
+    assert result.safe_after is not None and result.safe_after < 80.0

@@ -36,6 +36,10 @@ a body are 0.5 m, which take 0.7 s at its largest tilt, and 0.1 s pass before it
 """
 TOWARDS_SPEED = 0.1
 """A drone that moves faster than this at whom it touches flies into them [m/s]."""
+THROWN_TIME = 3.0
+"""What a drone that was walked into touches within this belongs to the blow [s]: thrown at 1.4 m/s,
+it stands 0.9 m away after 2 s.
+"""
 _LOOK_PERIOD = 0.05
 """How often clearances are taken [s]."""
 _COMMAND_SLACK = 1e-9
@@ -72,6 +76,7 @@ class Oracle:
     _path: tuple[Vec2, ...] = ()
     _flown: list[Vec2] = field(default_factory=list)
     _bound_until: float | None = None
+    _walked_into_at: float = inf
     _cut_ordered: bool = False
     _looked_at: float = -inf
     _height: float = 0.0
@@ -165,12 +170,14 @@ class Oracle:
         """I1: touches nothing but the floor while its motors turn.
 
         Whom a fault sends at a drone that is taking off, so late that no steering could have
-        avoided them, walked into it, unless it moved at them: that is counted by itself.
+        avoided them, walked into it, unless it moved at them: that is counted by itself, with the
+        thing that the drone is thrown onto.
         """
         for contact in self.world.contact_log:
             if self._was_walked_into(contact):
                 self.walked_into = f"{contact.name} at {contact.speed:.1f} m/s"
-            elif contact.motors_turned:
+                self._walked_into_at = min(self._walked_into_at, contact.began_at)
+            elif contact.motors_turned and not self._was_thrown(contact):
                 what = f"{contact.kind.value} {contact.name}".strip()
                 self._break("I1", f"touched {what} at {contact.speed:.1f} m/s")
 
@@ -182,6 +189,10 @@ class Oracle:
             and contact.began_at < (self._bound_until or -inf)
             and contact.own_speed < TOWARDS_SPEED
         )
+
+    def _was_thrown(self, contact: Contact) -> bool:
+        since = contact.began_at - self._walked_into_at
+        return contact.kind is not SolidKind.PERSON and 0.0 <= since < THROWN_TIME
 
     def _watch_clearance(self, now: float, state: FlightState) -> None:
         if not state.airborne or now - self._looked_at < _LOOK_PERIOD:
@@ -217,8 +228,8 @@ class Oracle:
         words = f"{step.outputs.phase.value} at {height:.1f} m: {step.outputs.reason or 'nominal'}"
         if state.airborne and height < FALL_HEIGHT:
             self._break("end", f"motors turn on the floor: {words}")
-        elif not state.airborne:
+        elif not state.airborne and not self.walked_into:
             self._break("end", f"stands {height:.1f} m above the floor: {words}")
-        else:
+        elif state.airborne:
             self._break("end", f"never ended: {words}")
         return words

@@ -28,20 +28,20 @@ AROUND_PERIOD = 0.5
 
 
 class PassingMonitor:
-    """Watches people who walk for one commander.
-
-    Attributes:
-        rate: at which a trajectory's time is to pass, 0 to 1.
-    """
+    """Watches people who walk for one commander."""
 
     def __init__(self, commander: Commander, navigator: Navigator) -> None:
-        self.rate = 1.0
         self._commander, self._navigator = commander, navigator
         self._passing = Passing()
         self._profile: PathProfile | None = None
         self._waits: TrackingTask | None = None
         self._since = self._ended_at = self._asked_at = self._around_at = -inf
         self._begun_at = 0.0
+
+    @property
+    def rate(self) -> float:
+        """At which a trajectory's time is to pass, 0 to 1."""
+        return self._passing.rate
 
     @property
     def is_waiting(self) -> bool:
@@ -75,7 +75,6 @@ class PassingMonitor:
 
     def _forget(self) -> None:
         self._passing, self._profile, self._waits = Passing(), None, None
-        self.rate = 1.0
 
     def _decide(self, task: TrackingTask, scale: TimeScale, vehicle: VehicleStatus) -> list[Event]:
         assert task.profile is not None
@@ -88,7 +87,6 @@ class PassingMonitor:
         arrival = inf if other is None else other.arrival
         before = self._passing
         self._passing = passed(before, choices, arrival, vehicle.now)
-        self.rate = self._passing.rate
         if self._passing.choice is PassingChoice.AROUND and other is not None:
             return self._go_around(other, vehicle)
         events: list[Event] = []
