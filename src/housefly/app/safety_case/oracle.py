@@ -77,6 +77,7 @@ class Oracle:
     _flown: list[Vec2] = field(default_factory=list)
     _bound_until: float | None = None
     _walked_into_at: float = inf
+    _thrown: bool = False
     _cut_ordered: bool = False
     _looked_at: float = -inf
     _height: float = 0.0
@@ -177,7 +178,9 @@ class Oracle:
             if self._was_walked_into(contact):
                 self.walked_into = f"{contact.name} at {contact.speed:.1f} m/s"
                 self._walked_into_at = min(self._walked_into_at, contact.began_at)
-            elif contact.motors_turned and not self._was_thrown(contact):
+            elif self._was_thrown(contact):
+                self._thrown = True
+            elif contact.motors_turned:
                 what = f"{contact.kind.value} {contact.name}".strip()
                 self._break("I1", f"touched {what} at {contact.speed:.1f} m/s")
 
@@ -228,8 +231,8 @@ class Oracle:
         words = f"{step.outputs.phase.value} at {height:.1f} m: {step.outputs.reason or 'nominal'}"
         if state.airborne and height < FALL_HEIGHT:
             self._break("end", f"motors turn on the floor: {words}")
-        elif not state.airborne and not self.walked_into:
-            self._break("end", f"stands {height:.1f} m above the floor: {words}")
         elif state.airborne:
             self._break("end", f"never ended: {words}")
+        elif not self._thrown:
+            self._break("end", f"stands {height:.1f} m above the floor: {words}")
         return words
