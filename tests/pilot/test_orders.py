@@ -1,13 +1,23 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
 import pytest
 
 from housefly.geometry import distance
-from housefly.messages import Action, DroneStatus, Order, OrderKind, Phase, SafetyMode, Severity
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Order,
+    OrderKind,
+    Phase,
+    SafetyMode,
+    Severity,
+    Telemetry,
+)
 
 Fly = Callable[..., Any]
 
@@ -179,6 +189,42 @@ def test_nothing_moves_before_the_drone_and_the_tracking_were_heard(fly: Fly) ->
     assert "does not answer" in refused(flight)
 
 
+def test_a_drone_that_flies_after_its_motors_were_cut_is_landed(fly: Fly) -> None:
+    flight = fly()
+    flight.run(0.5)
+    flight.report = _with_status(flight.report, DroneStatus.LANDED)
+    flight.step(flight.order(OrderKind.CUT))
+    flight.until(lambda _: flight.told("not_acknowledged"), 20.0)
+    flight.report = _with_status(flight.report, DroneStatus.FLYING)
+    flight.run(0.5)
+    actions = {flight.step().command.action for _ in range(300)}
+    assert actions == {Action.LAND}
+    assert flight.outputs.phase is Phase.LANDING and flight.told("flies_after_cut")
+
+
+def test_a_drone_in_the_air_that_does_not_obey_a_cut_is_landed(fly: Fly) -> None:
+    flight = fly()
+    flight.take_off()
+    become = flight._become
+    flight._become = lambda status: status is DroneStatus.EMERGENCY or become(status)
+    flight.step(flight.order(OrderKind.CUT))
+    flight.until(lambda _: flight.told("not_acknowledged"), 20.0)
+    flight.until(lambda o: o.phase is Phase.IDLE, 15.0)
+    assert flight.status is DroneStatus.LANDED
+
+
+def test_a_fresh_order_after_a_cut_flies_as_ever(fly: Fly) -> None:
+    flight = fly()
+    flight.run(0.5)
+    flight.step(flight.order(OrderKind.CUT))
+    flight.run(1.0)
+    flight.step(flight.order(OrderKind.RESET))
+    flight.run(1.0)
+    assert flight.status is DroneStatus.LANDED
+    flight.take_off()
+    assert flight.run(2.0).phase is Phase.HOLDING and not flight.told("flies_after_cut")
+
+
 def test_a_pilot_that_starts_with_the_drone_in_the_air_holds_it_and_says_so(fly: Fly) -> None:
     flight = fly()
     flight.status, flight.body = DroneStatus.FLYING, flight.body._replace(z=1.1)
@@ -210,3 +256,7 @@ def test_every_order_in_every_phase_leaves_the_pilot_sane(
     assert kind is OrderKind.CUT or not any(
         event.severity is Severity.FAULT for event in flight.events
     )
+
+
+def _with_status(report: Callable[[], Telemetry], status: DroneStatus) -> Callable[[], Telemetry]:
+    return lambda: replace(report(), status=status)

@@ -294,7 +294,8 @@ class Commander:
         self._task = TrackingTask(path=answer.path if answer else None)
         is_rising = self._state.phase is Phase.TAKING_OFF
         since = self._state.since if is_rising else vehicle.now
-        self._state = self._state.entering(Phase.TAKING_OFF, since, mission)
+        fresh = replace(self._state, was_cut=False)
+        self._state = fresh.entering(Phase.TAKING_OFF, since, mission)
         return None
 
     def _set_off(self, order: Order, vehicle: VehicleStatus) -> Refused | None:
@@ -360,6 +361,8 @@ class Commander:
 
     def _cut(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=True)
+        if self._state.phase not in (Phase.IDLE, Phase.LANDING):
+            self.land_here(vehicle)
 
     def _reset(self, order: Order, vehicle: VehicleStatus) -> None:
         self._state = self._state.pressing(vehicle.now, cut=False)

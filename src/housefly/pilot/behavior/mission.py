@@ -64,6 +64,7 @@ class MissionState:
         cutting: the motors are to be cut; asked until the drone says so.
         resetting: the emergency state is to be left; asked until the drone says so.
         pressed_at: when cut or reset was ordered [s].
+        was_cut: a motor cut was ordered, and no flight since.
     """
 
     phase: Phase = Phase.IDLE
@@ -73,6 +74,7 @@ class MissionState:
     cutting: bool = False
     resetting: bool = False
     pressed_at: float = 0.0
+    was_cut: bool = False
 
     def entering(self, phase: Phase, now: float, mission: Mission | None = None) -> MissionState:
         """Return the state in a phase that begins now."""
@@ -91,7 +93,8 @@ class MissionState:
 
     def pressing(self, now: float, *, cut: bool) -> MissionState:
         """Return the state with the motors to be cut, or the emergency to be left."""
-        return replace(self, cutting=cut, resetting=not cut, pressed_at=now)
+        was_cut = cut or self.was_cut
+        return replace(self, cutting=cut, resetting=not cut, pressed_at=now, was_cut=was_cut)
 
     def released(self) -> MissionState:
         """Return the state with neither cut nor reset wanted."""

@@ -24,6 +24,10 @@ LANDS_WITHOUT_WAY = frozenset({Signal.RETURN_WANTED, Signal.OVERDUE})
 
 SIGNAL_EVENTS: dict[Signal, tuple[Severity, str]] = {
     Signal.AIRBORNE: (Severity.INFO, "in the air"),
+    Signal.FLIES_AFTER_CUT: (
+        Severity.WARNING,
+        "the drone flies although its motors were cut: landing",
+    ),
     Signal.SINKING: (Severity.WARNING, "the drone lands by itself"),
     Signal.GROUNDED: (Severity.INFO, "on the ground"),
     Signal.EMERGENCY: (Severity.FAULT, "the drone is in its emergency state: motors off"),

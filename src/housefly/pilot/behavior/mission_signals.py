@@ -120,7 +120,7 @@ def signals(
         facing: whether the heading is the wanted one.
     """
     now, phase = vehicle.now, state.phase
-    found = _told(vehicle, limits)
+    found = _told(state, vehicle, limits)
     if vehicle.landing_forced:
         found.append(Signal.FORCED_DOWN)
     if vehicle.return_wanted:
@@ -141,11 +141,13 @@ def signals(
     return found
 
 
-def _told(vehicle: VehicleStatus, limits: LimitsConfig) -> list[Signal]:
+def _told(state: MissionState, vehicle: VehicleStatus, limits: LimitsConfig) -> list[Signal]:
     """Return what the drone says; a silent one that last stood may have taken off since."""
     is_old = vehicle.telemetry_age > limits.telemetry_age
     if vehicle.status not in STATUS_SIGNALS or (is_old and vehicle.status is DroneStatus.LANDED):
         return []
+    if state.was_cut and vehicle.status is DroneStatus.FLYING:
+        return [Signal.FLIES_AFTER_CUT]
     return [STATUS_SIGNALS[vehicle.status]]
 
 

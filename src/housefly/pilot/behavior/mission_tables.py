@@ -79,6 +79,7 @@ class Signal(Enum):
     """What can happen to a mission besides orders."""
 
     AIRBORNE = "the drone says it flies"
+    FLIES_AFTER_CUT = "it says so after its motors were cut, and nobody ordered a flight since"
     SINKING = "the drone says it lands"
     GROUNDED = "the drone says it stands"
     EMERGENCY = "the drone cut its motors"
@@ -99,6 +100,7 @@ SIGNALS: dict[Signal, dict[Phase, Phase]] = {
     for signal, targets in {
         #                      IDLE TAKING_OFF OUTBOUND LOOKING HOLDING RETURNING LANDING
         Signal.AIRBORNE:        (_H, _H,        _O,      _L,     _H,     _R_,      _D),
+        Signal.FLIES_AFTER_CUT: (_D, _D,        _D,      _D,     _D,     _D,       _D),
         Signal.SINKING:         (_I, _D,        _D,      _D,     _D,     _D,       _D),
         Signal.GROUNDED:        (_I, _T,        _I,      _I,     _I,     _I,       _I),
         Signal.EMERGENCY:       (_I, _I,        _I,      _I,     _I,     _I,       _I),

@@ -86,8 +86,11 @@ def nearest_free(voxels: VoxelMap, free: VoxelMask, point: Vec3) -> Vec3 | None:
     found = np.argwhere(free)
     if not len(found) or not np.isfinite(point).all():
         return None
-    middles = np.array(voxels.origin) + (found + 0.5) * voxels.resolution
-    x, y, z = middles[((middles - np.array(point)) ** 2).sum(axis=1).argmin()].tolist()
+    origin = np.array(voxels.origin)
+    middles = origin + (found + 0.5) * voxels.resolution
+    # The squares of what lies absurdly far away are no numbers.
+    inside = np.clip(point, origin, origin + np.array(free.shape) * voxels.resolution)
+    x, y, z = middles[((middles - inside) ** 2).sum(axis=1).argmin()].tolist()
     return x, y, z
 
 
