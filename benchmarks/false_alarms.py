@@ -79,7 +79,10 @@ def fly_service(loaded: LoadedSite, place: str, flown: CalmFlights) -> None:
         orders = () if simulation.now > 0.5 else orders
         oracle.watch(step)
         for event in step.outputs.events:
-            if event.code == "tracking_old" or "limits.pose_age_level" in event.text:
+            if (
+                event.code in ("tracking_old", "tracking_gap")
+                or "limits.pose_age_level" in event.text
+            ):
                 flown.poses_old += 1
             elif event.severity is not Severity.INFO:
                 flown.alarms[event.text] += 1

@@ -42,6 +42,7 @@ reports = st.builds(
     faults=words,
     acceleration=st.none() | vectors,
     configured=st.booleans(),
+    hears_us=st.booleans(),
     notes=words,
 )
 states = st.builds(

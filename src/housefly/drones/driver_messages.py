@@ -18,7 +18,7 @@ from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry,
 _MAGIC = b"HFd1"
 _HEADER = struct.Struct("<4sBI")
 _COMMAND = struct.Struct("<B5d")
-_TELEMETRY = struct.Struct("<Bdd4d3d??3d?d")
+_TELEMETRY = struct.Struct("<Bdd4d3d???3d?d")
 _LINK = struct.Struct("<???d")
 _LIGHT = struct.Struct("<?")
 _VIDEO = struct.Struct("<?HHIdd")
@@ -127,7 +127,7 @@ def _telemetry_bytes(report: Telemetry) -> bytes:
         *(report.received_at, report.battery),
         *(report.phi, report.theta, report.psi, report.height),
         *report.velocity,
-        *(report.configured, report.acceleration is not None),
+        *(report.configured, report.hears_us, report.acceleration is not None),
         *acceleration,
         *(report.drone_time is not None, report.drone_time or 0.0),
     )
@@ -136,7 +136,7 @@ def _telemetry_bytes(report: Telemetry) -> bytes:
 
 def _telemetry(body: bytes) -> Telemetry:
     status, received_at, battery, phi, theta, psi, height, *rest = _TELEMETRY.unpack_from(body)
-    forward, left, up, configured, accelerates, x, y, z, has_time, drone_time = rest
+    forward, left, up, configured, hears_us, accelerates, x, y, z, has_time, drone_time = rest
     faults, notes = json.loads(body[_TELEMETRY.size :])
     return Telemetry(
         received_at=received_at,
@@ -152,6 +152,7 @@ def _telemetry(body: bytes) -> Telemetry:
         configured=configured,
         notes=tuple(map(str, notes)),
         drone_time=drone_time if has_time else None,
+        hears_us=hears_us,
     )
 
 

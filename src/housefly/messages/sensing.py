@@ -100,6 +100,7 @@ class Telemetry:
         configured: its limits were written, acknowledged and read back; no take-off before.
         notes: what is not as it should be with its settings or sensors, in words.
         drone_time: when the drone wrote it, by its own clock [s]; None where it does not tell it.
+        hears_us: whether our commands reach the drone; so where it does not say.
     """
 
     received_at: float
@@ -115,6 +116,7 @@ class Telemetry:
     configured: bool = True
     notes: tuple[str, ...] = ()
     drone_time: float | None = None
+    hears_us: bool = True
 
 
 @dataclass(frozen=True, slots=True)

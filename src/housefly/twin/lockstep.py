@@ -229,6 +229,7 @@ def telemetry_of(onboard: OnboardState) -> Telemetry:
         faults=tuple(words for words, applies in _FAULTS if applies(onboard)),
         acceleration=onboard.acceleration,
         drone_time=onboard.at,
+        hears_us=not (onboard.com_watchdog or onboard.com_lost),
     )
 
 

@@ -122,8 +122,7 @@ def test_honest_tracking_disagrees_less_than_once_in_thirty_hours(
 
 @pytest.mark.parametrize("speed", [0.0, 0.5])
 def test_two_centimetres_a_second_are_told_at_ten_and_landed_before_thirty(speed: float) -> None:
-    flights = [flown(seed, 40.0, speed, drift=0.02) for seed in range(40)]
+    flights = [flown(seed, 40.0, speed, drift=0.02) for seed in range(200)]
     told = sorted(told for _, told, _ in flights)
-    landed = sorted(landed for _, _, landed in flights)
-    assert told[32] <= 0.1 and told[-1] < inf
-    assert landed[37] < 0.3
+    assert told[180] <= 0.1 and told[-1] < inf
+    assert all(landed < 0.3 for _, _, landed in flights)

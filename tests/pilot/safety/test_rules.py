@@ -157,6 +157,7 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "battery_return": (now(battery=0.227), now(battery=0.24), 0.0),
     "flight_time": (now(home_time=440.0), now(home_time=350.0), 0.0),
     "configuring": (CONFIGURED_LATE, now(), 0.0),
+    "commands_unheard": (told(hears_us=False), pulsed(0.4, 0.25, told(hears_us=False)), 0.3),
     "loop_late": (now(late=0.26), now(late=0.25), 0.0),
     "loop_slow": (pulsed(0.3, 0.05, now(late=0.06)), pulsed(0.6, 0.05, now(late=0.06)), 0.6),
     "drone_complains": (told(faults=("ultrasound deaf",)), told(faults=("motors problem",)), 0.0),
@@ -186,6 +187,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
         0.0,
     ),
     "tracking_drifting": (seen(drift=DRIFT_WARN + 0.01), seen(drift=DRIFT_WARN), 0.0),
+    "tracking_gap": (
+        now(status=DroneStatus.TAKING_OFF, pose_age=0.26),
+        now(status=DroneStatus.TAKING_OFF, pose_age=0.25),
+        0.0,
+    ),
     "tracking_on_ground": (
         now(status=DroneStatus.LANDED, consistency=TrackingConsistency(height_error=0.31)),
         now(status=DroneStatus.LANDED, consistency=TrackingConsistency(height_error=0.29)),

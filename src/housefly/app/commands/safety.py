@@ -106,6 +106,7 @@ def _fly_all(options: Namespace) -> int:
         fly_wired_plan,
         wired_results,
     )
+    from housefly.app.safety_case.outcome_bounds import missed_bounds
     from housefly.app.safety_case.page import write_safety_case
     from housefly.app.safety_case.wired_flight import wired_keys
     from housefly.app.safety_progress import SafetyProgress
@@ -131,6 +132,9 @@ def _fly_all(options: Namespace) -> int:
     guarded = [result for result in results if result.key.guarded]
     bad = sum(r.unsafe for r in guarded) + sum(r.unsafe for r in wired)
     total = len(guarded) + len(wired)
+    missed = sum(bool(missed_bounds(r)) for r in guarded if not r.unsafe)
+    if missed:
+        console.print(f"{missed} safe flights missed what their row promises: the page has them")
     console.print(f"{bad} of {total} flights unsafe; the page: {page}", soft_wrap=True)
     return 1 if bad else 0
 

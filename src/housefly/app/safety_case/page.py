@@ -6,6 +6,7 @@ import html
 from collections.abc import Sequence
 from pathlib import Path
 
+from housefly.app.safety_case.outcome_bounds import OutcomeBounds, bounds_of, missed_bounds
 from housefly.app.safety_case.plan import FAULT_FREE
 from housefly.app.safety_case.statistics import RowFigures, Spread, row_figures
 from housefly.app.safety_case.strip_plot import strip_plot
@@ -16,6 +17,7 @@ from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
 
 PAGE_FILE = "safety-case.html"
 _UNSAFE_LISTED = 60
+_MISSED_LISTED = 100
 _CSS = """
 main { max-width: 1280px; }
 .wide { overflow-x: auto; }
@@ -51,6 +53,7 @@ def write_safety_case(
         + _pairs(results)
         + _fault_free(results)
         + _unsafe(results, wired)
+        + _missed(results)
     )
     path = folder / PAGE_FILE
     path.write_text(
@@ -81,7 +84,8 @@ def _head(
         " commands, motors, and whether it ends. Those in real processes are flown in real time,"
         " over real sockets; there a process may be killed, too. The bound is the share of unsafe"
         " flights that is exceeded with 5 % confidence only. Counted by themselves are people who"
-        " walked into a drone that was taking off, too late for any steering to avoid them."
+        " walked into a drone that was taking off, too late for any steering to avoid them, and"
+        " flights that harmed nobody and missed a number that their row promises."
         " Nothing here was flown on hardware.</p>"
         f"<dl>{lines}</dl></header>"
     )
@@ -107,9 +111,9 @@ def _row(row: FaultRow, results: Sequence[TrialResult], wired: Sequence[WiredRes
         )
     figures = row_figures(own)
     cells = (
-        row.number, title, _share(figures), _seconds(figures.told), _seconds(figures.safe),
-        _metres(figures.deviation), _clearance(figures), strip_plot(own), _control(row, control),
-        real,
+        row.number, title, _share(figures) + _kept(own), _seconds(figures.told),
+        _seconds(figures.safe), _metres(figures.deviation), _clearance(figures),
+        strip_plot(own), _control(row, control), real,
     )  # fmt: skip
     return f'<tr id="{row.number}">' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
 
@@ -121,6 +125,14 @@ def _share(figures: RowFigures) -> str:
         f"<p>below {100 * figures.bound:.1f} %</p>"
         + (f"<p>{figures.walked_into} walked into</p>" if figures.walked_into else "")
     )
+
+
+def _kept(own: Sequence[TrialResult]) -> str:
+    """Return how many flights missed a number that their row promises."""
+    if all(bounds_of(result.key.row) == OutcomeBounds() for result in own):
+        return ""
+    missed = sum(bool(missed_bounds(result)) for result in own)
+    return f'<p class="{"unsafe" if missed else "safe"}">{missed} not as promised</p>'
 
 
 def _control(row: FaultRow, control: Sequence[TrialResult]) -> str:
@@ -199,6 +211,24 @@ def _unsafe(results: Sequence[TrialResult], wired: Sequence[WiredResult]) -> str
     return (
         "<section><h2>Unsafe flights</h2><table><tr><th>row</th><th>phase</th><th>what</th>"
         f"<th>told</th><th>again</th></tr>{rows}</table>{rest}</section>"
+    )
+
+
+def _missed(results: Sequence[TrialResult]) -> str:
+    safe = (r for r in results if r.key.guarded and not r.unsafe)
+    found = [(r, words) for r in safe if (words := missed_bounds(r))]
+    if not found:
+        return ""
+    rows = "".join(
+        f"<tr><td>{_text(r.key.row or 'without a fault')}</td><td>{_text(r.phase.value)}</td>"
+        f"<td>{_text('; '.join(words))}</td><td><code>{_again(r)}</code></td></tr>"
+        for r, words in found[:_MISSED_LISTED]
+    )
+    more = len(found) - _MISSED_LISTED
+    rest = f"<p>and {more} more</p>" if more > 0 else ""
+    return (
+        "<section><h2>Safe, and not as promised</h2><table><tr><th>row</th><th>phase</th>"
+        f"<th>what</th><th>again</th></tr>{rows}</table>{rest}</section>"
     )
 
 

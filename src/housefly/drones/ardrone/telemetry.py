@@ -16,12 +16,11 @@ from housefly.drones.ardrone.link import open_datagram_socket
 from housefly.errors import WireError
 from housefly.messages import Telemetry
 from housefly.messages.sensing import REPORT_AGE_MAX
-from housefly.wires.ardrone.conversions import telemetry_from_navdata
+from housefly.wires.ardrone.conversions import hears_us, telemetry_from_navdata
 from housefly.wires.ardrone.navdata import (
     NAVDATA_PORT,
     REQUEST_UNICAST,
     NavdataPacket,
-    StateBits,
     decode_navdata,
 )
 
@@ -159,11 +158,7 @@ class NavdataLink(asyncio.DatagramProtocol):
     def hears_us(self) -> bool:
         """Whether the drone receives our commands; assumed unless a recent report denies it."""
         packet = self.reports.packet
-        return not (
-            self.connected
-            and packet is not None
-            and packet.state & (StateBits.COM_WATCHDOG | StateBits.COM_LOST)
-        )
+        return packet is None or not self.connected or hears_us(packet)
 
     async def wait_for(
         self, condition: PacketCondition, timeout: float | None

@@ -180,7 +180,8 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
             mirrored = mirrored or _turns_back(new, row)
         if drift_window < len(DRIFT_WINDOWS) and age >= DRIFT_WINDOWS[drift_window]:
             drift_window += 1
-            if not parted and _parted(new, row, tolerance):
+            # What has parted by a short window began before it: a slow drift is seen late.
+            if _parted(new, row, tolerance, AGREE_AGAIN if parted else 1.0):
                 parted, since = True, index
         if drift_window == len(DRIFT_WINDOWS):
             break
@@ -212,15 +213,15 @@ def _compared(w: TrackWindows, ring: TrackRing, tolerance: OdometryTolerance) ->
 
 
 @compiled
-def _parted(new: Any, row: Any, tolerance: OdometryTolerance) -> bool:
-    """Return whether the two displacements since a row differ by more than their bound."""
+def _parted(new: Any, row: Any, tolerance: OdometryTolerance, share: float) -> bool:
+    """Return whether the two displacements since a row differ by this share of their bound."""
     dx = (new.px - new.ox) - (row.px - row.ox)
     dy = (new.py - new.oy) - (row.py - row.oy)
     change = sqrt((new.vx - row.vx) ** 2 + (new.vy - row.vy) ** 2)
     bound = displacement_bound(
         new.at - row.at, new.variance - row.variance, new.way - row.way, change, tolerance
     )
-    return bool(dx * dx + dy * dy > bound**2)
+    return bool(dx * dx + dy * dy > (share * bound) ** 2)
 
 
 @compiled

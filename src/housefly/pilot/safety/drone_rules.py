@@ -32,6 +32,10 @@ GAUGE_STILL_TIME = 60.0
 """A gauge that does not change for so long in the air is stuck [s]."""
 LATE_HOLD, LATE_LAND = 0.25, 1.0
 """A step is late by this: hold, land [s]."""
+COMMANDS_GAP = 0.3
+"""A drone that hears no commands for longer than this is held [s] ..."""
+COMMANDS_LATE_FOR = 1.0
+"""... and for so long after it hears them again: what was sent before may come late [s]."""
 LATE_STEPS_MAX = 3
 """So many late steps within ``LATE_SPAN`` slow the drone down."""
 HELD_TIME_MAX = 3.5
@@ -240,6 +244,19 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         condition="its limits are not confirmed",
         broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.configured,
         words=lambda _: "the drone has not confirmed its limits: it holds itself",
+    ),
+    SafetyRule(
+        code="commands_unheard",
+        mode=M.HOLD,
+        counts=N.AIRBORNE,
+        condition="the drone hears no commands, by its own word",
+        broken=lambda c: c.now.telemetry is not None and not c.now.telemetry.hears_us,
+        words=lambda _: (
+            f"commands reach the drone late or not at all (limit {COMMANDS_GAP:g} s):"
+            " it holds itself"
+        ),
+        after=COMMANDS_GAP,
+        lasts=COMMANDS_LATE_FOR,
     ),
     SafetyRule(
         code="loop_late",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from math import degrees, isfinite, radians
 
+from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
@@ -34,6 +35,11 @@ def is_misplaced_on_ground(c: RuleContext) -> bool:
     """Return whether tracking shows a standing drone where it cannot stand."""
     known = c.now.consistency
     return abs(known.height_error) > HEIGHT_DISAGREES or known.drift > DRIFT_LAND
+
+
+def _is_unseen_by_itself(c: RuleContext) -> bool:
+    is_by_itself = c.now.status is not DroneStatus.FLYING
+    return is_by_itself and too_old(c.now.pose_age, c.limits.pose_age_level)
 
 
 def _tracking_lost(age: float, limit: float) -> str:
@@ -172,6 +178,14 @@ TRACKING_RULES: tuple[SafetyRule, ...] = (
         condition="poses older than they say",
         broken=lambda c: c.now.consistency.latency_error > LATENCY_SLOW,
         words=lambda c: f"{_latency_words(c)} (limit {LATENCY_SLOW} s): slowly",
+    ),
+    SafetyRule(
+        code="tracking_gap",
+        mode=M.WARN,
+        counts=N.AIRBORNE,
+        condition="pose old while the drone takes off or lands by itself",
+        broken=_is_unseen_by_itself,
+        words=lambda c: _tracking_lost(c.now.pose_age, c.limits.pose_age_level),
     ),
     SafetyRule(
         code="tracking_drifting",

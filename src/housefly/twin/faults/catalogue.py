@@ -214,8 +214,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F12", "tracking is late, with or without saying so",
-        "predicts ahead and flies slower; above 0.3 s holds; what it does not say is found within"
-        " 5 s", _TWIN,
+        "predicts ahead and flies slower; above 0.3 s holds; 0.3 s that it does not say are found"
+        " within 5 s", _TWIN,
         (
             _one(_C.MOCAP, _K.DELAYED, size=0.2, name="0.2s"),
             _one(_C.MOCAP, _K.DELAYED, size=0.3, name="0.3s"),
@@ -255,7 +255,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F16", "the link to or from the drone lags for a while",
-        "holds above 0.3 s; no stale command is obeyed late", _TWIN,
+        "holds after 0.3 s without commands and 1 s longer; late ones move it below 0.3 m", _TWIN,
         (
             _one(_C.COMMANDS, _K.DELAYED, size=1.0, lasting=2.0, name="up_1s"),
             _one(_C.TELEMETRY, _K.DELAYED, size=1.0, lasting=2.0, name="down_1s"),

@@ -49,7 +49,9 @@ def _not_numbers(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
 
 def _no_rotation(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:
     w, x, y, z = pose.orientation
-    return replace(pose, orientation=(_NO_ROTATION * w, _NO_ROTATION * x, y, z))
+    return replace(
+        pose, orientation=(w * _NO_ROTATION, x * _NO_ROTATION, y * _NO_ROTATION, z * _NO_ROTATION)
+    )
 
 
 def _body_turned(fault: Fault, pose: Pose, since: float, pad: Vec2) -> Pose:

@@ -95,7 +95,13 @@ def telemetry_from_navdata(packet: NavdataPacket, received_at: float) -> Telemet
         faults=tuple(text for bit, text in _FAULTS if packet.has(bit)),
         acceleration=_acceleration(packet),
         drone_time=time.seconds if (time := packet.option(Time)) else None,
+        hears_us=hears_us(packet),
     )
+
+
+def hears_us(packet: NavdataPacket) -> bool:
+    """Return whether our commands reach the drone, by its own word."""
+    return not packet.state & (StateBits.COM_WATCHDOG | StateBits.COM_LOST)
 
 
 def _acceleration(packet: NavdataPacket) -> Vec3 | None:

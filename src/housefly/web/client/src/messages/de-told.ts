@@ -184,6 +184,8 @@ export const DE_TOLD: Templates = {
   "{n} s of flight left by the clock, the way home needs {m} s":
     "nach der Uhr noch {n} s Flug, der Heimweg braucht {m} s",
   "the pilot runs more than {n} s late": "der Autopilot ist mehr als {n} s zu spät",
+  "commands reach the drone late or not at all":
+    "Befehle erreichen die Drohne verspätet oder gar nicht",
   "the pilot is often late ({k} times within {n} s)":
     "der Autopilot ist oft zu spät ({k}-mal in {n} s)",
   "battery {p}%: it turns home at {q}%": "Akku {p} %: bei {q} % kehrt sie um",

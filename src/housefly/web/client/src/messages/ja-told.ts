@@ -168,6 +168,7 @@ export const JA_TOLD: Templates = {
   "battery {p}%, the way home ({n} s) needs {q}%": "バッテリー {p}%、帰還（{n}秒）に {q}% 必要です",
   "{n} s of flight left by the clock, the way home needs {m} s": "残り飛行時間 {n}秒、帰還に{m}秒必要です",
   "the pilot runs more than {n} s late": "自動操縦が{n}秒以上遅れています",
+  "commands reach the drone late or not at all": "命令がドローンに遅れて届くか、届いていません",
   "the pilot is often late ({k} times within {n} s)": "自動操縦が何度も遅れています（{n}秒に{k}回）",
   "battery {p}%: it turns home at {q}%": "バッテリー {p}%。{q}% で帰還します",
   "the battery has shown {p}% for {n} s (limit {m} s): flying by the clock, {k} s left":
