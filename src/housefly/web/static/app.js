@@ -1,1 +1,1 @@
-import"./chunk-chunk-VUDHG5OW.js";
+import"./chunk-chunk-R3ZDEBOA.js";

@@ -30,7 +30,8 @@ export function Bubble() {
       watching.observe(one);
     return () => watching.disconnect();
   }, [about]);
-  useEffect(() => {
+  // Before it is painted: who reads it may press a key at once.
+  useLayoutEffect(() => {
     const close = (event: KeyboardEvent): void => void (event.key === "Escape" && endHints());
     window.addEventListener("keydown", close, { capture: true });
     return () => window.removeEventListener("keydown", close, { capture: true });
