@@ -49,12 +49,19 @@ class DroneCamera(Enum):
 
 @dataclass(frozen=True, slots=True)
 class OnboardLimits:
-    """Maxima that scale the stick: tilt [rad], climb [m/s], yaw rate [rad/s], altitude [m]."""
+    """What a client may set.
+
+    Attributes:
+        tilt, climb, yaw_rate: of a full stick [rad], [m/s], [rad/s].
+        altitude: that it does not climb above [m].
+        silence: without a command, after which it lands by itself [s].
+    """
 
     tilt: float = 0.20943952
     climb: float = 0.7
     yaw_rate: float = 1.7453293
     altitude: float = 3.0
+    silence: float = 2.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +169,7 @@ class TwinWorld(Protocol):
         ...
 
     def keep_alive(self) -> None:
-        """Any command arrived: feed the communication watchdogs (50 ms flag, 2 s landing)."""
+        """Any command arrived; without one a flag after 50 ms, landing after ``silence``."""
         ...
 
     def request_take_off(self) -> None:

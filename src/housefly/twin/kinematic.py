@@ -28,7 +28,6 @@ _TAKE_OFF_HEIGHT = 1.0
 _TAKE_OFF_CLIMB = 0.8
 _SINK = 0.5
 _WATCHDOG_AFTER = 0.05
-_COM_LOST_AFTER = 2.0
 
 
 class KinematicWorld:
@@ -121,7 +120,7 @@ class KinematicWorld:
             motors=(duty, duty, duty, duty),
             low_battery=self.battery < 0.2,
             com_watchdog=silence > _WATCHDOG_AFTER,
-            com_lost=silence > _COM_LOST_AFTER,
+            com_lost=silence > self.limits.silence,
         )
 
     def truth(self) -> GroundTruth:
@@ -170,7 +169,7 @@ class KinematicWorld:
             self.flight = FlightState.HOVERING if self.asked.hover else FlightState.FLYING
         elif self.flight is FlightState.LANDING and height <= 0.0:
             self.flight = FlightState.LANDED
-        if self.flight.airborne and self._now - self._heard_at > _COM_LOST_AFTER:
+        if self.flight.airborne and self._now - self._heard_at > self.limits.silence:
             self.flight = FlightState.LANDING
 
     def _wanted_climb(self, stick: Stick) -> float:

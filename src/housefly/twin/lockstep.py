@@ -33,6 +33,7 @@ from housefly.wires.ardrone.command_sequencer import (
     SEND_INTERVAL_MIN,
     CommandSequencer,
 )
+from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 from housefly.wires.ardrone.conversions import Maxima, stick_from_pcmd
 
 FLIGHT_STATUS: dict[FlightState, DroneStatus] = {
@@ -99,6 +100,7 @@ class LockstepRoom:
                 limits.full_climb,
                 limits.yaw_rate_max,
                 limits.onboard_height_max,
+                COM_WATCHDOG_TIME,
             )
         )
         maxima = Maxima(limits.tilt_max, limits.full_climb, limits.yaw_rate_max)

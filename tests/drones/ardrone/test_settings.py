@@ -50,6 +50,14 @@ def test_a_drone_that_took_everything_differs_in_nothing() -> None:
     assert maxima_in(dump, Maxima(9, 9, 9)) == maxima_of(LIMITS)
 
 
+def test_a_drone_that_keeps_its_own_watchdog_is_told_of_and_still_flies() -> None:
+    assert dict(wanted_settings(LIMITS))["general:com_watchdog"] == 1
+    kept = encode_dump(dict(wanted_settings(LIMITS)) | {"general:com_watchdog": 2})
+    ((name, note),) = setting_mismatches(parse_dump(kept), LIMITS).items()
+    assert note == "the drone keeps general:com_watchdog = 2 instead of 1"
+    assert not is_needed_to_fly(name)
+
+
 def test_what_the_drone_kept_is_told_and_counts() -> None:
     dump = parse_dump(
         encode_dump(dict(wanted_settings(LIMITS)) | {"control:euler_angle_max": 0.35})

@@ -135,6 +135,14 @@ def test_limits_stay_between_zero_and_what_the_firmware_follows(value):
     assert 0.0 <= limits.yaw_rate <= 6.11
 
 
+@pytest.mark.parametrize(("written", "silence"), [("1", 1.0), ("5", 5.0), ("0", 1.0), ("-3", 1.0)])
+def test_the_watchdog_of_the_link_is_set_in_whole_seconds_from_one_on(written, silence):
+    store = ConfigStore()
+    assert store.limits.silence == 2.0
+    assert store.write("general:com_watchdog", written, None)
+    assert store.limits.silence == silence
+
+
 def test_the_channel_after_the_last_is_the_first():
     store = ConfigStore()
     store.write("video:video_channel", "4", None)

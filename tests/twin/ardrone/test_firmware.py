@@ -5,10 +5,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.config.drone import DroneConfig
-from housefly.twin.ardrone.firmware import COM_LOST_AFTER, TILT_CUTOFF, Firmware
+from housefly.twin.ardrone.firmware import TILT_CUTOFF, Firmware
 from housefly.twin.ardrone.onboard_sensors import CONTROL_PERIOD, SensorReading
-from housefly.twin.contracts import FlightState
+from housefly.twin.contracts import FlightState, OnboardLimits
 from housefly.wires.ardrone.conversions import Stick
+
+SILENCE_MAX = OnboardLimits().silence
 
 LEVEL = SensorReading(0.0, 0.0, 0.0, (0.0, 0.0, 0.0), 1.0, 0.0, 0.0, 0.0, (0.0, 0.0, 9.8))
 ON_GROUND = LEVEL._replace(height=0.02)
@@ -91,15 +93,21 @@ def test_a_drone_on_its_back_neither_leaves_the_emergency_nor_takes_off(grounded
 
 
 def test_two_seconds_without_a_client_land_the_drone(airborne: Firmware) -> None:
-    assert run(airborne, 1.0, silence=COM_LOST_AFTER - 0.1) is FlightState.HOVERING
-    assert run(airborne, 0.1, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDING
+    assert run(airborne, 1.0, silence=SILENCE_MAX - 0.1) is FlightState.HOVERING
+    assert run(airborne, 0.1, silence=SILENCE_MAX + 0.1) is FlightState.LANDING
     assert airborne.com_lost
+
+
+def test_a_shorter_silence_lands_it_where_that_is_set(airborne: Firmware) -> None:
+    airborne.limits = OnboardLimits(silence=1.0)
+    assert run(airborne, 0.5, silence=0.9) is FlightState.HOVERING
+    assert run(airborne, 0.1, silence=1.1) is FlightState.LANDING
 
 
 def test_after_a_landing_nobody_asked_for_a_repeated_take_off_bit_does_not_count(
     airborne: Firmware,
 ) -> None:
-    assert run(airborne, 3.0, ON_GROUND, silence=COM_LOST_AFTER + 0.1) is FlightState.LANDED
+    assert run(airborne, 3.0, ON_GROUND, silence=SILENCE_MAX + 0.1) is FlightState.LANDED
     airborne.request_take_off()
     assert airborne.flight is FlightState.LANDED
     airborne.request_land()

@@ -19,6 +19,7 @@ from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.lockstep import LockstepRoom
 from housefly.twin.world import SimulatedWorld
+from housefly.wires.ardrone.config import COM_WATCHDOG_TIME
 
 MakeFaulty = Callable[..., tuple[SimulatedWorld, LockstepRoom]]
 AIRBORNE_AT = 6.0
@@ -145,7 +146,7 @@ def test_a_drone_that_hears_nothing_flies_on_and_then_lands_by_itself(
     world, room = faulty(fault)
     take_off(room)
     assert world.onboard().flight.airborne
-    keep(room, Command(Action.HOVER), 1.9)
+    keep(room, Command(Action.HOVER), COM_WATCHDOG_TIME - 0.1)
     assert not world.onboard().com_lost
     keep(room, Command(Action.HOVER), 0.5)
     assert world.onboard().com_lost

@@ -5,7 +5,13 @@ from __future__ import annotations
 from math import isclose
 
 from housefly.config.limits import LimitsConfig
-from housefly.wires.ardrone.config import ConfigValue, Dump, VideoChannel, VideoCodec
+from housefly.wires.ardrone.config import (
+    COM_WATCHDOG_TIME,
+    ConfigValue,
+    Dump,
+    VideoChannel,
+    VideoCodec,
+)
 from housefly.wires.ardrone.conversions import Maxima
 
 _FREE_FLIGHT = 0
@@ -25,6 +31,7 @@ def wanted_settings(limits: LimitsConfig) -> tuple[tuple[str, ConfigValue], ...]
         ("control:control_yaw", limits.yaw_rate_max),
         ("control:altitude_max", round(1000.0 * limits.onboard_height_max)),
         ("control:flying_mode", _FREE_FLIGHT),
+        ("general:com_watchdog", COM_WATCHDOG_TIME),
         ("detect:detect_type", _NO_DETECTION),
         ("video:video_codec", int(VideoCodec.H264_360P)),
         ("video:codec_fps", _VIDEO_RATE_HZ),

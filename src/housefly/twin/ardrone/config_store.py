@@ -54,6 +54,8 @@ _CLIMB_MAX = 2.0
 _YAW_RATE_MAX = 6.11
 _ALTITUDE_MAX = 100.0
 """Largest tilt [rad], climb [m/s], yaw rate [rad/s] and altitude [m] that the firmware follows."""
+_SILENCE_MIN = 1.0
+"""Shortest time without a command that the twin lands after [s]; of a real drone not known."""
 
 _NEXT_CHANNEL = 4
 """Value of ``video:video_channel`` that means the other camera."""
@@ -119,6 +121,7 @@ class ConfigStore:
             climb=_within(self._number("control:control_vz_max") / 1000.0, _CLIMB_MAX),
             yaw_rate=_within(self._number("control:control_yaw"), _YAW_RATE_MAX),
             altitude=_within(self._number("control:altitude_max") / 1000.0, _ALTITUDE_MAX),
+            silence=max(_SILENCE_MIN, self._number("general:com_watchdog")),
         )
 
     def value(self, name: str) -> ConfigValue:

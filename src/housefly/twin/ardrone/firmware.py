@@ -19,8 +19,7 @@ from housefly.twin.contracts import FlightState, OnboardLimits
 from housefly.wires.ardrone.conversions import Stick
 
 WATCHDOG_AFTER = 0.05
-COM_LOST_AFTER = 2.0
-"""Silence [s] that raises the watchdog bit, and that makes the drone brake and land."""
+"""Silence that raises the watchdog bit [s]."""
 
 _TAKE_OFF_HEIGHT = 1.0
 _SPIN_UP_TIME = 1.0
@@ -135,7 +134,7 @@ class Firmware:
         self.tilted = (
             acos(max(-1.0, min(1.0, cos(measured.phi) * cos(measured.theta)))) > TILT_CUTOFF
         )
-        self.com_lost = silence > COM_LOST_AFTER
+        self.com_lost = silence > self.limits.silence
         self.powered = self._voltage > CUT_OFF_VOLTAGE
         if not self.flight.airborne:
             return

@@ -20,6 +20,10 @@ CONTROL_PORT = 5559
 DUMP_END = b"\x00"
 MAX_DUMP = 65_536
 """Longest dump that we read [bytes]; a real one has about 5000."""
+COM_WATCHDOG_TIME = 1
+"""What Housefly sets ``general:com_watchdog`` to [s]: the drone lands after so long without a
+command, its last stick held until then; 2 as it comes, and whole seconds only.
+"""
 DEFAULT_ID = "00000000"
 """Id of the default session, user and application."""
 
