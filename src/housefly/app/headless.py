@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from dataclasses import replace
 from math import inf
 from pathlib import Path
 
 from housefly.app.end_signals import EndSignals
-from housefly.app.launcher import Launcher, ProcessSpec, processes_of
+from housefly.app.launcher import Launcher, processes_of
 from housefly.app.readiness import Readiness
 from housefly.app.runtime import Runtime
 from housefly.app.service_monitor import ServiceMonitor
@@ -66,7 +65,7 @@ def fly_over_wires(
     with (
         EndSignals(),
         Launcher(
-            runtime, folder, _with_truth(processes_of(runtime, web=web), recorder.truth_file)
+            runtime, folder, processes_of(runtime, web=web, truth_file=recorder.truth_file)
         ) as launcher,
         ZenohBus(connect=runtime.bus) as bus,
     ):
@@ -84,16 +83,6 @@ def fly_over_wires(
                 f"not ready after {_START_TIMEOUT:.0f} s: {missing}; the logs are in {folder}"
             )
         return _serve(bus, site.tracking.body, home, order, recorder, on_step, say, give_up_after)
-
-
-def _with_truth(processes: tuple[ProcessSpec, ...], path: Path) -> tuple[ProcessSpec, ...]:
-    """Return the processes of which the twin writes the true course of the flight into a file."""
-    return tuple(
-        replace(spec, arguments=(*spec.arguments, "--truth", str(path.resolve())))
-        if spec.name == "twin"
-        else spec
-        for spec in processes
-    )
 
 
 class Steadiness:

@@ -103,10 +103,20 @@ def run_interactively(
     refuse_shared_store(loaded.site)
     runtime = replace(new_runtime(loaded.site, folder), recording=record)
     with ExitStack() as stack:
+        recorder = None
+        if record is not None:
+            recorder = FlightRecorder(record, loaded.site, loaded.room, loaded.grid)
+            stack.callback(recorder.finish, "ended by the user")
+        truth_file = None if recorder is None else recorder.truth_file
         signals = stack.enter_context(EndSignals())
         stack.enter_context(announced(discovery_entry(runtime)))
         launcher = stack.enter_context(
-            Launcher(runtime, folder, processes_of(runtime), lambda: signals.is_impatient)
+            Launcher(
+                runtime,
+                folder,
+                processes_of(runtime, truth_file=truth_file),
+                lambda: signals.is_impatient,
+            )
         )
         bus = stack.enter_context(ZenohBus(connect=runtime.bus))
         renewal = RoomRenewal(launcher, bus, is_recorded=record is not None)
@@ -114,8 +124,8 @@ def run_interactively(
         teller = _Teller(launcher, ConsoleDoor(runtime, first.value))
         try:
             _introduce(runtime, bus, teller, started, first)
-            if record is not None:
-                stack.callback(_record(loaded, record, bus))
+            if recorder is not None:
+                stack.callback(_record(recorder, bus))
                 console.print(f"recording to {record}")
             teller.tell_for_ever()
         except KeyboardInterrupt:
@@ -176,8 +186,7 @@ def _say(words: str) -> None:
         console.print(words, markup=False)
 
 
-def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
-    recorder = FlightRecorder(folder, loaded.site, loaded.room, loaded.grid)
+def _record(recorder: FlightRecorder, bus: Bus) -> Callable[[], None]:
     open_ = [
         bus.subscribe(STEP_TOPIC, recorder.add_step),
         bus.subscribe(VIDEO_TOPIC, recorder.add_video),
@@ -188,6 +197,5 @@ def _record(loaded: LoadedSite, folder: Path, bus: Bus) -> Callable[[], None]:
     def close() -> None:
         for subscription in open_:
             subscription.close()
-        recorder.finish("ended by the user")
 
     return close

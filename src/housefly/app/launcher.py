@@ -60,8 +60,16 @@ DRIVER_PROCESS = ProcessSpec("driver", "housefly.app.driver_main", niceness=-5, 
 """Whoever pilots, the driver is a process of its own."""
 
 
-def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ...]:
-    """Return the processes that a site needs."""
+def processes_of(
+    runtime: Runtime, *, web: bool = True, truth_file: Path | None = None
+) -> tuple[ProcessSpec, ...]:
+    """Return the processes that a site needs.
+
+    Args:
+        runtime: of the site.
+        web: whether the console is among them.
+        truth_file: where a simulated room writes the true course of what flies; None writes none.
+    """
     site = runtime.site()
     site_argument = ("--site", str(runtime.site_file))
     processes = [ProcessSpec("pilot", "housefly.app.pilot_main", lands=True), DRIVER_PROCESS]
@@ -70,6 +78,8 @@ def processes_of(runtime: Runtime, *, web: bool = True) -> tuple[ProcessSpec, ..
     if site.twin.enabled:
         has_bus = web or site.depth_cameras
         twin_arguments = (*site_argument, "--bus", runtime.bus) if has_bus else site_argument
+        if truth_file is not None:
+            twin_arguments = (*twin_arguments, "--truth", str(truth_file.resolve()))
         processes.append(ProcessSpec("twin", "housefly.twin.process", twin_arguments, niceness=-5))
     if site.hub.enabled:
         asked_at = ("--bus", runtime.bus, "--socket", str(runtime.room_socket))
