@@ -1,5 +1,6 @@
 """How the processes of a run start, are started again, are given up, and end."""
 
+import json
 import os
 import re
 import signal
@@ -20,8 +21,8 @@ from housefly.config.site import site_from_file
 pytestmark = [pytest.mark.wire, pytest.mark.realtime, pytest.mark.slow]
 
 
-def start(site: Path, log: Path) -> subprocess.Popen[bytes]:
-    command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site)]
+def start(site: Path, log: Path, *options: str) -> subprocess.Popen[bytes]:
+    command = [sys.executable, "-m", "housefly.cli", "run", "--site", str(site), *options]
     process = subprocess.Popen(command, stdout=log.open("w"), stderr=subprocess.STDOUT)
     deadline = time.monotonic() + 200.0
     while "ready after" not in log.read_text() and time.monotonic() < deadline:
@@ -37,13 +38,18 @@ def children_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
     return psutil.Process(process.pid).children(recursive=True)
 
 
-def test_ctrl_c_ends_every_process_and_gives_exit_code_0(tmp_path: Path, write_site: Any) -> None:
-    process = start(write_site(), tmp_path / "log")
+def test_ctrl_c_ends_every_process_and_its_recording_is_scored_on_the_truth(
+    tmp_path: Path, write_site: Any
+) -> None:
+    recording = tmp_path / "recording"
+    process = start(write_site(), tmp_path / "log", "--record", str(recording))
     children = children_of(process)
     assert len(children) >= 3
     process.send_signal(signal.SIGINT)
     assert process.wait(40) == 0
     assert psutil.wait_procs(children, timeout=5)[1] == []
+    summary = json.loads((recording / "summary.json").read_text())
+    assert summary["contacts"] == [], "None: nobody wrote what was true"
 
 
 @pytest.mark.interop
