@@ -177,8 +177,8 @@ def _judged(heard: Heard, folder: Path, load: float) -> Loaded:
     return Loaded(outcome, tuple(harm), modes, tuple(heard.words), load)
 
 
-def main() -> None:
-    """Fly, and print how each service ended."""
+def main() -> int:
+    """Fly, and print how each service ended; 0 when none did harm."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("services", type=int, nargs="?", default=20)
     parser.add_argument("--load", type=int, default=4, help="busy processes per core (default: 4)")
@@ -204,7 +204,8 @@ def main() -> None:
     print(table(["seed", "load", "outcome", "harm", "gate", "told, the first two"], rows))
     harmed = sum(row[3] != "-" for row in rows)
     print(f"\n{harmed} of {len(rows)} did harm.")
+    return 1 if harmed else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

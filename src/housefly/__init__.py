@@ -49,6 +49,7 @@ if TYPE_CHECKING:
         ROOM_EVENT_TOPIC,
         ROOM_NEWS_TOPIC,
         SENSOR_TOPIC,
+        SIGHT_TOPIC,
         STEP_TOPIC,
         TASK_NEWS_TOPIC,
         TASKS_QUERY,
@@ -114,6 +115,7 @@ if TYPE_CHECKING:
         Setpoint,
         Severity,
         Sighting,
+        SightNews,
         TaskNews,
         Telemetry,
         TrackedFrame,
@@ -136,20 +138,21 @@ if TYPE_CHECKING:
 __all__ = [
     "DEPTH_TOPIC", "FRAME_TOPIC", "LEVEL", "LINK_TOPIC", "OBSTACLE_TOPIC", "ORDER_TOPIC",
     "PLAN_QUERY", "RECORDING_TOPIC", "ROOM_EVENT_TOPIC", "ROOM_NEWS_TOPIC", "SENSOR_TOPIC",
-    "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC", "VIDEO_TOPIC",
-    "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Command", "ConfigError",
-    "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event", "EventNews",
-    "Fact", "Facts", "Flight", "HouseClient", "HouseflyError", "Identified", "Inputs", "Judgement",
-    "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError", "Observation",
-    "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderKind", "Outputs", "Path", "Phase",
-    "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose", "PreflightCheck",
-    "RecordingError", "RecordingNews", "Reference", "ReplayResult", "Room", "RoomClient",
-    "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor", "SensorHealth",
-    "SensorReport", "SensorSink", "Setpoint", "Severity", "Sighting", "Simulation", "Site",
-    "StaleEdits", "StoreError", "Summary", "TaskError", "TaskNews", "Telemetry", "ThingError",
-    "TrackedFrame", "TrajectoryPoint", "VideoFrame", "WireError", "ZenohBus", "choose_gains",
-    "connect", "draw_room", "fly", "identify", "import_ros_map", "judge_gains", "launch",
-    "load_site", "open_flight", "play_scene", "run_campaign", "run_twin", "text_map",
+    "SIGHT_TOPIC", "STEP_TOPIC", "TASKS_QUERY", "TASK_NEWS_TOPIC", "TOPICS", "TRAJECTORY_TOPIC",
+    "VIDEO_TOPIC", "Action", "Advice", "ArDrone", "Behavior", "Bus", "CampaignResult", "Command",
+    "ConfigError", "Covariance", "DepthImage", "DroneStatus", "EditsError", "Estimate", "Event",
+    "EventNews", "Fact", "Facts", "Flight", "HouseClient", "HouseflyError", "Identified", "Inputs",
+    "Judgement", "LinkError", "LinkStatus", "LoadedSite", "MessageRate", "MissingPartError",
+    "Observation", "Obstacle", "ObstacleKind", "OccupancyGrid", "Order", "OrderKind", "Outputs",
+    "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose",
+    "PreflightCheck", "RecordingError", "RecordingNews", "Reference", "ReplayResult", "Room",
+    "RoomClient", "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor",
+    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "SightNews", "Sighting",
+    "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "TaskError", "TaskNews",
+    "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "VideoFrame", "WireError",
+    "ZenohBus", "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map",
+    "judge_gains", "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin",
+    "text_map",
 ]
 # fmt: on
 
@@ -165,8 +168,8 @@ _MODULES = {
     "bus.bus": "Bus",
     "bus.topics": (
         "DEPTH_TOPIC FRAME_TOPIC LINK_TOPIC OBSTACLE_TOPIC ORDER_TOPIC PLAN_QUERY"
-        " RECORDING_TOPIC ROOM_EVENT_TOPIC ROOM_NEWS_TOPIC SENSOR_TOPIC STEP_TOPIC TASKS_QUERY"
-        " TASK_NEWS_TOPIC TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
+        " RECORDING_TOPIC ROOM_EVENT_TOPIC ROOM_NEWS_TOPIC SENSOR_TOPIC SIGHT_TOPIC STEP_TOPIC"
+        " TASKS_QUERY TASK_NEWS_TOPIC TOPICS TRAJECTORY_TOPIC VIDEO_TOPIC"
     ),
     "bus.zenoh_bus": "ZenohBus",
     "config.site": "Site",

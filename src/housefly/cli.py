@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from itertools import pairwise
 
 from housefly.app.commands.ask import HISTORY_COMMAND, SENSORS_COMMAND, WATCH_COMMAND, WHERE_COMMAND
 from housefly.app.commands.ask_state import IS_COMMAND, NIGHTS_COMMAND, WHO_COMMAND
@@ -107,6 +108,7 @@ def main(arguments: list[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else arguments
     try:
         refuse_odd_values(arguments, key="argument")
+        _refuse_empty_words(arguments)
     except ConfigError as error:
         return _refused(str(error))
     options = build_parser().parse_args(arguments)
@@ -116,6 +118,24 @@ def main(arguments: list[str] | None = None) -> int:
         return _run(options)
     finally:
         os.umask(before)
+
+
+def _refuse_empty_words(arguments: list[str]) -> None:
+    """Raise ConfigError for a word without a letter: of a shell variable that is not set.
+
+    Never does one mean that an option is not given: ``--from=$FLOWN`` must not fly.
+    """
+    for number, (before, word) in enumerate(pairwise(("", *arguments)), 1):
+        if before == "--" or word == "--":
+            return
+        if not word.strip():
+            named = before if before.startswith("-") else f"argument {number}"
+        elif word.startswith("--") and "=" in word and not word.partition("=")[2].strip():
+            named = word.partition("=")[0]
+        else:
+            continue
+        words = "is empty (a variable that is not set?); allowed: a value, or leave it out"
+        raise ConfigError(named, words)
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -97,6 +97,10 @@ class StoreError(HouseflyError):
         super().__init__(f"{reason}; {remedy}" if remedy else reason)
 
 
+class SharedStoreError(StoreError):
+    """Another run holds the database of the room's memory."""
+
+
 class MissingPartError(HouseflyError):
     """An optional part is not installed.
 

@@ -41,6 +41,21 @@ def assert_landed_and_gone(room: OutsideRoom, run: Run) -> None:
     assert room.world.truth().contacts == 0
 
 
+def assert_for_this_user_alone(run: Run, store: Path) -> None:
+    """What the run wrote so far, over real wires, nobody else may read: sockets, logs, memory."""
+    hub = run.part("housefly.hub.process").cmdline()
+    logs = Path(hub[hub.index("--site") + 1]).parent
+    sockets = Path(hub[hub.index("--socket") + 1]).parent
+    kept = list(store.parent.glob(f"{store.stem}*"))
+    assert {"site.json", "web.log", "pilot.log", "hub.log"} <= {
+        path.name for path in logs.iterdir()
+    }
+    assert {"bus", "room"} <= {path.name for path in sockets.iterdir()} and store in kept
+    written = [path for folder in (logs, sockets, *kept) for path in (folder, *folder.rglob("*"))]
+    is_open = [path for path in written if path.exists() and path.lstat().st_mode & 0o077]
+    assert is_open == []
+
+
 def signal_all(run: Run, number: int) -> None:
     for part in run.current_parts():
         with suppress(psutil.NoSuchProcess):
@@ -91,8 +106,10 @@ class Terminal:
 def test_a_killed_launcher_leaves_a_drone_that_lands_and_no_process(
     tmp_path: Path, write_site: Any
 ) -> None:
+    assert os.umask(0o022) == 0o022, "the run must not owe its modes to whoever starts it"
     with running_outside(write_site(), tmp_path / "log") as (room, run):
         run.fly_off(room)
+        assert_for_this_user_alone(run, tmp_path / "room1.db")
         run.process.kill()
         assert_landed_and_gone(room, run)
 

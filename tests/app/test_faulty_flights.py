@@ -10,6 +10,7 @@ import pytest
 from housefly.app.flight import fly_service
 from housefly.app.loaded_site import load_site
 from housefly.app.lockstep import fly_lockstep
+from housefly.app.people_note import UNSEEN_PEOPLE
 from housefly.app.public.simulation import Simulation
 from housefly.cli import main
 from housefly.errors import ConfigError
@@ -60,6 +61,7 @@ def test_a_fault_of_the_command_line_happens_is_printed_and_recorded(
     assert json.loads((tmp_path / "site.json").read_text())["faults"] == [{"fault": fault}]
     printed = capsys.readouterr().out
     assert "contacts" in printed and "made to fail" in printed and fault in printed
+    assert 0 <= printed.find(UNSEEN_PEOPLE) < printed.find("contacts"), "said before it flies"
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ import psutil
 import pytest
 
 from housefly.app.launcher import Launcher, ProcessSpec
+from housefly.app.people_note import UNSEEN_PEOPLE
 from housefly.app.runtime import Runtime
 from housefly.config.site import site_from_file
 
@@ -45,6 +46,8 @@ def test_ctrl_c_ends_every_process_and_its_recording_is_scored_on_the_truth(
     process = start(write_site(), tmp_path / "log", "--record", str(recording))
     children = children_of(process)
     assert len(children) >= 3
+    said = (tmp_path / "log").read_text()
+    assert 0 <= said.find(UNSEEN_PEOPLE) < said.find("ready after")
     process.send_signal(signal.SIGINT)
     assert process.wait(40) == 0
     assert psutil.wait_procs(children, timeout=5)[1] == []

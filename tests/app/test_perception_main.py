@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable
-from math import hypot
+from math import hypot, inf
 from pathlib import Path
 
 import pytest
@@ -17,7 +17,7 @@ from housefly.app.perception_main import PerceptionProcess
 from housefly.app.replaying import verify_recording
 from housefly.app.runtime import new_runtime
 from housefly.bus.local import LocalBus
-from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, STEP_TOPIC
+from housefly.bus.topics import HUB_QUERY, OBSTACLE_TOPIC, SIGHT_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import RealClock
 from housefly.config.site import changed
@@ -25,7 +25,7 @@ from housefly.errors import ConfigError
 from housefly.hub.api.answers import SensorAnswer, SensorsAnswer
 from housefly.hub.api.json import answer_from_json, question_to_json
 from housefly.hub.api.questions import SensorsQuestion
-from housefly.messages import Obstacle, Order, OrderKind
+from housefly.messages import Obstacle, Order, OrderKind, PilotStep, SightNews
 from housefly.record.recorder import FlightRecorder
 from housefly.record.replay import read_steps
 from housefly.twin.movable import Movable
@@ -90,6 +90,45 @@ async def test_a_chair_is_told_on_the_bus_while_it_stands_and_told_gone_when_it_
         await feed.stop()
 
 
+@pytest.mark.wire
+@pytest.mark.realtime
+async def test_the_pilot_is_told_until_when_the_scanner_was_believed_and_hears_of_its_silence(
+    loopback: str,
+) -> None:
+    here = loaded(loopback, twin__visitor_present=False)
+    world = SimulatedWorld(here.site, here.room)
+    feed, bus, clock = LaserFeed(here.site, world), LocalBus(), RealClock()
+    heard: list[SightNews] = []
+    bus.subscribe(SIGHT_TOPIC, heard.append)
+    await feed.start()
+    is_on = asyncio.Event()
+
+    async def turn() -> None:
+        while await is_on.wait():
+            await asyncio.sleep(0.025)
+            world.advance(0.025)
+            feed.publish()
+
+    tasks = [
+        asyncio.create_task(turn()),
+        asyncio.create_task(PerceptionProcess(here, bus, clock).run()),
+    ]
+    try:
+        await until(lambda: bool(heard))
+        assert heard[-1].seen_at == -inf
+        is_on.set()
+        await until(lambda: clock.now() - heard[-1].seen_at < 0.3)
+        is_on.clear()
+        count = len(heard)
+        await until(lambda: clock.now() - heard[-1].seen_at > 1.0)
+        assert len(heard) - count >= 5, "silence is told like everything else"
+    finally:
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+        await feed.stop()
+
+
 LASER = {"name": "eye", "x": 13.9, "y": 3.3, "z": 1.1, "yaw": -2.6}
 DEPTH_CAMERA = {"name": "eye", "x": 4.0, "y": 4.2, "z": 1.1, "yaw": 3.14}
 
@@ -129,7 +168,13 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
         Launcher(runtime, tmp_path, processes_of(runtime, web=False)),
         ZenohBus(connect=runtime.bus) as bus,
     ):
-        bus.subscribe(STEP_TOPIC, lambda step: heard.extend(step.inputs.obstacles))
+        sight: list[float] = []
+
+        def on_step(step: PilotStep) -> None:
+            heard.extend(step.inputs.obstacles)
+            sight.append(step.now - step.inputs.people_seen_at)
+
+        bus.subscribe(STEP_TOPIC, on_step)
         deadline = time.monotonic() + 60.0
         while len(heard) < 10 and time.monotonic() < deadline:
             time.sleep(0.05)
@@ -137,6 +182,7 @@ def test_the_processes_of_a_site_tell_the_pilot_of_the_visitor_and_the_hub_how_t
         while not does_well(eye := eye_of(bus)) and time.monotonic() < deadline:
             time.sleep(0.2)
     assert len(heard) >= 10
+    assert min(sight) < 0.5, "the pilot hears until when the sensor was believed"
     assert (eye.title, eye.connected, eye.problem) == (title, True, "")
     assert eye.rate_hz > 2.0
     x, y = loaded().room.visitor or (0.0, 0.0)

@@ -26,9 +26,11 @@ def step(
     *events: Event,
     safety: SafetyMode = SafetyMode.NOMINAL,
     at: tuple[float, float] = HOME,
+    z: float = 0.0,
+    pose_age: float = 0.01,
 ) -> PilotStep:
     telemetry = Telemetry(received_at=now, status=status, battery=0.8)
-    estimate = Estimate(now, (*at, 0.0), (0.0, 0.0, 0.0), 0.0, 0.01, 0.01)
+    estimate = Estimate(now, (*at, z), (0.0, 0.0, 0.0), 0.0, pose_age, 0.01)
     outputs = Outputs(Command(Action.IDLE), estimate, phase=phase, safety=safety, events=events)
     return PilotStep(0, now, Inputs(telemetry=telemetry), outputs)
 
@@ -101,3 +103,23 @@ def test_a_landing_far_from_the_pad_is_not_a_completed_service() -> None:
         *whole_service(), step(9, Phase.IDLE, DroneStatus.LANDED, at=(4.0, 2.0))
     ).outcome
     assert outcome == "landed 3.0 m from the pad"
+
+
+@pytest.mark.parametrize("floor", [0.0, 0.45])
+def test_a_service_that_ends_on_a_stool_beside_the_pad_is_not_completed(floor: float) -> None:
+    stood = step(0, Phase.TAKING_OFF, DroneStatus.LANDED, z=floor)
+    beside = (HOME[0] + 0.4, HOME[1])
+    ended = step(9, Phase.IDLE, DroneStatus.LANDED, at=beside, z=floor + 0.6)
+    outcome = watched(stood, *whole_service(), ended).outcome
+    assert outcome == "stands 0.60 m above where it took off: on something"
+    back = step(9, Phase.IDLE, DroneStatus.LANDED, at=beside, z=floor + 0.14)
+    assert watched(stood, *whole_service(), back).outcome == COMPLETED
+
+
+def test_a_height_from_before_the_touchdown_is_not_where_it_stands() -> None:
+    stood = step(0, Phase.TAKING_OFF, DroneStatus.LANDED)
+    blind = step(9, Phase.IDLE, DroneStatus.LANDED, z=0.6, pose_age=0.6)
+    assert watched(stood, *whole_service(), blind).outcome == COMPLETED
+    late = step(0, Phase.TAKING_OFF, DroneStatus.LANDED, z=0.9, pose_age=0.6)
+    on_it = step(9, Phase.IDLE, DroneStatus.LANDED, z=0.6)
+    assert watched(late, stood, *whole_service(), on_it).outcome != COMPLETED

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from housefly.app.loaded_site import open_site, read_site
 from housefly.config.site import changed
 from housefly.perception.background import HALF_THICKNESS, expected_ranges
-from housefly.perception.clusters import foreground
+from housefly.perception.clusters import foreground_limit
 from housefly.room.distance import clearance_field, footprints
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.scip import UST_10LX
@@ -48,4 +48,4 @@ def test_the_twins_scanner_sees_the_room_as_the_background_says() -> None:
     )
     reached = measured < 30.0
     assert np.quantile(np.abs(measured - expected)[reached], 0.9) < 0.04
-    assert not foreground(np.where(reached, measured, np.inf), expected).any()
+    assert not (np.where(reached, measured, np.inf) < foreground_limit(expected)).any()

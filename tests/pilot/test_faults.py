@@ -10,6 +10,7 @@ from gate_bench import blind
 
 from housefly.geometry import distance
 from housefly.messages import Action, DroneStatus, OrderKind, Phase, SafetyMode
+from housefly.pilot.safety.energy import GAUGE_STILL_TIME
 
 Fly = Callable[..., Any]
 
@@ -271,6 +272,10 @@ def test_charge_for_no_more_than_the_way_home_turns_it_home_and_less_keeps_it_do
     flight.until(lambda o: o.phase is Phase.RETURNING, 0.5)
     flight.step(flight.order(OrderKind.GO, place="entrance"))
     assert "coming home for safety" in flight.events[-1].text
+    flight.battery = 0.3
+    assert flight.run(1.0).safety is SafetyMode.NOMINAL
+    flight.step(flight.order(OrderKind.GO, place="entrance"))
+    assert "coming home for safety" in flight.events[-1].text, "whatever the gauge shows since"
     landed(flight, 60.0)
     assert flight.home_error < 0.1 and flight.told("battery_return")
     flight.battery = 0.25
@@ -278,6 +283,25 @@ def test_charge_for_no_more_than_the_way_home_turns_it_home_and_less_keeps_it_do
     flight.step(flight.order(OrderKind.SERVICE, place="entrance"))
     assert "there and back" in flight.events[-1].text
     assert flight.run(0.1).phase is Phase.IDLE
+
+
+def test_a_gauge_that_stood_still_refuses_the_next_take_off_until_it_shows_another_number(
+    fly: Fly,
+) -> None:
+    flight, shown = cruising(fly()), [0.8]
+    told = flight.report
+    flight.report = lambda: replace(told(), battery=shown[0])
+    flight.run(GAUGE_STILL_TIME + 1.0)
+    assert flight.told("battery_gauge")
+    flight.step(flight.order(OrderKind.LAND))
+    landed(flight)
+    flight.run(5.0)
+    outputs = flight.step(flight.order(OrderKind.TAKE_OFF))
+    assert outputs.phase is Phase.IDLE
+    assert "the battery's gauge stood still: stuck at 80%, must be moving" in flight.events[-1].text
+    shown[0] = 0.79
+    flight.run(0.1)
+    assert flight.step(flight.order(OrderKind.TAKE_OFF)).phase is Phase.TAKING_OFF
 
 
 def test_a_drone_without_orders_comes_home_and_lands(fly: Fly) -> None:
@@ -311,6 +335,30 @@ def test_a_landing_that_the_drone_does_not_do_is_done_for_it_and_its_motors_cut(
     outputs = flight.until(lambda o: o.safety is SafetyMode.CUT, 15.0)
     assert flight.body.z < 0.05 and outputs.command.action is Action.CUT
     assert flight.told("landing_refused") and flight.told("motors_running")
+
+
+def test_a_landing_that_the_drone_does_not_do_is_done_for_it_although_nobody_tracks_it(
+    fly: Fly,
+) -> None:
+    flight = fly()
+    flight.take_off()
+    obeyed, floor = flight._firmware, flight._fly
+
+    def deaf_to_landing() -> None:
+        if flight.command.action is not Action.LAND:
+            obeyed()
+
+    def on_the_floor() -> None:
+        floor()
+        flight.body = flight.body._replace(z=max(0.0, flight.body.z))
+
+    flight._firmware, flight._fly = deaf_to_landing, on_the_floor
+    flight.tracking.gaps = ((flight.now, flight.now + 100.0),)
+    outputs = flight.until(lambda o: o.safety is SafetyMode.DESCEND, 25.0)
+    assert outputs.command.action is Action.FLY and outputs.command.setpoint.vz < 0.0
+    flight.until(lambda o: flight.body.z < 0.05, 15.0)
+    assert flight.told("tracking_lost") and flight.told("landing_refused")
+    assert flight.outputs is not None and not flight.outputs.command.setpoint.theta
 
 
 def test_a_drone_that_stands_on_something_has_not_just_landed(fly: Fly) -> None:

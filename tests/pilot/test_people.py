@@ -19,11 +19,14 @@ from housefly.messages import (
     Pose,
     Sighting,
 )
+from housefly.pilot.assembly import make_pilot
 from housefly.pilot.behavior.braking import LAST_HEIGHT
 from housefly.pilot.behavior.commander import Commander
 from housefly.pilot.behavior.mission import Refused
 from housefly.pilot.planning.people_map import SPOT_APART
 from housefly.room.distance import half_diagonal
+from housefly.room.grid import Cell
+from housefly.room.model import Shape, Solid
 
 Fly = Callable[..., Any]
 HULL = half_diagonal(0.517, 0.451)
@@ -321,6 +324,48 @@ def test_no_take_off_while_somebody_stands_beside_the_drone(fly: Fly) -> None:
     person.start = (5.0, 1.25)
     flight.run(0.2)
     assert flight.step(flight.order(OrderKind.TAKE_OFF)).phase is Phase.TAKING_OFF
+
+
+def refused_take_off(flight: Any) -> str:
+    """Return why a flight's pilot refuses to take off, in words; "" when it takes off."""
+    flight.run(0.5)
+    outputs = flight.step(flight.order(OrderKind.TAKE_OFF))
+    refusals = [event.text for event in outputs.events if event.code == "order_refused"]
+    assert (outputs.phase is Phase.IDLE) == bool(refusals)
+    assert flight.run(2.0).command.action is (Action.IDLE if refusals else Action.TAKE_OFF)
+    return " ".join(refusals)
+
+
+@pytest.mark.parametrize(("aside", "is_refused"), [(0.0, True), (0.5, False)])
+def test_no_take_off_from_inside_a_no_fly_area(fly: Fly, aside: float, is_refused: bool) -> None:
+    flight = fly()
+    x, y = flight.grid.cell_of((flight.body.x, flight.body.y + aside))
+    cells = flight.grid.cells.copy()
+    cells[x - 1 : x + 2, y - 1 : y + 2] = Cell.VIRTUAL
+    flight.pilot = make_pilot(flight.site, flight.room, replace(flight.grid, cells=cells))
+    assert ("no-fly area: carry it out" in refused_take_off(flight)) is is_refused
+
+
+@pytest.mark.parametrize(
+    ("aside", "bottom", "is_refused"),
+    [
+        (0.0, 0.7, True),
+        (0.0, 0.2, True),
+        (0.35 + HULL + 0.04, 0.7, True),
+        (0.35 + HULL + 0.06, 0.7, False),
+        (0.0, 2.2, False),
+    ],
+    ids=["under a table", "under a bench", "beside one", "free of it", "under a lamp"],
+)
+def test_no_take_off_from_under_furniture(
+    fly: Fly, aside: float, bottom: float, is_refused: bool
+) -> None:
+    flight = fly()
+    middle = (flight.body.x, flight.body.y + aside, bottom + 0.02)
+    board = Solid("table top", "table", Shape.BOX, middle, (1.2, 0.7, 0.04))
+    room = replace(flight.room, solids=(*flight.room.solids, board))
+    flight.pilot = make_pilot(flight.site, room, flight.grid)
+    assert ("something hangs over the drone" in refused_take_off(flight)) is is_refused
 
 
 def test_an_order_to_land_onto_somebody_waits_and_a_second_one_does_not(fly: Fly) -> None:

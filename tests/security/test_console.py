@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import collections
 import contextlib
+import http.client
 import socket
+import threading
 import time
 from collections.abc import AsyncIterator, Callable
 from typing import Any
@@ -206,6 +209,14 @@ async def test_pages_of_other_origins_and_ports_are_refused(
     assert (await console.request("GET", "/", **headers))[0] == 200
 
 
+@pytest.mark.parametrize("origin", ["null", "http://elsewhere.example", "http://127.0.0.1:1"])
+async def test_no_other_origin_is_let_read_an_answer(console: Any, origin: str) -> None:
+    cookie = await console.session()
+    for method, path in [("GET", "/api/v1/things"), ("OPTIONS", "/api/v1/things"), ("GET", "/")]:
+        _, headers, _ = await console.request(method, path, Cookie=cookie, Origin=origin)
+        assert not [name for name in headers if name.startswith("access-control-")]
+
+
 async def test_a_key_held_down_and_a_flood_of_stops_leave_one_on_its_way(console: Any) -> None:
     async with console.talk(await console.session()) as one:
         for number in range(500):
@@ -242,3 +253,48 @@ async def test_stop_passes_a_flood_of_commands_also_on_the_same_socket(console: 
         await one.hear("accepted", id=1000)
         assert len(console.stops) == 1
         assert sum(order.kind is OrderKind.HOVER for order in console.pilot.orders) < 100
+
+
+ASKED_WITHOUT_END = ["/api/v1/things", "/coverage", "/edits", "/flights", "/api/v1/where/cup"]
+
+
+async def test_who_asks_without_end_is_slowed_and_does_not_delay_the_stop_of_another(
+    console: Any,
+) -> None:
+    greedy = await console.session()
+    other = await a_second_browser(console, greedy)
+    headers = console.proved({"Cookie": greedy})
+    told: collections.Counter[int] = collections.Counter()
+    is_over = threading.Event()
+
+    def ask_for_ever(path: str) -> None:
+        line = http.client.HTTPConnection(console.host, console.port, timeout=5)
+        while not is_over.is_set():
+            line.request("GET", path, headers=headers)
+            answer = line.getresponse()
+            answer.read()
+            told[answer.status] += 1
+        line.close()
+
+    flood = [asyncio.create_task(asyncio.to_thread(ask_for_ever, p)) for p in ASKED_WITHOUT_END]
+    try:
+        async with console.talk(other) as one:
+            await one.hear("welcome")
+            async with asyncio.timeout(20.0):
+                while not told[429]:
+                    await asyncio.sleep(0.05)
+            waits = []
+            for number in range(20):
+                began = time.monotonic()
+                await one.say(type="stop", id=number)
+                await one.hear("accepted", id=number)
+                waits.append(time.monotonic() - began)
+                await asyncio.sleep(0.02)
+            assert (await console.request("GET", "/api/v1/things", Cookie=other))[0] != 429
+    finally:
+        is_over.set()
+        await asyncio.gather(*flood)
+    assert len(console.stops) == 20
+    assert max(waits) < 0.3, "the page would post it as well"
+    headers = console.proved({"Cookie": greedy, "Origin": console.origin})
+    assert (await console.request("POST", "/stop", **headers))[0] == 200

@@ -25,6 +25,27 @@ def test_a_broker_of_our_own_on_loopback_is_allowed(broker: str) -> None:
     assert site_from_tree({"mqtt": {"broker": broker, "start": True}}).mqtt.broker == broker
 
 
+FLIES_BY_ITSELF = {"mqtt_requests": "auto", "mqtt_clients": ["panel"]}
+ASKS_NOBODY = [{"start": True}, {"start": True, "username": "panel"}, {}]
+
+
+@pytest.mark.parametrize("mqtt", ASKS_NOBODY, ids=["our own", "our own, with a name", "no name"])
+def test_nobody_flies_without_a_yes_through_a_broker_that_asks_nobody_who_he_is(
+    mqtt: dict[str, Any],
+) -> None:
+    """Whoever shares the machine could write to the topic of a client that flies by itself."""
+    tree = {"mqtt": {"broker": "127.0.0.1", **mqtt}, "tasks": FLIES_BY_ITSELF}
+    with pytest.raises(ConfigError, match=r'mqtt\.username.*tasks\.mqtt_requests = "ask"'):
+        site_from_tree(tree)
+
+
+def test_who_may_fly_by_itself_is_believed_of_a_broker_with_users() -> None:
+    site = site_from_tree(
+        {"mqtt": {"broker": "127.0.0.1", "username": "room"}, "tasks": FLIES_BY_ITSELF}
+    )
+    assert site.tasks.mqtt_requests == "auto"
+
+
 @pytest.mark.parametrize(
     "broker",
     ["127.0.0.1\nlistener 1883 0.0.0.0", "127.0.0.1\n", "a b", "a\tb", "\0", "x\r\ny", "-c/etc/x"],

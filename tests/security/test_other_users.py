@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import socket
 import stat
 import subprocess
 import tempfile
 from contextlib import closing
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -15,6 +17,8 @@ import pytest
 from housefly.app.run_folder import new_run_folder
 from housefly.app.runtime import Runtime, discovery_entry, new_runtime
 from housefly.bus.endpoint import endpoint_in
+from housefly.bus.stop import StopListener
+from housefly.bus.stop_sender import StopSender
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.config.site import Site
 from housefly.errors import LinkError
@@ -45,8 +49,13 @@ def bus_file(runtime: Runtime) -> Path:
 
 def connected_as_nobody(path: Path) -> str:
     """Return "" when another user could connect, else the name of the error."""
+    return as_nobody(CONNECT, str(path))
+
+
+def as_nobody(program: str, *arguments: str) -> str:
+    """Run a program as another user; return what it says is wrong."""
     done = subprocess.run(
-        ["/usr/bin/env", "python3", "-S", "-c", CONNECT, str(path)],
+        ["/usr/bin/env", "python3", "-S", "-c", program, *arguments],
         user=NOBODY,
         group=NOBODY,
         extra_groups=(),
@@ -76,6 +85,55 @@ def test_the_attack_itself_works_where_the_folder_is_open(runtime: Runtime) -> N
         place.chmod(0o755)
         (place / "open").chmod(0o777)
         assert connected_as_nobody(place / "open") == ""
+
+
+TAKE = (
+    "import socket, sys\n"
+    "link = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\n"
+    "for option in sys.argv[2:]:\n"
+    "    link.setsockopt(socket.SOL_SOCKET, getattr(socket, option), 1)\n"
+    "try:\n"
+    "    link.bind(('127.0.0.1', int(sys.argv[1])))\n"
+    "except OSError as error:\n"
+    "    sys.exit(error.strerror)\n"
+)
+WAYS = [(), ("SO_REUSEADDR",), ("SO_REUSEPORT",), ("SO_REUSEADDR", "SO_REUSEPORT")]
+
+
+def taken_as_nobody(port: int, *options: str) -> str:
+    """Return "" when another user could take a UDP port of loopback, else why not."""
+    return as_nobody(TAKE, str(port), *options)
+
+
+@as_root
+@pytest.mark.parametrize("options", WAYS, ids=lambda options: "+".join(options) or "plainly")
+async def test_another_user_cannot_take_the_port_of_stop_while_the_pilot_is_down(
+    runtime: Runtime, options: tuple[str, ...]
+) -> None:
+    """He would keep every new pilot from starting."""
+    told: list[str] = []
+    with closing(StopSender("127.0.0.1", runtime.stop_port, runtime.secret)) as sender:
+        for pilot in ("first", "second"):
+            assert taken_as_nobody(runtime.stop_port, *options) == "Address already in use"
+            listener = StopListener(
+                *("127.0.0.1", runtime.stop_port, runtime.secret, partial(told.append, pilot)),
+                is_held=True,
+            )
+            await listener.start()
+            assert taken_as_nobody(runtime.stop_port, *options) == "Address already in use"
+            for _ in range(20):
+                assert await asyncio.wrap_future(sender.send())
+            listener.close()
+            await asyncio.sleep(0.0)
+    assert told == ["first"] * 20 + ["second"] * 20
+
+
+@as_root
+def test_a_port_that_nobody_holds_can_be_taken_by_another_user(runtime: Runtime) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    assert taken_as_nobody(port) == ""
 
 
 def test_the_sockets_of_a_run_lie_in_a_folder_of_its_user(runtime: Runtime) -> None:

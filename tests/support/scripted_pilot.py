@@ -42,6 +42,7 @@ class ScriptedPilot:
         self.by_people: list[Order] = []
         self.refuses = ""
         self.was_up = False
+        self.floor, self.pose_age = 0.0, 0.01
 
     def advance(self, orders: list[Order], people: tuple[Order, ...] = ()) -> None:
         """Go on by one period."""
@@ -112,7 +113,7 @@ class ScriptedPilot:
             if self.status is not DroneStatus.LANDED:
                 self.status = DroneStatus.LANDING
             if elapsed >= SINK_TIME or self.status is DroneStatus.LANDED:
-                self.position, self.status = (x, y, 0.0), DroneStatus.LANDED
+                self.position, self.status = (x, y, self.floor), DroneStatus.LANDED
                 self._enter(Phase.IDLE)
 
     def _fly(self, goal: Vec2) -> None:
@@ -144,6 +145,7 @@ class ScriptedPilot:
             replies,
             0.9,
             tuple(self.by_people),
+            self.pose_age,
         )
 
 

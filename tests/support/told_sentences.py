@@ -30,7 +30,7 @@ from housefly.messages import (
     Telemetry,
 )
 from housefly.messages.preflight import FrameCheckState, FramesKnown
-from housefly.pilot.behavior.mission import UNHEARD
+from housefly.pilot.behavior.mission import UNHEARD, PeopleSilence
 from housefly.pilot.behavior.preflight import PREFLIGHT_RULES, PreflightInputs
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.energy import EnergyBudget
@@ -113,6 +113,7 @@ def _broken(height: float, pose_age: float, blow: tuple[float, float, float]) ->
         consistency=_WRONG,
         late=0.7,
         home_time=20.0,
+        silence=PeopleSilence(pose_age),
     )
     return RuleContext(now, _SEEN, LIMITS, Geofence((0.0, 0.0, 10.0, 5.0), 2.3))
 
@@ -135,11 +136,14 @@ def _preflights() -> Iterator[PreflightInputs]:
         vehicle = replace(UNHEARD, status=status, battery=0.6, telemetry=told)
         vehicle = replace(vehicle, telemetry_age=0.3, estimate=seen)
         words = "" if state is not FrameCheckState.WRONG else "found wrong"
-        yield PreflightInputs(vehicle, limits, (1.0, 1.0), frames=FramesKnown(state, words))
+        yield PreflightInputs(vehicle, limits, 0.8, 0.5, False, frames=FramesKnown(state, words))
     yield PreflightInputs(
-        UNHEARD, limits, (1.0, 1.0), True, "Anna is too close", False, FramesKnown()
+        UNHEARD, limits, stopped=True, take_off_fault="Anna is too close", sees_people=False
     )
-    yield PreflightInputs(UNHEARD, limits, None, take_off_fault="chair stands there")
+    for age in (3.2, inf):
+        yield PreflightInputs(replace(UNHEARD, silence=PeopleSilence(age)), limits)
+    stuck = replace(UNHEARD, battery=0.6, gauge_stuck=True)
+    yield PreflightInputs(stuck, limits, take_off_fault="chair stands there")
 
 
 def check_sentences() -> set[str]:

@@ -179,6 +179,31 @@ async def test_a_clock_that_leaps_costs_no_frame(loopback: str, bench: Any) -> N
     assert all(0 <= sighting.received_at - sighting.captured_at < 0.5 for sighting in seen)
 
 
+async def test_frames_of_a_stranger_are_not_believed(loopback: str, bench: Any) -> None:
+    motive = Motive()
+    await motive.start(loopback)
+    tracker = NatNetTracker(config(loopback))
+    frames: list[tuple[Sighting, ...]] = []
+    forged = RigidBody(7, (9.0, 9.0, 9.0), (1.0, 0.0, 0.0, 0.0))
+    async with bench.running(tracker.run(frames.append)):
+        await bench.until(lambda: KeepAlive() in motive.heard)
+        assert motive.client is not None
+        for host in ("127.0.0.1", loopback):  # another machine; another port of the server's
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+                stranger.bind((host, 0))
+                for number in range(1000, 1020):
+                    frame = NatNetFrame(number, (forged,), exposed=TICKS, sent=TICKS + number)
+                    stranger.sendto(encode_natnet(frame, (3, 1)), motive.client)
+        motive.tell(NatNetFrame(1, (HERE,), exposed=TICKS, sent=TICKS + 10_000))
+        await bench.until(lambda: len(frames) > 0)
+        await asyncio.sleep(0.1)
+        (frame_of_the_server,) = frames
+        motive.tell(NatNetFrame(2, (forged,), exposed=2 * TICKS, sent=2 * TICKS + 10_000))
+        await bench.until(lambda: len(frames) == 2)  # the attack itself works from the server
+    assert frame_of_the_server[0].pose.position != frames[1][0].pose.position
+    motive.transport.close()
+
+
 async def test_a_server_that_sends_before_it_exposes_is_counted(loopback: str, bench: Any) -> None:
     motive = Motive()
     await motive.start(loopback)

@@ -26,6 +26,7 @@ from housefly.wires.vrpn import (
     TYPE_DESCRIPTION,
     TrackerPose,
     VrpnMessage,
+    decode_lob,
     description_message,
     encode_cookie,
     encode_message,
@@ -137,6 +138,41 @@ async def test_both_axes_can_point_up(loopback: str, bench: Any) -> None:
         await bench.until(lambda: bool(frames))
     await server.stop()
     assert frames[-1][0].pose.position == pytest.approx(bench.DRONE.position)
+
+
+async def test_a_stranger_who_connects_first_is_not_taken_for_the_server(
+    loopback: str, bench: Any
+) -> None:
+    asked: asyncio.Queue[tuple[str, int]] = asyncio.Queue()
+    server, stranger = loopback, f"127.251.{loopback.split('.', 2)[2]}"
+
+    class Server(asyncio.DatagramProtocol):
+        def datagram_received(self, data: bytes, addr: tuple[str, int]) -> None:
+            asked.put_nowait(decode_lob(data))
+
+    async def tell(host: str, where: tuple[str, int], pose: TrackerPose) -> None:
+        with suppress(OSError):
+            _, writer = await asyncio.open_connection(*where, local_addr=(host, 0))
+            writer.write(encode_cookie() + NAMES)
+            for _ in range(20):
+                writer.write(told(1_000_000, pose))
+                await writer.drain()
+                await asyncio.sleep(0.02)
+            writer.close()
+
+    loop = asyncio.get_running_loop()
+    listening, _ = await loop.create_datagram_endpoint(Server, local_addr=(server, 3883))
+    tracker = VrpnTracker(config(loopback, "udp"))
+    frames: list[tuple[Sighting, ...]] = []
+    forged = TrackerPose(0, (9.0, 9.0, 9.0), (1.0, 0.0, 0.0, 0.0))
+    async with bench.running(tracker.run(frames.append)):
+        where = await asyncio.wait_for(asked.get(), 5.0)
+        await tell(stranger, where, forged)
+        assert frames == [] and not tracker.connected
+        await tell(server, where, HERE)
+        assert frames
+    assert {abs(seen.pose.position[0]) for frame in frames for seen in frame} <= {1.0, 2.0, 3.0}
+    listening.close()
 
 
 async def test_a_body_that_the_cameras_lost_is_not_in_the_frame(loopback: str, bench: Any) -> None:

@@ -44,8 +44,7 @@ def checks(
         telemetry=Telemetry(10.0, DroneStatus.LANDED, battery),
         consistency=TrackingConsistency(height_error=0.0),
     )
-    home = (1.0, 1.0)
-    return preflight(PreflightInputs(vehicle, LimitsConfig(), home, sees_people=sees_people))
+    return preflight(PreflightInputs(vehicle, LimitsConfig(), sees_people=sees_people))
 
 
 @pytest_asyncio.fixture(loop_scope="module")

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from housefly.app.pilot_shell import UNSEEN_PEOPLE
+from housefly.app.people_note import UNSEEN_PEOPLE
 from housefly.hub.api.pilot_queries import PreflightView
 from housefly.messages import (
     Action,

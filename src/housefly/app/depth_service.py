@@ -15,6 +15,7 @@ from housefly.clock import Clock
 from housefly.messages import DepthImage, SensorReport
 from housefly.perception.depth_tracker import DepthTracker
 from housefly.perception.laser_tracker import OwnFootprint
+from housefly.perception.sight import Sight
 from housefly.room.tracked import untracked
 from housefly.sensors.message_rate import MessageRate
 
@@ -29,6 +30,7 @@ class DepthService:
 
     Attributes:
         own: where the drone is, None when it is not in the air or not known.
+        sight: until when the cameras were believed.
     """
 
     def __init__(self, loaded: LoadedSite, bus: Bus, clock: Clock) -> None:
@@ -40,6 +42,7 @@ class DepthService:
             untracked(loaded.room, site), site.depth_cameras, (height - half, height + half)
         )
         names = [camera.name for camera in site.depth_cameras]
+        self.sight = Sight(names)
         self._lock = threading.Lock()
         self._rates = {name: MessageRate() for name in names}
         self._refused = dict.fromkeys(["", *names], ("", -inf))
@@ -85,5 +88,7 @@ class DepthService:
                 self._rates[name].add(now)
             if seen.problem:
                 self._refused[name] = seen.problem, now
+            else:
+                self.sight.believed(name, image.captured_at)
         for obstacle in seen.obstacles:
             self._bus.publish(OBSTACLE_TOPIC, obstacle)

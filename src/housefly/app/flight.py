@@ -9,6 +9,7 @@ from housefly.app.flight_progress import FlightProgress
 from housefly.app.headless import fly_over_wires
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.lockstep import fly_lockstep
+from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.runtime import new_runtime
 from housefly.app.terminal import console
@@ -54,6 +55,8 @@ def fly_service(
         if web:
             checked_exposure(loaded.site)
         refuse_taken_ports(loaded.site, web=web)
+    if note := people_note(loaded.site):
+        console.print(f"people: {note}", markup=False)
     recorder = FlightRecorder(out, loaded.site, loaded.room, loaded.grid)
     order = Order(OrderKind.SERVICE, place=place, look_s=look_s, sender="command line")
     outcome = "failed"
@@ -100,8 +103,9 @@ def _print_summary(summary: Summary, out: Path) -> None:
     for fault in summary.faults:
         console.print(f"  {'made to fail':<22}{fault}", markup=False)
     for problem in summary.problems:
-        console.print(f"  {problem}")
-    console.print(f"record: {out} (report.html, flight.mcap, summary.json)", soft_wrap=True)
+        console.print(f"  {problem}", markup=False)
+    words = f"record: {out} (report.html, flight.mcap, summary.json)"
+    console.print(words, markup=False, soft_wrap=True)
 
 
 def _contacts(summary: Summary) -> str:

@@ -33,7 +33,7 @@ class FlightProgress(ProgressDisplay):
     def show(self, step: PilotStep) -> None:
         """Show one step of the pilot."""
         for event in step.outputs.events:
-            console.print(f"  {event.severity.value:<8}{event.text}")
+            console.print(f"  {event.severity.value:<8}{event.text}", markup=False)
         phase = step.outputs.phase
         if phase is self._phase and step.now - self._shown_at < _REFRESH_PERIOD:
             return

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from housefly.config.text import read_text_file
 from housefly.errors import RecordingError
 from housefly.lab.identification.pattern import Axis, Block
 from housefly.lab.identification.samples import Flown
@@ -31,7 +32,7 @@ def write_blocks(folder: Path, flown: tuple[Flown, ...]) -> None:
 def read_blocks(folder: Path) -> tuple[Flown, ...]:
     """Return the blocks that were flown; raises RecordingError when the file is not readable."""
     try:
-        rows = json.loads((folder / _FILE_NAME).read_text(encoding="utf-8"))
+        rows = json.loads(read_text_file(folder / _FILE_NAME))
         return tuple(
             Flown(
                 Block(
@@ -45,5 +46,5 @@ def read_blocks(folder: Path) -> tuple[Flown, ...]:
             )
             for row in rows
         )
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         raise RecordingError(f"{folder / _FILE_NAME} is no list of blocks: {error}") from error

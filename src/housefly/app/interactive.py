@@ -15,6 +15,7 @@ from housefly.app.console_door import ConsoleDoor
 from housefly.app.end_signals import EndSignals
 from housefly.app.launcher import Launcher, processes_of
 from housefly.app.loaded_site import LoadedSite
+from housefly.app.people_note import people_note
 from housefly.app.ports import refuse_taken_ports
 from housefly.app.readiness import Readiness
 from housefly.app.room_renewal import RoomRenewal
@@ -126,7 +127,7 @@ def run_interactively(
             _introduce(runtime, bus, teller, started, first)
             if recorder is not None:
                 stack.callback(_record(recorder, bus))
-                console.print(f"recording to {record}")
+                console.print(f"recording to {record}", markup=False)
             teller.tell_for_ever()
         except KeyboardInterrupt:
             _say("\nlanding the drone, then leaving (Ctrl-C again does not wait for it)")
@@ -146,6 +147,8 @@ def _introduce(runtime: Runtime, bus: Bus, teller: _Teller, started: float, firs
         f"bus:      {runtime.bus}  (who may run programs here may listen and order)",
         soft_wrap=True,
     )
+    if note := people_note(site):
+        console.print(f"people:   {note}", markup=False)
     video = site.drone.has_video and (site.twin.video or not site.twin.enabled)
     with console.status("starting") as status:
 

@@ -26,6 +26,7 @@ class LockstepLoop:
         movables: things that no map shows.
         people: people without a scene.
         scene: who moves how; None plays the site's own scene.
+        origin_known: tracking and map were found to agree: the drone may begin off its pad.
 
     Attributes:
         world: the simulated room.
@@ -42,6 +43,8 @@ class LockstepLoop:
         movables: tuple[Movable, ...] = (),
         people: tuple[PersonScript, ...] = (),
         scene: Scene | None = None,
+        *,
+        origin_known: bool = False,
     ) -> None:
         site = loaded.site
         if scene is None and site.twin.scene:
@@ -59,6 +62,7 @@ class LockstepLoop:
         self._room = LockstepRoom(self.world, site, faults)
         self._perception = LockstepPerception(loaded, self.world, faults)
         self._pilot = make_pilot(site, loaded.room, loaded.grid)
+        self._origin_known = origin_known
         self._estimate: Estimate | None = None
         self._sequence = 0
 
@@ -82,7 +86,14 @@ class LockstepLoop:
         """
         now = self.now
         seen = self._perception.update(now, self._estimate)
-        inputs = Inputs(self._room.sightings(), self._room.telemetry(), orders, (*seen, *obstacles))
+        inputs = Inputs(
+            self._room.sightings(),
+            self._room.telemetry(),
+            orders,
+            (*seen, *obstacles),
+            origin_known=self._origin_known,
+            people_seen_at=self._perception.people_seen_at,
+        )
         outputs = self._pilot.step(now, inputs)
         self._estimate = outputs.estimate
         self._room.send(outputs.command)

@@ -2,7 +2,7 @@
 
 ``python -m housefly.app.perception_main``, started by the launcher where the site has scanners or
 depth cameras. When it dies, the pilot forgets its obstacles within two seconds and flies by the map
-alone; the launcher restarts it.
+alone, slowly; the launcher restarts it.
 """
 
 from __future__ import annotations
@@ -16,17 +16,20 @@ from housefly.app.loaded_site import LoadedSite, open_site
 from housefly.app.lockstep_perception import own_footprint
 from housefly.app.runtime import Runtime, runtime_from_environment
 from housefly.bus.bus import Bus
-from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, STEP_TOPIC
+from housefly.bus.topics import OBSTACLE_TOPIC, SENSOR_TOPIC, SIGHT_TOPIC, STEP_TOPIC
 from housefly.bus.zenoh_bus import ZenohBus
 from housefly.clock import Clock, RealClock
-from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport
+from housefly.messages import DroneStatus, Estimate, PilotStep, Scan, SensorReport, SightNews
 from housefly.perception.laser_tracker import LaserTracker
+from housefly.perception.sight import Sight
 from housefly.room.tracked import untracked
 from housefly.sensors.laser import LaserClient
 from housefly.sensors.message_rate import MessageRate
 
 _REPORT_PERIOD = 1.0
 """How often the state of the sensors is published, and changed problems are printed [s]."""
+_SIGHT_PERIOD = 0.1
+"""How often the pilot is told until when people were looked for [s]."""
 
 
 class PerceptionProcess:
@@ -37,6 +40,7 @@ class PerceptionProcess:
         self._tracker = LaserTracker(untracked(loaded.room, loaded.site), loaded.site.lasers)
         self._clients = {laser.name: LaserClient(laser, clock) for laser in loaded.site.lasers}
         self._rates = {name: MessageRate() for name in self._clients}
+        self._sight = Sight(self._clients)
         self._depth = DepthService(loaded, bus, clock)
         self._estimate: Estimate | None = None
         self._doubts: dict[str, str] = {}
@@ -48,6 +52,7 @@ class PerceptionProcess:
             await asyncio.gather(
                 *(client.run(self._on_scan) for client in self._clients.values()),
                 self._report_sensors(),
+                self._report_sight(),
             )
         finally:
             steps.close()
@@ -65,6 +70,8 @@ class PerceptionProcess:
         )
         self._rates[scan.source].add(scan.received_at)
         self._doubts[scan.source] = seen.problem
+        if not seen.problem:
+            self._sight.believed(scan.source, scan.captured_at)
         for obstacle in seen.obstacles:
             self._bus.publish(OBSTACLE_TOPIC, obstacle)
 
@@ -80,6 +87,12 @@ class PerceptionProcess:
         return SensorReport(
             name, "laser scanner", client.connected, rate.rate_hz(now), rate.age(now), problem
         )
+
+    async def _report_sight(self) -> None:
+        while True:
+            seen_at = min(self._sight.seen_at, self._depth.sight.seen_at)
+            self._bus.publish(SIGHT_TOPIC, SightNews(seen_at))
+            await asyncio.sleep(_SIGHT_PERIOD)
 
     async def _report_sensors(self) -> None:
         printed: tuple[str, ...] = ()

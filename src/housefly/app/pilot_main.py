@@ -8,6 +8,7 @@ import signal
 from contextlib import suppress
 
 from housefly.app.loaded_site import LoadedSite, open_site
+from housefly.app.origin_memory import OriginMemory
 from housefly.app.pilot_shell import PilotShell
 from housefly.app.priority import raise_priority
 from housefly.app.runtime import Runtime, runtime_from_environment
@@ -35,8 +36,11 @@ async def _run(runtime: Runtime, loaded: LoadedSite) -> None:
     site, clock = loaded.site, RealClock()
     with ZenohBus(listen=runtime.bus) as bus:
         drone = RemoteDrone(runtime.driver_socket, clock)
-        shell = PilotShell(loaded, bus, tracker_of(site.tracking, clock), drone)
-        stop = StopListener("127.0.0.1", runtime.stop_port, runtime.secret, shell.stop)
+        origin = OriginMemory(site, runtime.driver_socket.parent)
+        shell = PilotShell(loaded, bus, tracker_of(site.tracking, clock), drone, origin=origin)
+        # Who listens on the bus is the only pilot, so nobody shares the port but the launcher.
+        where = ("127.0.0.1", runtime.stop_port)
+        stop = StopListener(*where, runtime.secret, shell.stop, is_held=True)
         await stop.start()
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -23,6 +23,9 @@ from housefly.app.disk_space import DISK_LOOK_PERIOD, disks_of
 from housefly.app.loaded_site import LoadedSite
 from housefly.app.loop_health import Frequency, Gap, Lateness
 from housefly.app.obstacle_inbox import ObstacleInbox
+from housefly.app.origin_memory import OriginMemory
+from housefly.app.people_note import people_note
+from housefly.app.people_sight import PeopleSight
 from housefly.app.pilot_queries import PilotQueryServer
 from housefly.app.recording_watch import REFRESH_PERIOD, RecordingWatch
 from housefly.app.stand_down import StandDown
@@ -34,6 +37,7 @@ from housefly.bus.topics import (
     OBSTACLE_TOPIC,
     ORDER_TOPIC,
     RECORDING_TOPIC,
+    SIGHT_TOPIC,
     STAND_DOWN_QUERY,
     STEP_TOPIC,
     TRAJECTORY_TOPIC,
@@ -80,9 +84,6 @@ _LANDING_TIMEOUT = 25.0
 _LOOP_PATIENCE = 1.0
 """How long a question waits for the loop [s]."""
 
-UNSEEN_PEOPLE = "nothing here sees people: no scanner, no depth camera"
-"""What everybody should know before the drone takes off."""
-
 
 class StepFailure(Exception):
     """The step of the pilot raised an exception in flight."""
@@ -98,16 +99,18 @@ class PilotShell:
         tracker: Tracker,
         drone: Drone,
         maneuver: Maneuver | None = None,
+        origin: OriginMemory | None = None,
     ) -> None:
         self._queries = PilotQueryServer(loaded, bus)
         self.pilot = make_pilot(
             loaded.site, loaded.room, loaded.grid, maneuver, frames=frames_known(loaded.site)
         )
+        self._origin = origin or OriginMemory(loaded.site)
         self._disks = disks_of(loaded.site)
         self._stand_down = StandDown()
         self._outputs: Outputs | None = None
         self._body = loaded.site.tracking.body
-        self._people_note = "" if loaded.site.sees_people else UNSEEN_PEOPLE
+        self._people_note = people_note(loaded.site)
         self._rate_hz = loaded.site.control.rate_hz
         self._bus, self._tracker, self._drone = bus, tracker, drone
         self._clock = RealClock()
@@ -115,6 +118,7 @@ class PilotShell:
         self._sightings: list[Sighting] = []
         self._orders: list[Order] = []
         self._obstacles = ObstacleInbox(extent_of(loaded.grid), self._clock)
+        self._sight = PeopleSight(loaded.site, self._clock)
         self._sequence = 0
         self._tracking, self._video = Frequency(), Frequency()
         self._lateness = Lateness(int(10 * self._rate_hz))
@@ -141,6 +145,9 @@ class PilotShell:
         obstacles = self._bus.subscribe(
             OBSTACLE_TOPIC, lambda seen: _soon(loop, lambda: self._obstacles.add(seen))
         )
+        sight = self._bus.subscribe(
+            SIGHT_TOPIC, lambda news: _soon(loop, lambda: self._sight.heard(news))
+        )
         recording = self._bus.subscribe(
             RECORDING_TOPIC, lambda news: _soon(loop, lambda: self._recording.heard(news))
         )
@@ -158,6 +165,7 @@ class PilotShell:
         finally:
             orders.close()
             obstacles.close()
+            sight.close()
             recording.close()
             standing.close()
             self._queries.close()
@@ -221,6 +229,8 @@ class PilotShell:
             orders,
             self._obstacles.drain(),
             late=self._gap.lateness(now),
+            origin_known=self._origin.known,
+            people_seen_at=self._sight.seen_at,
         )
         self._sightings.clear()
         self._orders.clear()
@@ -300,6 +310,8 @@ class PilotShell:
             await asyncio.sleep(_LINK_PERIOD)
             self._bus.publish(LINK_TOPIC, self._link_status())
             self._look_at_preflight()
+            if self.pilot.origin_confirmed:
+                self._origin.note()
 
     async def _show_recording(self) -> None:
         """Keep the drone's light as it should be, beside the steps and never within one."""

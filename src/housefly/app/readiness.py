@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from math import isfinite
 
 from housefly.app.console_answer import console_answers
 from housefly.bus.bus import Bus
@@ -40,6 +41,7 @@ class Readiness:
             "pilot",
             "tracking",
             "drone",
+            *(["sensors for people"] if site.sees_people else []),
             *(["picture"] if video else []),
             *(["console"] if web else []),
         ]
@@ -100,6 +102,8 @@ class Readiness:
             self._see("tracking")
         if step.inputs.telemetry is not None:
             self._see("drone")
+        if isfinite(step.inputs.people_seen_at):
+            self._see("sensors for people")
 
     def _on_link(self, link: LinkStatus) -> None:
         self._notes = link.notes

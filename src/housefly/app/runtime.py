@@ -8,11 +8,12 @@ from __future__ import annotations
 import os
 import secrets
 import socket
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from housefly.app.run_folder import new_run_folder
 from housefly.bus.endpoint import endpoint_in
+from housefly.bus.stop_port import StopPort
 from housefly.config.environment import (
     BUS_VARIABLE,
     DRIVER_SOCKET_VARIABLE,
@@ -43,6 +44,7 @@ class Runtime:
         room_socket: Unix socket on which the hub answers programs of this user.
         driver_socket: Unix socket on which the driver waits for its pilot.
         recording: folder into which the whole run is recorded, or None.
+        held_port: keeps other users from the port of STOP; only with whoever started the run.
     """
 
     site_file: Path
@@ -53,6 +55,7 @@ class Runtime:
     room_socket: Path
     driver_socket: Path
     recording: Path | None = None
+    held_port: StopPort | None = field(default=None, compare=False, repr=False)
 
     def environment(self) -> dict[str, str]:
         """Return the environment for a child process."""
@@ -76,20 +79,21 @@ class Runtime:
 def new_runtime(site: Site, folder: Path) -> Runtime:
     """Write the site into a folder; make a folder for sockets, a free port and fresh secrets."""
     if site.web.port == 0:
-        site = changed(site, web__port=_free_port(socket.SOCK_STREAM))
+        site = changed(site, web__port=_free_port())
     if site.mqtt.start and site.mqtt.port == 0:
-        site = changed(site, mqtt__port=_free_port(socket.SOCK_STREAM))
+        site = changed(site, mqtt__port=_free_port())
     site_file = folder / "site.json"
     site_file.write_text(site.model_dump_json(indent=1), encoding="utf-8")
-    sockets = new_run_folder()
+    sockets, held = new_run_folder(), StopPort()
     return Runtime(
         site_file,
         bus=endpoint_in(sockets),
-        stop_port=_free_port(socket.SOCK_DGRAM),
+        stop_port=held.number,
         secret=secrets.token_hex(16),
         token=secrets.token_urlsafe(16),
         room_socket=sockets / "room",
         driver_socket=sockets / "driver",
+        held_port=held,
     )
 
 
@@ -131,8 +135,8 @@ def runtime_from_environment() -> Runtime:
         ) from error
 
 
-def _free_port(kind: socket.SocketKind) -> int:
-    """Return a free loopback port."""
-    with socket.socket(socket.AF_INET, kind) as probe:
+def _free_port() -> int:
+    """Return a free TCP port of loopback."""
+    with socket.socket(socket.AF_INET, socket.SOCK_STREAM) as probe:
         probe.bind(("127.0.0.1", 0))
         return int(probe.getsockname()[1])

@@ -54,7 +54,7 @@ class SafetyProgress(ProgressDisplay):
         self._flown, self._unsafe = self._flown + 1, self._unsafe + bool(unsafe)
         self._progress.update(self._task, advance=1, unsafe=self._unsafe)
         if unsafe:
-            console.print(f"unsafe: {unsafe}", soft_wrap=True)
+            console.print(f"unsafe: {unsafe}", markup=False, soft_wrap=True)
         if self._clock() - self._told_at >= LINE_PERIOD:
             self._tell()
 

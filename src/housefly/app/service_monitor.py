@@ -7,6 +7,7 @@ from math import inf
 
 from housefly.geometry import Vec2, distance
 from housefly.messages import DroneStatus, Phase, PilotStep, SafetyMode, Severity
+from housefly.pilot.behavior.standing import NEVER_STOOD, Footing
 from housefly.record.truth import COMPLETED, HOME_RADIUS
 
 STAGES = (Phase.TAKING_OFF, Phase.OUTBOUND, Phase.LOOKING, Phase.RETURNING, Phase.LANDING)
@@ -26,6 +27,7 @@ class ServiceMonitor:
         trouble: the last fault or refusal, in words.
         worst: the most severe safety mode seen.
         outcome: "completed", or the reason why not.
+        footing: where the drone stood before the flight.
     """
 
     started_at: float
@@ -36,6 +38,7 @@ class ServiceMonitor:
     trouble: str = ""
     worst: SafetyMode = SafetyMode.NOMINAL
     outcome: str = ""
+    footing: Footing = NEVER_STOOD
 
     def updated(self, step: PilotStep) -> ServiceMonitor:
         """Return the monitor after one more step of the pilot."""
@@ -47,9 +50,21 @@ class ServiceMonitor:
         severities = list(SafetyMode)
         worst = max(self.worst, step.outputs.safety, key=severities.index)
         monitor = replace(
-            self, seen=seen, worst=worst, trouble=texts[-1] if texts else self.trouble
+            self,
+            seen=seen,
+            worst=worst,
+            trouble=texts[-1] if texts else self.trouble,
+            footing=self._stood(step),
         )
         return replace(monitor, outcome=monitor._verdict(step))
+
+    def _stood(self, step: PilotStep) -> Footing:
+        """Learn where the drone stands before its flight."""
+        estimate, telemetry = step.outputs.estimate, step.inputs.telemetry
+        stands = telemetry is not None and telemetry.status is DroneStatus.LANDED
+        if estimate is None or not stands or len(self.seen) > 1:
+            return self.footing
+        return self.footing.stood_at(estimate.position[2], estimate.pose_age)
 
     def _verdict(self, step: PilotStep) -> str:
         elapsed = step.now - self.started_at
@@ -77,4 +92,5 @@ class ServiceMonitor:
             return f"landed {away:.1f} m from the pad" + (
                 f": {self.trouble}" if self.trouble else ""
             )
-        return COMPLETED
+        assert estimate is not None
+        return self.footing.fault(estimate.position[2], estimate.pose_age) or COMPLETED

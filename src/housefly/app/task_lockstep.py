@@ -101,7 +101,7 @@ def fly_task_lockstep(
     Raises:
         ConfigError: a fault of the site that cannot be made in lock step.
     """
-    loop = LockstepLoop(loaded, movables, people, scene)
+    loop = LockstepLoop(loaded, movables, people, scene, origin_known=drone is not None)
     hovering = drone if airborne else None
     if drone is not None:
         loop.world.put_drone(*drone)

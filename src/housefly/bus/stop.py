@@ -67,6 +67,8 @@ class StopListener:
         port: UDP port; 0 chooses a free one.
         secret: shared with the senders, at least 16 characters.
         handler: called on the loop once for each STOP; must be quick.
+        is_held: whether a ``StopPort`` of this user keeps the port: then it is shared with that,
+            and the caller sees to it that there is one listener only.
 
     Attributes:
         address: host and port, after ``start`` as chosen.
@@ -76,13 +78,21 @@ class StopListener:
         ConfigError: the address is not a loopback address, or the secret is too short.
     """
 
-    def __init__(self, host: str, port: int, secret: str, handler: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        host: str,
+        port: int,
+        secret: str,
+        handler: Callable[[], None],
+        *,
+        is_held: bool = False,
+    ) -> None:
         if not ipaddress.ip_address(host).is_loopback:
             raise ConfigError("STOP address", f"is {host}; only a loopback address is allowed")
         self.address: _Address = (host, port)
         self.ignored = 0
         self._secret = stop_key(secret)
-        self._handler = handler
+        self._handler, self._is_held = handler, is_held
         self._seen: dict[StopToken, None] = {}
         self._transport: asyncio.DatagramTransport | None = None
 
@@ -90,7 +100,9 @@ class StopListener:
         """Open the socket; raises LinkError if the port is taken."""
         try:
             self._transport, _ = await asyncio.get_running_loop().create_datagram_endpoint(
-                lambda: _Protocol(self._received), local_addr=self.address
+                lambda: _Protocol(self._received),
+                local_addr=self.address,
+                reuse_port=self._is_held or None,
             )
         except OSError as error:
             raise LinkError(

@@ -22,6 +22,7 @@ from housefly.messages import (
     RecordingNews,
     RoomNews,
     SensorReport,
+    SightNews,
     TaskNews,
     TrackedFrame,
     VideoFrame,
@@ -97,6 +98,7 @@ TASK_NEWS_TOPIC: Topic[TaskNews] = Topic(
 )
 RECORDING_TOPIC: Topic[RecordingNews] = Topic("tasks/recording", RecordingNews, Delivery.LATEST)
 SENSOR_TOPIC: Topic[SensorReport] = Topic("room/sensors", SensorReport, Delivery.LATEST, depth=64)
+SIGHT_TOPIC: Topic[SightNews] = Topic("room/sight", SightNews, Delivery.LATEST)
 
 TOPICS = (
     FRAME_TOPIC,
@@ -109,6 +111,7 @@ TOPICS = (
     OBSTACLE_TOPIC,
     DEPTH_TOPIC,
     SENSOR_TOPIC,
+    SIGHT_TOPIC,
     ROOM_EVENT_TOPIC,
     TASK_NEWS_TOPIC,
     RECORDING_TOPIC,

@@ -145,7 +145,20 @@ class Site(Section):
                 f"control.beta ({self.control.beta} 1/s^2) must be below drone.attitude_lag *"
                 f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be unstable"
             )
+        self._check_who_flies_over_mqtt()
         return self
+
+    def _check_who_flies_over_mqtt(self) -> None:
+        """Raise ValueError where whoever reaches the broker could fly without a person's yes."""
+        mqtt = self.mqtt
+        if self.tasks.mqtt_requests == "auto" and mqtt.broker and (mqtt.start or not mqtt.username):
+            which = "mqtt.start = true" if mqtt.start else 'mqtt.username = ""'
+            raise ValueError(
+                f'tasks.mqtt_requests = "auto" with {which}: such a broker asks nobody who they'
+                " are, so whoever reaches it flies without a person's yes; allowed: mqtt.start ="
+                " false with a broker that guards the topics of tasks.mqtt_clients and asks for"
+                ' mqtt.username, or tasks.mqtt_requests = "ask"'
+            )
 
     def _check_volumes(self) -> None:
         """Raise ValueError for what only a flight in space can do."""

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from housefly.config.site import Site
+from housefly.config.text import expanded
 from housefly.errors import ConfigError
 
 _DATABASE = "room.db"
@@ -35,10 +36,7 @@ def users_file(site: Site) -> Path:
     """Return the file of those who may log in to a site's console."""
     if not site.web.users:
         return edits_folder(site).with_name("users.json")
-    try:
-        return Path(site.web.users).expanduser()
-    except RuntimeError as error:  # an unknown home
-        raise ConfigError("web.users", f"is {site.web.users!r}: {error}") from error
+    return expanded(site.web.users, "web.users")
 
 
 def edits_folder(site: Site) -> Path:

@@ -48,7 +48,10 @@ class TasksConfig(Section):
     )
     mqtt_requests: Literal["off", "ask", "auto"] = Field(
         default="ask",
-        description="what a request over MQTT may do: nothing, ask a person, fly",
+        description=(
+            "what a request over MQTT may do: nothing, ask a person, fly; auto only with a broker"
+            " that asks for mqtt.username, so with none of our own"
+        ),
     )
     mqtt_clients: tuple[ClientName, ...] = Field(
         default=(),

@@ -16,6 +16,8 @@ _MAX_LENGTH = 4096
 """Longest text of one value, a path for example [characters]."""
 _MAX_DEPTH = 40
 """Deepest nesting of one value."""
+_MAX_SLASHES = 256
+"""Most slashes in one value: folders are made one inside the other."""
 
 
 def read_text_file(path: Path) -> str:
@@ -24,6 +26,15 @@ def read_text_file(path: Path) -> str:
     Raises:
         OSError: it cannot be read, is a device or a pipe, or is larger than 16 MiB.
         UnicodeDecodeError: it is not UTF-8.
+    """
+    return read_file(path).decode("utf-8")
+
+
+def read_file(path: Path, size_max: int = _MAX_FILE_SIZE) -> bytes:
+    """Return the bytes of a file of at most so many.
+
+    Raises:
+        OSError: it cannot be read, is a device or a pipe, or is larger.
     """
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -35,10 +46,18 @@ def read_text_file(path: Path) -> str:
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         if not stat.S_ISREG(found.st_mode):
             raise OSError(errno.EINVAL, "no ordinary file")
-        content = file.read(_MAX_FILE_SIZE + 1)
-    if len(content) > _MAX_FILE_SIZE:
-        raise OSError(errno.EFBIG, f"larger than {_MAX_FILE_SIZE >> 20} MiB")
-    return content.decode("utf-8")
+        content = file.read(size_max + 1)
+    if len(content) > size_max:
+        raise OSError(errno.EFBIG, f"larger than {size_max / 2**20:.3g} MiB")
+    return content
+
+
+def expanded(name: str, key: str) -> Path:
+    """Return a path with its ``~`` expanded; raises ConfigError for the home of nobody."""
+    try:
+        return Path(name).expanduser()
+    except RuntimeError as error:
+        raise ConfigError(key, f"is {shortened(name)!r}: {error}") from error
 
 
 def is_file(path: Path) -> bool:
@@ -68,6 +87,10 @@ def _check(text: str, key: str, source: str) -> None:
     if len(text) > _MAX_LENGTH:
         raise ConfigError(
             key, f"has {len(text)} characters; allowed: {_MAX_LENGTH} at most", source
+        )
+    if text.count("/") > _MAX_SLASHES:
+        raise ConfigError(
+            key, f"has {text.count('/')} slashes; allowed: {_MAX_SLASHES} at most", source
         )
     if any(ord(letter) < 32 or letter == "\x7f" for letter in text):
         raise ConfigError(key, f"is {shortened(text)!r}; allowed: no control characters", source)

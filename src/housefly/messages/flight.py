@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import Enum
+from math import inf
 
 from housefly.geometry import Vec2, Vec3
 from housefly.messages.obstacles import Obstacle
@@ -101,6 +102,10 @@ class Inputs:
         orders: since the last step.
         obstacles: reported since the last step; the pilot keeps earlier ones for a while.
         late: how much later than planned this step runs [s].
+        origin_known: tracking and map were found to agree before this pilot began.
+        people_seen_at: until when each sensor that looks for people was believed [s]: of each the
+            newest scan or image, of those the oldest. -inf before the first of one of them; inf
+            where there is none, or where nobody said.
     """
 
     sightings: tuple[Sighting, ...] = ()
@@ -108,6 +113,8 @@ class Inputs:
     orders: tuple[Order, ...] = ()
     obstacles: tuple[Obstacle, ...] = ()
     late: float = 0.0
+    origin_known: bool = False
+    people_seen_at: float = inf
 
 
 @dataclass(frozen=True, slots=True)

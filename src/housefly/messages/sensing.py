@@ -66,6 +66,18 @@ class SensorReport:
     problem: str
 
 
+@dataclass(frozen=True, slots=True)
+class SightNews:
+    """Until when all sensors that look for people were believed, said ten times a second.
+
+    Attributes:
+        seen_at: of each the newest believed scan or image, of those the oldest [s]; -inf before the
+            first of one of them.
+    """
+
+    seen_at: float
+
+
 class DroneStatus(Enum):
     """What the drone says it is doing."""
 

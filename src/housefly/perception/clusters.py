@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
@@ -49,12 +50,15 @@ class Cluster:
     points: int
 
 
-def foreground(ranges: FloatArray, background: FloatArray) -> NDArray[np.bool_]:
-    """Return which beams end well before the room; at an edge the nearer side counts."""
+def foreground_limit(background: FloatArray) -> FloatArray:
+    """Return how far a beam of the foreground reaches at most [m].
+
+    At an edge the nearer side counts.
+    """
     nearest = background.copy()
     nearest[1:] = np.minimum(nearest[1:], background[:-1])
     nearest[:-1] = np.minimum(nearest[:-1], background[1:])
-    return np.asarray(np.isfinite(ranges) & (ranges < nearest - _FOREGROUND_MARGIN), dtype=np.bool_)
+    return nearest - _FOREGROUND_MARGIN
 
 
 def clusters_of(points: FloatArray, beams: NDArray[np.int64], origin: Vec2) -> tuple[Cluster, ...]:
@@ -67,11 +71,15 @@ def clusters_of(points: FloatArray, beams: NDArray[np.int64], origin: Vec2) -> t
     """
     if not len(points):
         return ()
-    jumps = (np.hypot(*np.diff(points, axis=0).T) > _MAX_GAP) | (
-        np.diff(beams) > _MAX_MISSING_BEAMS + 1
+    steps = points[1:] - points[:-1]
+    jumps = np.hypot(steps[:, 0], steps[:, 1]) > _MAX_GAP
+    jumps |= beams[1:] - beams[:-1] > _MAX_MISSING_BEAMS + 1
+    edges = [0, *(np.flatnonzero(jumps) + 1).tolist(), len(points)]
+    return tuple(
+        cluster_of(points[start:end], origin)
+        for start, end in pairwise(edges)
+        if end - start >= _MIN_POINTS
     )
-    groups = np.split(points, np.flatnonzero(jumps) + 1)
-    return tuple(cluster_of(group, origin) for group in groups if len(group) >= _MIN_POINTS)
 
 
 def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
@@ -80,7 +88,7 @@ def cluster_of(points: FloatArray, origin: Vec2) -> Cluster:
     width = hypot(bx - ax, by - ay)
     if width > 2.0 * _MAX_DISC_RADIUS:
         return _rectangle(points, atan2(by - ay, bx - ax))
-    mx, my = points.mean(axis=0).tolist()
+    mx, my = (np.add.reduce(points, axis=0) / len(points)).tolist()
     radius = max(width / 2.0, _MIN_RADIUS)
     away = max(hypot(mx - origin[0], my - origin[1]), 1e-9)
     behind = _DISC_DEPTH * radius / away

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from math import hypot, isfinite
 
 import numpy as np
@@ -12,8 +13,14 @@ from housefly.config.laser import LaserConfig
 from housefly.geometry import Vec2
 from housefly.messages import Obstacle, Scan
 from housefly.numeric import FloatArray
-from housefly.perception.background import expected_ranges
-from housefly.perception.clusters import clusters_of, foreground
+from housefly.perception.beams import (
+    MAX_BEAMS,
+    BeamBackground,
+    BeamScan,
+    background_of,
+    beam_scan_of,
+)
+from housefly.perception.clusters import clusters_of
 from housefly.perception.tracker import ObstacleTrack, TrackSet
 from housefly.room.model import Room
 
@@ -33,8 +40,6 @@ _KNOWN_MARGIN = 0.1
 """A point this near to where a known thing is expected belongs to it [m]."""
 SEE_THROUGH_MARGIN = 0.2
 """Beams see through a place if they end this far behind it [m]."""
-_MAX_BEAMS = 10_000
-"""Most beams of a scan."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +63,7 @@ class OwnFootprint:
         """
         from_us = np.hypot(ends[:, 0] - self.place[0], ends[:, 1] - self.place[1])
         outside = from_us > self.radius
-        if len(people):
+        if len(people) and not outside.all():
             away = np.hypot(ends[:, :1] - people[:, 0], ends[:, 1:2] - people[:, 1])
             known = (away < people[:, 2] + _KNOWN_MARGIN).any(axis=1)
             outside |= known & (from_us > self.radius - OWN_MARGIN)
@@ -90,8 +95,8 @@ class LaserTracker:
     def __init__(self, room: Room, lasers: tuple[LaserConfig, ...]) -> None:
         self._room = room
         self._lasers = {laser.name: laser for laser in lasers}
-        self._backgrounds: dict[tuple[str, float, float, int], FloatArray] = {}
-        self._last: dict[str, Scan] = {}
+        self._backgrounds: dict[tuple[str, float, float, int], BeamBackground] = {}
+        self._last: dict[str, BeamScan] = {}
         self._alike: dict[str, int] = {}
         self._tracks = TrackSet()
 
@@ -103,52 +108,47 @@ class LaserTracker:
             now: time [s].
             own: where the drone is, None if it is on the ground or unknown.
         """
-        ranges = np.array(scan.ranges[: _MAX_BEAMS + 1], np.float64)
-        problem = self._fault(scan, ranges, now)
+        return self.update_beams(beam_scan_of(scan), now, own)
+
+    def update_beams(
+        self, scan: BeamScan, now: float, own: OwnFootprint | None = None
+    ) -> TrackingResult:
+        """Process one scan whose distances are in an array, as ``update``."""
+        problem = self._fault(scan, now)
         if problem:
             return TrackingResult(problem=f"{scan.source}: {problem}")
-        laser = self._lasers[scan.source]
-        hit = foreground(ranges, self._background(scan, laser))
-        angles = laser.yaw + scan.first_angle + np.arange(len(ranges)) * scan.step
-        ends = np.stack(
-            [
-                laser.x + ranges[hit] * np.cos(angles[hit]),
-                laser.y + ranges[hit] * np.sin(angles[hit]),
-            ],
-            axis=1,
-        )
-        beams = np.flatnonzero(hit)
+        laser, at = self._lasers[scan.source], scan.captured_at
+        ends, beams = _foreground(scan, self._background(scan, laser), laser)
         if own is not None:
-            other = own.others(ends, known_discs(self._tracks, scan.captured_at))
-            ends, beams = ends[other], beams[other]
+            other = own.others(ends, known_discs(self._tracks, at))
+            if not other.all():
+                ends, beams = ends[other], beams[other]
         clusters = clusters_of(ends, beams, (laser.x, laser.y))
-        self._tracks = self._tracks.updated(
-            clusters, scan.captured_at, lambda p, r: _sees_through(scan, ranges, laser, p, r)
-        )
-        confirmed = tuple(track for track in self._tracks.tracks if track.confirmed)
-        gone = tuple(_gone(track, scan.captured_at) for track in self._tracks.gone)
+        self._tracks = self._tracks.updated(clusters, at, partial(_sees_through, scan, laser))
+        confirmed = (track for track in self._tracks.tracks if track.confirmed)
+        gone = (_gone(track, at) for track in self._tracks.gone)
         return TrackingResult((*(obstacle_of(track) for track in confirmed), *gone))
 
-    def _background(self, scan: Scan, laser: LaserConfig) -> FloatArray:
+    def _background(self, scan: BeamScan, laser: LaserConfig) -> BeamBackground:
         key = (scan.source, scan.first_angle, scan.step, len(scan.ranges))
         if key not in self._backgrounds:
             self._backgrounds = {
-                known: ranges
-                for known, ranges in self._backgrounds.items()
+                known: background
+                for known, background in self._backgrounds.items()
                 if known[0] != scan.source
             }
-            self._backgrounds[key] = expected_ranges(self._room.solids, laser, *key[1:])
+            self._backgrounds[key] = background_of(self._room, laser, scan)
         return self._backgrounds[key]
 
-    def _fault(self, scan: Scan, ranges: FloatArray, now: float) -> str:
+    def _fault(self, scan: BeamScan, now: float) -> str:
         """Return why a scan is refused, in words, or ""."""
-        last = self._last.get(scan.source)
-        problem = self._nonsense(scan, ranges, now)
+        last, ranges = self._last.get(scan.source), scan.ranges
+        problem = self._nonsense(scan, now)
         if problem:
             return problem
         if last is not None and scan.captured_at <= last.captured_at:
             return "a scan that is not newer than the last"
-        is_alike = last is not None and scan.ranges == last.ranges
+        is_alike = last is not None and np.array_equal(ranges, last.ranges)
         self._last[scan.source] = scan
         self._alike[scan.source] = self._alike.get(scan.source, 0) + 1 if is_alike else 0
         if self._alike[scan.source] >= _FROZEN_SCANS:
@@ -157,7 +157,7 @@ class LaserTracker:
             return "something covers it"
         return ""
 
-    def _nonsense(self, scan: Scan, ranges: FloatArray, now: float) -> str:
+    def _nonsense(self, scan: BeamScan, now: float) -> str:
         if scan.source not in self._lasers:
             return "not a scanner of this site"
         if (
@@ -165,7 +165,7 @@ class LaserTracker:
             or scan.step <= 0.0
         ):
             return "not all its numbers are finite"
-        if not 0 < len(ranges) <= _MAX_BEAMS or not (ranges >= 0.0).all():
+        if not 0 < len(scan.ranges) <= MAX_BEAMS or not (scan.ranges >= 0.0).all():
             return "distances that are none"
         if scan.captured_at > now + _MAX_AHEAD:
             return "a scan from the future"
@@ -197,7 +197,7 @@ def known_discs(tracks: TrackSet, at: float) -> FloatArray:
     """Return x, y and radius [m] of the confirmed tracks at a time [s], shape (n, 3)."""
     discs = [
         (
-            *track.motion.predicted(at).position,
+            *track.motion.position_at(at),
             max(track.shape.radius, hypot(*track.shape.size) / 2),
         )
         for track in tracks.tracks
@@ -210,16 +210,26 @@ def _gone(track: ObstacleTrack, at: float) -> Obstacle:
     return replace(obstacle_of(track), confidence=0.0, seen_at=at)
 
 
-def _sees_through(
-    scan: Scan, ranges: FloatArray, laser: LaserConfig, place: Vec2, radius: float
-) -> bool:
+def _foreground(
+    scan: BeamScan, background: BeamBackground, laser: LaserConfig
+) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Return where the beams end that hit something new [m], shape (n, 2), and their numbers."""
+    beams = np.flatnonzero(scan.ranges < background.limit)
+    away, ends = scan.ranges[beams], np.empty((len(beams), 2))
+    ends[:, 0] = laser.x + away * background.cosines[beams]
+    ends[:, 1] = laser.y + away * background.sines[beams]
+    return ends, beams
+
+
+def _sees_through(scan: BeamScan, laser: LaserConfig, place: Vec2, radius: float) -> bool:
     """Return whether the beams towards a place end behind it: nothing stands there."""
     dx, dy = place[0] - laser.x, place[1] - laser.y
     bearing = (np.arctan2(dy, dx) - laser.yaw - scan.first_angle) % (2.0 * np.pi)
     beam, away = round(bearing / scan.step), float(np.hypot(dx, dy))
-    if not 0 <= beam < len(ranges):
+    if not 0 <= beam < len(scan.ranges):
         return False
     spread = max(1, int(0.5 * radius / max(away, 0.1) / scan.step))
-    near = ranges[max(0, beam - spread) : beam + spread + 1]
-    through = np.isfinite(near) & (near > away + SEE_THROUGH_MARGIN)
-    return bool(through.sum() > 0.7 * np.isfinite(near).sum() > 0)
+    near = scan.ranges[max(0, beam - spread) : beam + spread + 1]
+    ended: list[float] = [end for end in near.tolist() if isfinite(end)]
+    through = sum(end > away + SEE_THROUGH_MARGIN for end in ended)
+    return through > 0.7 * len(ended) > 0

@@ -38,16 +38,21 @@ class MotionState:
         """One-sigma error of the position [m]."""
         return sqrt(self.pp)
 
+    def position_at(self, at: float) -> Vec2:
+        """Return the position predicted to a later time [m, s]."""
+        dt = max(0.0, at - self.at)
+        (x, y), (vx, vy) = self.position, self.velocity
+        return x + vx * dt, y + vy * dt
+
     def predicted(self, at: float) -> MotionState:
         """Return the state predicted to a later time [s]."""
         dt = max(0.0, at - self.at)
-        (x, y), (vx, vy) = self.position, self.velocity
         q = _ACCELERATION_SIGMA * _ACCELERATION_SIGMA
         pp = self.pp + dt * (2.0 * self.pv + dt * self.vv) + q * dt**4 / 4.0
         pv = self.pv + dt * self.vv + q * dt**3 / 2.0
         return MotionState(
             max(at, self.at),
-            (x + vx * dt, y + vy * dt),
+            self.position_at(at),
             self.velocity,
             pp,
             pv,

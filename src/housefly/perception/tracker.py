@@ -82,22 +82,21 @@ class ObstacleTrack:
             self.motion.velocity if hypot(*self.motion.velocity) > _STANDING_SPEED else (0.0, 0.0)
         )
 
-    def updated(self, cluster: Cluster, at: float) -> ObstacleTrack:
-        """Return the track updated with a cluster."""
-        motion = self.motion.predicted(at).updated(cluster.position)
+    def updated(self, cluster: Cluster, expected: MotionState, at: float) -> ObstacleTrack:
+        """Return the track updated with a cluster of a time [s] and its own prediction for it."""
         radius = (
             cluster.radius
             and (1.0 - _SIZE_GAIN) * (self.shape.radius or cluster.radius)
             + _SIZE_GAIN * cluster.radius
         )
-        shape = replace(cluster, radius=radius)
-        return replace(
-            self,
-            motion=motion,
-            shape=shape,
+        shape = Cluster(cluster.position, radius, cluster.size, cluster.yaw, cluster.points)
+        return ObstacleTrack(
+            self.number,
+            expected.updated(cluster.position),
+            shape,
             hits=self.hits + 1,
-            misses=0,
             seen_at=at,
+            born_at=self.born_at,
         )
 
 
@@ -125,15 +124,16 @@ class TrackSet:
             at: when it was taken [s].
             looks_through: whether its beams see through a place [m] with a radius [m].
         """
-        pairs = _matched(self.tracks, clusters, at)
+        expected = [track.motion.predicted(at) for track in self.tracks]
+        pairs = _matched(self.tracks, expected, clusters)
         kept: list[ObstacleTrack] = []
         gone: list[ObstacleTrack] = []
         for index, track in enumerate(self.tracks):
             found = pairs.get(index)
             if found is not None:
-                kept.append(track.updated(clusters[found], at))
+                kept.append(track.updated(clusters[found], expected[index], at))
                 continue
-            missed = looks_through(track.motion.predicted(at).position, track.shape.radius)
+            missed = looks_through(expected[index].position, track.shape.radius)
             left = replace(track, misses=track.misses + 1) if missed else track
             ended = (
                 left.misses >= (DEATH_MISSES if left.confirmed else 1)
@@ -159,10 +159,9 @@ class TrackSet:
 
 
 def _matched(
-    tracks: Sequence[ObstacleTrack], clusters: Sequence[Cluster], at: float
+    tracks: Sequence[ObstacleTrack], expected: Sequence[MotionState], clusters: Sequence[Cluster]
 ) -> dict[int, int]:
     """Return each track's cluster: confirmed tracks before new ones, nearest pairs first."""
-    expected = [track.motion.predicted(at) for track in tracks]
     offers = []
     for i, motion in enumerate(expected):
         for j, cluster in enumerate(clusters):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import inf
+
 import numpy as np
 
 from housefly.config.site import Site
@@ -10,6 +12,7 @@ from housefly.messages.flight import Inputs, Order, OrderKind
 from housefly.messages.obstacles import Obstacle, ObstacleKind
 from housefly.messages.preflight import FRAMES_NOT_NEEDED, FramesKnown
 from housefly.messages.sensing import DroneStatus, Pose, Sighting, Telemetry
+from housefly.pilot.behavior.mission import longest_silence
 from housefly.pilot.behavior.mission_manager import MissionManager
 from housefly.pilot.contracts import Maneuver, PilotSettings
 from housefly.pilot.navigator import RoomNavigator
@@ -56,6 +59,9 @@ def make_pilot(
         sinks_to=site.limits.landing_height - site.limits.landing_lead,
         drifts_from=(
             site.limits.landing_height if site.estimation.aims_upwind and not is_paper else 0.0
+        ),
+        people_silence=longest_silence(
+            min((camera.rate_hz for camera in site.depth_cameras), default=inf)
         ),
     )
     navigator = RoomNavigator(site, room, grid)

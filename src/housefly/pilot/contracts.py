@@ -13,7 +13,12 @@ from housefly.messages.preflight import PreflightCheck
 from housefly.messages.sensing import Estimate, Sighting
 from housefly.messages.steering import PlanAnswer, Setpoint
 from housefly.pilot.behavior.braking import LAST_HEIGHT
-from housefly.pilot.behavior.mission import MissionState, TrackingTask, VehicleStatus
+from housefly.pilot.behavior.mission import (
+    PEOPLE_SILENCE_MAX,
+    MissionState,
+    TrackingTask,
+    VehicleStatus,
+)
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.step import PilotParameters
 
@@ -34,6 +39,7 @@ class PilotSettings:
         sinks_to: lowest height wanted in a steered landing [m].
         drifts_from: the aim of a steered landing allows for a drift from this height on [m]; 0 for
             none.
+        people_silence: the sensors that look for people may be silent for so long [s].
     """
 
     parameters: PilotParameters
@@ -45,6 +51,7 @@ class PilotSettings:
     guarded: bool = True
     sinks_to: float = LAST_HEIGHT
     drifts_from: float = 0.0
+    people_silence: float = PEOPLE_SILENCE_MAX
 
 
 class Map(Protocol):
@@ -94,6 +101,11 @@ class Missions(Protocol):
     @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody: it may be far from where it flies to."""
+        ...
+
+    @property
+    def origin_confirmed(self) -> bool:
+        """Whether tracking has shown the drone on its pad, or was found to agree with the map."""
         ...
 
     def preflight(self, vehicle: VehicleStatus) -> tuple[PreflightCheck, ...]:

@@ -21,14 +21,19 @@ from housefly.pilot.behavior.path_profile import PathProfile
 from housefly.pilot.behavior.trajectory_profile import SpacePath, trajectory_path
 from housefly.pilot.planning.furniture import TrackedFurniture
 from housefly.pilot.planning.live import distances_for, first_block, live_grid
-from housefly.pilot.planning.obstacles import ObstacleMemory, obstacle_fault, obstacle_rows
+from housefly.pilot.planning.obstacles import (
+    ObstacleMemory,
+    is_in_band,
+    obstacle_fault,
+    obstacle_rows,
+)
 from housefly.pilot.planning.people import is_walking, may_be_person
 from housefly.pilot.planning.people_map import PeopleMap
 from housefly.pilot.planning.planner import plan
 from housefly.pilot.planning.separation import STEP
 from housefly.pilot.planning.space.answer import SpaceAnswer
 from housefly.pilot.planning.space.passage import Passage
-from housefly.pilot.planning.space.path_look import first_block_in_space
+from housefly.pilot.planning.space.path_look import first_block_in_space, passes_near
 from housefly.pilot.planning.space.solid_rows import live_rows
 from housefly.pilot.planning.space.space_map import SpaceMap
 from housefly.pilot.planning.tracked_bodies import TrackedBodies
@@ -85,10 +90,13 @@ class RoomNavigator:
             site.map.flight_height + site.map.half_band,
         )
         self._kept = (site.people.comfort_distance, site.people.min_distance)
+        self._watched = site.people.min_distance - WATCH_SLACK
         self._furniture = TrackedFurniture(site, room)
         self._bodies = TrackedBodies(site)
         self._memory = ObstacleMemory()
-        self._soon, self._names = obstacle_rows((), 0.0, 0.0, self._band)
+        self._is_crowded = False
+        self._standing: tuple[Obstacle, ...] = ()
+        self._corners: tuple[SpacePath, FloatArray] | None = None
         self._refreshed = 0.0
         self._stood: dict[tuple[str, str], tuple[Vec2, float]] = {}
         self.openings = 0
@@ -122,22 +130,19 @@ class RoomNavigator:
 
     def _refresh(self, accepted: list[Obstacle], now: float) -> None:
         self._memory, self._refreshed = self._memory.updated(accepted, now), now
-        self._soon, self._names = obstacle_rows(
-            self._memory.obstacles, now, WATCH_HORIZON, self._band, self._kept[1] - WATCH_SLACK
-        )
+        known = self._memory.obstacles
+        self._is_crowded = any(is_in_band(one, self._band) for one in known)
+        # Who walks is judged in time (``passages``).
+        self._standing = tuple(one for one in known if not is_walking(one))
         self._live = {}
         if self._space is not None:
-            self._space.update(self._memory.obstacles, now)
+            self._space.update(known, now)
             self._note_openings(now)
-        self.people.update(self._memory.obstacles, self._things, now)
+        self.people.update(known, self._things, now)
 
     def _note_openings(self, now: float) -> None:
         """Count what stood and is gone, or has stood elsewhere for a while."""
-        stands = {
-            (one.source, one.id): one.position
-            for one in self._memory.obstacles
-            if not is_walking(one)
-        }
+        stands = {(one.source, one.id): one.position for one in self._standing}
         stood, self._stood = self._stood, {}
         for name, place in stands.items():
             before, seen_there = stood.get(name, (place, now))
@@ -172,30 +177,37 @@ class RoomNavigator:
 
     def block(self, here: Vec2, path: Path, waypoint: int) -> PathBlock | None:
         """Return what blocks the rest of a path from a place [m] on; None when it is free."""
-        if not len(self._soon):
+        if not self._is_crowded:
             return None
         if self._space is not None and isinstance(path, SpacePath):
             return self._block_in_space(self._space, here, path, waypoint)
-        along, row = first_block(
-            self._soon, (here, *path.waypoints[waypoint:]), self._distances.tight
+        soon, names = obstacle_rows(
+            self._memory.obstacles, self._refreshed, WATCH_HORIZON, self._band, self._watched
         )
-        return None if isinf(along) else PathBlock(along, self._names[row])
+        along, row = first_block(soon, (here, *path.waypoints[waypoint:]), self._distances.tight)
+        return None if isinf(along) else PathBlock(along, names[row])
 
     def _block_in_space(
         self, space: SpaceMap, here: Vec2, path: SpacePath, waypoint: int
     ) -> PathBlock | None:
-        # Who walks is judged in time (``passages``).
-        known = tuple(one for one in self._memory.obstacles if not is_walking(one))
-        now = self._refreshed
-        soon = live_rows(known, now, WATCH_HORIZON, self._kept[1] - WATCH_SLACK)
-        ahead = zip(path.waypoints[waypoint:], path.heights[waypoint:], strict=True)
+        known, now = self._standing, self._refreshed
+        soon = live_rows(known, now, WATCH_HORIZON, self._watched)
         height = path.heights[max(waypoint - 1, 0)]
-        points = np.array([(*here, height), *((*place, z) for place, z in ahead)])
+        points = np.concatenate((((*here, height),), self._corners_of(path)[waypoint:]))
         tight = self._distances.tight - space.hull.radius
+        if not passes_near(soon, points, space.hull, tight):
+            return None
         along, row = first_block_in_space(
             soon, live_rows(known, now, 0.0), points, space.hull, tight
         )
         return None if isinf(along) else PathBlock(along, known[row].id)
+
+    def _corners_of(self, path: SpacePath) -> FloatArray:
+        """Return the corners of a path in space [m], shape (n, 3); it is looked at again soon."""
+        if self._corners is None or self._corners[0] is not path:
+            ways = zip(path.waypoints, path.heights, strict=True)
+            self._corners = path, np.array([(*place, z) for place, z in ways])
+        return self._corners[1]
 
     def closed(self, rows: FloatArray, now: float) -> str:
         """Return what closes a short motion that begins where the drone is, in words, or "".
@@ -214,8 +226,7 @@ class RoomNavigator:
 
     def _closed_by_live(self, places: FloatArray, now: float) -> str:
         assert self._space is not None
-        known = tuple(one for one in self._memory.obstacles if not is_walking(one))
-        space, hanging = self._space, self._height
+        known, space, hanging = self._standing, self._space, self._height
         soon = live_rows(known, now, WATCH_HORIZON, self._kept[0], hanging)
         standing = live_rows(known, now, 0.0, 0.0, hanging)
         _, row = first_block_in_space(soon, standing, places, space.hull, space.keep)

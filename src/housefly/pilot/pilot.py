@@ -32,11 +32,11 @@ from housefly.messages.steering import (
     Setpoint,
 )
 from housefly.numeric import boxed, wrapped
-from housefly.pilot.behavior.mission import TrajectoryReference, VehicleStatus
+from housefly.pilot.behavior.mission import PeopleSilence, TrajectoryReference, VehicleStatus
 from housefly.pilot.behavior.path_profile import NO_PATH, PathProfile
 from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.behavior.steered_landing import SteeredLanding
-from housefly.pilot.behavior.trajectory_progress import TRAJECTORY_START, is_in_space
+from housefly.pilot.behavior.trajectory_progress import is_in_space
 from housefly.pilot.behavior.way_home import WayHome
 from housefly.pilot.contracts import Maneuver, Map, Missions, PilotSettings
 from housefly.pilot.control.landing_aim import landing_drift
@@ -53,13 +53,14 @@ from housefly.pilot.safety.gate import Gate, GateAssessment, GateNotices, GateVe
 from housefly.pilot.safety.inputs import CRUISE_PHASES, GateInputs
 from housefly.pilot.safety.limits import is_flown_in
 from housefly.pilot.step import (
+    INITIAL_REPORT,
     INITIAL_STEP,
     NO_OVERRIDE,
     Guidance,
     Override,
     StepOutput,
+    boxed_path_begun,
     boxed_step,
-    progress_started,
 )
 
 TICK_MAX = 0.1
@@ -96,7 +97,7 @@ class Pilot:
         self._maneuver = maneuver
         self._notices = GateNotices()
         self._estimator: PoseEstimator | None = None
-        self._step = INITIAL_STEP
+        self._boxed_step, self._stepped = boxed(INITIAL_STEP), INITIAL_REPORT
         self._profile: PathProfile = NO_PATH
         self._target: TrajectorySetpoint | None = None
         self._telemetry: Telemetry | None = None
@@ -131,6 +132,11 @@ class Pilot:
         """What the control law demanded in the last step, before any limit [m/s^2], or None."""
         return self._demand
 
+    @property
+    def origin_confirmed(self) -> bool:
+        """Whether tracking has shown the drone on its pad, or was found to agree with the map."""
+        return self._missions.origin_confirmed
+
     def plan(self, goal: Vec2, start: Vec2 | None = None) -> PlanAnswer:
         """Answer "how do I get there?" from a start [m], else from the drone, else from the pad."""
         found = self._estimator.estimate(self._now) if self._estimator else None
@@ -156,7 +162,7 @@ class Pilot:
         events = self._see(inputs, now)
         events.extend(self._update_map(inputs.obstacles, inputs.sightings, now))
         here, estimate = self._estimated(now)
-        vehicle = self._vehicle = self._vehicle_status(now, estimate)
+        vehicle = self._vehicle = self._vehicle_status(now, estimate, inputs)
         facing = self._is_facing(estimate)
         events.extend(self._missions.update(inputs.orders, vehicle, self._target, facing))
         verdict = self._command(self._gate_inputs(vehicle, inputs.late), vehicle, here, dt)
@@ -222,7 +228,9 @@ class Pilot:
             for words in refused
         ]
 
-    def _vehicle_status(self, now: float, estimate: Estimate | None) -> VehicleStatus:
+    def _vehicle_status(
+        self, now: float, estimate: Estimate | None, inputs: Inputs
+    ) -> VehicleStatus:
         telemetry = self._telemetry
         return VehicleStatus(
             now=now,
@@ -233,22 +241,25 @@ class Pilot:
             landing_forced=self._gate.landing,
             return_wanted=self._gate.returning,
             standing_height=self._gate.standing_height,
+            gauge_stuck=self._gate.gauge_stuck,
             maneuvering=self._maneuvering,
-            held=not is_flown_in(self._step.gate),
+            held=not is_flown_in(self._stepped.gate),
             reference=self._trajectory_reference(),
             telemetry=telemetry,
             consistency=self.consistency,
+            origin_known=inputs.origin_known,
+            silence=PeopleSilence(now - inputs.people_seen_at, self._settings.people_silence),
         )
 
     def _trajectory_reference(self) -> TrajectoryReference | None:
         if not self._in_space or self._target is None:
             return None
-        return TrajectoryReference(self._target, self._step.yaw.reference, self._step.scale)
+        return TrajectoryReference(self._target, self._stepped.yaw_reference, self._stepped.scale)
 
     def _is_facing(self, estimate: Estimate | None) -> bool:
         if estimate is None:
             return False
-        turn = wrapped(self._step.yaw.target - estimate.yaw)
+        turn = wrapped(self._stepped.yaw_target - estimate.yaw)
         return abs(turn) < self._settings.facing_tolerance
 
     # --- the compiled step ---
@@ -261,8 +272,8 @@ class Pilot:
         assessment = self._gate.assess(inputs)
         guidance = self._guidance(now, vehicle.estimate, assessment)
         override = self._override(now, vehicle.estimate)
-        self._step, output = boxed_step(
-            self._step,
+        self._stepped, output = boxed_step(
+            self._boxed_step,
             self._estimator.box,
             self._estimator.history,
             self._boxed_params,
@@ -297,8 +308,7 @@ class Pilot:
         if active and estimate is not None and task.profile is not None:
             if task.profile is not self._profile:
                 self._profile = task.profile
-                progress = progress_started(self._params, estimate.yaw)
-                self._step = self._step._replace(progress=progress, scale=TRAJECTORY_START)
+                boxed_path_begun(self._boxed_step, self._boxed_params, estimate.yaw)
             arrival_yaw = mission.mission.arrival_yaw((x, y))
         hold_x, hold_y = task.hold or (x, y)
         if task.height is not None:
@@ -403,6 +413,7 @@ class Pilot:
             telemetry=vehicle.telemetry,
             consistency=vehicle.consistency,
             late=late,
+            silence=vehicle.silence,
             home_time=self._way_home.duration,
             has_way_home=self._way_home.exists,
         )
@@ -418,7 +429,7 @@ class Pilot:
             command=verdict.command,
             estimate=estimate,
             reference=self._reference(),
-            behavior=_BEHAVIORS[self._step.acceptor.state],
+            behavior=_BEHAVIORS[self._stepped.acceptor],
             phase=mission.phase,
             safety=verdict.mode,
             goal_name=mission.mission.name,
@@ -439,4 +450,4 @@ class Pilot:
             return None
         target, height = self._target, self._height
         position, velocity = (target.x, target.y, height), (target.vx, target.vy, target.vz)
-        return Reference(position, velocity, self._step.yaw.reference)
+        return Reference(position, velocity, self._stepped.yaw_reference)

@@ -154,6 +154,24 @@ class StepOutput(NamedTuple):
     command: GatedCommand
 
 
+class StepReport(NamedTuple):
+    """What the pilot's words and tables need of a state that stays with the compiled code.
+
+    Attributes:
+        acceptor: state of the finite state acceptor.
+        gate: the ``SafetyCode`` found last.
+        yaw_target: wanted heading [rad].
+        yaw_reference: heading to ask for [rad].
+        scale: how far a trajectory in space has been flown.
+    """
+
+    acceptor: int
+    gate: int
+    yaw_target: float
+    yaw_reference: float
+    scale: TimeScale
+
+
 NO_OVERRIDE = Override(False, 0.0, 0.0, 0.0, 0.0)
 INITIAL_STEP = StepState(
     progress=PathProgress(s=0.0, v=0.0, a=0.0, leg=0, yaw=nan),
@@ -163,6 +181,14 @@ INITIAL_STEP = StepState(
     scale=TRAJECTORY_START,
 )
 """Before the first tick."""
+INITIAL_REPORT = StepReport(
+    acceptor=INITIAL_STEP.acceptor.state,
+    gate=INITIAL_STEP.gate,
+    yaw_target=INITIAL_STEP.yaw.target,
+    yaw_reference=INITIAL_STEP.yaw.reference,
+    scale=INITIAL_STEP.scale,
+)
+"""The same, reported."""
 
 
 @compiled
@@ -237,8 +263,23 @@ def step_commanded(
 
 
 @compiled_with_arrays
+def boxed_path_begun(
+    state: CompiledBox[StepState], params: CompiledBox[PilotParameters], yaw: float
+) -> None:
+    """Go to the beginning of a new path or trajectory, at a heading [rad]."""
+    before = state[0]
+    state[0] = StepState(
+        progress=progress_started(params[0], yaw),
+        yaw=before.yaw,
+        acceptor=before.acceptor,
+        gate=before.gate,
+        scale=TRAJECTORY_START,
+    )
+
+
+@compiled_with_arrays
 def boxed_step(
-    state: StepState,
+    state: CompiledBox[StepState],
     estimator: CompiledBox[EstimatorState],
     history: CommandHistory,
     params: CompiledBox[PilotParameters],
@@ -250,11 +291,11 @@ def boxed_step(
     airborne: bool,
     now: float,
     dt: float,
-) -> tuple[StepState, StepOutput]:
-    """Do ``step_commanded`` on a boxed estimator: what the live pilot calls.
+) -> tuple[StepReport, StepOutput]:
+    """Do ``step_commanded`` on boxed states: what the live pilot calls.
 
     Args:
-        state: as there, and so are all others.
+        state: holds what one tick leaves for the next; all others are as there.
         estimator: holds the state that is advanced.
         history: of commands.
         params: holds the parameters.
@@ -267,12 +308,19 @@ def boxed_step(
         now: [s].
         dt: [s].
     """
-    state, known, output = step_commanded(
-        state, estimator[0], history, params[0], here, guidance, profile, override,
+    after, known, output = step_commanded(
+        state[0], estimator[0], history, params[0], here, guidance, profile, override,
         mode, airborne, now, dt,
     )  # fmt: skip
-    estimator[0] = known
-    return state, output
+    state[0], estimator[0] = after, known
+    report = StepReport(
+        acceptor=after.acceptor.state,
+        gate=after.gate,
+        yaw_target=after.yaw.target,
+        yaw_reference=after.yaw.reference,
+        scale=after.scale,
+    )
+    return report, output
 
 
 @compiled

@@ -13,6 +13,7 @@ from housefly.clock import Clock
 from housefly.config.laser import LaserConfig
 from housefly.errors import LinkError, WireError
 from housefly.messages import Scan
+from housefly.numeric import FloatArray
 from housefly.wires.scip import (
     MeasureRequest,
     PlainRequest,
@@ -125,10 +126,20 @@ def scan_of(
         config: its name and latency.
         received_at: [s].
     """
-    mm = np.array(ranges, np.float64)
-    is_distance = (mm >= parameters.shortest) & (mm <= parameters.longest)
-    metres = tuple(np.where(is_distance, mm / 1000.0, inf).tolist())
     captured_at = received_at - config.latency
+    metres = tuple(metres_of(ranges, parameters).tolist())
     return Scan(
         config.name, captured_at, received_at, parameters.first_angle, parameters.step, metres
     )
+
+
+def metres_of(ranges: tuple[int, ...], parameters: ScannerParameters) -> FloatArray:
+    """Return the distances of a scan [m], one per beam; infinite where there is none.
+
+    Args:
+        ranges: one number per beam [mm].
+        parameters: as reported by the scanner.
+    """
+    mm = np.fromiter(ranges, np.int64, len(ranges))
+    is_distance = (mm >= parameters.shortest) & (mm <= parameters.longest)
+    return np.where(is_distance, mm / 1000.0, inf)

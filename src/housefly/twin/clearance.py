@@ -16,8 +16,6 @@ from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
 from housefly.twin.solids import SolidKind, SolidOwner
 
-_HULL_RADIUS = 0.5
-"""The hull lies within this distance of the drone's centre [m]."""
 _FAR = 1000.0
 """Nothing of a room is farther than this [m]."""
 
@@ -52,6 +50,8 @@ class ClearanceMeter:
         self._hull = np.flatnonzero(
             (model.geom_bodyid == physics.drone_id) & (model.geom_contype != 0)
         ).tolist()
+        reaches = np.linalg.norm(model.geom_pos[self._hull], axis=1) + model.geom_rbound[self._hull]
+        self._hull_radius = float(reaches.max())
         self._solids = _boxes(model, owners, lambda kind: kind is not SolidKind.PERSON)
         self._people = _boxes(model, owners, lambda kind: kind is SolidKind.PERSON)
 
@@ -63,6 +63,8 @@ class ClearanceMeter:
 
     def _nearest(self, boxes: _Boxes, within: float) -> float:
         """Return the distance to the nearest of some geoms [m]; those that may be come first."""
+        if not len(boxes.geoms):
+            return within
         bounds = self._lower_bounds(boxes)
         candidates = np.flatnonzero(bounds < within)
         nearest = within
@@ -80,23 +82,25 @@ class ClearanceMeter:
         axes = data.geom_xmat[geoms].reshape(-1, 3, 3)
         local = np.einsum("gk,gka->ga", offsets, axes)
         outside = np.maximum(np.abs(local - boxes.centres) - boxes.halves, 0.0)
-        bounds = np.linalg.norm(outside, axis=1) - _HULL_RADIUS
-        bounds[boxes.endless] = -inf
+        bounds = np.sqrt((outside * outside).sum(axis=1))
+        bounds[boxes.endless] = local[boxes.endless, 2]
+        bounds -= self._hull_radius
         bounds[places[:, 2] < AWAY_Z / 2] = inf
         return np.asarray(bounds, np.float64)
 
     def _gap(self, geom: int, bound: float) -> float:
         """Return the distance from the hull to a geom [m], or a bound that it exceeds."""
         model, data = self._physics.model, self._physics.data
-        gap: float = min(
-            mujoco.mj_geomDistance(model, data, part, geom, bound, None) for part in self._hull
-        )
+        measure = mujoco.mj_geomDistance
+        gap: float = min([measure(model, data, part, geom, bound, None) for part in self._hull])
         return gap
 
 
 @dataclass(frozen=True, slots=True)
 class _Boxes:
-    """Some geoms, each with the box around it in its own frame [m]; a plane has no end."""
+    """Some geoms, each with the box around it in its own frame [m]; a plane has no end, and its z
+    axis leads out of it.
+    """
 
     geoms: NDArray[np.intp]
     centres: FloatArray

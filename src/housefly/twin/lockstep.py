@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import replace
 from math import inf, isfinite
 
 from housefly.config.site import Site
@@ -114,6 +113,7 @@ class LockstepRoom:
         self._number = self._heard_number = 0
         self._pilot_steps = 0
         self._report: Telemetry | None = None
+        self._understood: tuple[OnboardState, Telemetry] | None = None
         self._reported_at = -1.0
 
     @property
@@ -148,7 +148,7 @@ class LockstepRoom:
         """
         onboard = self._world.onboard()
         if not self.faults.schedule.faults:
-            return telemetry_of(onboard)
+            return self._telemetry_of(onboard)
         if onboard.at > self._reported_at:
             self._reported_at = onboard.at
             reported = self.faults.reported(onboard)
@@ -157,8 +157,14 @@ class LockstepRoom:
             )
         while self._reports_under_way and self._reports_under_way[0][0] <= self.now + _ROUNDING:
             due, onboard = self._reports_under_way.popleft()
-            self._report = replace(telemetry_of(onboard), received_at=due)
+            self._report = telemetry_of(onboard, due)
         return self._report
+
+    def _telemetry_of(self, onboard: OnboardState) -> Telemetry:
+        """Return a report that is received as it is written, once for each state."""
+        if self._understood is None or self._understood[0] is not onboard:
+            self._understood = onboard, telemetry_of(onboard)
+        return self._understood[1]
 
     def send(self, command: Command) -> None:
         """Hand over the command in force from now on."""
@@ -216,11 +222,16 @@ class LockstepRoom:
                     self._world.request_land()
 
 
-def telemetry_of(onboard: OnboardState) -> Telemetry:
-    """Return a report of the drone as the driver would understand it."""
+def telemetry_of(onboard: OnboardState, received_at: float | None = None) -> Telemetry:
+    """Return a report of the drone as the driver would understand it.
+
+    Args:
+        onboard: what it reports.
+        received_at: when the report arrives [s]; at once where it is not given.
+    """
     forward, left, _ = onboard.velocity
     return Telemetry(
-        received_at=onboard.at,
+        received_at=onboard.at if received_at is None else received_at,
         status=FLIGHT_STATUS[onboard.flight],
         battery=_in_percent(onboard.battery),
         phi=onboard.phi,

@@ -86,8 +86,7 @@ class Physics:
     ) -> None:
         """Hold thrust and torques, and what else pushes, for one control period."""
         lift = wrench.thrust * _near_floor(body.position[2])
-        self._force[:3] = rotate(body.orientation, (0.0, 0.0, lift))
-        self._force[3:] = wrench[1:]
+        self._force[:] = (*rotate(body.orientation, (0.0, 0.0, lift)), *wrench[1:])
         if external is not None:
             self._force[:3] += external.force
             self._force[3:] += external.torque

@@ -114,6 +114,7 @@ class SimulatedWorld:
         self._wrench: Wrench = MOTORS_OFF
         self._body = self._physics.state()
         self._measured = self._sensors.read(self._body)
+        self._onboard: OnboardState | None = None
         self.set_visitor(site.twin.visitor_present)
         self._stage = ScenePlayer(scene, people, self._physics, self._visitor)
         self._marked = MarkedBodies(
@@ -217,6 +218,7 @@ class SimulatedWorld:
     def disturb(self, disturbances: Disturbances) -> None:
         """Replace all disturbances, from the next control period on."""
         self._disturbed.by = disturbances
+        self._onboard = None
 
     @property
     def contact_log(self) -> tuple[Contact, ...]:
@@ -258,8 +260,16 @@ class SimulatedWorld:
         )
 
     def onboard(self) -> OnboardState:
-        """Return what the firmware believes now."""
-        firmware, measured, silence = self._firmware, self._measured, self._now - self._heard_at
+        """Return what the firmware believes now; it is put together once per control period."""
+        is_silent = self._now - self._heard_at > WATCHDOG_AFTER
+        known = self._onboard
+        if known is None or known.com_watchdog is not is_silent:
+            known = self._onboard = self._put_together(is_silent)
+        return known
+
+    def _put_together(self, is_silent: bool) -> OnboardState:
+        """Return what the firmware believes, with or without its watchdog bit for silence."""
+        firmware, measured = self._firmware, self._measured
         return OnboardState(
             at=self._ticks * CONTROL_PERIOD,
             flight=firmware.flight,
@@ -274,7 +284,7 @@ class SimulatedWorld:
             angular_rate=measured.rate,
             motors=motor_duties(self._wrench),
             low_battery=firmware.low_battery,
-            com_watchdog=silence > WATCHDOG_AFTER,
+            com_watchdog=is_silent,
             com_lost=firmware.com_lost,
             angles_out_of_range=firmware.tilted,
             motors_problem=not firmware.powered,
@@ -293,6 +303,7 @@ class SimulatedWorld:
         self._delayed.clear()
         self.put_drone(position, yaw)
         self._firmware.begin_hovering(position[2])
+        self._onboard = None
 
     def carry_drone(self, order: CarryOrder) -> None:
         """Have somebody take the drone up and carry it; held in the air it stays in their hands.
@@ -334,6 +345,7 @@ class SimulatedWorld:
             self._follow_hands(self._carry, began + CONTROL_PERIOD)
         self._battery.drain(CONTROL_PERIOD, self._wrench.thrust / _WEIGHT)
         self._gauge.read(self._disturbed.by)
+        self._onboard = None
         self._body = self._physics.state()
         self._ticks += 1
         self._encounters.look(self._ticks, before, self._wrench.thrust > 0.0)

@@ -17,6 +17,8 @@ from pathlib import Path
 _LOG = logging.getLogger(__name__)
 _WAITING = 2000
 """Lines that may wait for the disk."""
+_WORDS_LENGTH = 2000
+"""A line is cut after so many characters: few long ones must not drive many short ones out."""
 MAX_SIZE = 8 * 2**20
 """A file longer than this [bytes] is put aside, and a new one begun; the one before is removed."""
 
@@ -43,7 +45,8 @@ class AuditLog:
             session: the start of its session's name, which is no secret.
             what: what was asked, and what became of it.
         """
-        line = {"at": round(time.time(), 3), "who": who, "session": session[:8], "what": what}
+        line: dict[str, float | str] = {"at": round(time.time(), 3), "who": who}
+        line |= {"session": session[:8], "what": what[:_WORDS_LENGTH]}
         if self._lost:
             line["lost"] = self._lost
         try:

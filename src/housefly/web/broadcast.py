@@ -143,6 +143,7 @@ class Broadcast:
         while True:
             await asyncio.sleep(LOOK_PERIOD)
             self._console.check_sessions()
+            self._console.refusals.write_counted()
 
     async def _preflight(self) -> PreflightView:
         """Return what the checks found; nothing in flight, so that nobody reads old ones later."""

@@ -54,6 +54,7 @@ from housefly.web.protocol import (
     Welcome,
     to_text,
 )
+from housefly.web.refusal_log import RefusalLog
 from housefly.web.roles import Role, role_for_message, role_objection
 from housefly.web.seats import Seats
 from housefly.web.session_auth import SessionAuth
@@ -96,6 +97,7 @@ class Console:
         self.viewers: set[Viewer] = set()
         self.seats = Seats()
         self._auth, self._clock, self._audit_log = auth, clock, audit
+        self.refusals = RefusalLog(self._record, clock)
         self._stopped_at = float("-inf")
         self._numbers: dict[tuple[str, str], int] = {}
         self._names: dict[int, str] = {}
@@ -137,11 +139,13 @@ class Console:
         except ValidationError as error:
             first = error.errors()[0]
             key = dotted(first["loc"]) or "message"
-            viewer.send(RefusedReply(0, f"{key}: {words_of(first)}"))
+            reason = f"{key}: {words_of(first)}"
+            self._write_refusal(viewer, f"a message that cannot be read: {reason}")
+            viewer.send(RefusedReply(0, reason))
             self._within_rate(viewer)
             return
         if objection := self._role_objection(viewer, message):
-            self._record(viewer.name, viewer.session.name, f"{message.type} refused: {objection}")
+            self._write_refusal(viewer, f"{message.type} refused: {objection}")
             viewer.send(RefusedReply(getattr(message, "id", 0), objection))
             self._within_rate(viewer)
             return
@@ -271,6 +275,7 @@ class Console:
     def _within_rate(self, viewer: Viewer) -> bool:
         if viewer.limiter.spend(self._clock.now()):
             return True
+        self.refusals.flooded(viewer.name, viewer.session.name)
         if viewer.limiter.refused > _MAX_REFUSALS:
             viewer.close(1008, "too many commands")
         elif viewer.limiter.refused == 1:
@@ -332,14 +337,12 @@ class Console:
         if message.order is OrderKind.STOP:
             self._stop(viewer, StopRequest("stop", message.id))
         elif reason := self._order_objection(viewer, message):
-            self._record(
-                viewer.name, viewer.session.name, f"{message.order.value} refused: {reason}"
-            )
+            self._write_refusal(viewer, f"{message.order.value} refused: {reason}")
             viewer.send(RefusedReply(message.id, reason))
         else:
             self._audit(viewer.name, order_in_words(message), viewer.session.name)
             sent = self.link.send(to_order(message, viewer.name, self._clock.now()))
-            self._start(self._confirm(viewer, message.id, sent))
+            self._start(self._confirm(viewer, message, sent))
 
     def _nudge(self, viewer: Viewer, message: NudgeRequest) -> None:
         """Pass a nudge on; many of them in a row are one line in the log."""
@@ -351,13 +354,14 @@ class Console:
         if not reason and late > LATE_MAX:
             reason = f"the line is slow: this came {late:.1f} s late"
         if reason:
+            self._write_refusal(viewer, f"{ORDER_WORDS[OrderKind.NUDGE]} refused: {reason}")
             viewer.send(RefusedReply(message.id, reason))
             return
         if now - viewer.nudged_at > NEW_TIME:
             self._audit(viewer.name, ORDER_WORDS[OrderKind.NUDGE], viewer.session.name)
         viewer.nudged_at = now
         sent = self.link.send(nudge_order(message, viewer.name, now - late))
-        self._start(self._confirm(viewer, message.id, sent))
+        self._start(self._confirm(viewer, message, sent))
 
     def _order_objection(self, viewer: Viewer, message: OrderRequest) -> str:
         if message.order in ORDERS_WITHOUT_CONTROL:
@@ -375,9 +379,13 @@ class Console:
             return "nobody has control: take it first"
         return "" if holder == number else f"{self._name(holder)} has control"
 
-    async def _confirm(self, viewer: Viewer, number: int, sent: asyncio.Future[str]) -> None:
+    async def _confirm(
+        self, viewer: Viewer, asked: OrderRequest | NudgeRequest, sent: asyncio.Future[str]
+    ) -> None:
         problem = await sent
-        viewer.send(RefusedReply(number, problem) if problem else AcceptedReply(number))
+        if problem:
+            self._write_refusal(viewer, f"{asked.type} was not passed on: {problem}")
+        viewer.send(RefusedReply(asked.id, problem) if problem else AcceptedReply(asked.id))
 
     def _plan(self, viewer: Viewer, message: PlanQuestion) -> None:
         viewer.question = message
@@ -396,6 +404,7 @@ class Console:
         else:
             problem, words = "that viewer is not here any more, or may not fly", ""
         if problem:
+            self._write_refusal(viewer, f"{message.action} control refused: {problem}")
             viewer.send(RefusedReply(message.id, problem))
             return
         self._record(viewer.name, viewer.session.name, words)
@@ -408,6 +417,7 @@ class Console:
         try:
             viewer.send(self._links.make(viewer, message))
         except MissingPartError as error:
+            self._write_refusal(viewer, f"{message.type} refused: {error}")
             viewer.send(RefusedReply(message.id, str(error)))
 
     # --- helpers
@@ -470,6 +480,9 @@ class Console:
     def _record(self, who: str, session: str, what: str) -> None:
         if self._audit_log is not None:
             self._audit_log.record(who, session, what)
+
+    def _write_refusal(self, viewer: Viewer, what: str) -> None:
+        self.refusals.refused(viewer.name, viewer.session.name, what)
 
     def _start(self, work: Coroutine[Any, Any, None]) -> None:
         task = asyncio.create_task(work)

@@ -9,7 +9,7 @@ from housefly.geometry import Vec2
 from housefly.hub.api.pilot_queries import PreflightView, RoomView
 from housefly.messages import DroneStatus, Estimate, LinkStatus, PilotStep, SafetyMode, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES
-from housefly.pilot.behavior.preflight import PAD_DISTANCE_MAX
+from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX
 from housefly.web.verdict_message import Standing, StopView
 
 PILOT_TIMEOUT = 2.0

@@ -50,6 +50,8 @@ from housefly.web.logins import Logins
 from housefly.web.page_routes import page_routes
 from housefly.web.pilot_link import PilotLink
 from housefly.web.protocol import EventView
+from housefly.web.reading_pace import ReadingPace
+from housefly.web.refused_changes import RefusedChanges
 from housefly.web.restart_objection import restart_objection
 from housefly.web.role_guard import RoleGuard
 from housefly.web.room_api import RoomApi
@@ -152,6 +154,7 @@ def create_app(
     closing += [layer.close] if layer else []
     closing += [memory.close] if memory else []
     closing += [kept.close] if kept else []
+    closing += [lambda: console.refusals.write_counted(at_the_end=True)]
     closing += [audit.close] if audit else []
     closing += [clips.close] if clips else []
     closing += [logins.close] if logins else []
@@ -167,7 +170,12 @@ def create_app(
             *edits_api.routes(),
             *bell_routes.routes(),
         ],
-        middleware=[Middleware(HostGuard, hosts=hosts), Middleware(RoleGuard, auth=auth)],
+        middleware=[
+            Middleware(HostGuard, hosts=hosts),
+            Middleware(RefusedChanges, auth, console.name_of_owner, console.refusals),
+            Middleware(ReadingPace, auth, clock),
+            Middleware(RoleGuard, auth=auth),
+        ],
         lifespan=_lifespan(bus, console, board, video, closing),
     )
 

@@ -41,6 +41,7 @@ from housefly.tasks.api.values import ReasonCode, RequestSurface
 from housefly.tasks.intents.stop_words import says_stop
 from housefly.web.audit_log import AuditLog
 from housefly.web.bearer import bears
+from housefly.web.refused_changes import mark_as_written
 from housefly.web.request_bodies import bounded_body, json_object
 from housefly.web.responses import json_response
 from housefly.web.roles import Role, role_for_path, role_objection
@@ -120,6 +121,8 @@ class TasksApi:
                 return task_refusal(422, str(error))
             if not (_is_stop(question) or self._limits.spend(asker.counted_as, endpoint.pace)):
                 return task_refusal(429, "too much at once: wait a moment", ReasonCode.RATE_LIMIT)
+            if endpoint.method == "POST":
+                mark_as_written(request)
             return await self._answered(endpoint, question, asker)
 
         return answer

@@ -1,4 +1,4 @@
-"""``housefly preflight --frames`` over real wires: whoever carries the drone presses Enter."""
+"""``housefly preflight``: its list; ``--frames`` over real wires, where somebody presses Enter."""
 
 from __future__ import annotations
 
@@ -11,18 +11,24 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from math import pi
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from frame_check_run import FrameCheckRun
 
 from housefly.app.frame_check.run import run_frame_check
 from housefly.app.loaded_site import load_site, read_site
+from housefly.bus.endpoint import endpoint_in
+from housefly.bus.topics import PREFLIGHT_QUERY
+from housefly.bus.zenoh_bus import ZenohBus
 from housefly.cli import main
 from housefly.config.frame_check import frames_known, read_frame_check
 from housefly.errors import LinkError
+from housefly.hub.api.pilot_queries import PreflightView
+from housefly.hub.api.pilot_queries_json import to_json
 from housefly.hub.client.discovery import RoomAddress, announced
 from housefly.lab.frames.plan import STEPS, carry_plan
-from housefly.messages.preflight import FrameCheckState
+from housefly.messages.preflight import FrameCheckState, PreflightCheck
 from housefly.twin.hands import CarryOrder
 from housefly.twin.hands_link import send_carry
 
@@ -201,3 +207,63 @@ def test_the_help_teaches_how(capsys: pytest.CaptureFixture[str]) -> None:
     text = capsys.readouterr().out
     for words in ("1 m along its nose", "no pilot", "mocap.map:wrong", "tape measure"):
         assert words in text
+
+
+FINE = PreflightCheck(
+    *("battery", "battery", "battery low", True, True, "87 %", "40 % or more", "falls", "charge it")
+)
+FRAMES = PreflightCheck(
+    *("frames", "frames", "frames never checked", False, False, "of [Drone]", "checked once"),
+    *("it may fly away", "put yaw into [tracking]"),
+)
+TRACKING = PreflightCheck(
+    *("tracking", "tracking", "tracking silent", False, True, "0 Hz [/x]", "20 Hz", "lost", "on"),
+)
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize(
+    ("view", "code", "lines"),
+    [
+        (
+            PreflightView(True, (FINE, FRAMES)),
+            0,
+            [
+                "ok    battery: 87 %  (40 % or more)",
+                "look  frames never checked: of [Drone]  (checked once)",
+                "        it may fly away",
+                "        -> put yaw into [tracking]",
+                "READY",
+            ],
+        ),
+        (
+            PreflightView(False, (FINE, TRACKING)),
+            1,
+            [
+                "ok    battery: 87 %  (40 % or more)",
+                "no    tracking silent: 0 Hz [/x]  (20 Hz)",
+                "        lost",
+                "        -> on",
+                "NOT READY",
+            ],
+        ),
+        (PreflightView(), 1, ["NOT READY"]),
+    ],
+)
+def test_the_list_of_a_house_that_runs_is_printed_and_says_whether_it_may_take_off(
+    view: PreflightView,
+    code: int,
+    lines: list[str],
+    write: WriteFrameSite,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    site = write("mylab", twin=True)
+    with TemporaryDirectory() as folder:
+        monkeypatch.setenv("XDG_RUNTIME_DIR", folder)
+        bus = endpoint_in(Path(folder))
+        there = RoomAddress("frames", "http://127.0.0.1:1", "key", os.getpid(), bus=bus)
+        with ZenohBus(listen=bus) as pilot, announced(there):
+            pilot.answer(PREFLIGHT_QUERY, lambda _: to_json(view))
+            assert main(["preflight", "--site", str(site)]) == code
+    assert capsys.readouterr().out.splitlines() == lines

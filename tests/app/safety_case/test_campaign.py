@@ -9,6 +9,7 @@ import pytest
 from housefly.app.safety_case import campaign
 from housefly.app.safety_case.campaign import (
     RESULTS_FILE,
+    WIRED_RESULTS_FILE,
     flown_results,
     fly_plan,
     fly_wired_plan,
@@ -71,10 +72,13 @@ def test_every_row_that_wires_can_carry_is_flown_in_real_processes() -> None:
     assert {key.row for key in wired_keys(4, ("F24",))} == {"F24/killed", "F24/stopped"}
 
 
-def test_a_damaged_line_is_told_with_its_number(tmp_path: Path) -> None:
-    (tmp_path / RESULTS_FILE).write_text("{}\n{}\n")
+@pytest.mark.parametrize("damaged", [b"{}\n{}\n", b"\xff\xfe", b"[" * 100_000, b"5", b"null\n"])
+@pytest.mark.parametrize("file", [RESULTS_FILE, WIRED_RESULTS_FILE])
+def test_a_damaged_line_is_told_with_its_number(file: str, damaged: bytes, tmp_path: Path) -> None:
+    (tmp_path / file).write_bytes(damaged)
     with pytest.raises(RecordingError, match="line 1"):
-        flown_results(tmp_path)
+        (flown_results if file == RESULTS_FILE else wired_results)(tmp_path)
+    assert (tmp_path / file).read_bytes() == damaged
 
 
 def test_a_plan_holds_every_row_its_control_and_every_pair_once() -> None:

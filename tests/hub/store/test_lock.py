@@ -40,7 +40,8 @@ def test_a_memory_that_another_process_holds_is_refused_until_it_is_gone(tmp_pat
 
 
 def test_who_has_no_file_needs_no_lock(tmp_path: Path) -> None:
-    for changes in ({"hub__enabled": False}, {"hub__store": "postgresql://room@host/db"}):
+    server = "postgresql://room@192.0.2.1/db"
+    for changes in ({"hub__enabled": False}, {"hub__enabled": False, "hub__store": server}):
         site = changed(Site(), **changes)
         with locked_store(site):
             refuse_shared_store(site)

@@ -10,7 +10,7 @@ import pytest
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, Estimate, Telemetry
 from housefly.messages.preflight import FrameCheckState, FramesKnown
-from housefly.pilot.behavior.mission import VehicleStatus
+from housefly.pilot.behavior.mission import PeopleSilence, VehicleStatus
 from housefly.pilot.behavior.preflight import (
     PREFLIGHT_RULES,
     PreflightInputs,
@@ -30,7 +30,7 @@ VEHICLE = VehicleStatus(
     telemetry=TELEMETRY,
     consistency=TrackingConsistency(height_error=0.01),
 )
-READY = PreflightInputs(VEHICLE, LimitsConfig(), (1.0, 2.0))
+READY = PreflightInputs(VEHICLE, LimitsConfig())
 
 
 def told(**changes: object) -> PreflightInputs:
@@ -50,13 +50,15 @@ BROKEN = {
     "drone_configured": told(configured=False),
     "drone_healthy": told(faults=("motors problem",)),
     "charge": known(battery=nan),
+    "gauge": known(gauge_stuck=True),
     "tracking": known(estimate=None),
     "tracked_height": known(consistency=TrackingConsistency(height_error=-0.6)),
     "stop": replace(READY, stopped=True),
     "take_off_column": replace(READY, take_off_fault="a chair stands 0.3 m away"),
     "settings": told(notes=("the tilt limit is 0.3 rad",)),
-    "pad": replace(READY, home=(1.5, 2.0)),
-    "sees_people": replace(READY, sees_people=False),
+    "pad": replace(READY, off_pad=0.5),
+    "origin": replace(READY, turned=0.5, origin_confirmed=False),
+    "sees_people": known(silence=PeopleSilence(3.2)),
     "frames_right": replace(READY, frames=FramesKnown(FrameCheckState.WRONG, "mirrored")),
     "frames_checked": replace(READY, frames=FramesKnown(FrameCheckState.STALE)),
 }

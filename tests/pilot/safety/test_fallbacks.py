@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 from housefly.config.limits import LimitsConfig
 from housefly.messages import DroneStatus, SafetyMode, Telemetry
 from housefly.pilot.estimation.consistency import TrackingConsistency
-from housefly.pilot.safety.fallbacks import DESCENT_MARGIN, possible_mode
+from housefly.pilot.safety.drone_rules import DESCENT_MARGIN
+from housefly.pilot.safety.fallbacks import possible_mode
 from housefly.pilot.safety.inputs import GateInputs, Geofence
 from housefly.pilot.safety.limits import DESCENT_RATE
 from housefly.pilot.safety.observer import FlightObservations

@@ -324,12 +324,14 @@ def test_a_landing_that_began_is_told_with_what_is_wrong_besides() -> None:
     assert found.mode is SafetyMode.LAND
 
 
-def test_a_return_is_wanted_for_as_long_as_its_rule_is_broken() -> None:
+def test_a_return_is_wanted_from_when_its_rule_is_broken_until_the_drone_stands() -> None:
     gate = Gate(LIMITS, FENCE)
     low = replace(FINE, battery=0.2, home_time=30.0)
     for n in range(21):
         found = gate.assess(replace(low, now=10.0 + 0.1 * n))
     assert gate.returning and found.mode is SafetyMode.RETURN
+    gate.assess(replace(FINE, now=12.5))
+    assert gate.returning, "the way home grows shorter: that is no reason for another errand"
     gate.assess(replace(low, now=13.0, status=DroneStatus.LANDED))
     assert not gate.returning
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import inf, nan
 from pathlib import Path
 
@@ -11,14 +11,24 @@ import pytest
 from gate_words import rules_table
 
 from housefly.config.limits import LimitsConfig
-from housefly.messages import DroneStatus, Phase, Reference, SafetyMode, Setpoint, Telemetry
+from housefly.messages import (
+    Action,
+    DroneStatus,
+    Phase,
+    Reference,
+    SafetyMode,
+    Setpoint,
+    Telemetry,
+)
+from housefly.pilot.behavior.mission import PEOPLE_SILENCE_MAX, PeopleSilence
 from housefly.pilot.estimation.consistency import TrackingConsistency
 from housefly.pilot.safety.energy import NO_ENERGY, EnergyBudget
-from housefly.pilot.safety.gate import Gate, GateAssessment
+from housefly.pilot.safety.gate import Gate, GateAssessment, released
 from housefly.pilot.safety.inputs import GateInputs, Geofence
+from housefly.pilot.safety.limits import GatedCommand
 from housefly.pilot.safety.motion_rules import TILT_WRONG_MAX, vertical_speed
 from housefly.pilot.safety.observer import NOTHING_OBSERVED, FlightObservations
-from housefly.pilot.safety.rule import RuleContext
+from housefly.pilot.safety.rule import Clearing, RuleContext
 from housefly.pilot.safety.rules import MODE_SEVERITY, SAFETY_RULES
 from housefly.pilot.safety.tracking_rules import (
     DRIFT_LAND,
@@ -51,7 +61,8 @@ FINE = GateInputs(
     telemetry=REPORT,
     home_time=20.0,
 )
-STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=(5.0, 2.0, 0.05))
+FLOOR = (5.0, 2.0, 0.05)
+STOOD = replace(FINE, status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR)
 TICK = 0.05
 SETTLED = 8.0
 Change = Callable[[GateInputs, float], GateInputs]
@@ -132,6 +143,7 @@ def landing(aside: float, height: float) -> Change:
     )
 
 
+UNCHANGED = now()
 CONFIGURED_LATE = told(configured=False)
 DAWDLING = now(flown=Setpoint(theta=0.12))
 
@@ -160,6 +172,11 @@ BROKEN: dict[str, tuple[Change, Change, float]] = {
     "commands_unheard": (told(hears_us=False), pulsed(0.4, 0.25, told(hears_us=False)), 0.3),
     "loop_late": (now(late=0.26), now(late=0.25), 0.0),
     "loop_slow": (pulsed(0.3, 0.05, now(late=0.06)), pulsed(0.6, 0.05, now(late=0.06)), 0.6),
+    "people_unseen": (
+        now(silence=PeopleSilence(inf)),
+        now(silence=PeopleSilence(PEOPLE_SILENCE_MAX)),
+        0.0,
+    ),
     "drone_complains": (told(faults=("ultrasound deaf",)), told(faults=("motors problem",)), 0.0),
     "drone_settings": (told(notes=("tilt limit refused",)), now(), 0.0),
     "battery_weak": (now(battery=0.27), now(battery=0.29), 0.0),
@@ -435,3 +452,120 @@ def test_a_drone_that_is_nowhere_breaks_only_what_is_about_that() -> None:
     codes = {rule.code for each in found for rule in each.broken}
     assert codes == {"tracking_lost", "tracking_old"}
     assert "tracking has not shown the drone yet" in found[-1].reason
+
+
+@dataclass
+class RuleEnding:
+    """A flight in which one rule was broken; ``go_on`` flies it on once its inputs are fine.
+
+    Attributes:
+        code: of the rule.
+        gate: that judges.
+        clock: time [s].
+        told_at: when the rule was last told [s].
+        held_at: when its condition last held [s].
+    """
+
+    code: str
+    gate: Gate
+    clock: float = -TICK
+    told_at: float = -inf
+    held_at: float = -inf
+
+    def go_on(
+        self, seconds: float, change: Change = UNCHANGED, until_told: bool = False
+    ) -> list[GateAssessment]:
+        """Return what the gate finds in so many more seconds [s]."""
+        found, begin = [], self.clock
+        while self.clock - begin < seconds - 1e-9 and not (
+            until_told and self.told_at == self.clock
+        ):
+            self.clock += TICK
+            inputs = change(drained(replace(FINE, now=self.clock)), self.clock - begin - TICK)
+            found.append(self.gate.assess(inputs))
+            if any(rule.code == self.code for rule in found[-1].broken):
+                self.told_at = self.clock
+        return found
+
+
+def broken_in_flight(code: str) -> RuleEnding:
+    """Return a flight in which a rule has just been told, and the last of what broke it is gone."""
+    limits = LimitsConfig(flight_time=30.0) if code == "flight_time_over" else LIMITS
+    rule = RULES[code]
+
+    def noted(c: RuleContext) -> bool:
+        holds = rule.broken(c)
+        flight.held_at = c.now.now if holds else flight.held_at
+        return holds
+
+    rules = tuple(
+        replace(each, broken=noted) if each.code == code else each
+        for each in SAFETY_RULES
+        if each.code == code or each.code != "battery_cliff"  # the charge of a case falls at once
+    )
+    flight = RuleEnding(code, Gate(limits, FENCE, rules))
+    flight.gate.assess(replace(STOOD, now=flight.clock))
+    flight.go_on(SETTLED)
+    flight.go_on(70.0, BROKEN[code][0], until_told=True)
+    assert flight.told_at == flight.clock
+    return flight
+
+
+def ending(clearing: Clearing) -> list[str]:
+    return sorted(rule.code for rule in SAFETY_RULES if rule.clears is clearing)
+
+
+@pytest.mark.parametrize("code", ending(Clearing.ITSELF))
+def test_what_ends_by_itself_ends_with_its_condition_or_so_long_after_it(code: str) -> None:
+    flight = broken_in_flight(code)
+    found = flight.go_on(15.0)
+    assert flight.told_at - flight.held_at == pytest.approx(
+        max(0.0, RULES[code].lasts - TICK), abs=TICK / 2
+    )
+    assert found[-1].mode is SafetyMode.NOMINAL
+
+
+@pytest.mark.parametrize("code", ending(Clearing.GROUND))
+def test_a_landing_is_kept_until_the_drone_stands_whatever_became_of_its_cause(code: str) -> None:
+    flight = broken_in_flight(code)
+    for found in flight.go_on(LIMITS.landing_timeout - 2.0):
+        assert flight.gate.landing
+        assert found.mode in (SafetyMode.LAND, SafetyMode.DESCEND)
+    stood = flight.go_on(1.0, now(status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR))
+    assert not flight.gate.landing and stood[-1].mode is SafetyMode.NOMINAL
+    flight.go_on(TICK)
+    assert not flight.gate.landing
+
+
+def test_stop_holds_until_a_person_resumes_in_the_air_and_on_the_ground() -> None:
+    (code,) = ending(Clearing.RESUME)
+    flight = broken_in_flight(code)
+    standing = {"status": DroneStatus.LANDED, "position": FLOOR}
+    for latched in (now(stopped=True), now(stopped=True, **standing), now(stopped=True)):
+        assert {found.mode for found in flight.go_on(60.0, latched)} == {SafetyMode.STOPPED}
+    assert flight.go_on(TICK)[-1].mode is SafetyMode.NOMINAL
+
+
+@pytest.mark.parametrize("code", ending(Clearing.ORDER))
+def test_a_return_is_wanted_until_the_drone_stands_whatever_became_of_its_cause(code: str) -> None:
+    flight = broken_in_flight(code)
+    for _ in range(20):
+        flight.go_on(1.0)
+        assert flight.gate.returning
+    flight.go_on(TICK, now(status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR))
+    assert not flight.gate.returning
+    assert flight.go_on(1.0)[-1].mode is SafetyMode.NOMINAL and not flight.gate.returning
+
+
+@pytest.mark.parametrize("code", ending(Clearing.RESET))
+def test_after_a_cut_nothing_but_a_reset_passes_until_the_drone_was_reset(code: str) -> None:
+    flight = broken_in_flight(code)
+    fallen = now(status=DroneStatus.EMERGENCY, phase=Phase.IDLE, position=FLOOR)
+    for found in flight.go_on(20.0, fallen):
+        assert found.mode is SafetyMode.CUT
+        numbers = GatedCommand(found.severity, False, 0.0, 0.0, 0.0, 0.0)
+        passed = {action: released(action, numbers, found).command.action for action in Action}
+        assert passed.pop(Action.RESET) is Action.RESET
+        assert set(passed.values()) == {Action.IDLE}
+    reset = flight.go_on(1.0, now(status=DroneStatus.LANDED, phase=Phase.IDLE, position=FLOOR))
+    assert reset[-1].mode is SafetyMode.NOMINAL

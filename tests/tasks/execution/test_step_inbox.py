@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from housefly.messages import (
     Action,
     Command,
+    Estimate,
     Event,
     Inputs,
     Order,
@@ -51,6 +52,13 @@ def test_an_order_of_a_task_is_known_as_such_and_a_persons_is_told(task: int, se
     inbox.add(step(2, "kim"))
     assert not inbox.is_flown_by_task
     assert [order.sender for order in inbox.drain(2.0, 0.0).orders] == ["kim"]
+
+
+def test_a_tick_knows_how_old_the_place_of_the_drone_is() -> None:
+    inbox, estimate = StepInbox(), Estimate(1.0, (1.0, 2.0, 0.6), (0.0, 0.0, 0.0), 0.0, 0.7, 0.01)
+    inbox.add(PilotStep(1, 1.0, Inputs(), Outputs(Command(Action.HOVER), estimate)))
+    told = inbox.drain(1.0, 0.0)
+    assert (told.position, told.pose_age) == (estimate.position, 0.7)
 
 
 def test_a_pilot_that_begins_to_count_anew_is_another_run() -> None:

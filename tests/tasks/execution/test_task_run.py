@@ -66,6 +66,43 @@ def test_a_task_that_forgets_to_come_home_is_brought_home() -> None:
     assert done.stands_on_pad()
 
 
+ON_A_STOOL = "stands 0.60 m above where it took off: on something"
+
+
+@pytest.mark.parametrize("steps", [LOOK, "  - look_at: fridge\n  - land", "  - look_at: fridge"])
+def test_a_task_that_ends_on_a_stool_is_not_done(steps: str) -> None:
+    flying = flight(task(steps))
+    flying.pilot.floor = 0.6
+    flying.fly()
+    assert (flying.run.stage, flying.run.code) == (TaskStage.FAILED, ReasonCode.SAFETY)
+    assert flying.run.words == ON_A_STOOL
+    ends = [step.state for step in flying.run.steps if step.name in ("return_home", "land")]
+    assert ends in ([TaskStepState.FAILED], [])
+
+
+@pytest.mark.parametrize(("begin", "floor", "pose_age"), [(0.6, 0.6, 0.01), (0.0, 0.6, 0.6)])
+def test_a_task_that_ends_as_high_as_it_began_or_unseen_is_done(
+    begin: float, floor: float, pose_age: float
+) -> None:
+    flying = flight(task(LOOK))
+    flying.pilot.position = (*flying.pilot.position[:2], begin)
+    flying.pilot.floor = floor
+    flying.tick()
+    flying.pilot.pose_age = pose_age
+    assert flying.fly().run.stage is TaskStage.DONE
+
+
+def test_a_cancelled_task_says_that_the_drone_stands_on_something() -> None:
+    flying = flight(task(LOOK))
+    flying.pilot.floor = 0.6
+    for _ in range(40):
+        flying.tick()
+    flying.run.cancel("enough")
+    flying.fly()
+    assert flying.run.stage is TaskStage.CANCELLED
+    assert flying.run.words == f"enough; {ON_A_STOOL}"
+
+
 def test_every_order_is_stamped_with_the_pilots_clock() -> None:
     done = flight(task(FULL)).fly()
     assert done.run.stage is TaskStage.DONE

@@ -77,7 +77,7 @@ def _run(options: Namespace) -> int:
     )
     compile_once(CompiledPart.ENGINE, console.print)
     for note in notes(plan):
-        console.print(f"note: {note}", soft_wrap=True)
+        console.print(f"note: {note}", markup=False, soft_wrap=True)
     return _estimate(plan, options.threads) if options.dry_run else _fly(plan, options)
 
 
@@ -93,7 +93,8 @@ def _fly(plan: Plan, options: Namespace) -> int:
                 _fly_missing(plan, folder, fleet)
         except KeyboardInterrupt:
             kept = f"{folder.landed:,} of {plan.drones:,} drones are kept in {out}"
-            console.print(f"stopped; {kept}: run the same again to go on", soft_wrap=True)
+            words = f"stopped; {kept}: run the same again to go on"
+            console.print(words, markup=False, soft_wrap=True)
             return 130
         _conclude(plan.spec, folder)
     return 0
@@ -145,7 +146,7 @@ def _conclude(spec: CampaignSpec, folder: CampaignFolder) -> None:
     names = ", ".join(
         ["results.parquet", "summary.csv", *(file.name for file in files if file.suffix == ".png")]
     )
-    console.print(f"written: {folder.path} ({names})", soft_wrap=True)
+    console.print(f"written: {folder.path} ({names})", markup=False, soft_wrap=True)
 
 
 def _estimate(plan: Plan, threads: int | None) -> int:

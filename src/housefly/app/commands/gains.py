@@ -136,7 +136,7 @@ def _finish(judgement: Judgement, question: GainQuestion, out: str | None) -> in
         folder.mkdir(parents=True, exist_ok=True)
         with console.status("drawing the step response and the margins"):
             png, _ = draw_judgement(judgement, question, folder / "gains")
-        console.print(f"drawn: {png}", soft_wrap=True)
+        console.print(f"drawn: {png}", markup=False, soft_wrap=True)
     return 1 if judgement.objections else 0
 
 

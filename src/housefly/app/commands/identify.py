@@ -33,6 +33,9 @@ _EPILOG = """examples:
   housefly identify --from mine                    # fit a recorded flight again
 """
 
+_MAX_REACH = 10.0
+"""Half of the widest box that is looked for [m]."""
+
 
 def _add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
@@ -76,7 +79,7 @@ def _run(options: Namespace) -> int:
     from housefly.app.loaded_site import open_site, read_site, with_newest_edits
     from housefly.record.replay import read_steps
 
-    if options.recorded:
+    if options.recorded is not None:
         folder = Path(options.recorded)
         loaded = open_site(read_site(str(folder / "site.json")))
         flown = read_blocks(folder)
@@ -125,11 +128,11 @@ def _fly(
     plan = blocks(options.repeats, site.limits.tilt_max)
     needed = box_reach(plan, site.drone)
     reach = needed if options.box is None else 0.5 * options.box
-    if reach < needed:
+    if not needed <= reach <= _MAX_REACH:
         raise ConfigError(
             "--box",
-            f"is {2 * reach:g} m; the blocks may take the drone further: at least"
-            f" {2 * needed:.2f} m",
+            f"is {2 * reach:g} m; allowed: from {2 * needed:.2f} m, which the blocks may take the"
+            f" drone, to {2 * _MAX_REACH:g} m",
         )
     start = loaded.room.home if options.at is None else _place(loaded, options.at)
     box = find_box(loaded.grid, start, reach, site.map.flight_height)
@@ -188,11 +191,11 @@ def _conclude(
         print_constants(found, loaded)
         with console.status("drawing the fit"):
             png, _ = draw_fit(found, out / "fit")
-        console.print(f"drawn: {png}", soft_wrap=True)
+        console.print(f"drawn: {png}", markup=False, soft_wrap=True)
     if found.problems:
         console.print("[bold]no profile[/bold]: the data cannot tell")
         for problem in found.problems:
-            console.print(f"  {problem}")
+            console.print(f"  {problem}", markup=False)
         return 1
     profile = out / "drone.toml"
     write_profile(profile, found.constants, measurement_notes(found, loaded))

@@ -36,7 +36,7 @@ def _import_tms(options: Namespace) -> int:
     finally:
         store.close()
     for remark in dump.remarks[:_MAX_REMARKS]:
-        console.print(f"  {remark}", soft_wrap=True)
+        console.print(f"  {remark}", markup=False, soft_wrap=True)
     more = (
         f" ({len(dump.remarks) - _MAX_REMARKS} more remarks)"
         if len(dump.remarks) > _MAX_REMARKS
@@ -65,7 +65,7 @@ def _export_tms(options: Namespace) -> int:
         raise ConfigError(
             "FILE.json", f"cannot be written ({error.strerror})", str(file)
         ) from error
-    console.print(f"{len(rows)} rows written: {file}")
+    console.print(f"{len(rows)} rows written: {file}", markup=False)
     return 0
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
-from housefly.errors import ConfigError
+from housefly.config.text import expanded
 
 if TYPE_CHECKING:
     from housefly.room.draft.missing import DraftStep
@@ -63,9 +63,7 @@ def _run(options: Namespace) -> int:
     from housefly.room.draft.files import load_draft, write_site
     from housefly.room.draft.model import SiteDraft
 
-    if not options.name.strip():
-        raise ConfigError("NAME", "is empty; allowed: a folder, whose name the site has")
-    folder = Path(options.name).expanduser()
+    folder = expanded(options.name, "NAME")
     kept = load_draft(folder)
     draft = kept or SiteDraft(name=folder.resolve().name[:60])
     if options.page:

@@ -32,14 +32,12 @@ def _run(options: Namespace) -> int:
     from housefly.room.draw import draw_room, text_map
 
     loaded = load(options)
+    goal, start = _point(options.goal, loaded, "--to"), _point(options.start, loaded, "--from")
     compile_once(CompiledPart.CHAIN, console.print)
-    pilot = make_pilot(loaded.site, loaded.room, loaded.grid)
-    answer = pilot.plan(
-        _point(options.goal, loaded, "--to"), _point(options.start, loaded, "--from")
-    )
+    answer = make_pilot(loaded.site, loaded.room, loaded.grid).plan(goal, start)
     path = answer.path
     if path is None:
-        console.print(f"no path: {answer.reason}")
+        console.print(f"no path: {answer.reason}", markup=False)
         if answer.suggestion:
             console.print("nearest free point: {:.2f},{:.2f}".format(*answer.suggestion))
     else:
@@ -55,7 +53,7 @@ def _run(options: Namespace) -> int:
     if options.png:
         route = path.waypoints if path else None
         draw_room(loaded.room, loaded.grid, Path(options.png), route=route)
-        console.print(f"drawn: {options.png}")
+        console.print(f"drawn: {options.png}", markup=False)
     else:
         console.print(text_map(loaded.room, loaded.grid), markup=False, soft_wrap=True)
     return 0 if path else 1

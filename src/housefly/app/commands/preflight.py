@@ -8,6 +8,8 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rich.markup import escape
+
 from housefly.app.commands.shared import add_fault_argument, add_site_arguments, load
 from housefly.app.commands.subcommand import Subcommand
 from housefly.app.terminal import console
@@ -57,10 +59,11 @@ def _run(options: Namespace) -> int:
     for check in view.checks:
         mark = "[green]ok  [/green]" if check.passed else _MARKS[check.required]
         what = check.title if check.passed else check.fault
-        console.print(f"{mark}  {what}: {check.value}  ({check.limit})", soft_wrap=True)
-        if not check.passed:
-            console.print(f"        {check.why}", soft_wrap=True)
-            console.print(f"        -> {check.mend}", soft_wrap=True)
+        words = f"  {what}: {check.value}  ({check.limit})"
+        console.print(f"{mark}{escape(words)}", soft_wrap=True)
+        if not check.passed:  # [tracking] in it is a table of the site file, no style
+            console.print(f"        {check.why}", markup=False, soft_wrap=True)
+            console.print(f"        -> {check.mend}", markup=False, soft_wrap=True)
     console.print("[bold]READY[/bold]" if view.ready else "[bold]NOT READY[/bold]")
     return 0 if view.ready else 1
 
@@ -113,7 +116,7 @@ def _of_fresh_house(site: Site) -> PreflightView:
             if launcher.given_up:
                 raise LinkError(str(launcher.given_up[0]))
             if missing:
-                console.print(f"after {_START_TIMEOUT:.0f} s: {missing}")
+                console.print(f"after {_START_TIMEOUT:.0f} s: {missing}", markup=False)
             status.update("looking")
             time.sleep(_SETTLING_TIME)
             return _asked(bus)

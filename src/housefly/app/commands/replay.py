@@ -32,7 +32,7 @@ def _run(options: Namespace) -> int:
             " from there on"
         )
     if verdict.difference is not None:
-        console.print(f"differs: {verdict.difference}")
+        console.print(f"differs: {verdict.difference}", markup=False)
         return 1
     console.print(f"{verdict.steps} steps replayed; every command is the same, bit for bit")
     return 0

@@ -69,7 +69,7 @@ def _run(options: Namespace) -> int:
     if not 0 <= options.seed < 2**31:
         raise ConfigError("--seed", f"is {options.seed}; allowed: a number from 0 to {2**31 - 1}")
     out = Path(options.out)
-    console.print(f"reproducing the paper into {out} ...", soft_wrap=True)
+    console.print(f"reproducing the paper into {out} ...", markup=False, soft_wrap=True)
     began = time.monotonic()
     from housefly.app.loaded_site import open_site, read_site
     from housefly.app.ports import refuse_taken_ports
@@ -85,7 +85,7 @@ def _run(options: Namespace) -> int:
         measured = _measured(options, site, store)
     except KeyboardInterrupt:
         words = f"stopped; what was flown is kept in {out}: run the same again to go on"
-        console.print(words, soft_wrap=True)
+        console.print(words, markup=False, soft_wrap=True)
         return 130
     except LinkError as error:
         kept = f"what was flown is kept in {out}: run the same again to go on"
@@ -119,7 +119,8 @@ def _measured(options: Namespace, site: Site, store: ReproductionStore) -> Measu
                 progress.update(tasks[part], total=1.0, completed=done)
 
         def say(words: str) -> None:
-            progress.console.print(f"{time.strftime('%H:%M:%S')} {words}", soft_wrap=True)
+            told = f"{time.strftime('%H:%M:%S')} {words}"
+            progress.console.print(told, markup=False, soft_wrap=True)
 
         return measure(site, store, effort, Show(say, share))
 
@@ -198,7 +199,7 @@ def _print_verdicts(found: tuple[ClaimFinding, ...], page: Path, seconds: float)
         f"low frame rate causes unstable behaviors: [bold]{low.verdict.value}[/bold]."
         f" {low.evidence}"
     )
-    console.print(f"written in {seconds / 60:.1f} min: {page}", soft_wrap=True)
+    console.print(f"written in {seconds / 60:.1f} min: {page}", markup=False, soft_wrap=True)
 
 
 REPRODUCE_COMMAND = Subcommand(

@@ -22,10 +22,11 @@ def _show(options: Namespace) -> int:
     console.print(text_map(loaded.room, loaded.grid), markup=False, soft_wrap=True)
     for place in loaded.room.places:
         x, y = place.viewpoint
-        console.print(f"  {place.name:<12} hover at {x:.2f},{y:.2f}  {place.title}")
+        words = f"  {place.name:<12} hover at {x:.2f},{y:.2f}  {place.title}"
+        console.print(words, markup=False)
     if options.png:
         draw_room(loaded.room, loaded.grid, Path(options.png))
-        console.print(f"drawn: {options.png}")
+        console.print(f"drawn: {options.png}", markup=False)
     return 0
 
 
@@ -40,9 +41,12 @@ def _import(options: Namespace) -> int:
     out = Path(options.out)
     room = import_ros_map(Path(options.map), out)
     places = ", ".join(place.name for place in room.places)
-    console.print(f"{room.name}: {len(room.solids)} solids, places: {places}")
-    console.print(f"look at it:  housefly room show --site {out}")
-    console.print(f"fly it:      housefly demo --site {out}")
+    for words in (
+        f"{room.name}: {len(room.solids)} solids, places: {places}",
+        f"look at it:  housefly room show --site {out}",
+        f"fly it:      housefly demo --site {out}",
+    ):
+        console.print(words, markup=False)
     return 0
 
 

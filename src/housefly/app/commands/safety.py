@@ -35,6 +35,7 @@ examples:
   housefly safety --seeds 0 --wires 10         ten of each in real processes only
   housefly safety --rows F13 F05 --seeds 40    two rows only
   housefly safety --again F13/2cm --seed 7     one flight again, with what was told"""
+_MAX_WORKERS = 256
 _QUICK_SEEDS, _QUICK_CONTROLS, _QUICK_CALM = 16, 4, 12
 
 
@@ -63,7 +64,7 @@ def _add_arguments(parser: ArgumentParser) -> None:
 
 
 def _run(options: Namespace) -> int:
-    """Fly; 0 when no flight was unsafe."""
+    """Fly; 0 when no flight was unsafe, and each harmful row did harm without guards."""
     from housefly.app.compiling import CompiledPart, compile_once
     from housefly.app.safety_case.plan import flown_rows
     from housefly.app.safety_case.wired_flight import wired_rows
@@ -78,13 +79,17 @@ def _run(options: Namespace) -> int:
         raise ConfigError("--wires", f"is {options.wires}; allowed: 0 to 1000")
     if not 0 <= options.seed < 2**31 - 1:
         raise ConfigError("--seed", f"is {options.seed}; allowed: 0 to {2**31 - 2}")
+    if not 0 <= options.workers <= _MAX_WORKERS:
+        raise ConfigError("--workers", f"is {options.workers}; allowed: 0 to {_MAX_WORKERS}")
+    row = None if options.again is None else _row_again(options.again)
     compile_once(CompiledPart.CHAIN, console.print)
-    if options.again:
-        return _fly_again(options)
+    if row is not None:
+        return _fly_again(row, options)
     try:
         return _fly_all(options)
     except KeyboardInterrupt:
-        console.print(f"what was flown is kept in {options.out}: run the same again to go on")
+        words = f"what was flown is kept in {options.out}: run the same again to go on"
+        console.print(words, markup=False, soft_wrap=True)
         raise
 
 
@@ -108,8 +113,10 @@ def _fly_all(options: Namespace) -> int:
     )
     from housefly.app.safety_case.outcome_bounds import missed_bounds
     from housefly.app.safety_case.page import write_safety_case
+    from housefly.app.safety_case.statistics import harmless_controls
     from housefly.app.safety_case.wired_flight import wired_keys
     from housefly.app.safety_progress import SafetyProgress
+    from housefly.twin.faults.catalogue import FAULT_CATALOGUE
 
     out, keys, began = Path(options.out), _plan(options).keys(), time.monotonic()
     workers = options.workers or len(os.sched_getaffinity(0))
@@ -135,8 +142,12 @@ def _fly_all(options: Namespace) -> int:
     missed = sum(bool(missed_bounds(r)) for r in guarded if not r.unsafe)
     if missed:
         console.print(f"{missed} safe flights missed what their row promises: the page has them")
-    console.print(f"{bad} of {total} flights unsafe; the page: {page}", soft_wrap=True)
-    return 1 if bad else 0
+    harmless = harmless_controls(results, FAULT_CATALOGUE)
+    if harmless:
+        console.print(f"without guards no harm came of {', '.join(harmless)}: they show nothing")
+    words = f"{bad} of {total} flights unsafe; the page: {page}"
+    console.print(words, markup=False, soft_wrap=True)
+    return 1 if bad or harmless else 0
 
 
 def _unsafe_words(result: TrialResult | WiredResult) -> str:
@@ -146,14 +157,33 @@ def _unsafe_words(result: TrialResult | WiredResult) -> str:
     return f"{result.key.row or 'calm'} seed {result.key.seed}: {'; '.join(result.violations)}"
 
 
-def _fly_again(options: Namespace) -> int:
+def _row_again(text: str) -> str:
+    """Return the row of ``--again`` as flights name it; raises ConfigError naming those known."""
+    from housefly.app.safety_case.plan import flown_rows
+
+    if text == "calm":
+        return ""
+    rows = {row.number: row for row in flown_rows()}
+    for name in text.split("+"):
+        number, slash, wanted = name.partition("/")
+        if number not in rows:
+            known = f"calm, {', '.join(rows)}"
+            words = f"{number!r} is not flown in lock step; there are {known}"
+            raise ConfigError("--again", words)
+        variants = [variant.name for variant in rows[number].variants if not variant.wires_only]
+        if slash and wanted not in variants:
+            known = ", ".join(f"{number}/{variant}" for variant in variants)
+            raise ConfigError("--again", f"{name!r} is no variant; there are {known}")
+    return text
+
+
+def _fly_again(row: str, options: Namespace) -> int:
     from housefly.app.safety_case.faulty_flight import fly_trial
     from housefly.app.safety_case.trial import TrialKey
 
-    row = "" if options.again == "calm" else options.again
     result = fly_trial(TrialKey(row, options.seed, not options.unguarded))
     for name, words in result.to_json().items():
-        console.print(f"{name:<18}{words}", soft_wrap=True)
+        console.print(f"{name:<18}{words}", markup=False, soft_wrap=True)
     return 1 if result.unsafe else 0
 
 

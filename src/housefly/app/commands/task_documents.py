@@ -21,13 +21,13 @@ def _add_check_arguments(parser: ArgumentParser) -> None:
 
 def _check(options: Namespace) -> int:
     """Say what is wrong with a document, or what it takes."""
-    from housefly.tasks.document.library import SHIPPED, linked, load_library, read_task
+    from housefly.tasks.document.library import SHIPPED, linked, load_library, read_task, text_of
 
     if options.file.is_dir():
         library = load_library(options.file)
         ours = [one for one in library.values() if (options.file / one.source).exists()]
     else:
-        document = read_task(options.file.read_text(encoding="utf-8-sig"), options.file.name)
+        document = read_task(text_of(options.file), options.file.name)
         shipped = load_library(None)
         is_shipped = options.file.resolve().parent == SHIPPED
         if document.name in shipped and not (document.overrides or is_shipped):

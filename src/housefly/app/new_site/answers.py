@@ -18,6 +18,7 @@ from housefly.app.new_site.typed import (
     unknown_words,
 )
 from housefly.config.profile import load_profile
+from housefly.config.text import expanded
 from housefly.config.tracking import TrackingKind
 from housefly.errors import ConfigError
 from housefly.room.draft.codec import draft_from_json, draft_to_json
@@ -83,7 +84,7 @@ def _room(draft: SiteDraft, text: str, folder: Path) -> Answer:
         up=_UP_AXES[up],
         layers=tuple(part for part in keys.get("layers", "").split(",") if part),
     )
-    path = Path(name).expanduser()
+    path = expanded(name, "room")
     found = imported(draft, path if path.is_absolute() else folder / path, hints)
     return found.draft, found.notes
 
@@ -232,7 +233,7 @@ def _drone(draft: SiteDraft, text: str, folder: Path) -> Answer:
         raise ConfigError("drone", f"is {text!r}; allowed: an address such as 192.168.1.1")
     profile = keys.get("profile", draft.drone.profile if draft.drone else "")
     if profile:
-        path = (folder / Path(profile).expanduser()).resolve()
+        path = (folder / expanded(profile, "profile")).resolve()
         load_profile(path)
         profile = str(path)
     return replace(draft, drone=DraftDrone(rest, profile)), ()

@@ -79,6 +79,7 @@ class Simulation:
             self._room.telemetry(),
             tuple(replace(order, issued_at=self.now) for order in orders),
             self._perception.update(self.now, self._estimate),
+            people_seen_at=self._perception.people_seen_at,
         )
 
     def step(self, inputs: Inputs) -> PilotStep:

@@ -35,13 +35,13 @@ def fly_alike(keys: tuple[TrialKey, ...]) -> list[TrialResult]:
     flight, results = FaultyFlight(course_of(keys[0])), list[TrialResult]()
     waiting = {key: onset_of(key) for key in keys}
     while waiting and not flight.is_over:
-        flight.advance()
         due = [key for key, onset in waiting.items() if flight.is_due(onset)]
         for key in due:
             del waiting[key]
             if not waiting:
                 return [*results, flight.finish(key)]
             results.append(_in_a_child(partial(flight.finish, key)))
+        flight.advance()
     return [*results, *(flight.result(key) for key in waiting)]
 
 

@@ -99,17 +99,17 @@ def _read(path: Path, parse: Callable[[dict[str, Any]], R]) -> list[R]:
     """Return the results of a file; a line cut short at the end is left out.
 
     Raises:
-        RecordingError: a line in the middle cannot be read.
+        RecordingError: a line in the middle cannot be read, or the last one was never ours.
     """
     if not path.exists():
         return []
-    lines = path.read_text(encoding="utf-8").splitlines()
+    lines = path.read_bytes().splitlines()
     results = []
     for number, line in enumerate(lines, 1):
         try:
-            results.append(parse(json.loads(line)))
-        except (ValueError, KeyError, TypeError) as error:
-            if number == len(lines):
+            results.append(parse(json.loads(line.decode("ascii"))))
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
+            if number == len(lines) and isinstance(error, json.JSONDecodeError):
                 break
             raise RecordingError(f"{path}, line {number}: {error}; remove it to go on") from error
     return results

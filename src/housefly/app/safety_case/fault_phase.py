@@ -16,6 +16,7 @@ _CRUISE_SPEED = 0.25
 class FaultPhase(Enum):
     """A moment of a service at which a fault begins."""
 
+    FROM_START = "from the start"
     BEFORE_TAKE_OFF = "before take-off"
     CLIMB = "climb"
     TURN = "turn"
@@ -26,9 +27,9 @@ class FaultPhase(Enum):
     LANDING = "landing"
 
 
-IN_FLIGHT_FAULT_PHASES = tuple(
-    phase for phase in FaultPhase if phase is not FaultPhase.BEFORE_TAKE_OFF
-)
+GROUND_FAULT_PHASES = (FaultPhase.FROM_START, FaultPhase.BEFORE_TAKE_OFF)
+"""A fault that is there from the start is there before the pilot's first step."""
+IN_FLIGHT_FAULT_PHASES = tuple(phase for phase in FaultPhase if phase not in GROUND_FAULT_PHASES)
 
 
 def has_begun(phase: FaultPhase, step: PilotStep) -> bool:
@@ -36,7 +37,7 @@ def has_begun(phase: FaultPhase, step: PilotStep) -> bool:
     outputs = step.outputs
     flying = outputs.phase is Phase.OUTBOUND
     match phase:
-        case FaultPhase.BEFORE_TAKE_OFF:
+        case FaultPhase.FROM_START | FaultPhase.BEFORE_TAKE_OFF:
             return True
         case FaultPhase.CLIMB:
             return outputs.phase is Phase.TAKING_OFF and _height(step) > 0.3

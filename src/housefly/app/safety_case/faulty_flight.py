@@ -89,18 +89,17 @@ def onset_of(key: TrialKey) -> FaultOnset:
 def fly_trial(key: TrialKey) -> TrialResult:
     """Fly one flight of the safety case and return how it ended."""
     flight, onset = FaultyFlight(course_of(key)), onset_of(key)
-    while not flight.is_over:
+    while not (flight.is_over or flight.is_due(onset)):
         flight.advance()
-        if flight.is_due(onset):
-            return flight.finish(key)
-    return flight.result(key)
+    return flight.result(key) if flight.is_over else flight.finish(key)
 
 
 def variant_of(name: str) -> FaultVariant:
-    """Return the variant named ``F13/2cm``, or the first of ``F13``."""
+    """Return the variant named ``F13/2cm``, or the first of ``F13``; raises ConfigError."""
     number, _, wanted = name.partition("/")
-    variants = row_of(number).variants
-    return next((v for v in variants if v.name == wanted), variants[0])
+    row = row_of(number)
+    row.faults_of(wanted)  # refuses a row or a variant that there is not
+    return next(v for v in row.variants if wanted in ("", v.name))
 
 
 def faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
@@ -116,9 +115,9 @@ def faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
 def phases_of(row: str) -> tuple[FaultPhase, ...]:
     """Return the phases in which a row may begin; a row without faults begins before take-off."""
     names = [name for name in row.split("+") if name]
-    if not names or any(variant_of(name).from_start for name in names):
-        return (FaultPhase.BEFORE_TAKE_OFF,)
-    return tuple(FaultPhase)
+    if any(variant_of(name).from_start for name in names):
+        return (FaultPhase.FROM_START,)
+    return (FaultPhase.BEFORE_TAKE_OFF, *IN_FLIGHT_FAULT_PHASES)[: None if names else 1]
 
 
 def needs_intruders(row: str) -> bool:
@@ -148,9 +147,11 @@ class FaultyFlight:
 
     @property
     def is_over(self) -> bool:
-        """Whether it has ended, or is given up."""
+        """Whether it has ended, or is given up; a negative control ends once it did harm."""
         if self._last is None or self._ordered_at is None:
             return False
+        if self._oracle.violations and not self._guarded:
+            return True
         begun = self._simulation.now > _ORDER_AT + 1.0
         return self._is_late or (begun and self._oracle.ended(self._last))
 
@@ -168,15 +169,15 @@ class FaultyFlight:
     def is_due(self, onset: FaultOnset) -> bool:
         """Return whether a fault with this onset begins now; to be asked after every period."""
         step, phase = self._last, onset.phase
-        assert step is not None
+        if step is None:
+            return phase is FaultPhase.FROM_START
         if phase not in self._reached and (step.now > _REACH_TIMEOUT or has_begun(phase, step)):
             self._reached[phase] = step.now
         return phase in self._reached and step.now >= self._reached[phase] + onset.delay
 
     def finish(self, key: TrialKey, faults: tuple[Fault, ...] | None = None) -> TrialResult:
         """Let faults begin, those of the row unless given; fly on, and return how it ended."""
-        assert self._last is not None
-        now = self._last.now
+        now = 0.0 if self._last is None else self._last.now
         self._oracle.faulty_since, self._oracle.cannot_hover = now, _cannot_hover(key.row)
         faults = faults_of_key(key) if faults is None else faults
         self._simulation.inject(*(fault.shifted(now) for fault in faults))
@@ -211,13 +212,16 @@ class FaultyFlight:
 
 
 def _blind(inputs: Inputs) -> Inputs:
-    """Return the inputs of a pilot that sees nothing but the drone, and hears no sonar."""
+    """Return the inputs of a pilot that sees nothing but the drone, hears no sonar, and asks for
+    no pad.
+    """
     body, told = _base(False).site.tracking.body, inputs.telemetry
     return replace(
         inputs,
         sightings=tuple(s for s in inputs.sightings if s.body == body),
         obstacles=(),
         telemetry=None if told is None else replace(told, height=nan),
+        origin_known=True,
     )
 
 

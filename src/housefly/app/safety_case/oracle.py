@@ -40,6 +40,8 @@ THROWN_TIME = 3.0
 """What a drone that was walked into touches within this belongs to the blow [s]: thrown at 1.4 m/s,
 it stands 0.9 m away after 2 s.
 """
+STOOD_TIME = 20.0
+"""Who has stood for so long has ended, whatever the pilot knows of it [s]."""
 _LOOK_PERIOD = 0.05
 """How often clearances are taken [s]."""
 _COMMAND_SLACK = 1e-9
@@ -79,6 +81,8 @@ class Oracle:
     _walked_into_at: float = inf
     _thrown: bool = False
     _cut_ordered: bool = False
+    _flew: bool = False
+    _landed: bool = False
     _looked_at: float = -inf
     _height: float = 0.0
 
@@ -90,6 +94,7 @@ class Oracle:
         self._watch_motors(step, state, truth.pose.position[2])
         self._watch_place(truth.pose.position, truth.velocity, state)
         self._watch_take_off(step.now, state, truth.pose.position[2])
+        self._watch_motion(state)
         self._watch_contacts()
         self._watch_clearance(step.now, state)
         if step.outputs.path is not None and step.outputs.path.waypoints != self._path:
@@ -159,6 +164,13 @@ class Oracle:
         if falls and not self.cannot_hover:
             self._break("fall", f"came down at {-velocity[2]:.1f} m/s")
 
+    def _watch_motion(self, state: FlightState) -> None:
+        """I8: one order is given; who has landed after it does not rise without another."""
+        self._landed |= self._flew and not state.airborne
+        self._flew |= state.airborne
+        if self._landed and state.airborne:
+            self._break("I8", "took off again without an order")
+
     def _watch_take_off(self, now: float, state: FlightState, height: float) -> None:
         """Note until when a fault finds a drone that nothing could steer out of the way."""
         if self._bound_until is not None or now < self.faulty_since:
@@ -205,28 +217,26 @@ class Oracle:
         self.room_clearance, self.person_clearance = nearest.solid, nearest.person
 
     def ended(self, step: PilotStep) -> bool:
-        """Return whether the drone stands, idle, for a second."""
+        """Return whether the drone stands, idle, for a second; or for long, if nobody can tell."""
+        stood = 0.0 if self.grounded_at is None else step.now - self.grounded_at
         telemetry = step.inputs.telemetry
         stands = telemetry is None or telemetry.status in (
             DroneStatus.LANDED,
             DroneStatus.EMERGENCY,
             DroneStatus.UNKNOWN,
         )
-        return (
-            stands
-            and step.outputs.phase is Phase.IDLE
-            and self.grounded_at is not None
-            and step.now - self.grounded_at > 1.0
-        )
+        is_idle = stands and step.outputs.phase is Phase.IDLE
+        return stood > (1.0 if is_idle else STOOD_TIME)
 
     def conclude(self, step: PilotStep, expired: bool) -> str:
         """Return how the flight ended, in words; one that never ends is not safe."""
         self._take_deviation()
         state = self.world.onboard().flight
-        if not expired:
-            return "stands on the floor"
         if self.grounded_at is not None:
-            return "stands on the floor, not idle"
+            is_idle = step.outputs.phase is Phase.IDLE
+            return "stands on the floor" if is_idle else "stands on the floor, not idle"
+        if not expired:
+            return "harm was done"
         height = self.world.truth().pose.position[2]
         words = f"{step.outputs.phase.value} at {height:.1f} m: {step.outputs.reason or 'nominal'}"
         if state.airborne and height < FALL_HEIGHT:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import inf
 
-from housefly.app.safety_case.fault_phase import FaultPhase
+from housefly.app.safety_case.fault_phase import GROUND_FAULT_PHASES, FaultPhase
 from housefly.app.safety_case.plan import FAULT_FREE
 from housefly.app.safety_case.trial import TrialResult
 
-_STEERED = frozenset(FaultPhase) - {FaultPhase.BEFORE_TAKE_OFF, FaultPhase.LANDING}
+_STEERED = frozenset(FaultPhase) - {*GROUND_FAULT_PHASES, FaultPhase.LANDING}
 """Phases from whose faults on time is counted: before, it stands, and afterwards it soon does."""
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from housefly.app.safety_case.outcome_bounds import OutcomeBounds, bounds_of, missed_bounds
 from housefly.app.safety_case.plan import FAULT_FREE
-from housefly.app.safety_case.statistics import RowFigures, Spread, row_figures
+from housefly.app.safety_case.statistics import RowFigures, Spread, row_figures, row_number
 from housefly.app.safety_case.strip_plot import strip_plot
 from housefly.app.safety_case.trial import TrialResult
 from housefly.app.safety_case.wired_flight import WiredResult
@@ -92,8 +92,8 @@ def _head(
 
 
 def _row(row: FaultRow, results: Sequence[TrialResult], wired: Sequence[WiredResult]) -> str:
-    own = [r for r in results if _number(r) == row.number and r.key.guarded]
-    control = [r for r in results if _number(r) == row.number and not r.key.guarded]
+    own = [r for r in results if row_number(r) == row.number and r.key.guarded]
+    control = [r for r in results if row_number(r) == row.number and not r.key.guarded]
     title = f"<strong>{_text(row.title)}</strong><p>{_text(row.safe_outcome)}</p>"
     real = _wired([result for result in wired if result.key.row.startswith(row.number)])
     if not own and real != _NONE:
@@ -234,10 +234,6 @@ def _missed(results: Sequence[TrialResult]) -> str:
 
 def _again(result: TrialResult) -> str:
     return f"housefly safety --again {result.key.row or 'calm'} --seed {result.key.seed}"
-
-
-def _number(result: TrialResult) -> str:
-    return "" if "+" in result.key.row else result.key.row.partition("/")[0]
 
 
 def _text(words: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from scipy import stats
 
 from housefly.app.safety_case.trial import TrialResult
+from housefly.twin.faults.catalogue import FaultRow
 
 _CONFIDENCE = 0.95
 
@@ -62,6 +63,22 @@ def row_figures(results: Sequence[TrialResult]) -> RowFigures:
         room_clearance=_smallest(result.room_clearance for result in results),
         person_clearance=_smallest(result.person_clearance for result in results),
     )
+
+
+def harmless_controls(
+    results: Iterable[TrialResult], catalogue: Iterable[FaultRow]
+) -> tuple[str, ...]:
+    """Return the rows that are said to be harmful and did no harm in any flight without guards."""
+    controls = [result for result in results if not result.key.guarded]
+    flown = {row_number(result) for result in controls}
+    harmed = {row_number(result) for result in controls if result.unsafe}
+    harmful = {row.number for row in catalogue if row.harmful}
+    return tuple(sorted((flown - harmed) & harmful))
+
+
+def row_number(result: TrialResult) -> str:
+    """Return the row of a flight, without its variant; "" for a pair and without a fault."""
+    return "" if "+" in result.key.row else result.key.row.partition("/")[0]
 
 
 def upper_bound(hits: int, total: int) -> float:

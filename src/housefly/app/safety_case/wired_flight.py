@@ -15,15 +15,16 @@ import numpy as np
 
 from housefly import sites
 from housefly.app.lively import lively_changes
+from housefly.app.loaded_site import load_site
 from housefly.app.safety_case.faulty_flight import (
     SAFETY_PLACE,
     SAFETY_SITE,
     needs_intruders,
     variant_of,
 )
-from housefly.app.safety_case.oracle import STANDING
 from housefly.app.safety_case.plan import shared_out
 from housefly.app.safety_case.process_faults import PROCESS_FAULTS, wait_for_take_off
+from housefly.app.safety_case.wired_oracle import wired_violations
 from housefly.record.truth import TRUTH_FILE, TrueFlight, read_truth
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
 from housefly.twin.faults.vocabulary import Injection
@@ -174,10 +175,7 @@ def _outcome(folder: Path) -> str:
 def _violations(truth: TrueFlight | None, outcome: str, late: bool) -> tuple[str, ...]:
     if truth is None or not outcome:
         return ("no record of it",)
-    touched = {f"I1: touched {c.kind} {c.name}" for c in truth.contacts if c.motors_turned}
-    found = sorted(touched)
-    if truth.airborne[-1] or truth.position[-1][2] > STANDING:
-        # A drone that stands and is silent for good never says so: its flight may end late.
-        when = f"after {_TIMEOUT:.0f} s" if late else "when the flight ended"
-        found.append(f"end: at {truth.position[-1][2]:.1f} m {when}")
-    return tuple(found)
+    loaded = load_site(SAFETY_SITE, hub__enabled=False)
+    # A drone that stands and is silent for good never says so: its flight may end late.
+    end = f"after {_TIMEOUT:.0f} s" if late else "when the flight ended"
+    return wired_violations(truth, loaded.room.bounds, loaded.site.limits.speed, end)

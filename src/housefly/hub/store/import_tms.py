@@ -11,8 +11,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from io import StringIO
 from pathlib import Path
 
+from housefly.config.text import read_file
 from housefly.errors import StoreError, ThingError
 from housefly.geometry import Quaternion, Vec3, quaternion_from_euler
 from housefly.hub.store.tms_rows import (
@@ -27,6 +29,8 @@ from housefly.hub.things.thing import NamedPose, Thing, ThingKind
 from housefly.hub.things.world_model import WorldModel
 from housefly.messages import Facts, Observation
 
+_MAX_DUMP_SIZE = 64 * 2**20
+"""Largest dump that is read [bytes]."""
 _UNKNOWN_POSITIONS = ((0.0, 0.0, 0.0), (-1.0, -1.0, -1.0))
 TMS_PREFIX = "tms_"
 
@@ -51,10 +55,10 @@ class TmsDump:
 def read_tms(path: Path, utc_offset: float = JAPAN_UTC_OFFSET) -> TmsDump:
     """Read a dump from a file; raises StoreError if the file cannot be read at all."""
     try:
-        with path.open(encoding="utf-8", errors="replace") as lines:
-            return parse_tms(lines, utc_offset)
+        text = read_file(path, _MAX_DUMP_SIZE).decode("utf-8", "replace")
     except OSError as error:
         raise StoreError(f"{path} cannot be read ({error.strerror})") from error
+    return parse_tms(StringIO(text, newline=None), utc_offset)
 
 
 def parse_tms(lines: Iterable[str], utc_offset: float = JAPAN_UTC_OFFSET) -> TmsDump:

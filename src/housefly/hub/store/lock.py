@@ -5,13 +5,14 @@ from __future__ import annotations
 import fcntl
 import os
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from pathlib import Path
 
 from housefly.config.site import Site
 from housefly.config.state import database_file
 from housefly.config.text import is_file
-from housefly.errors import StoreError
+from housefly.errors import MissingPartError, SharedStoreError, StoreError
+from housefly.hub.store.open import SERVER_SCHEMES
 
 
 def lock_file(site: Site) -> Path | None:
@@ -26,14 +27,18 @@ def lock_file(site: Site) -> Path | None:
 def locked_store(site: Site) -> Iterator[None]:
     """Hold the store of a site for this process alone.
 
-    The kernel frees it when the process is gone, however it ended.
+    The kernel frees it when the process is gone, however it ended; a server, when the connection
+    is: it is held by one of its own.
 
     Raises:
-        StoreError: another process holds it, or its folder cannot be written.
+        SharedStoreError: another process holds it.
+        StoreError: its folder cannot be written, or the server does not answer.
+        MissingPartError: a server is asked for, and its driver is not installed.
     """
     path = lock_file(site)
     if path is None:
-        yield
+        with _server_lock(site):
+            yield
         return
     descriptor = _opened(path)
     try:
@@ -47,15 +52,41 @@ def locked_store(site: Site) -> Iterator[None]:
 
 
 def refuse_shared_store(site: Site) -> None:
-    """Raise StoreError when another run holds the store of a site."""
+    """Raise SharedStoreError when another run holds the store of a site.
+
+    Whether a server answers at all is for the hub to tell.
+    """
     path = lock_file(site)
-    if path is None or not is_file(path):
+    if path is None:
+        _refuse_shared_server(site)
+        return
+    if not is_file(path):
         return
     descriptor = _opened(path)
     try:
         _lock(descriptor, path)
     finally:
         os.close(descriptor)
+
+
+def _server_lock(site: Site) -> AbstractContextManager[None]:
+    if not site.hub.enabled or not site.hub.store.startswith(SERVER_SCHEMES):
+        return nullcontext()
+    from housefly.hub.store.postgres import locked_database  # an optional part
+
+    return locked_database(site.hub.store, _REMEDY)
+
+
+def _refuse_shared_server(site: Site) -> None:
+    try:
+        with _server_lock(site):
+            pass
+    except MissingPartError:
+        return
+    except SharedStoreError:
+        raise
+    except StoreError:
+        return
 
 
 def _opened(path: Path) -> int:
@@ -72,7 +103,7 @@ def _lock(descriptor: int, path: Path) -> None:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError as error:
         holder = os.pread(descriptor, 20, 0).decode(errors="replace") or "unknown"
-        raise StoreError(
+        raise SharedStoreError(
             f"another run uses this room's memory (process {holder}, {path.with_suffix('')})",
             f"end that run, or {_REMEDY}",
         ) from error

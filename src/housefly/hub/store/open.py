@@ -11,7 +11,7 @@ from housefly.hub.store.sql_store import SqlStore
 from housefly.hub.store.sqlite import SqliteDatabase
 from housefly.hub.store.store import DEFAULT_KEEP_DAYS
 
-_SERVER_SCHEMES = ("postgresql://", "postgres://")
+SERVER_SCHEMES = ("postgresql://", "postgres://")
 
 
 def open_store(address: str | Path, *, keep_days: float = DEFAULT_KEEP_DAYS) -> SqlStore:
@@ -38,7 +38,7 @@ def store_address(site: Site) -> str:
 
     The folder is created.
     """
-    if site.hub.store.startswith(_SERVER_SCHEMES):
+    if site.hub.store.startswith(SERVER_SCHEMES):
         return site.hub.store
     path = database_file(site)
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -46,7 +46,7 @@ def store_address(site: Site) -> str:
 
 
 def _database(address: str | Path) -> Database:
-    if not str(address).startswith(_SERVER_SCHEMES):
+    if not str(address).startswith(SERVER_SCHEMES):
         return SqliteDatabase(Path(address))
     from housefly.hub.store.postgres import PostgresDatabase  # an optional part
 

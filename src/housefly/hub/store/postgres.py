@@ -6,14 +6,16 @@ batches a second can afford: what is committed survives a crash of the server, t
 
 from __future__ import annotations
 
+import os
+import socket
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
-from housefly.errors import MissingPartError, StoreError
+from housefly.errors import MissingPartError, SharedStoreError, StoreError
 from housefly.hub.store.database import Dialect, Row
 from housefly.hub.store.store import RejectedRowError
 
@@ -38,6 +40,13 @@ _LOST = "the database server does not answer"
 _REFUSED = "the database server refuses"
 _SCHEMA_LOCK = 7_220_110
 """Number of the advisory lock under which the version table is created."""
+_RUN_LOCK = 7_220_111
+"""Number of the advisory lock that a run holds on its database."""
+_HOLDER = """
+SELECT a.application_name FROM pg_locks l JOIN pg_stat_activity a USING (pid)
+WHERE l.locktype = 'advisory' AND l.granted AND l.classid = 0 AND l.objid = %s
+AND l.database = (SELECT oid FROM pg_database WHERE datname = current_database())
+"""
 
 
 class PostgresDatabase:
@@ -87,6 +96,36 @@ class PostgresDatabase:
     def close(self) -> None:
         """Close the connection."""
         self._connection.close()
+
+
+@contextmanager
+def locked_database(url: str, remedy: str) -> Iterator[None]:
+    """Hold a database for this process alone; the server frees it with the connection.
+
+    Raises:
+        StoreError: another run holds it, or the server does not answer or refuses.
+    """
+    me = f"process {os.getpid()} on {socket.gethostname()}"
+    with _telling():
+        connection = psycopg.connect(
+            url,
+            autocommit=True,
+            connect_timeout=_CONNECT_TIMEOUT,
+            options=_SETTINGS,
+            application_name=f"housefly, {me}"[:63],
+        )
+    with closing(connection):
+        with _telling():
+            found = connection.execute("SELECT pg_try_advisory_lock(%s)", (_RUN_LOCK,)).fetchone()
+            is_mine = found is not None and found[0]
+            holder = None if is_mine else connection.execute(_HOLDER, (_RUN_LOCK,)).fetchone()
+        if not is_mine:
+            who = (holder and holder[0]) or "who is unknown"
+            raise SharedStoreError(
+                f"another run uses this room's memory ({who}, database {connection.info.dbname})",
+                f"end that run, or {remedy}",
+            )
+        yield
 
 
 def _placed(sql: str) -> bytes:

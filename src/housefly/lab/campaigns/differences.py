@@ -13,7 +13,7 @@ def describe_differences(there: str, here: dict[str, Any]) -> str:
     """Return how a description on disk (JSON) differs from ours; "" when it does not."""
     try:
         old = json.loads(there)
-    except ValueError:
+    except (ValueError, RecursionError):
         return "its description cannot be read"
     found = _differing(old, json.loads(json.dumps(here)), "")
     more = f" and {len(found) - _MAX_KEYS_NAMED} more" if len(found) > _MAX_KEYS_NAMED else ""

@@ -18,6 +18,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from housefly.config.text import read_file
 from housefly.errors import ConfigError, MissingPartError, RecordingError
 from housefly.lab.campaigns.differences import describe_differences
 from housefly.lab.campaigns.plan import Chunk, Plan
@@ -160,7 +161,8 @@ class CampaignFolder:
             with _whole(file) as half:
                 half.write_text(json.dumps(description, indent=1), encoding="utf-8")
             return
-        differing = describe_differences(file.read_text(encoding="utf-8"), description)
+        text = read_file(file).decode("utf-8", "replace")
+        differing = describe_differences(text, description)
         if differing:
             self.close()
             raise ConfigError(

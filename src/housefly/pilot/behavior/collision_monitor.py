@@ -31,7 +31,7 @@ PATIENCE_MAX = 4.0
 RELAPSE_TIME = 2.0
 """A way that is blocked so soon after it was found was none [s]."""
 
-ON_THE_WAY = frozenset({Phase.OUTBOUND, Phase.RETURNING})
+ON_THE_WAY = (Phase.OUTBOUND, Phase.RETURNING)
 
 
 class CollisionMonitor:

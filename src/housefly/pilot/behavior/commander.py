@@ -25,6 +25,7 @@ from housefly.pilot.behavior.mission import (
 from housefly.pilot.behavior.mission_tables import ORDERS, SIGNALS, Response, Signal
 from housefly.pilot.behavior.navigator import Navigator
 from housefly.pilot.behavior.order_checks import OrderContext, refusal
+from housefly.pilot.behavior.origin import OriginMonitor
 from housefly.pilot.behavior.preflight import PreflightInputs, preflight, preflight_refusal
 from housefly.pilot.behavior.way_planner import coasted, planned_task, refusal_of
 
@@ -35,7 +36,11 @@ AIRBORNE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase
 
 
 class Commander:
-    """Owns the mission state and the tracking task."""
+    """Owns the mission state and the tracking task.
+
+    Attributes:
+        origin: whether tracking and map agree on where the pad is.
+    """
 
     def __init__(
         self, limits: LimitsConfig, navigator: Navigator, frames: FramesKnown = FRAMES_NOT_NEEDED
@@ -43,6 +48,8 @@ class Commander:
         self._limits = limits
         self._frames = frames
         self._navigator = navigator
+        home = navigator.home()
+        self.origin = OriginMonitor(home.goal or (0.0, 0.0), home.yaw or 0.0)
         self._state = MissionState()
         self._task = TrackingTask()
         self._handlers: dict[Response, Callable[[Order, VehicleStatus], Refused | None]] = {
@@ -102,7 +109,9 @@ class Commander:
             PreflightInputs(
                 vehicle=vehicle,
                 limits=self._limits,
-                home=navigator.home().goal,
+                off_pad=self.origin.distance(vehicle),
+                turned=self.origin.turn(vehicle),
+                origin_confirmed=self.origin.confirmed,
                 stopped=self._state.stopped,
                 take_off_fault=fault,
                 sees_people=navigator.sees_people,

@@ -15,6 +15,11 @@ from housefly.pilot.behavior.path_progress import TrajectorySetpoint
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 from housefly.pilot.planning.trajectory.time_scale import TimeScale
 
+PEOPLE_SILENCE_MAX = 1.0
+"""One of the sensors that look for people may be silent for so long [s] ..."""
+_PERIODS_MAX = 2.5
+"""... or, where one is slower than that, for so many of its periods."""
+
 
 @dataclass(frozen=True, slots=True)
 class Refused:
@@ -156,6 +161,39 @@ class TrajectoryReference:
 
 
 @dataclass(frozen=True, slots=True)
+class PeopleSilence:
+    """How long that sensor has been silent, of those that look for people, which was longest.
+
+    Attributes:
+        age: since its last scan or image that was believed [s]; infinite before the first, 0 or
+            less where there is no sensor.
+        limit: longest that is all right [s].
+    """
+
+    age: float = 0.0
+    limit: float = PEOPLE_SILENCE_MAX
+
+    @property
+    def is_too_long(self) -> bool:
+        """Whether people may be unseen."""
+        return not self.age <= self.limit
+
+    @property
+    def words(self) -> str:
+        """How long, in words."""
+        return f"silent for {self.age:.1f} s" if isfinite(self.age) else "not heard yet"
+
+
+NO_SILENCE = PeopleSilence()
+"""Nothing that looks for people is silent."""
+
+
+def longest_silence(slowest_rate: float) -> float:
+    """Return for how long sensors may be silent [s], given the rate of the slowest [Hz]."""
+    return max(PEOPLE_SILENCE_MAX, round(_PERIODS_MAX / slowest_rate, 1))
+
+
+@dataclass(frozen=True, slots=True)
 class VehicleStatus:
     """What the drone says, where it is, and whether the gate lands it.
 
@@ -173,6 +211,9 @@ class VehicleStatus:
         maneuvering: a maneuver flies the drone.
         held: the safety gate leaves the drone to its own hover.
         reference: where the trajectory that is flown has come to; None where none is.
+        origin_known: tracking and map were found to agree before this pilot began.
+        silence: of the sensors that look for people.
+        gauge_stuck: the charge stood still in the flight before, and has not changed since.
     """
 
     now: float
@@ -188,6 +229,9 @@ class VehicleStatus:
     maneuvering: bool = False
     held: bool = False
     reference: TrajectoryReference | None = None
+    origin_known: bool = False
+    silence: PeopleSilence = NO_SILENCE
+    gauge_stuck: bool = False
 
     @property
     def place(self) -> Vec2 | None:

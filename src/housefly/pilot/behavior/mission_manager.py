@@ -60,6 +60,11 @@ class MissionManager:
         return min(self._separation.speed_factor, self._passing.rate)
 
     @property
+    def origin_confirmed(self) -> bool:
+        """Whether tracking has shown the drone on its pad, or was found to agree with the map."""
+        return self._commander.origin.confirmed
+
+    @property
     def is_yielding(self) -> bool:
         """Whether the drone makes way for somebody."""
         return self._separation.is_yielding
@@ -84,6 +89,7 @@ class MissionManager:
             facing: whether the heading is the wanted one.
         """
         events: list[Event] = []
+        self._commander.origin.step(vehicle)
         for order in orders:
             answer = self._commander.obey(order, vehicle)
             events.extend(self._nudges.heard(order, answer, vehicle.now))

@@ -157,16 +157,19 @@ def allowed_time(state: MissionState, task: TrackingTask, limits: LimitsConfig) 
     Under STOP the drone holds for as long as charge and clock allow, and a maneuver has its own
     end. The gate ends a landing that takes too long.
     """
-    flight = OVERDUE_FACTOR * task.duration + OVERDUE_EXTRA
-    return {
-        Phase.IDLE: inf,
-        Phase.TAKING_OFF: limits.take_off_timeout,
-        Phase.OUTBOUND: flight,
-        Phase.LOOKING: state.mission.look_s + 2.0 * FACING_TIMEOUT,
-        Phase.HOLDING: limits.hold_timeout,
-        Phase.RETURNING: flight,
-        Phase.LANDING: limits.landing_timeout,
-    }[state.phase]
+    match state.phase:
+        case Phase.IDLE:
+            return inf
+        case Phase.TAKING_OFF:
+            return limits.take_off_timeout
+        case Phase.OUTBOUND | Phase.RETURNING:
+            return OVERDUE_FACTOR * task.duration + OVERDUE_EXTRA
+        case Phase.LOOKING:
+            return state.mission.look_s + 2.0 * FACING_TIMEOUT
+        case Phase.HOLDING:
+            return limits.hold_timeout
+        case Phase.LANDING:
+            return limits.landing_timeout
 
 
 def _arrivals(state: MissionState, facing: bool) -> list[Signal]:

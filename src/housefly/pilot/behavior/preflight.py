@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from math import degrees, isfinite, radians
 
 from housefly.config.limits import LimitsConfig
-from housefly.geometry import Vec2, distance
 from housefly.messages.preflight import (
     FRAMES_NOT_NEEDED,
     FrameCheckState,
@@ -20,11 +19,10 @@ from housefly.messages.preflight import (
 from housefly.messages.sensing import DroneStatus
 from housefly.pilot.behavior.mission import VehicleStatus
 from housefly.pilot.behavior.order_checks import HEIGHT_ERROR_MAX, TAKE_OFF_RESERVE
+from housefly.pilot.behavior.origin import PAD_DISTANCE_MAX, PAD_HEADING_MAX
 
 TILT_ON_PAD_MAX = radians(12.0)
 """A drone that leans more than this does not stand on its feet [rad]."""
-PAD_DISTANCE_MAX = 0.4
-"""Farther from its pad than this somebody should look whether tracking has it right [m]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +32,8 @@ class PreflightInputs:
     Attributes:
         vehicle: the drone.
         limits: of the site.
-        home: its pad [m], None where there is none.
+        off_pad, turned: how far tracking has it from its pad [m], and turned against it [rad].
+        origin_confirmed: tracking has shown it on its pad, or somebody compared the frames.
         stopped: STOP is latched.
         take_off_fault: who or what stands above or beside it, in words, or "".
         sees_people: a sensor of the room sees people here.
@@ -43,7 +42,9 @@ class PreflightInputs:
 
     vehicle: VehicleStatus
     limits: LimitsConfig
-    home: Vec2 | None
+    off_pad: float = 0.0
+    turned: float = 0.0
+    origin_confirmed: bool = True
     stopped: bool = False
     take_off_fault: str = ""
     sees_people: bool = True
@@ -62,10 +63,16 @@ class PreflightInputs:
         return "; ".join(told.notes) if told else ""
 
     @property
-    def off_pad(self) -> float:
-        """How far the drone stands from its pad [m]; 0 when unknown."""
-        place, home = self.vehicle.place, self.home
-        return distance(place, home) if place is not None and home is not None else 0.0
+    def on_pad(self) -> str:
+        """How tracking has the drone on its pad, in words."""
+        return f"{self.off_pad:.2f} m from it, turned by {degrees(self.turned):.0f} deg"
+
+    @property
+    def sight(self) -> str:
+        """Whether people without markers are seen, in words."""
+        if not self.sees_people:
+            return "no sensor"
+        return self.vehicle.silence.words if self.vehicle.silence.is_too_long else "yes"
 
     @property
     def charge_needed(self) -> float:
@@ -85,7 +92,8 @@ class PreflightRule:
         value, limit: in words.
         why: what would happen otherwise.
         mend: what to do.
-        required: no take-off without it.
+        required: no take-off without it ...
+        waived: ... but here, where it is told only.
     """
 
     code: str
@@ -97,6 +105,7 @@ class PreflightRule:
     why: str
     mend: str
     required: bool = True
+    waived: Callable[[PreflightInputs], bool] = lambda _: False
 
     def check(self, inputs: PreflightInputs) -> PreflightCheck:
         """Return what the check finds."""
@@ -105,7 +114,7 @@ class PreflightRule:
             title=self.title,
             fault=self.fault,
             passed=self.passes(inputs),
-            required=self.required,
+            required=self.required and not self.waived(inputs),
             value=self.value(inputs),
             limit=self.limit(inputs),
             why=self.why,
@@ -175,6 +184,16 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         "charge it, or change the battery",
     ),
     PreflightRule(
+        "gauge",
+        "the battery's gauge moves",
+        "the battery's gauge stood still",
+        lambda i: not i.vehicle.gauge_stuck,
+        lambda i: f"stuck at {i.vehicle.battery:.0%}" if i.vehicle.gauge_stuck else "moving",
+        lambda _: "moving",
+        "nobody knows how much charge is left",
+        "change the battery or restart the drone: take off once it shows another number",
+    ),
+    PreflightRule(
         "tracking",
         "tracking sees it",
         "tracking does not see the drone",
@@ -194,6 +213,18 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         lambda _: f"within {HEIGHT_ERROR_MAX:g} m",
         "a floor at another height is a room at another height",
         "set the tracking system's origin on the floor, and define the drone's body anew",
+    ),
+    PreflightRule(
+        "origin",
+        "tracking has seen it on its pad",
+        "tracking has not seen the drone on its pad",
+        lambda i: i.origin_confirmed,
+        lambda i: i.on_pad,
+        lambda _: (
+            f"once within {PAD_DISTANCE_MAX:g} m and {degrees(PAD_HEADING_MAX):.0f} deg of it"
+        ),
+        "where tracking and map disagree, walls are not where they seem",
+        "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`",
     ),
     PreflightRule(
         "stop",
@@ -241,12 +272,13 @@ PREFLIGHT_RULES: tuple[PreflightRule, ...] = (
         "sees_people",
         "a sensor sees people without markers",
         "people without markers are unseen",
-        lambda i: i.sees_people,
-        lambda i: "yes" if i.sees_people else "no sensor",
-        lambda _: "yes",
+        lambda i: i.sees_people and not i.vehicle.silence.is_too_long,
+        lambda i: i.sight,
+        lambda i: f"heard within {i.vehicle.silence.limit:g} s",
         "it stops for people, and makes way, only where a sensor sees them",
-        "add a scanner or a depth camera to the site; until then keep people out of the room",
-        required=False,
+        "see `housefly sensors`: is each one on, in this network and uncovered? without any, keep"
+        " people out of the room, or add a scanner or a depth camera to the site",
+        waived=lambda i: not i.sees_people,
     ),
     PreflightRule(
         "frames_right",

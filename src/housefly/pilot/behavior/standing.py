@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from math import inf
+
 from housefly.pilot.behavior.mission import VehicleStatus
 
 STANDS_HIGH = 0.15
@@ -15,3 +18,29 @@ def raised(vehicle: VehicleStatus) -> float:
     if vehicle.estimate is None or not vehicle.pose_age <= POSE_AGE_MAX:
         return 0.0
     return vehicle.estimate.position[2] - vehicle.standing_height
+
+
+@dataclass(frozen=True, slots=True)
+class Footing:
+    """Where a drone stood before a flight, for those who only hear of the pilot.
+
+    Attributes:
+        height: tracked height at which it stood last [m]; infinite before it was seen.
+    """
+
+    height: float = inf
+
+    def stood_at(self, height: float, pose_age: float) -> Footing:
+        """Return the footing of a drone that stands, seen so high [m], so long ago [s]."""
+        return Footing(height) if pose_age <= POSE_AGE_MAX else self
+
+    def fault(self, height: float, pose_age: float) -> str:
+        """Return what is wrong with where it stands now, seen so high [m], in words, or ""."""
+        above = height - self.height
+        if not (pose_age <= POSE_AGE_MAX and above > STANDS_HIGH):
+            return ""
+        return f"stands {above:.2f} m above where it took off: on something"
+
+
+NEVER_STOOD = Footing()
+"""Of a drone that nobody saw standing yet."""

@@ -63,11 +63,15 @@ def estimated(
     history: CommandHistory,
     params: CompiledBox[EstimatorParameters],
     now: float,
-) -> tuple[PoseEstimate, float]:
-    """Carry the state forward to now [s]; return where the drone is, and the variance [m^2]."""
+) -> tuple[PoseEstimate, float, bool, float]:
+    """Carry the state forward to now [s], and return where the drone is.
+
+    Besides that the variance [m^2], whether a sighting was ever accepted, and when the last one
+    that was had been captured [s].
+    """
     after, here, variance = estimate_at(box[0], history, params[0], now)
     box[0] = after
-    return here, variance
+    return here, variance, after.gate.initialized, after.gate.last_capture
 
 
 @compiled_with_arrays

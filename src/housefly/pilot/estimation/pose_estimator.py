@@ -108,14 +108,14 @@ class PoseEstimator:
 
         The state is advanced to now in any case.
         """
-        here, variance = estimated(self.box, self.history, self._boxed_params, now)
-        gate = pose_gate(self.box)
-        if not gate.initialized:
+        here, variance, is_known, seen_at = estimated(
+            self.box, self.history, self._boxed_params, now
+        )
+        if not is_known:
             return None
         deviation = sqrt(variance)
         position, velocity = (here.x, here.y, here.z), (here.vx, here.vy, here.vz)
-        age = now - gate.last_capture
-        return here, Estimate(now, position, velocity, here.yaw, age, deviation)
+        return here, Estimate(now, position, velocity, here.yaw, now - seen_at, deviation)
 
     def _update(self, sighting: Sighting, now: float, grounded: bool) -> tuple[Event, ...]:
         gate = pose_gate(self.box)

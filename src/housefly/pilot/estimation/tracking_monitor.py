@@ -178,10 +178,10 @@ class TrackingMonitor:
         """Take in a sighting that is believed."""
         self._refused_since = None
         at, pose = sighting.captured_at, sighting.pose
-        self._compare_heights(at, pose.position)
+        onboard = odometry_at(self._odometry, self._motion, at)
+        self._compare_heights(at, pose.position, onboard.height)
         if self._attitude_told:
             self._odometry = odometry_headed(self._odometry, self._motion, at, pose.yaw)
-        onboard = odometry_at(self._odometry, self._motion, at)
         self._last = sighting, onboard
         if not self._airborne:
             self._rest_at(pose.position)
@@ -204,11 +204,10 @@ class TrackingMonitor:
         if self._rest is None or self.carried:
             self._rest = position[:2]
 
-    def _compare_heights(self, at: float, position: Vec3) -> None:
+    def _compare_heights(self, at: float, position: Vec3, told: float) -> None:
         if self._odometry.reports == 0 or not self._height_told:
             self._height_error = nan
             return
-        told = odometry_at(self._odometry, self._motion, at).height
         error = position[2] - (told if self._airborne else 0.0)
         if isfinite(self._height_error):
             share = min(max(at - self._height_at, 0.0) / HEIGHT_TIME, 1.0)

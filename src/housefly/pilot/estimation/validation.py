@@ -69,11 +69,10 @@ def sighting_fault(sighting: Sighting, now: float, last_capture: float) -> Rejec
         last_capture: capture time of the last accepted sighting [s].
     """
     pose = sighting.pose
-    if not all(
-        isfinite(number) for number in (*pose.position, *pose.orientation, sighting.captured_at)
-    ):
+    if not all(map(isfinite, (*pose.position, *pose.orientation, sighting.captured_at))):
         return RejectionReason.NOT_FINITE
-    if abs(sum(number * number for number in pose.orientation) - 1.0) > 0.02:
+    w, x, y, z = pose.orientation
+    if abs(w * w + x * x + y * y + z * z - 1.0) > 0.02:
         return RejectionReason.NOT_A_ROTATION
     return STAMP_REJECTIONS.get(StampFault(stamp_fault(sighting.captured_at, now, last_capture)))
 

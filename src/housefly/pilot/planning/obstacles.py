@@ -128,18 +128,22 @@ def obstacle_rows(
             nobody is flown over.
         comfort: people count as so much larger [m].
     """
-    counting = [
-        obstacle
-        for obstacle in obstacles
-        if may_be_person(obstacle) or (obstacle.bottom <= band[1] and obstacle.top >= band[0])
-    ]
+    counting = [obstacle for obstacle in obstacles if is_in_band(obstacle, band)]
     rows = np.array(
-        [_row(obstacle, now, horizon, comfort) for obstacle in counting], dtype=np.float64
+        [obstacle_row(obstacle, now, horizon, comfort) for obstacle in counting], dtype=np.float64
     ).reshape(-1, 9)
     return rows, tuple(obstacle.id for obstacle in counting)
 
 
-def _row(obstacle: Obstacle, now: float, horizon: float, comfort: float) -> tuple[float, ...]:
+def is_in_band(obstacle: Obstacle, band: Vec2) -> bool:
+    """Return whether an obstacle counts between two heights [m]; people do at any."""
+    return (obstacle.bottom <= band[1] and obstacle.top >= band[0]) or may_be_person(obstacle)
+
+
+def obstacle_row(
+    obstacle: Obstacle, now: float, horizon: float, comfort: float = 0.0
+) -> tuple[float, ...]:
+    """Return the row of one obstacle, as ``obstacle_rows``."""
     (x, y), (length, width) = obstacle.position, obstacle.size
     vx, vy = predicted_velocity(obstacle)
     ahead = max(0.0, now - obstacle.seen_at) + horizon

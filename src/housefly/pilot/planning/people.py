@@ -100,16 +100,25 @@ class ObservedPeople:
         Returns:
             Shape (m, n); negative inside a body.
         """
-        walked = np.minimum(ahead, self.rows[:, 5:6])
-        there = self.rows[:, :2] + walked * self.rows[:, 2:4]
-        apart = np.hypot(
-            places[:, :1] - there[None, :, 0].reshape(1, -1),
-            places[:, 1:] - there[None, :, 1].reshape(1, -1),
-        )
+        return self.distances_along(places, np.full(len(places), ahead))
+
+    def distances_along(self, places: FloatArray, times: FloatArray) -> FloatArray:
+        """Return how far each place is from bodies at its own time ahead, less what is not sure.
+
+        Args:
+            places: shape (m, 2) [m].
+            times: shape (m,) [s].
+
+        Returns:
+            Shape (m, n) [m]; negative inside a body.
+        """
+        x, y, vx, vy, radius, room = self.rows.T
+        walked = np.minimum(times[:, None], room)
+        apart = np.hypot(places[:, :1] - (x + walked * vx), places[:, 1:] - (y + walked * vy))
         # Somebody who stands counts as standing, else whoever is near would seem to approach.
-        walks = np.hypot(self.rows[:, 2], self.rows[:, 3]) > 0.0
-        unsure = SPEED_UNCERTAINTY * min(ahead, UNCERTAIN_TIME)
-        result: FloatArray = apart - self.rows[:, 4] - unsure * walks
+        walks = np.hypot(vx, vy) > 0.0
+        unsure = SPEED_UNCERTAINTY * np.minimum(times, UNCERTAIN_TIME)
+        result: FloatArray = apart - radius - unsure[:, None] * walks
         return result
 
     def nearest(self, place: Vec2, ahead: float) -> float:

@@ -60,6 +60,7 @@ class PeopleMap:
         self._obstacles: tuple[Obstacle, ...] = ()
         self._things: ThingsMap = lambda height: grid
         self._people: ObservedPeople = NOBODY
+        self._later: tuple[float, ObservedPeople] | None = None
         self._stood: dict[str, tuple[Vec2, float]] = {}
         self._at = 0.0
 
@@ -69,7 +70,7 @@ class PeopleMap:
     def update(self, obstacles: Iterable[Obstacle], things: ThingsMap, now: float) -> None:
         """Take in what is known at a time [s]; ``things`` makes the map without people."""
         self._obstacles, self._things, self._at = tuple(obstacles), things, now
-        self._people = people_at(self._obstacles, now, self._grid)
+        self._people, self._later = people_at(self._obstacles, now, self._grid), None
         self._stood = {
             name: self._stood_since(name, (x, y), now)
             for name, (x, y) in zip(
@@ -210,7 +211,9 @@ class PeopleMap:
     def _now(self, now: float) -> ObservedPeople:
         if now - self._at < 1e-9:
             return self._people
-        return people_at(self._obstacles, now, self._grid)
+        if self._later is None or self._later[0] != now:
+            self._later = now, people_at(self._obstacles, now, self._grid)
+        return self._later[1]
 
 
 def _is_open_way(grid: OccupancyGrid, start: Vec2, end: Vec2) -> bool:

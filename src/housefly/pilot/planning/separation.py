@@ -107,10 +107,8 @@ def separation_along(people: ObservedPeople, places: FloatArray, hull: float) ->
     """
     if not len(people):
         return Separation()
-    times = np.arange(len(places)) * STEP
-    apart = np.array(
-        [people.distances(places[n : n + 1], at)[0] for n, at in enumerate(times.tolist())]
-    )
+    times = np.arange(len(places), dtype=np.float64) * STEP
+    apart = people.distances_along(places, times)
     who = int(np.argmin(apart.min(axis=0)))
     return Separation(float(apart[0].min()) - hull, float(apart.min()) - hull, people.names[who])
 

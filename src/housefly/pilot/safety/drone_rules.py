@@ -7,8 +7,8 @@ from math import hypot
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.drone_faults import LANDING_FAULTS
-from housefly.pilot.safety.energy import CLIFF_SPAN
-from housefly.pilot.safety.limits import too_old
+from housefly.pilot.safety.energy import CLIFF_SPAN, GAUGE_STILL_TIME
+from housefly.pilot.safety.limits import DESCENT_RATE, too_old
 from housefly.pilot.safety.observer import HOLD_SPAN, LATE_SPAN
 from housefly.pilot.safety.rule import Clearing, Counting, RuleContext, SafetyRule
 
@@ -16,6 +16,10 @@ M, N = SafetyMode, Counting
 
 LOW_HEIGHT = 0.1
 """A drone is on the floor when no higher than this above where it stood [m] ..."""
+OWN_LOW_HEIGHT = 0.25
+"""One that nobody tracks is, when its own sonar shows less than this [m]."""
+DESCENT_MARGIN = 3.0
+"""A descent takes no longer than from the ceiling at ``DESCENT_RATE``, and so much more [s]."""
 STILL_SPEED = 0.1
 """... and lies still when slower than this, by tracking and by its own word [m/s]."""
 LYING_TIME = 4.0
@@ -28,8 +32,6 @@ CLIFF_CHARGE = 0.15
 """A charge that falls by more than this within ``CLIFF_SPAN`` falls off a cliff."""
 CHARGE_WARNING = 0.05
 """People are told when the charge is this near to that for the way home."""
-GAUGE_STILL_TIME = 60.0
-"""A gauge that does not change for so long in the air is stuck [s]."""
 LATE_HOLD, LATE_LAND = 0.25, 1.0
 """A step is late by this: hold, land [s]."""
 COMMANDS_GAP = 0.3
@@ -40,6 +42,11 @@ LATE_STEPS_MAX = 3
 """So many late steps within ``LATE_SPAN`` slow the drone down."""
 HELD_TIME_MAX = 3.5
 """A drone that was held for longer than this within ``HOLD_SPAN`` is landed [s]."""
+
+
+def descent_time(c: RuleContext) -> float:
+    """Return how long a descent from wherever the drone may be takes at most [s]."""
+    return c.fence.ceiling / DESCENT_RATE + DESCENT_MARGIN
 
 
 def lies_on_floor(c: RuleContext) -> bool:
@@ -55,6 +62,14 @@ def _lies_still(c: RuleContext) -> bool:
         return False
     is_still = hypot(*velocity) < STILL_SPEED and hypot(*heard.velocity[:2]) < STILL_SPEED
     return is_still and lies_on_floor(c)
+
+
+def _is_still_up(c: RuleContext) -> bool:
+    """Return whether it is above the floor; without a fresh pose by its sonar, and by time."""
+    if not too_old(c.now.pose_age, c.limits.pose_age_level):
+        return not lies_on_floor(c)
+    is_high = c.now.telemetry is not None and c.now.telemetry.height >= OWN_LOW_HEIGHT
+    return is_high or c.seen.landing_for < c.limits.landing_timeout + descent_time(c)
 
 
 def _complaints(c: RuleContext, *, ends_flight: bool) -> str:
@@ -100,8 +115,7 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
         broken=lambda c: (
             c.seen.landing_for > c.limits.landing_timeout
             and not too_old(c.now.telemetry_age, c.limits.telemetry_age)
-            and not too_old(c.now.pose_age, c.limits.pose_age_level)
-            and not lies_on_floor(c)
+            and _is_still_up(c)
         ),
         words=lambda c: (
             f"told to land for {c.seen.landing_for:.0f} s (limit"
@@ -277,6 +291,17 @@ DRONE_RULES: tuple[SafetyRule, ...] = (
             f"the pilot is often late ({LATE_STEPS_MAX} times within {LATE_SPAN:g} s): slowly"
         ),
         lasts=2.0,
+    ),
+    SafetyRule(
+        code="people_unseen",
+        mode=M.SLOW,
+        counts=N.AIRBORNE,
+        condition="a sensor that looks for people is silent",
+        broken=lambda c: c.now.silence.is_too_long,
+        words=lambda c: (
+            f"people may be unseen: a sensor that looks for them is {c.now.silence.words}"
+            f" (limit {c.now.silence.limit:g} s): slowly"
+        ),
     ),
     SafetyRule(
         code="drone_complains",

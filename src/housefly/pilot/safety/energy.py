@@ -14,6 +14,8 @@ DRAIN_KNOWN_AFTER, DRAIN_KNOWN_SHARE = 30.0, 0.03
 """The drain is measured once a flight took this long [s] and cost this share of the charge."""
 DRAIN_MARGIN = 1.2
 """The measured drain is taken this many times."""
+GAUGE_STILL_TIME = 60.0
+"""A gauge that does not change for so long in the air is stuck [s]."""
 CLIFF_SPAN = 3.0
 """A charge that falls is compared with that of so long ago [s]."""
 
@@ -29,6 +31,7 @@ class EnergyBudget:
         charge_needed: to come home from here and land above the floor.
         charge_lost: in the last ``CLIFF_SPAN``.
         gauge_still_for: how long the charge has not changed in the air [s].
+        gauge_stuck: it stood still too long in the air, and has shown no other charge since.
     """
 
     airborne_for: float
@@ -37,6 +40,7 @@ class EnergyBudget:
     charge_needed: float
     charge_lost: float
     gauge_still_for: float
+    gauge_stuck: bool = False
 
 
 NO_ENERGY = EnergyBudget(0.0, inf, 0.0, 0.0, 0.0, 0.0)
@@ -52,6 +56,7 @@ class EnergyMonitor:
         self._lately: Window[float] = Window(CLIFF_SPAN)
         self._at_take_off = nan
         self._last = nan
+        self._stuck_at = nan
 
     def observe(self, inputs: GateInputs) -> EnergyBudget:
         """Take one step in."""
@@ -66,13 +71,19 @@ class EnergyMonitor:
             self._lately.keep(now, charge)
         still = inputs.airborne and charge == self._last
         self._last = charge
+        still_for = self._still.update(still, now)
+        if still_for >= GAUGE_STILL_TIME:
+            self._stuck_at = charge
+        elif isfinite(charge) and charge != self._stuck_at:
+            self._stuck_at = nan
         return EnergyBudget(
             airborne_for=airborne_for,
             time_left=self._budget() - airborne_for,
             time_needed=inputs.home_time + LANDING_TIME,
             charge_needed=charge_for(inputs.home_time, self._drain(airborne_for), self._limits),
             charge_lost=max([0.0, *self._lately.values(now)]) - charge if isfinite(charge) else 0.0,
-            gauge_still_for=self._still.update(still, now),
+            gauge_still_for=still_for,
+            gauge_stuck=isfinite(self._stuck_at),
         )
 
     def _budget(self) -> float:

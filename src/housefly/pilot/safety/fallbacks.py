@@ -10,15 +10,11 @@ from __future__ import annotations
 from housefly.messages.sensing import DroneStatus
 from housefly.messages.steering import SafetyMode
 from housefly.pilot.behavior.drone_faults import DEAF_SONAR
-from housefly.pilot.safety.drone_rules import lies_on_floor
-from housefly.pilot.safety.limits import DESCENT_RATE, too_old
+from housefly.pilot.safety.drone_rules import descent_time, lies_on_floor
+from housefly.pilot.safety.limits import too_old
 from housefly.pilot.safety.observer import control_error
 from housefly.pilot.safety.rule import RuleContext
 from housefly.pilot.safety.tracking_rules import seems_low
-
-DESCENT_MARGIN = 3.0
-"""A descent takes no longer than from the ceiling at ``DESCENT_RATE``, and so much more [s]."""
-
 
 STEERED_MAX = 8.0
 """A landing that the pilot steers has to be near the floor after this [s]."""
@@ -60,6 +56,5 @@ def possible_mode(mode: SafetyMode, c: RuleContext) -> SafetyMode:
         mode = SafetyMode.LAND
     if mode is not SafetyMode.LAND or knows_height(c):
         return mode
-    longest = c.fence.ceiling / DESCENT_RATE + DESCENT_MARGIN
-    is_down = lies_on_floor(c) or c.seen.landing_for > longest
+    is_down = lies_on_floor(c) or c.seen.landing_for > descent_time(c)
     return SafetyMode.LAND if is_down else SafetyMode.DESCEND

@@ -153,6 +153,7 @@ class Gate:
         self._held = False
         self._returning = False
         self._standing_height = 0.0
+        self._gauge_stuck = False
 
     @property
     def landing(self) -> bool:
@@ -161,13 +162,18 @@ class Gate:
 
     @property
     def returning(self) -> bool:
-        """Whether the drone is to come home."""
+        """Whether the drone is to come home: once it is to, until it stands."""
         return self._returning
 
     @property
     def standing_height(self) -> float:
         """Tracked height of the drone when it stood [m]."""
         return self._standing_height
+
+    @property
+    def gauge_stuck(self) -> bool:
+        """Whether the charge stood still in the air, and has not changed since."""
+        return self._gauge_stuck
 
     def assess(self, inputs: GateInputs) -> GateAssessment:
         """Return what the rules find now."""
@@ -178,7 +184,8 @@ class Gate:
         else:
             broken = self._land(broken, context)
         worst = broken[0] if broken else None
-        self._returning = worst is not None and worst.mode is SafetyMode.RETURN
+        is_called_home = worst is not None and worst.mode is SafetyMode.RETURN
+        self._returning = inputs.airborne and (is_called_home or self._returning)
         self._held = any(rule.mode is SafetyMode.HOLD for rule in broken)
         if worst is None:
             return GateAssessment(SafetyMode.NOMINAL, "", "", inputs.status)
@@ -204,6 +211,7 @@ class Gate:
     def _context(self, inputs: GateInputs) -> RuleContext:
         seen = self._observer.observe(inputs, self._held, self.landing)
         self._standing_height = seen.standing_height
+        self._gauge_stuck = seen.energy.gauge_stuck
         return RuleContext(inputs, seen, self._limits, self._fence)
 
     def _broken(self, context: RuleContext) -> tuple[BrokenRule, ...]:

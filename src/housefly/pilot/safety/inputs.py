@@ -10,9 +10,10 @@ from housefly.messages.flight import Phase
 from housefly.messages.sensing import AIRBORNE_STATUSES, DroneStatus, Telemetry
 from housefly.messages.steering import Reference, Setpoint
 from housefly.pilot.behavior.braking import BRAKING_DECELERATION, REACTION_TIME
+from housefly.pilot.behavior.mission import NO_SILENCE, PeopleSilence
 from housefly.pilot.estimation.consistency import NOTHING_KNOWN, TrackingConsistency
 
-CRUISE_PHASES = frozenset({Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING})
+CRUISE_PHASES = (Phase.OUTBOUND, Phase.LOOKING, Phase.HOLDING, Phase.RETURNING)
 """Phases in which we say where the drone should be."""
 
 
@@ -39,6 +40,7 @@ class GateInputs:
         late: how much later than planned this step runs [s].
         home_time: how long the way home takes from here [s].
         has_way_home: the planner has a way home from here.
+        silence: of the sensors that look for people.
     """
 
     now: float
@@ -60,6 +62,7 @@ class GateInputs:
     late: float = 0.0
     home_time: float = 0.0
     has_way_home: bool = True
+    silence: PeopleSilence = NO_SILENCE
 
     @property
     def airborne(self) -> bool:

@@ -64,7 +64,7 @@ class SafetyRule:
         words: for people, with value and limit.
         after: it counts once it was wrong for this long [s].
         lasts: it goes on counting for this long [s].
-        clears: what ends it; that of its mode where none is given.
+        clears: what ends the answer; it says so to people, and a test holds the gate to it.
         steered: the pilot may steer the landing, because what is wrong is not what it knows.
     """
 

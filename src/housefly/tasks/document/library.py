@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from errno import EFBIG
 from pathlib import Path
 
+from housefly.config.text import read_file
 from housefly.errors import TaskError
 from housefly.tasks.api.values import ReasonCode
 from housefly.tasks.document.binding import bind
@@ -135,8 +137,10 @@ def _read_folder(folder: Path) -> dict[str, TaskDocument]:
 def text_of(path: Path) -> str:
     """Return the text of a document; raises TaskError when it is too large or no text."""
     try:
-        if path.stat().st_size > 4 * SIZE_MAX:
-            raise document_error(path.name, 1, f"larger than {SIZE_MAX} characters")
-        return path.read_text(encoding="utf-8-sig")
+        return read_file(path, 4 * SIZE_MAX).decode("utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
-        raise document_error(path.name, 1, f"cannot be read as UTF-8 text: {error}") from error
+        words = f"larger than {SIZE_MAX} characters"
+        if getattr(error, "errno", 0) != EFBIG:
+            reason = getattr(error, "strerror", None) or str(error)
+            words = f"cannot be read as UTF-8 text: {reason}"
+        raise document_error(path.name, 1, words) from error

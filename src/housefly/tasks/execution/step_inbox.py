@@ -129,4 +129,5 @@ class StepInbox:
             replies,
             None if telemetry is None else telemetry.battery,
             orders,
+            0.0 if estimate is None else estimate.pose_age,
         )

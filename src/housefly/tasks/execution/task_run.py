@@ -130,7 +130,7 @@ class TaskRun:
         context = self._context
         # A reply that comes while the tree stands still is heard when it goes on.
         self._unheard += inputs.replies
-        context.inputs = replace(inputs, replies=())
+        context.hear(replace(inputs, replies=()))
         if not context.hovers:
             self._moved_at = inputs.now
         interference = context.orders.update(inputs) if self.task.flies else None
@@ -282,10 +282,19 @@ class TaskRun:
 
     def _finish(self, end: _End | None) -> None:
         assert end is not None
-        self.stage, self.code, self.words = end
+        self.stage, self.code, self.words = self._on_its_feet(end)
         for tree in (self._tree, self._station, self._closing):
             if tree is not None and tree.status is Status.RUNNING:
                 tree.stop(Status.INVALID)
         for note in self._context.notes:
             if note.state in _UNFINISHED:
                 note.state = TaskStepState.SKIPPED
+
+    def _on_its_feet(self, end: _End) -> _End:
+        """Return how it ended: not done where the drone came down on something."""
+        (stage, code, words), fault = end, self._context.footing_fault
+        if not fault or fault in words:
+            return end
+        if stage is TaskStage.DONE:
+            return TaskStage.FAILED, ReasonCode.SAFETY, fault
+        return stage, code, f"{words}; {fault}"

@@ -33,6 +33,7 @@ class TaskInputs:
         replies: of people, since the last tick.
         battery: charge, 0 to 1; None when unknown.
         orders: what people, and not tasks, ordered the pilot since the last tick.
+        pose_age: how old the position is [s].
     """
 
     now: float
@@ -48,6 +49,7 @@ class TaskInputs:
     replies: tuple[PersonReply, ...] = ()
     battery: float | None = None
     orders: tuple[Order, ...] = ()
+    pose_age: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
+from bisect import bisect_right
+from itertools import pairwise
 
 from housefly.twin.disturbance import Disturbances
 
@@ -18,6 +19,11 @@ CUT_OFF_VOLTAGE = 9.0
 _CHARGE = (0.0, 0.03, 0.08, 0.2, 0.5, 1.0)
 _VOLTAGE = (9.0, 9.3, 9.7, 10.9, 11.69, 12.4)
 """Ends and the 50 % point are facts; the knee in between is that of any lithium battery."""
+_SLOPE = tuple(
+    (v1 - v0) / (c1 - c0)
+    for (c0, c1), (v0, v1) in zip(pairwise(_CHARGE), pairwise(_VOLTAGE), strict=True)
+)
+"""From each of those points to the next [V]."""
 
 
 class Battery:
@@ -29,7 +35,8 @@ class Battery:
     @property
     def voltage(self) -> float:
         """Voltage at this charge [V]."""
-        return float(np.interp(self.charge, _CHARGE, _VOLTAGE))
+        knot = min(bisect_right(_CHARGE, self.charge), len(_CHARGE) - 1) - 1
+        return _SLOPE[knot] * (self.charge - _CHARGE[knot]) + _VOLTAGE[knot]
 
     def drain(self, seconds: float, load: float) -> None:
         """Subtract what the electronics and the rotors used.

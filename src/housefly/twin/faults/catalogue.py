@@ -171,7 +171,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F06", "the drone and another body are exchanged",
-        "hovers, then lands; says that the bodies are in conflict", _TWIN,
+        "hovers, then lands; says that tracking and the drone's own motion disagree", _TWIN,
         (FaultVariant("exchanged", (_mocap("bodies"),)),), True,
     ),
     FaultRow(
@@ -282,7 +282,9 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
         ),
     ),
     FaultRow(
-        "F20", "the charge falls off a cliff", "lands now, on the nearest clear spot", _TWIN,
+        "F20", "the charge falls off a cliff",
+        "lands at once, where it is; after a smaller fall it comes home while the charge is enough",
+        _TWIN,
         (
             _one(_C.BATTERY, _K.WRONG, size=0.08, name="8percent"),
             _one(_C.BATTERY, _K.WRONG, size=0.18, name="18percent"),
@@ -290,12 +292,14 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F21", "the battery's gauge stands still or shows no number",
-        "flies by time; the next take-off is refused", _TWIN,
+        "told after a minute, then flies by time; without a number it lands; no next take-off"
+        " before it shows another number", _TWIN,
         (_one(_C.BATTERY, _K.STUCK), _one(_C.BATTERY, _K.GARBAGE)),
     ),
     FaultRow(
         "F22", "a weak motor, a damaged propeller, a sagging battery",
-        "told; lands; tumbling cuts the motors", _TWIN,
+        "what costs less than 0.25 m of height is flown with; else told, and lands; tumbling cuts"
+        " the motors", _TWIN,
         (
             _one(_C.MOTOR, _K.WRONG, "front_left", 0.6, name="60percent"),
             _one(_C.MOTOR, _K.WRONG, "front_left", 0.8, name="80percent"),
@@ -307,7 +311,7 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F23", "held by something: tether, load, fan, wind",
-        "told; asks for less, lands, or cuts when it stays tilted on the floor", _TWIN,
+        "what costs less than 0.25 m of height is flown with; else told, and lands", _TWIN,
         (
             _one(_C.TETHER, _K.WRONG, size=1.2, name="tether"),
             _one(_C.PAYLOAD, _K.WRONG, size=0.02, name="20g"),
@@ -352,7 +356,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F29", "the disk is full or read-only, the database locked",
-        "the flight goes on; no new take-off", _PROCESS,
+        "the flight goes on, and what is not written is said; no new take-off while a disk is full",
+        _PROCESS,
         covered_by="tests/app/test_hub_faults.py"
         "::test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes"
         " tests/app/test_disk_space.py"
@@ -390,7 +395,8 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F34", "somebody steps in front, walks up to it, or crosses",
-        "slower at 2 m, holds at 1 m, gives way when approached; never over people", _TWIN,
+        "slower from 1.5 m on, three tenths at 1 m; keeps its distance, gives way when approached;"
+        " never over people", _TWIN,
         (
             _one(_C.PEOPLE, _K.WRONG, size=1.5, name="stands"),
             _one(_C.PEOPLE, _K.WRONG, "walking", 1.0, name="walks_up"),

@@ -33,13 +33,13 @@ class MocapCameras:
         self._model, self._data = model, data
         self._positions = np.array([camera.position for camera in cameras]).reshape(-1, 3)
         axes = [[rotate(camera.orientation, axis) for axis in _AXES] for camera in cameras]
-        self._axes = np.array(axes).reshape(-1, 3, 3).transpose(0, 2, 1)
+        self._backward_axes = -np.array(axes).reshape(-1, 3, 3).transpose(0, 2, 1)
         self._slopes = np.array(
             [[tan(angle / 2) for angle in camera.field_of_view] for camera in cameras]
-        ).reshape(-1, 2)
-        self._reach = np.array([camera.reach for camera in cameras])
+        ).reshape(-1, 1, 2)
+        self._reach_squared = np.array([[camera.reach] for camera in cameras]) ** 2
         self._geom = np.zeros(1, np.int32)
-        self._last_seen_by: list[int] = []
+        self._likeliest = list(range(len(cameras)))
 
     def see(
         self, markers: FloatArray, own_body: int, groups: NDArray[np.uint8] | None = None
@@ -53,14 +53,10 @@ class MocapCameras:
         """
         if not len(self._positions):
             return True
-        rays = self._positions[:, None, :] - markers[None, :, :]
-        in_view = self._in_view(rays)
+        rays = self._positions[:, None, :] - markers
         good = 0
-        for index, marker in enumerate(markers):
-            cameras = np.flatnonzero(in_view[:, index]).tolist()
-            good += len(cameras) >= _CAMERAS_NEEDED and self._enough_reach_it(
-                marker, rays[:, index], cameras, own_body, groups
-            )
+        for index, in_view in enumerate(self._in_view(rays).T.tolist()):
+            good += self._enough_reach_it(markers[index], rays[:, index], in_view, own_body, groups)
             if good >= _MARKERS_NEEDED:
                 return True
         return False
@@ -71,20 +67,17 @@ class MocapCameras:
         Args:
             rays: from marker to camera [m], shape (cameras, markers, 3).
         """
-        local = -rays @ self._axes
-        depth = local[:, :, 2]
-        inside = (np.abs(local[:, :, :2]) < depth[:, :, None] * self._slopes[:, None, :]).all(
-            axis=2
-        )
-        near = np.einsum("cmk,cmk->cm", rays, rays) < (self._reach**2)[:, None]
-        result: NDArray[np.bool_] = inside & near
+        local = rays @ self._backward_axes
+        inside = np.abs(local[:, :, :2]) < local[:, :, 2:] * self._slopes
+        near = np.einsum("cmk,cmk->cm", rays, rays) < self._reach_squared
+        result: NDArray[np.bool_] = inside[:, :, 0] & inside[:, :, 1] & near
         return result
 
     def _enough_reach_it(
         self,
         marker: FloatArray,
         rays: FloatArray,
-        cameras: list[int],
+        in_view: list[bool],
         own_body: int,
         groups: NDArray[np.uint8] | None,
     ) -> bool:
@@ -94,7 +87,9 @@ class MocapCameras:
         than twenty rays. Who saw the last marker will most likely see this one.
         """
         seen_by: list[int] = []
-        for camera in sorted(cameras, key=self._last_seen_by.__contains__, reverse=True):
+        for camera in self._likeliest:
+            if not in_view[camera]:
+                continue
             ray = rays[camera]
             share = mujoco.mj_ray(
                 self._model, self._data, marker, ray, groups, 1, own_body, self._geom
@@ -102,11 +97,17 @@ class MocapCameras:
             if share < 0.0 or share > self._housing(ray):
                 seen_by.append(camera)
             if len(seen_by) >= _CAMERAS_NEEDED:
-                self._last_seen_by = seen_by
+                self._try_first(seen_by)
                 return True
         return False
+
+    def _try_first(self, seen_by: list[int]) -> None:
+        """Remember who saw a marker; whoever is asked first, the answer is the same."""
+        if self._likeliest[:_CAMERAS_NEEDED] != seen_by:
+            others = (camera for camera in self._likeliest if camera not in seen_by)
+            self._likeliest = [*seen_by, *others]
 
     @staticmethod
     def _housing(ray: FloatArray) -> float:
         """Return the fraction of a ray beyond which a hit is the camera's own housing."""
-        return 1.0 - _CAMERA_SIZE / hypot(*ray)
+        return 1.0 - _CAMERA_SIZE / hypot(*ray.tolist())

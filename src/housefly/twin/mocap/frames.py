@@ -41,7 +41,11 @@ class FrameMaker:
         """Take one frame; the noise drawn is the same whether or not the frame is lost."""
         lost = self._rng.random() < self._dropout
         jitter = self._rng.exponential(_JITTER)
-        noisy = tuple((name, self._blurred(pose)) for name, pose in bodies)
+        noise = (self._noise * self._rng.standard_normal((len(bodies), 6))).tolist()
+        noisy = tuple(
+            (name, None if pose is None else _blurred(pose, numbers))
+            for (name, pose), numbers in zip(bodies, noise, strict=True)
+        )
         self._due = max(self._due, now + self._latency + jitter)
         if not lost:
             self._waiting.append(MocapFrame(self._number, now, self._due, noisy))
@@ -54,13 +58,13 @@ class FrameMaker:
             ready.append(self._waiting.popleft())
         return tuple(ready)
 
-    def _blurred(self, pose: Pose | None) -> Pose | None:
-        x, y, z, *turn = (self._noise * self._rng.standard_normal(6)).tolist()
-        if pose is None:
-            return None
-        half = [angle / LEVER_ARM / 2 for angle in turn]
-        px, py, pz = pose.position
-        return Pose((px + x, py + y, pz + z), _turned(pose, half))
+
+def _blurred(pose: Pose, noise: list[float]) -> Pose:
+    """Return a pose with noise of its place and, over the lever arm, of its attitude [m]."""
+    x, y, z, *turn = noise
+    half = [angle / LEVER_ARM / 2 for angle in turn]
+    px, py, pz = pose.position
+    return Pose((px + x, py + y, pz + z), _turned(pose, half))
 
 
 def _turned(pose: Pose, half: list[float]) -> tuple[float, float, float, float]:

@@ -6,15 +6,15 @@ at one moment; a real mirror takes three quarters of a turn.
 
 from __future__ import annotations
 
-from math import asin, atan2, ceil, floor, pi, tau
-from typing import Any
+from math import asin, atan2, ceil, floor, hypot, pi, tau
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from housefly.config.laser import LaserConfig
 from housefly.config.twin import TwinConfig
-from housefly.numeric import FloatArray
+from housefly.numeric import FloatArray, compiled
 from housefly.twin.movable import AWAY_POSE
 from housefly.twin.mujoco_engine import mujoco
 from housefly.twin.physics import Physics
@@ -22,6 +22,85 @@ from housefly.wires.scip.parameters import MODELS, NO_ECHO
 
 _SEED_KEY = 7919
 """Keeps the scanners' noise apart from all other noise of the same seed."""
+_ROUNDING = 1e-6
+"""Boxes around things are larger by this [m]: no beam is lost to rounding."""
+
+
+class _Beams(NamedTuple):
+    """The plane in which a scanner's beams lie.
+
+    Attributes:
+        x, y, z: where they begin [m].
+        first: direction of the first [rad].
+        step: from beam to beam [rad].
+        longest: they reach no farther [m].
+    """
+
+    x: float
+    y: float
+    z: float
+    first: float
+    step: float
+    longest: float
+
+
+@compiled
+def _half_length(turn: Any, axis: int, half: Any) -> float:
+    """Return half the extent of a turned box along a world axis [m]."""
+    own = abs(turn[3 * axis]) * half[3] + abs(turn[3 * axis + 1]) * half[4]
+    return float(own + abs(turn[3 * axis + 2]) * half[5])
+
+
+@compiled
+def _mark(still: Any, beams: _Beams, dx: float, dy: float, reach: float, near: Any) -> None:
+    """Mark the beams that may meet an upright cylinder before they meet the building.
+
+    Args:
+        still: how far each beam reaches in the building [m].
+        beams: their plane.
+        dx: from the scanner to the cylinder's middle along x [m].
+        dy: the same along y [m].
+        reach: its radius [m].
+        near: written.
+    """
+    away = hypot(dx, dy)
+    if away - reach > beams.longest:
+        return
+    half = asin(reach / away) if reach < away else pi
+    middle = (atan2(dy, dx) - beams.first) % tau
+    for turn in range(-1, 2):
+        low = (middle + turn * tau - half) / beams.step
+        high = (middle + turn * tau + half) / beams.step
+        for beam in range(max(0, floor(low)), min(near.size, max(0, ceil(high) + 1))):
+            if still[beam] > away - reach:
+                near[beam] = True
+
+
+@compiled
+def _mark_beams(
+    geoms: Any, boxes: Any, places: Any, turns: Any, still: Any, beams: _Beams, near: Any
+) -> None:
+    """Mark the beams that may meet something that can move: an upright cylinder around each geom.
+
+    Args:
+        geoms: ids of what can move.
+        boxes: middle and half size of every geom in its own frame [m], shape (n, 6).
+        places: of every geom [m], shape (n, 3).
+        turns: rotation of every geom, row by row, shape (n, 9).
+        still: how far each beam reaches in the building [m].
+        beams: their plane.
+        near: written.
+    """
+    for n in range(geoms.size):
+        geom = geoms[n]
+        box, turn, place = boxes[geom], turns[geom], places[geom]
+        up = turn[6] * box[0] + turn[7] * box[1] + turn[8] * box[2]
+        if abs(place[2] + up - beams.z) > _half_length(turn, 2, box) + _ROUNDING:
+            continue
+        dx = place[0] - beams.x + turn[0] * box[0] + turn[1] * box[1] + turn[2] * box[2]
+        dy = place[1] - beams.y + turn[3] * box[0] + turn[4] * box[1] + turn[5] * box[2]
+        reach = hypot(_half_length(turn, 0, box), _half_length(turn, 1, box)) + _ROUNDING
+        _mark(still, beams, dx, dy, reach, near)
 
 
 class Scanner:
@@ -44,15 +123,18 @@ class Scanner:
         )
         self._physics = physics
         self._origin = np.array([config.x, config.y, config.z])
+        self._longest = self._parameters.longest / 1000.0
         beams = self._parameters.beams
         angles = (
             config.yaw + self._parameters.first_angle + np.arange(beams) * self._parameters.step
         )
         self._rays = np.stack([np.cos(angles), np.sin(angles), np.zeros(beams)], axis=1)
-        self._first = float(angles[0])
+        self._beams = _Beams(
+            config.x, config.y, config.z, float(angles[0]), self._parameters.step, self._longest
+        )
         self._moving = _moving_geoms(physics.model)
-        self._radii = physics.model.geom_rbound[self._moving]
-        every = np.ones(beams, np.bool_)
+        self._boxes = physics.model.geom_aabb.copy()
+        every = np.arange(beams)
         self._still = self._cast(_data_without_movables(physics), every, with_still=True)
 
     def scan(self) -> tuple[int, ...]:
@@ -60,7 +142,7 @@ class Scanner:
         parameters, beams = self._parameters, self._parameters.beams
         # The building never changes, and what moves is met by few beams.
         near, reached = self._beams_to_what_moves(), self._still
-        if near.any():
+        if len(near):
             reached = reached.copy()
             moving = self._cast(self._physics.data, near, with_still=False)
             reached[near] = np.minimum(reached[near], moving)
@@ -69,31 +151,22 @@ class Scanner:
         nothing = lost | (measured < parameters.shortest) | (measured > parameters.longest)
         return tuple(np.where(nothing, self._no_echo, np.rint(measured)).astype(int).tolist())
 
-    def _beams_to_what_moves(self) -> NDArray[np.bool_]:
-        """Return which beams may meet something that can move: a ball around each geom of it."""
-        offsets = self._physics.data.geom_xpos[self._moving] - self._origin
-        away, step = np.hypot(offsets[:, 0], offsets[:, 1]), self._parameters.step
-        is_near = np.abs(offsets[:, 2]) <= self._radii
-        is_near &= away - self._radii <= self._parameters.longest / 1000.0
-        near = np.zeros(self._parameters.beams, np.bool_)
-        for (dx, dy, _), gap, radius in zip(
-            offsets[is_near].tolist(), away[is_near].tolist(), self._radii[is_near].tolist(),
-            strict=True,
-        ):  # fmt: skip
-            half = asin(radius / gap) if radius < gap else pi
-            middle = (atan2(dy, dx) - self._first) % tau
-            for bearing in (middle - tau, middle, middle + tau):
-                low, high = (bearing - half) / step, (bearing + half) / step
-                near[max(0, floor(low)) : max(0, ceil(high) + 1)] = True
-        return near
+    def _beams_to_what_moves(self) -> NDArray[np.intp]:
+        """Return which beams may meet something that can move before they meet the building."""
+        data, near = self._physics.data, np.zeros(self._parameters.beams, np.bool_)
+        _mark_beams(
+            self._moving, self._boxes, data.geom_xpos, data.geom_xmat, self._still, self._beams,
+            near,
+        )  # fmt: skip
+        return np.flatnonzero(near)
 
-    def _cast(self, data: Any, beams: NDArray[np.bool_], *, with_still: bool) -> FloatArray:
+    def _cast(self, data: Any, beams: NDArray[np.intp], *, with_still: bool) -> FloatArray:
         """Return the distance that some beams reach [m], infinite where nothing is hit."""
         rays = self._rays[beams]
         geoms, reached = np.zeros(len(rays), np.int32), np.zeros(len(rays))
         mujoco.mj_multiRay(
             self._physics.model, data, self._origin, rays.ravel(), VISIBLE_GROUPS, int(with_still),
-            -1, geoms, reached, None, len(rays), self._parameters.longest / 1000.0,
+            -1, geoms, reached, None, len(rays), self._longest,
         )  # fmt: skip
         return np.where(reached < 0.0, np.inf, reached)
 

@@ -1,1 +1,1 @@
-import"./chunk-chunk-R3ZDEBOA.js";
+import"./chunk-chunk-UHCQRQJK.js";

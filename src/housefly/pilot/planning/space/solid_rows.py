@@ -14,7 +14,7 @@ import numpy as np
 
 from housefly.messages.obstacles import Obstacle
 from housefly.numeric import FloatArray
-from housefly.pilot.planning.obstacles import obstacle_rows
+from housefly.pilot.planning.obstacles import obstacle_row
 from housefly.pilot.planning.people import may_be_person
 from housefly.room.model import BUILDING_PARTS, Room, Shape, Solid
 
@@ -88,12 +88,17 @@ def live_rows(
         comfort: people count as so much larger [m].
         hanging: what begins lower is full from the floor up [m].
     """
-    known = tuple(obstacles)
-    rows, _ = obstacle_rows(known, now, horizon, (-inf, inf), comfort)
-    heights = [(-inf, inf) if may_be_person(one) else (one.bottom, one.top) for one in known]
-    live = np.hstack((rows, np.array(heights, dtype=np.float64).reshape(-1, 2)))
-    live[live[:, BOTTOM] < hanging, BOTTOM] = -inf
-    return live
+    rows = [
+        (*obstacle_row(one, now, horizon, comfort), *_heights(one, hanging)) for one in obstacles
+    ]
+    return np.array(rows, dtype=np.float64).reshape(-1, COLUMNS)
+
+
+def _heights(obstacle: Obstacle, hanging: float) -> tuple[float, float]:
+    """Return bottom and top of what an obstacle fills [m], given from where on things hang [m]."""
+    if may_be_person(obstacle):
+        return -inf, inf
+    return -inf if obstacle.bottom < hanging else obstacle.bottom, obstacle.top
 
 
 def _row_of_solid(solid: Solid) -> tuple[float, ...]:

@@ -27,9 +27,8 @@ from housefly.pilot.planning.space.answer import (
     too_fast,
 )
 from housefly.pilot.planning.space.approach import with_approach
-from housefly.pilot.planning.space.clearance import HullCylinder, hull_clearances
-from housefly.pilot.planning.space.costs import above_things, blindness, height_wish, narrowness
-from housefly.pilot.planning.space.doors import DoorMap, site_heights
+from housefly.pilot.planning.space.clearance import hull_clearances
+from housefly.pilot.planning.space.costs import narrowness
 from housefly.pilot.planning.space.escape import ESCAPE_WEIGHT, RECEDING_GIVE, escape_mask
 from housefly.pilot.planning.space.moment import SpaceMoment, corners_of
 from housefly.pilot.planning.space.passage import (
@@ -38,17 +37,11 @@ from housefly.pilot.planning.space.passage import (
     first_passage,
     passages,
 )
-from housefly.pilot.planning.space.reachability import within_reach
+from housefly.pilot.planning.space.room_space import room_space
 from housefly.pilot.planning.space.search import CellSearch, SearchScratch
-from housefly.pilot.planning.space.site_volumes import site_volumes
-from housefly.pilot.planning.space.solid_rows import filled_rows, live_rows
-from housefly.pilot.planning.space.volumes import VolumeKind, speeds_at, within_volumes
-from housefly.pilot.planning.space.voxels import (
-    CLEARANCE_CAP,
-    empty_map,
-    with_rows,
-    within_heights,
-)
+from housefly.pilot.planning.space.solid_rows import live_rows
+from housefly.pilot.planning.space.volumes import VolumeKind, speeds_at
+from housefly.pilot.planning.space.voxels import CLEARANCE_CAP, with_rows
 from housefly.pilot.planning.trajectory.speed_limits import MotionLimits
 from housefly.pilot.planning.trajectory.time_scale import TRAJECTORY_START, TimeScale
 from housefly.pilot.planning.trajectory.timing import STANDING, TICK, KinematicState
@@ -57,10 +50,8 @@ from housefly.pilot.planning.trajectory.trajectory import (
     Trajectory,
     trajectory_along,
 )
-from housefly.room.distance import half_diagonal
 from housefly.room.grid import Cell, OccupancyGrid
 from housefly.room.model import Room
-from housefly.room.tracked import untracked
 
 PLAN_HORIZON = 1.5
 """Ways keep out of where a moving obstacle may be within this time [s] ..."""
@@ -68,10 +59,8 @@ LONG_HORIZON = 4.0
 """... those around somebody who comes along the way, within this."""
 WIDE = 0.35
 """Ways keep this clearance where it costs little [m]."""
-NARROW_GAIN, HEIGHT_GAIN, BLIND_GAIN, ABOVE_GAIN = 2.0, 0.3, 1.0, 1.0
-"""What narrow air, a metre off the usual height, air that tracking does not see, and air over
-furniture cost.
-"""
+NARROW_GAIN = 2.0
+"""What narrow air costs."""
 ARRIVED = 0.005
 """Who stands nearer to the goal is there [m]."""
 CLIMB_SHARE = 0.7
@@ -112,24 +101,13 @@ class SpaceMap:
 
     def __init__(self, site: Site, room: Room, grid: OccupancyGrid) -> None:
         self.limits = motion_limits(site)
-        self.hull = HullCylinder(
-            half_diagonal(site.drone.hull_length, site.drone.hull_width),
-            site.drone.hull_height / 2,
-        )
-        self.keep = site.map.tracking_bound + site.map.margin
-        bare, volumes = untracked(room, site), site_volumes(site)
+        space = room_space(site, room)
+        self.hull, self.keep = space.hull, space.keep
         self._hanging = site.map.flight_height
-        self._solids = filled_rows(bare, self._hanging)
-        empty = empty_map(bare, site.map.voxel, self.hull, self.keep)
-        within = within_volumes(within_heights(empty, *site_heights(site)), volumes)
-        self._open_air = within.allowed
-        self._static = within_reach(with_rows(within, self._solids), room.home)
-        self._dear = height_wish(empty, site.map.flight_height, HEIGHT_GAIN)
-        self._dear += blindness(empty, room, BLIND_GAIN)
-        self._dear += above_things(empty, self._solids, ABOVE_GAIN)
-        slow = tuple(volume for volume in volumes if volume.kind is VolumeKind.SLOW)
+        self._solids, self._open_air, self._static = space.solids, space.open_air, space.static
+        self._dear, self._doors = space.dear, space.doors
+        slow = tuple(volume for volume in space.volumes if volume.kind is VolumeKind.SLOW)
         self._zones = partial(speeds_at, slow) if slow else None
-        self._doors = DoorMap(site, bare, self._solids, volumes, self.keep)
         self._obstacles: tuple[Obstacle, ...] = ()
         self._at = 0.0
         self._people = site.people

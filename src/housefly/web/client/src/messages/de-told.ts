@@ -168,6 +168,10 @@ export const DE_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "seit {n} s soll sie landen (Grenze {m} s) und ist noch oben: Sinken nach eigener Vorgabe",
   "the drone is silent for {n} s": "die Drohne schweigt seit {n} s",
+  "people may be unseen: a sensor that looks for them is silent for {n} s":
+    "Personen bleiben vielleicht ungesehen: ein Sensor für sie schweigt seit {n} s",
+  "people may be unseen: a sensor that looks for them is not heard yet":
+    "Personen bleiben vielleicht ungesehen: von einem Sensor für sie kam noch nichts",
   "the drone says: {name}; landing": "die Drohne meldet: {name}; sie landet",
   "the drone says: {name}": "die Drohne meldet: {name}",
   "the drone has not confirmed its limits for {n} s":
@@ -284,6 +288,13 @@ export const DE_TOLD: Templates = {
   "at least {p}%, and more for a long way": "mindestens {p} %, für weite Wege mehr",
   "it has to come home, and to land": "sie muss zurückkommen und landen",
   "charge it, or change the battery": "laden oder Akku wechseln",
+  "the battery's gauge moves": "die Akkuanzeige bewegt sich",
+  "the battery's gauge stood still": "die Akkuanzeige stand still",
+  "stuck at {p}%": "steht bei {p} %",
+  "moving": "in Bewegung",
+  "nobody knows how much charge is left": "niemand weiß, wie voll der Akku ist",
+  "change the battery or restart the drone: take off once it shows another number":
+    "Akku wechseln oder die Drohne neu starten: Start, sobald ein anderer Wert erscheint",
   "tracking sees it": "die Ortung sieht sie",
   "it flies by where tracking sees it": "sie fliegt nach der Ortung",
   ["look at the tracking system: is it running, does it stream the body under this name? if " +
@@ -316,6 +327,16 @@ export const DE_TOLD: Templates = {
   "yes": "ja",
   "it may fly otherwise than planned": "sie fliegt vielleicht anders als geplant",
   "see the drone's page of the manual": "die Seite der Drohne im Handbuch ansehen",
+  "tracking has seen it on its pad": "die Ortung hat sie auf dem Landeplatz gesehen",
+  "tracking has not seen the drone on its pad":
+    "die Ortung hat die Drohne nicht auf dem Landeplatz gesehen",
+  "{d} m from it, turned by {n} deg": "{d} m davon entfernt, um {n}° gedreht",
+  "once within {d} m and {n} deg of it": "einmal höchstens {d} m und {n}° davon",
+  "where tracking and map disagree, walls are not where they seem":
+    "wo Ortung und Karte nicht übereinstimmen, sind Wände nicht, wo sie scheinen",
+  "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`":
+    "auf den Landeplatz stellen, die Nase in dessen Richtung; steht sie so: " +
+      "`housefly preflight --frames`",
   "it stands on its pad": "sie steht auf dem Landeplatz",
   "the drone is not on its pad": "die Drohne steht nicht auf dem Landeplatz",
   "{d} m from it": "{d} m davon entfernt",
@@ -329,8 +350,13 @@ export const DE_TOLD: Templates = {
   "no sensor": "kein Sensor",
   "it stops for people, and makes way, only where a sensor sees them":
     "nur für Personen, die ein Sensor sieht, hält sie und weicht aus",
-  "add a scanner or a depth camera to the site; until then keep people out of the room":
-    "Scanner oder Tiefenkamera ergänzen; bis dahin niemanden in den Raum lassen",
+  "silent for {n} s": "schweigt seit {n} s",
+  "not heard yet": "noch nichts gehört",
+  "heard within {n} s": "vor höchstens {n} s gehört",
+  ["see `housefly sensors`: is each one on, in this network and uncovered? without any, keep " +
+    "people out of the room, or add a scanner or a depth camera to the site"]:
+    "`housefly sensors` ansehen: ist jeder an, in diesem Netz und unverdeckt? Ohne Sensor " +
+      "niemanden in den Raum lassen, oder Scanner oder Tiefenkamera ergänzen",
   "it makes way only for people whom a sensor sees":
     "sie weicht nur Personen aus, die ein Sensor sieht",
   "keep people out of the room": "niemanden in den Raum lassen",

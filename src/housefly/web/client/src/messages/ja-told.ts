@@ -154,6 +154,10 @@ export const JA_TOLD: Templates = {
   "told to land for {n} s (limit {m} s) and still up: sinking by our own setpoint":
     "着陸の指示から{n}秒（限度 {m}秒）、まだ空中です。こちらの指令で降下します",
   "the drone is silent for {n} s": "ドローンから{n}秒間応答がありません",
+  "people may be unseen: a sensor that looks for them is silent for {n} s":
+    "人が見えていない恐れ：人を見るセンサーが{n}秒間応答なし",
+  "people may be unseen: a sensor that looks for them is not heard yet":
+    "人が見えていない恐れ：人を見るセンサーからまだ応答なし",
   "the drone says: {name}; landing": "ドローンの警告：{name}。着陸します",
   "the drone says: {name}": "ドローンの警告：{name}",
   "the drone has not confirmed its limits for {n} s": "ドローンが{n}秒間、制限値を確認していません",
@@ -254,6 +258,13 @@ export const JA_TOLD: Templates = {
   "at least {p}%, and more for a long way": "{p}% 以上、遠い場合はさらに必要",
   "it has to come home, and to land": "帰還と着陸に必要です",
   "charge it, or change the battery": "充電するか、バッテリーを交換してください",
+  "the battery's gauge moves": "バッテリー残量の表示は変化しています",
+  "the battery's gauge stood still": "バッテリー残量の表示が変わりませんでした",
+  "stuck at {p}%": "{p}% のまま変化なし",
+  "moving": "変化あり",
+  "nobody knows how much charge is left": "残量が分かりません",
+  "change the battery or restart the drone: take off once it shows another number":
+    "バッテリーを交換するか、ドローンの電源を入れ直し、別の値が出てから離陸してください",
   "tracking sees it": "位置計測で見えています",
   "it flies by where tracking sees it": "位置計測をもとに飛びます",
   ["look at the tracking system: is it running, does it stream the body under this name? if " +
@@ -284,6 +295,14 @@ export const JA_TOLD: Templates = {
   "yes": "はい",
   "it may fly otherwise than planned": "予定と違う飛び方をすることがあります",
   "see the drone's page of the manual": "説明書のドローンのページを見てください",
+  "tracking has seen it on its pad": "位置計測でパッド上に確認済み",
+  "tracking has not seen the drone on its pad": "位置計測でまだパッド上に確認されていません",
+  "{d} m from it, turned by {n} deg": "パッドから {d} m、{n}° 回転",
+  "once within {d} m and {n} deg of it": "一度 {d} m・{n}° 以内",
+  "where tracking and map disagree, walls are not where they seem":
+    "位置計測と地図がずれていると、壁の位置も違います",
+  "put it on its pad, its nose along it; if it stands so: `housefly preflight --frames`":
+    "機首を向きに合わせてパッドに置いてください。すでにそうなら: `housefly preflight --frames`",
   "it stands on its pad": "パッドに置かれています",
   "the drone is not on its pad": "ドローンがパッドにありません",
   "{d} m from it": "パッドから {d} m",
@@ -295,8 +314,13 @@ export const JA_TOLD: Templates = {
   "people without markers are unseen": "目印のない人は見えません",
   "no sensor": "センサーなし",
   "it stops for people, and makes way, only where a sensor sees them": "センサーに見える人の前でだけ止まり、よけます",
-  "add a scanner or a depth camera to the site; until then keep people out of the room":
-    "スキャナーか深度カメラを追加してください。それまでは人を部屋に入れないでください",
+  "silent for {n} s": "{n}秒間応答なし",
+  "not heard yet": "まだ応答なし",
+  "heard within {n} s": "{n}秒以内に応答",
+  ["see `housefly sensors`: is each one on, in this network and uncovered? without any, keep " +
+    "people out of the room, or add a scanner or a depth camera to the site"]:
+    "`housefly sensors` で、各センサーの電源、ネットワーク、覆いの有無を見てください。" +
+      "センサーがないなら、人を部屋に入れないか、スキャナーか深度カメラを追加してください",
   "it makes way only for people whom a sensor sees": "センサーに見える人だけをよけます",
   "keep people out of the room": "人を部屋に入れないでください",
   "the last frame check found nothing wrong": "前回の座標点検は正常でした",
