@@ -68,6 +68,7 @@ if TYPE_CHECKING:
         MissingPartError,
         RecordingError,
         RoomError,
+        SharedStoreError,
         StaleEdits,
         StoreError,
         TaskError,
@@ -147,12 +148,12 @@ __all__ = [
     "Path", "Phase", "PilotStep", "PlanAnswer", "PlannedTrajectory", "PlayedScene", "Pose",
     "PreflightCheck", "RecordingError", "RecordingNews", "Reference", "ReplayResult", "Room",
     "RoomClient", "RoomError", "RoomEvent", "RoomNews", "SafetyMode", "Scan", "Sensor",
-    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "SightNews", "Sighting",
-    "Simulation", "Site", "StaleEdits", "StoreError", "Summary", "TaskError", "TaskNews",
-    "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint", "VideoFrame", "WireError",
-    "ZenohBus", "choose_gains", "connect", "draw_room", "fly", "identify", "import_ros_map",
-    "judge_gains", "launch", "load_site", "open_flight", "play_scene", "run_campaign", "run_twin",
-    "text_map",
+    "SensorHealth", "SensorReport", "SensorSink", "Setpoint", "Severity", "SharedStoreError",
+    "SightNews", "Sighting", "Simulation", "Site", "StaleEdits", "StoreError", "Summary",
+    "TaskError", "TaskNews", "Telemetry", "ThingError", "TrackedFrame", "TrajectoryPoint",
+    "VideoFrame", "WireError", "ZenohBus", "choose_gains", "connect", "draw_room", "fly",
+    "identify", "import_ros_map", "judge_gains", "launch", "load_site", "open_flight",
+    "play_scene", "run_campaign", "run_twin", "text_map",
 ]
 # fmt: on
 
@@ -176,7 +177,7 @@ _MODULES = {
     "drones.ardrone.driver": "ArDrone",
     "errors": (
         "ConfigError EditsError HouseflyError LinkError MissingPartError RecordingError"
-        " RoomError StaleEdits StoreError TaskError ThingError WireError"
+        " RoomError SharedStoreError StaleEdits StoreError TaskError ThingError WireError"
     ),
     "hub.client.room_client": "RoomClient",
     "lab.identification.result": "Identified",

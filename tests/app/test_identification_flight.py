@@ -205,7 +205,7 @@ def test_what_a_maneuver_asks_goes_through_the_last_gate(
     ("arguments", "words"),
     [
         (["--repeats", "2"], "--repeats: is 2; allowed: a number from 4 to 40"),
-        (["--box", "0.5"], "--box: is 0.5 m; the blocks may take the drone further: at least 1."),
+        (["--box", "0.5"], "--box: is 0.5 m; allowed: from 1."),
         (["--box", "9"], "no free square of 9.0 m anywhere"),
         (["--at", "moon"], "--at: "),
         (["--from", "/nowhere"], "/nowhere"),

@@ -1,3 +1,4 @@
+import json
 from pathlib import Path
 
 import pytest
@@ -7,6 +8,7 @@ from hypothesis import strategies as st
 from housefly.config.section import Section
 from housefly.config.site import Site, changed, site_from_file, site_from_tree
 from housefly.errors import ConfigError
+from housefly.room.draft.codec import draft_from_json
 
 NUMBERS = [
     (
@@ -160,3 +162,21 @@ def test_a_drone_may_ask_for_more_climb_than_it_flies_at() -> None:
     limits = changed(Site(), limits__vertical_speed_max=1.2).limits
     assert limits.full_climb == 1.2 and limits.onboard_height_max == limits.height_max
     assert Site().limits.full_climb == 1.0 and Site().limits.onboard_height_max == 3.0
+
+
+def test_a_filter_that_takes_a_millimetre_of_noise_as_motion_is_refused() -> None:
+    keys = {"control__position_noise": 0.0001, "control__acceleration_noise": 13.2}
+    with pytest.raises(ConfigError, match=r"control.acceleration_noise \(13.2 m/s\^2\) must not"):
+        changed(Site(), **keys)
+    assert changed(Site(), mode="paper", **keys).control.position_noise == 0.0001
+    changed(Site(), control__position_noise=0.0001, control__acceleration_noise=0.4)
+
+
+@pytest.mark.parametrize("floor", [(-1000.0, 0.0, 1000.0, 5.0), (0.0, 0.0, 5.0, 201.0)])
+def test_a_floor_that_no_memory_would_hold_is_refused(
+    floor: tuple[float, float, float, float],
+) -> None:
+    with pytest.raises(ConfigError, match="allowed: up to 200 m along each side"):
+        changed(Site(), map__paper_rectangle=floor)
+    with pytest.raises(ConfigError, match="allowed: up to 200 m along each side"):
+        draft_from_json(json.dumps({"bounds": floor}))

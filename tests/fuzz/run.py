@@ -25,9 +25,11 @@ _TIMEOUT, _MEMORY_MB = 10, 2048
 _INSTRUMENTED = [
     *(f"housefly.{name}" for name in ("wires", "tracking", "sensors", "drones", "config")),
     *(f"housefly.{name}" for name in ("record", "bus", "room", "web", "hub")),
-    *("tomllib", "yaml", "mcap", "rosbags.serde"),
+    *(f"housefly.tasks.{name}" for name in ("api", "document", "intents", "rules")),
+    *("housefly.lab.campaigns.spec", "housefly.lab.campaigns.draws"),
+    *("tomllib", "yaml", "mcap", "rosbags.serde", "hassil"),
 ]
-_COMPILED = ["housefly.room.distance", "housefly.room.reach"]
+_COMPILED = ["housefly.room.distance", "housefly.room.reach", "housefly.room.sight"]
 _STATISTIC = re.compile(r"stat::number_of_executed_units:\s+(\d+)")
 _PULSE = re.compile(r"^#(\d+)\s.*?cov: (\d+)")
 

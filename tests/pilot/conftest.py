@@ -33,7 +33,7 @@ from housefly.messages import (
 )
 from housefly.pilot.assembly import make_pilot
 from housefly.pilot.control.model import Constants, DroneState, drone_step
-from housefly.room.grid import Cell, OccupancyGrid
+from housefly.room.grid import Cell, OccupancyGrid, build_grid
 from housefly.room.model import Place, Room, Shape, Solid
 
 TICK = 0.01
@@ -102,9 +102,12 @@ class Flight:
         wind: Vec2 = (0.0, 0.0),
         delay: float = 0.06,
         seed: int = 1,
+        is_mapped: bool = False,
     ) -> None:
         self.site, self.room = site, make_room()
         self.grid = make_grid(0.5, 0.3) if site.mode == "paper" else make_grid(0.1, 0.5)
+        if is_mapped:  # as the site says
+            self.grid = build_grid(self.room, site)
         self.pilot = make_pilot(site, self.room, self.grid)
         self.tracking = tracking or Tracking()
         self.constants = constants or Constants()
@@ -119,6 +122,7 @@ class Flight:
         self.notes: tuple[str, ...] = ()
         self.configured = True
         self.late = 0.0
+        self.origin_known = False
         self.pending: deque[tuple[float, Command]] = deque()
         self.delay = delay
         self.command = Command(Action.IDLE)
@@ -240,7 +244,15 @@ class Flight:
             self.heard = self.report()
         before = self.outputs.behavior if self.outputs else Behavior.HOVER
         self.outputs = self.pilot.step(
-            self.now, Inputs(self._look(), self.heard, orders, self.around(self), self.late)
+            self.now,
+            Inputs(
+                self._look(),
+                self.heard,
+                orders,
+                self.around(self),
+                self.late,
+                origin_known=self.origin_known,
+            ),
         )
         self.pending.append((self.now + self.delay, self.outputs.command))
         self.events.extend(self.outputs.events)
@@ -338,6 +350,7 @@ def fly() -> Callable[..., Flight]:
         delay: float = 0.06,
         seed: int = 1,
         tracking: dict[str, object] | None = None,
+        is_mapped: bool = False,
         **keys: object,
     ) -> Flight:
         return Flight(
@@ -347,6 +360,7 @@ def fly() -> Callable[..., Flight]:
             wind,
             delay,
             seed,
+            is_mapped,
         )  # type: ignore[arg-type]
 
     return make

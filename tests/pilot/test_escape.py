@@ -10,6 +10,7 @@ def test_a_drone_too_close_to_a_wall_leaves_by_the_shortest_line_and_one_off_the
     fly: Callable[..., Any],
 ) -> None:
     flight = fly(map__planner="grid")
+    flight.origin_known = True
     flight.body = flight.body._replace(y=0.3)
     assert not flight.grid.is_free(flight.grid.cell_of((flight.body.x, flight.body.y)))
     flight.run(0.5)

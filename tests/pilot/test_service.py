@@ -135,7 +135,7 @@ def test_mode_default_holds_its_place_while_it_turns_and_mode_paper_drifts(fly: 
     moved = {}
     for mode in ("default", "paper"):
         flight = fly(mode=mode, wind=(0.0, 0.3), map__planner="grid")
-        flight.body = flight.body._replace(psi=3.0)
+        flight.body, flight.origin_known = flight.body._replace(psi=3.0), True
         flight.run(0.5)
         flight.step(flight.order(OrderKind.GO, place="entrance"))
         flight.until(lambda o: o.behavior is Behavior.YAW_CONTROL)

@@ -64,6 +64,22 @@ def test_the_folder_of_a_flight_stands_for_its_recording(
 @settings(
     max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
+@given(share=st.floats(0.0, 1.0), zeros=st.integers(0, 100_000))
+def test_a_recording_that_ends_in_zeros_after_a_power_cut_gives_what_is_readable(
+    recording: Path, share: float, zeros: int
+) -> None:
+    whole = recording.read_bytes()
+    flight = tuple(read_steps(recording))
+    cut = recording.with_name("cut.mcap")
+    cut.write_bytes(whole[: max(9, int(share * len(whole)))] + bytes(zeros))
+    readable = tuple(read_steps(cut))
+    assert readable == flight[: len(readable)]
+    assert len(readable) >= (share - 0.2) * len(flight)
+
+
+@settings(
+    max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
 @given(share=st.floats(0.0, 1.0))
 def test_a_recording_that_was_cut_short_gives_what_is_readable(
     recording: Path, share: float

@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from fuzz_drone_wires import DRONE_WIRES
 from fuzz_files import FILES
+from fuzz_kept import KEPT
+from fuzz_new_page import NEW_PAGE
 from fuzz_room_wires import ROOM_WIRES
 from fuzz_target import FuzzTarget
+from fuzz_tasks import TASKS
 from fuzz_web import WEB
 
-TARGETS: dict[str, FuzzTarget] = {**DRONE_WIRES, **ROOM_WIRES, **FILES, **WEB}
+TARGETS: dict[str, FuzzTarget] = {
+    **DRONE_WIRES, **ROOM_WIRES, **FILES, **KEPT, **TASKS, **WEB, **NEW_PAGE,
+}  # fmt: skip

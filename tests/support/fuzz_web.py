@@ -7,9 +7,10 @@ import json
 from collections.abc import Iterable
 from functools import cache
 from typing import Any, NamedTuple
-from urllib.parse import unquote
 
-from fuzz_target import DEEP, FuzzTarget, scratch, split
+from fuzz_asgi import HOST, SECRET, TOKEN, http_status, scope_of, session
+from fuzz_target import DEEP, FuzzTarget, scratch
+from stand_in_tasks import StandInTasks
 
 from housefly.bus.codec import from_cdr, to_cdr
 from housefly.bus.local import LocalBus
@@ -54,9 +55,7 @@ from housefly.web.edit_service import EditService
 from housefly.web.fake_pilot import FakePilot
 from housefly.web.fake_room import example_room
 from housefly.web.server import create_app
-from housefly.web.session_auth import PROOF_HEADER, SUBPROTOCOL, SessionAuth
 
-_TOKEN, _SECRET, _HOST = "a-token-for-tests-only", "a-secret-for-tests-only", "127.0.0.1:8080"
 _PILOT_QUERIES = (PlanRequest, RoomView, PlanAnswer, PreflightView)
 _STATUSES = (200, 401, 404, 503)
 _QUESTIONS = tuple(ANSWER_TYPES)
@@ -119,11 +118,12 @@ class _Room(NamedTuple):
     app: Any
     loop: asyncio.AbstractEventLoop
     edits: EditVersions
+    tasks: StandInTasks
 
 
 @cache
 def _room() -> _Room:
-    """A console with a session, a hub and a room that can be edited."""
+    """A console with a session, a hub, tasks and a room that can be edited."""
     thing = Thing("cup", "the red cup", ThingKind.OBJECT, ("mug",), position=(1.0, 1.0, 1.0))
     memory = RoomMemory((thing,), lambda: open_store(scratch() / "room.db"))
     handler = QueryHandler(memory, RoomStatus(memory.writer.report), lambda: 1.7e9)
@@ -131,10 +131,11 @@ def _room() -> _Room:
     bus.answer(HUB_QUERY, lambda text: answer_to_json(handler.answer(question_from_json(text))))
     FakePilot(bus.join(), example_room())
     versions = EditVersions(scratch() / "saved")
+    tasks = StandInTasks(bus.join())
     app = create_app(
-        bus, _TOKEN, lambda: None, secret=_SECRET, edits=EditService(_small_room, Site(), versions)
+        bus, TOKEN, lambda: None, secret=SECRET, edits=EditService(_small_room, Site(), versions)
     )
-    return _Room(handler, app, asyncio.new_event_loop(), versions)
+    return _Room(handler, app, asyncio.new_event_loop(), versions, tasks)
 
 
 def _small_room() -> Room:
@@ -142,66 +143,38 @@ def _small_room() -> Room:
     return Room("hall", (0.0, 0.0, 5.0, 5.0), 2.6, (), places, (), (2.0, 2.0))
 
 
-def _session() -> list[tuple[bytes, bytes]]:
-    """Return what a page of a fresh session sends."""
-    auth = SessionAuth(_TOKEN, _SECRET)
-    cookie = auth.redeem(_TOKEN) or ""
-    headers = {
-        "host": _HOST, "origin": f"http://{_HOST}", "cookie": f"housefly_8080={cookie}",
-        PROOF_HEADER: auth.proof(cookie.partition(".")[0]), "sec-websocket-protocol": SUBPROTOCOL,
-    }  # fmt: skip
-    return [(key.encode(), value.encode()) for key, value in headers.items()]
-
-
-def _scope(kind: str, target: bytes, headers: list[tuple[bytes, bytes]]) -> dict[str, Any]:
-    path, query = split(target, b"?")
-    return {
-        "type": kind, "asgi": {"version": "3.0"}, "http_version": "1.1", "root_path": "",
-        "scheme": "http" if kind == "http" else "ws", "server": ("127.0.0.1", 8080),
-        "client": ("127.0.0.1", 5), "path": unquote(path.decode("latin-1")), "raw_path": path,
-        "query_string": query, "headers": headers, "subprotocols": [SUBPROTOCOL], "state": {},
-    }  # fmt: skip
-
-
 def _http(data: bytes) -> None:
     """A request as it stands on the wire; what its head leaves out a page of ours would say."""
-    head, body = split(data, b"\n\n")
-    first, *lines = head.split(b"\n")
-    method, target = split(first, b" ")
-    told = [tuple(part.strip() for part in split(line, b":")) for line in lines if b":" in line]
-    names = {key.lower() for key, _ in told}
     room = _room()
-    headers = [(key.lower(), value) for key, value in told]
-    headers += [pair for pair in _session() if pair[0] not in names]
-    scope = _scope("http", target, headers)
-    scope["method"] = method.decode("latin-1").upper()
-    answers: list[dict[str, Any]] = []
-
-    waiting = [{"type": "http.request", "body": body, "more_body": False}]
-
-    async def receive() -> dict[str, Any]:
-        if waiting:
-            return waiting.pop()
-        while not answers:  # whoever asks waits for the beginning of an answer
-            await asyncio.sleep(0.001)
-        return {"type": "http.disconnect"}
-
-    async def send(message: dict[str, Any]) -> None:
-        answers.append(message)
-
-    room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 60.0))
-    assert answers[0]["status"] != 500
+    assert http_status(room.app, room.loop, data) != 500
     for path in room.edits.folder.glob("*") if room.edits.folder.is_dir() else ():
         path.unlink()
+    room.tasks.asked.clear()
+    room.tasks.tasks.clear()
 
 
 def _http_seeds() -> Iterable[bytes]:
     for path in ("/", "/?token=a", "/static/app.js", "/coverage", "/edits", "/api/v1/things"):
-        yield f"GET {path}\nhost: {_HOST}\n\n".encode()
+        yield f"GET {path}\nhost: {HOST}\n\n".encode()
     yield b"GET /api/v1/things/cup?at=1\nauthorization: Bearer a\naccept: text/html\n\n"
     yield b"GET /?a=\xff\n\n"
     yield b"GET /\nhost: 127.0.0.1:abc\n\n"
     yield b"GET /\nhost: [::1]:99999\n\n"
+    for path in ("/tasks", "/services", "/rules", "/clips?task=5", "/tasks/history?since=0"):
+        yield f"GET /api/v1{path}\n\n".encode()
+    yield b"GET /api/v1/rules/dry-run?since=1e9&until=1e999\n\n"
+    asked = {"service": "look", "parameters": {"subject": "sofa"}}
+    for where in ("/tasks", "/tasks/rehearse"):
+        yield f"POST /api/v1{where}\n\n{json.dumps(asked)}".encode()
+    yield b'POST /api/v1/tasks\n\n{"service": "look", "parameters": {"a": ' + DEEP[:500]
+    yield b'POST /api/v1/tasks/1/reply\n\n{"question": "confirm", "choice": "look"}'
+    yield b"POST /api/v1/tasks/0/cancel\n\n"
+    yield b"POST /api/v1/tasks/-1/pause\n\n{}"
+    yield b'POST /api/v1/sentence\n\n{"text": "halt", "language": "de", "fly": false}'
+    yield b'POST /api/v1/sentence\n\n{"text": "\\ud800"}'
+    yield b'POST /api/v1/mode\n\n{"mode": "away"}'
+    yield b'POST /api/v1/clips/a/keep\n\n{"keep": false}'
+    yield b"POST /api/v1/webhook/bell\nauthorization: Bearer a\n\n"
     yield b"GET /api/v1/near?x=1&y=2&radius=3\n\n"
     yield b"GET /api/v1/events?since=0&limit=5\nsec-fetch-site: same-origin\n\n"
     yield b"POST /stop\n\n"
@@ -230,7 +203,7 @@ def _websocket(data: bytes) -> None:
     async def send(message: dict[str, Any]) -> None:
         answers.append(message)
 
-    scope = _scope("websocket", b"/socket", _session())
+    scope = scope_of("websocket", b"/socket", session())
     room.loop.run_until_complete(asyncio.wait_for(room.app(scope, receive, send), 60.0))
     assert answers[0]["type"] == "websocket.accept"
 
@@ -265,7 +238,11 @@ WEB: dict[str, FuzzTarget] = {
         _pilot_query, lambda: (b'\0{"goal":[1,2],"place":""}',), (WireError,), 1024
     ),
     "http": FuzzTarget(
-        _http, _http_seeds, (), 1024, (b"host:", b"origin:", b"cookie:", b"%00", b"..", b"[::1")
+        _http,
+        _http_seeds,
+        (),
+        1024,
+        (b"host:", b"origin:", b"cookie:", b"%00", b"..", b"/api/v1/", b"/tasks"),
     ),
     "websocket": FuzzTarget(
         _websocket, _websocket_seeds, (), 1024, (b'"order"', b'"goal"', b"NaN", b"1e999")

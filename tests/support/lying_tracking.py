@@ -128,7 +128,8 @@ class LiedFlight:
     def step(self, *orders: Order) -> Outputs:
         """Run one round."""
         self.sim.advance()
-        inputs = self.sim.inputs(*orders)
+        # A lie that is there from the start would keep it on its pad.
+        inputs = replace(self.sim.inputs(*orders), origin_known=True)
         if inputs.telemetry is not None:
             report = self.report(inputs.telemetry)
             inputs, self.status = replace(inputs, telemetry=report), report.status

@@ -62,6 +62,7 @@ def test_the_file_does_not_grow_without_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(audit_log, "MAX_SIZE", 2000)
+    monkeypatch.setattr(audit_log, "_TOGETHER", 5)
     log = AuditLog(tmp_path / "commands.jsonl")
     for _ in range(200):
         log.record("Anna", "x", "hover")

@@ -38,6 +38,18 @@ async def test_what_was_kept_is_read_again_and_a_torn_line_is_not(tmp_path: Path
     assert [one.number for one in kept.events] == [1, 2, 3], "4 is of another boot"
 
 
+async def test_a_line_torn_by_a_kill_hides_nothing_that_the_next_console_keeps(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "console.jsonl").write_text('{"control": {"holder": 7, "ta')
+    second = ConsoleMemory(tmp_path)
+    second.read(10.0)
+    stopped = KeptControl(2, stop_holds=True, stop_by="Anna")
+    second.keep_control(stopped)
+    second.close()
+    assert ConsoleMemory(tmp_path).read(10.0).control == stopped
+
+
 async def test_a_file_that_grows_is_written_anew_with_all_that_counts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

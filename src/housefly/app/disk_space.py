@@ -1,10 +1,13 @@
 """Room on the disks that a run writes to: with too little of it nothing takes off.
 
+Nor does anything where nothing can be written at all, and flights are remembered or recorded.
+
 A flight that goes on is not touched: recording and memory say what they lack.
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 from collections.abc import Callable, Iterable
@@ -13,8 +16,9 @@ from pathlib import Path
 from typing import Any
 
 from housefly.app.stand_down import RISING_ORDERS
+from housefly.config.environment import RECORDING_VARIABLE
 from housefly.config.site import Site
-from housefly.config.state import database_file
+from housefly.config.state import database_file, tasks_folder
 from housefly.errors import HouseflyError
 from housefly.messages import Event, Order, Severity
 from housefly.messages.preflight import PreflightCheck
@@ -27,24 +31,34 @@ DISK_LOOK_PERIOD = 2.0
 """How often to look [s]."""
 _FAULT = "a disk is nearly full"
 _MEND = "delete old flights, or move them to another disk"
+_LOSS = "what happens in the flight could not be kept"
+_UNWRITABLE = "a disk cannot be written to"
+_WRITABLE_MEND = "mount the disk for writing again, or let this user write there"
 
 
 class DiskSpace:
-    """Looks how much room is left.
+    """Looks how much room is left, and whether anything can be written.
 
     Args:
         folders: on the disks that count; one that does not exist yet counts as its parent.
         usage: total and free bytes of a folder's disk.
+        kept: of these folders those in which a flight is remembered or recorded: a file is
+            written there to see whether that can be.
 
     Attributes:
         shortage: what is too full, in words, or "".
+        refusal: where nothing can be written, in words, or "".
     """
 
     def __init__(
-        self, folders: Iterable[Path], usage: Callable[[Path], Any] = shutil.disk_usage
+        self,
+        folders: Iterable[Path],
+        usage: Callable[[Path], Any] = shutil.disk_usage,
+        kept: Iterable[Path] = (),
     ) -> None:
-        self.shortage = ""
-        self._folders, self._usage = tuple(folders), usage
+        self.shortage = self.refusal = ""
+        self._kept = tuple(kept)
+        self._folders, self._usage = (*folders, *self._kept), usage
         self._fullest = "unknown"
 
     def look(self) -> None:
@@ -59,9 +73,14 @@ class DiskSpace:
                     short[folder] = share
         self._fullest = _words(shares) if shares else "unknown"
         self.shortage = _words(short) if short else ""
+        found = (_why_unwritable(_existing(folder)) for folder in self._kept)
+        self.refusal = next(filter(None, found), "")
 
-    def check(self) -> PreflightCheck:
-        """Return the line of the pre-flight list."""
+    def checks(self) -> tuple[PreflightCheck, ...]:
+        """Return the lines of the pre-flight list."""
+        return (self._space(), self._writing()) if self._kept else (self._space(),)
+
+    def _space(self) -> PreflightCheck:
         return PreflightCheck(
             code="disk_space",
             title="there is room on the disk",
@@ -70,22 +89,40 @@ class DiskSpace:
             required=True,
             value=self.shortage or self._fullest,
             limit=f"at least {FREE_SHARE_MIN:.0%} free, or {FREE_ENOUGH_GB} GB",
-            why="what happens in the flight could not be kept",
+            why=_LOSS,
             mend=_MEND,
         )
+
+    def _writing(self) -> PreflightCheck:
+        return PreflightCheck(
+            code="disk_writable",
+            title="the disk can be written to",
+            fault=_UNWRITABLE,
+            passed=not self.refusal,
+            required=True,
+            value=self.refusal or "written a moment ago",
+            limit="a file can be written",
+            why=_LOSS,
+            mend=_WRITABLE_MEND,
+        )
+
+    def _fault(self) -> str:
+        if self.shortage:
+            return f"{_FAULT}: {self.shortage}, must be {self._space().limit}; {_MEND}"
+        return f"{_UNWRITABLE}: {self.refusal}; {_WRITABLE_MEND}" if self.refusal else ""
 
     def allowed(
         self, orders: tuple[Order, ...], now: float
     ) -> tuple[tuple[Order, ...], tuple[Event, ...]]:
         """Return the orders without those that take off where there is no room, and the words."""
-        refused = [order for order in orders if self.shortage and order.kind in RISING_ORDERS]
+        fault = self._fault()
+        refused = [order for order in orders if fault and order.kind in RISING_ORDERS]
         told = (
             Event(
                 now,
                 Severity.WARNING,
                 "order_refused",
-                f"{order.kind.value.replace('_', ' ')} refused: {_FAULT}: {self.shortage}, must be"
-                f" {self.check().limit}; {_MEND}",
+                f"{order.kind.value.replace('_', ' ')} refused: {fault}",
             )
             for order in refused
         )
@@ -93,11 +130,12 @@ class DiskSpace:
 
 
 def disks_of(site: Site) -> DiskSpace:
-    """Return the disks that a run of a site writes to: memory, logs, flights."""
-    folders = [Path(tempfile.gettempdir()), Path.cwd()]
+    """Return the disks that a run of a site writes to: memory, tasks, logs, flights."""
+    kept = [Path(folder)] if (folder := os.environ.get(RECORDING_VARIABLE)) else []
     with suppress(HouseflyError):
-        folders += [database_file(site).parent] if site.hub.enabled else []
-    return DiskSpace(folders)
+        kept += [database_file(site).parent] if site.hub.enabled else []
+        kept += [tasks_folder(site)] if site.tasks.enabled else []
+    return DiskSpace([Path(tempfile.gettempdir()), Path.cwd()], kept=kept)
 
 
 def _existing(folder: Path) -> Path:
@@ -107,3 +145,14 @@ def _existing(folder: Path) -> Path:
 def _words(shares: dict[Path, float]) -> str:
     folder = min(shares, key=lambda path: shares[path])
     return f"{shares[folder]:.1%} free at {folder}"
+
+
+def _why_unwritable(folder: Path) -> str:
+    """Write a file that never has a name, and return in words why that cannot be, or ""."""
+    try:
+        with tempfile.TemporaryFile(dir=folder) as probe:
+            probe.write(b"x")
+            probe.flush()
+    except OSError as error:
+        return f"nothing can be written at {folder} ({error.strerror})"
+    return ""

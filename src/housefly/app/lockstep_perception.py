@@ -51,8 +51,8 @@ class LockstepPerception:
         for laser in self._site.lasers:
             if now >= self._due[laser.name]:
                 self._due[laser.name] = now + MODELS[laser.model].period - 1e-6
-                ranges = self._faults.scan(laser.name, partial(self._world.scan, laser.name), now)
-                if ranges is not None:
+                read = partial(self._world.scan, laser.name)
+                for _, ranges in self._faults.scan(laser.name, read, now):
                     self._send(laser, ranges, now + laser.latency)
         obstacles: list[Obstacle] = []
         while self._under_way and self._under_way[0][0] <= now:
@@ -65,8 +65,7 @@ class LockstepPerception:
             if now >= self._image_due[camera.name]:
                 self._image_due[camera.name] = now + 1.0 / camera.rate_hz - 1e-6
                 take = partial(self._world.depth_image, camera.name, now)
-                image = self._faults.depth_image(camera.name, take, now)
-                if image is not None:
+                for image in self._faults.depth_images(camera.name, take, now):
                     own = own_footprint(self._site, estimate)
                     found = self._depth.update(image, now, own)
                     if not found.problem:

@@ -328,7 +328,7 @@ class PilotShell:
     def _look_at_preflight(self) -> None:
         """Bring the pre-flight list up to date; a failure there stops no other report."""
         try:
-            self._queries.update_preflight((*self.pilot.preflight(), self._disks.check()))
+            self._queries.update_preflight((*self.pilot.preflight(), *self._disks.checks()))
         except Exception:
             traceback.print_exc()
             self._queries.update_preflight(())

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from housefly.config.durable import sync_file, sync_folder
 from housefly.config.site import Site
 from housefly.config.state import database_file
 from housefly.config.text import read_text_file
@@ -70,7 +71,10 @@ def write_frame_check(site: Site, record: FrameCheckRecord) -> Path:
     ]
     fresh = path.with_suffix(".new")
     fresh.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return fresh.replace(path)
+    sync_file(fresh)
+    kept = fresh.replace(path)
+    sync_folder(path.parent)
+    return kept
 
 
 def read_frame_check(site: Site) -> FrameCheckRecord | None:
@@ -95,7 +99,7 @@ def read_frame_check(site: Site) -> FrameCheckRecord | None:
         tree["tracking"],
         _texts(tree.get("findings")),
         _texts(tree.get("notes")),
-        tuple((name, float(v)) for name, v in values.items() if isinstance(v, int | float)),
+        tuple((name, float(v)) for name, v in values.items() if _is_number(v)),
     )
 
 
@@ -124,6 +128,11 @@ def _text(words: str) -> str:
 
 def _list(words: tuple[str, ...]) -> str:
     return f"[{', '.join(map(_text, words))}]"
+
+
+def _is_number(value: Any) -> bool:
+    """Return whether a value is a number that a float holds."""
+    return isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**53)
 
 
 def _texts(found: Any) -> tuple[str, ...]:

@@ -6,7 +6,7 @@ from typing import Literal, Self
 
 from pydantic import Field, model_validator
 
-from housefly.config.rectangle import Rectangle, check_rectangle
+from housefly.config.rectangle import Rectangle, check_floor, check_rectangle
 from housefly.config.section import Section, quantity
 
 
@@ -71,4 +71,5 @@ class MapConfig(Section):
     @model_validator(mode="after")
     def _ordered(self) -> Self:
         check_rectangle(self.paper_rectangle)
+        check_floor(self.paper_rectangle, "paper_rectangle")
         return self

@@ -38,6 +38,8 @@ from housefly.errors import ConfigError
 
 Mode = Literal["default", "paper"]
 
+NOISE_RATIO_MAX = 5000.0
+"""Largest ``acceleration_noise / position_noise`` [1/s^2]."""
 _PAPER_LIMITS = {"climb_command_max": 0.0, "landing_height": 0.45, "landing_lead": 0.0}
 """What mode paper flies with, whatever the site says: loads and draughts are not its own."""
 
@@ -145,8 +147,20 @@ class Site(Section):
                 f"control.beta ({self.control.beta} 1/s^2) must be below drone.attitude_lag *"
                 f" control.alpha ({lag * self.control.alpha:.3g} 1/s^2): the loop would be unstable"
             )
+        self._check_filter()
         self._check_who_flies_over_mqtt()
         return self
+
+    def _check_filter(self) -> None:
+        """Raise ValueError for a filter that takes each millimetre of tracking noise as motion."""
+        control = self.control
+        highest = NOISE_RATIO_MAX * control.position_noise
+        if self.mode != "paper" and control.acceleration_noise > highest:
+            raise ValueError(
+                f"control.acceleration_noise ({control.acceleration_noise:g} m/s^2) must not be"
+                f" above {NOISE_RATIO_MAX:g} 1/s^2 * control.position_noise ({highest:.3g} m/s^2):"
+                " noise of 1 mm would be taken as motion, and the drone land as if touched"
+            )
 
     def _check_who_flies_over_mqtt(self) -> None:
         """Raise ValueError where whoever reaches the broker could fly without a person's yes."""

@@ -12,6 +12,8 @@ from housefly.errors import ConfigError
 
 _MAX_FILE_SIZE = 16 * 2**20
 """Largest text file that is read [bytes]."""
+_PART = 2**20
+"""Read at once [bytes]."""
 _MAX_LENGTH = 4096
 """Longest text of one value, a path for example [characters]."""
 _MAX_DEPTH = 40
@@ -46,10 +48,13 @@ def read_file(path: Path, size_max: int = _MAX_FILE_SIZE) -> bytes:
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
         if not stat.S_ISREG(found.st_mode):
             raise OSError(errno.EINVAL, "no ordinary file")
-        content = file.read(size_max + 1)
-    if len(content) > size_max:
+        parts, left = list[bytes](), size_max + 1
+        while part := file.read(min(left, _PART)):  # a read takes the memory that it may fill
+            parts.append(part)
+            left -= len(part)
+    if left <= 0:
         raise OSError(errno.EFBIG, f"larger than {size_max / 2**20:.3g} MiB")
-    return content
+    return b"".join(parts)
 
 
 def expanded(name: str, key: str) -> Path:

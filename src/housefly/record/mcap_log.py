@@ -1,7 +1,8 @@
-"""One MCAP file of ROS 2 messages, readable up to its last moments if the writer dies."""
+"""One MCAP file of ROS 2 messages, readable up to its last second if writer or power dies."""
 
 from __future__ import annotations
 
+import os
 import time
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ from mcap.writer import Writer
 
 from housefly.bus.codec import to_cdr
 from housefly.bus.interfaces import definition, ros_name, type_store
+from housefly.config.durable import SyncPace, sync_folder
 from housefly.record.ros_messages import nanoseconds
 
 _CHUNK_SIZE = 32 * 1024
@@ -35,6 +37,9 @@ class McapLog:
         self._writer.start(profile="ros2", library="housefly")
         self._writer.add_metadata("housefly", notes)
         self._file.flush()
+        os.fsync(self._file.fileno())
+        sync_folder(path.parent)
+        self._pace = SyncPace()
         self._channels: dict[str, int] = {}
         self._counts: dict[str, int] = {}
         self._epoch: float | None = None
@@ -56,6 +61,8 @@ class McapLog:
         """Write the index and close the file."""
         try:
             self._writer.finish()  # type: ignore[no-untyped-call]
+            self._file.flush()
+            os.fsync(self._file.fileno())
         finally:
             self._file.close()
 
@@ -71,3 +78,6 @@ class McapLog:
             self._epoch = time.time() - at
         stamp = nanoseconds(self._epoch + at)
         self._writer.add_message(channel, stamp, data, stamp, count)
+        if self._pace.is_due():
+            self._file.flush()
+            os.fsync(self._file.fileno())

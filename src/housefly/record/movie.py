@@ -10,6 +10,7 @@ from typing import Any
 import av
 from av.container import OutputContainer
 
+from housefly.config.durable import SyncPace, sync_file
 from housefly.messages import VideoFrame
 
 _TIME_BASE = Fraction(1, 90_000)
@@ -33,6 +34,7 @@ class Movie:
         self._size = (0, 0)
         self._started_at = 0.0
         self._last_pts = -1
+        self._pace = SyncPace()
 
     def add(self, frame: VideoFrame) -> None:
         """Append one frame, shown from its ``received_at`` on.
@@ -50,6 +52,8 @@ class Movie:
         packet.pts = packet.dts = pts
         packet.is_keyframe = frame.keyframe
         self._container.mux(packet)
+        if self._pace.is_due():
+            sync_file(self._path)
 
     def close(self) -> None:
         """Close the file; closing twice does no harm."""

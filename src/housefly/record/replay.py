@@ -26,6 +26,7 @@ STEP_CHANNEL = "/housefly/step"
 _STEP_TYPE = ros_name("PilotStep")
 _RECORD_LIMIT = 64 * 2**20
 """Largest record in a sane recording [bytes]; a damaged length must not exhaust the memory."""
+_PIECE = 2**20
 _HEAD = struct.Struct("<BQ")
 """Kind and length [bytes] of an MCAP record."""
 
@@ -91,7 +92,17 @@ def _records(file: BinaryIO, path: Path) -> Iterator[McapRecord]:
             OverflowError,
             MemoryError,
         ) as error:
+            if _is_torn_end(file):
+                return
             raise RecordingError(f"{path} is damaged: {error}") from error
+
+
+def _is_torn_end(file: BinaryIO) -> bool:
+    """Return whether nothing follows a record that cannot be read, or what a power cut leaves.
+
+    Some file systems know how long a file is before they have what is in it: that reads as zeros.
+    """
+    return not any(piece.strip(b"\0") for piece in iter(lambda: file.read(_PIECE), b""))
 
 
 def _types_of(schema: Schema | None, path: Path) -> Typestore:

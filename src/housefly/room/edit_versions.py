@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from housefly.config.durable import sync_folder
 from housefly.config.edits import Edits
 from housefly.errors import EditsError, StaleEdits
 from housefly.room.edits import edits_from_tree
@@ -121,6 +122,7 @@ class EditVersions:
                 os.fsync(file.fileno())
             # A link, unlike a rename, does not replace what another writer has put there meanwhile.
             os.link(draft, self._path(number))
+            sync_folder(self.folder)
         except FileExistsError as error:
             raise StaleEdits(
                 f"version {number} was saved in between: look at it, then change it again"

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Self
 
 from pydantic import Field, ValidationError, model_validator
 
+from housefly.config.rectangle import check_floor
 from housefly.config.section import Section
 from housefly.config.text import read_text_file
 from housefly.config.toml import parse_toml
@@ -105,6 +106,7 @@ class _RoomEntry(Section):
             raise ValueError(
                 "bounds are x_min, y_min, x_max, y_max [m] with x_min < x_max and y_min < y_max"
             )
+        check_floor(self.bounds)
         if not (x_min <= self.home[0] <= x_max and y_min <= self.home[1] <= y_max):
             raise ValueError(f"home {self.home} m must lie within bounds {self.bounds} m")
         if "home" not in {place.name for place in self.places}:

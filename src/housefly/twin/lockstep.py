@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from math import inf, isfinite
+from dataclasses import replace
+from math import inf, isfinite, nan
 
 from housefly.config.site import Site
 from housefly.errors import ConfigError
-from housefly.messages import Command, DroneStatus, Sighting, Telemetry
+from housefly.messages import Command, DroneStatus, Setpoint, Sighting, Telemetry
 from housefly.twin.contracts import (
     FlightState,
     MocapFrame,
@@ -64,6 +65,13 @@ _REPORTS: PacketCodec[OnboardState] = PacketCodec(
     garbled=not_numbers, repeated=lambda old, new: new
 )
 """Reports that stand still are written anew, with old content."""
+_Step = tuple[float, Command]
+"""When the pilot gave a command [s], and the command."""
+_NO_NUMBERS = Setpoint(nan, nan, nan, nan)
+_STEPS: PacketCodec[_Step] = PacketCodec(
+    garbled=lambda fault, step, number: (step[0], replace(step[1], setpoint=_NO_NUMBERS)),
+    repeated=lambda old, new: (new[0], old[1]),
+)
 
 
 class LockstepRoom:
@@ -108,10 +116,11 @@ class LockstepRoom:
         self._emergency_held = False
         self._uplink = PacketStream(FaultComponent.COMMANDS, _COMMANDS)
         self._downlink = PacketStream(FaultComponent.TELEMETRY, _REPORTS)
+        self._pilot_link = PacketStream(FaultComponent.PILOT, _STEPS)
+        self._steps_under_way: deque[tuple[float, _Step]] = deque()
         self._commands_under_way: deque[tuple[float, _Datagram]] = deque()
         self._reports_under_way: deque[tuple[float, OnboardState]] = deque()
         self._number = self._heard_number = 0
-        self._pilot_steps = 0
         self._report: Telemetry | None = None
         self._understood: tuple[OnboardState, Telemetry] | None = None
         self._reported_at = -1.0
@@ -168,10 +177,16 @@ class LockstepRoom:
 
     def send(self, command: Command) -> None:
         """Hand over the command in force from now on."""
-        self._pilot_steps += 1
-        if not self.faults.pilot_is_heard(self._pilot_steps, self.now):
-            return
-        action_changed = self._sequencer.update(command, self.now)
+        now = self.now
+        self._steps_under_way.extend(
+            self._pilot_link.sent((now, command), self.faults.schedule, now)
+        )
+        while self._steps_under_way and self._steps_under_way[0][0] <= now + _ROUNDING:
+            self._hear(*self._steps_under_way.popleft()[1])
+
+    def _hear(self, issued_at: float, command: Command) -> None:
+        """Let the driver hear a step of the pilot; one that is late arrives with a later step."""
+        action_changed = self._sequencer.update(command, self.now, issued_at)
         if action_changed or self.now - self._sent_at >= SEND_INTERVAL_MIN:
             self._transmit()
 

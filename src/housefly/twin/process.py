@@ -216,13 +216,15 @@ class Twin:
         while True:
             await rate.sleep()
             truth = self._world.truth()
-            camera.request_picture(
-                truth.pose,
-                self._world.visitor_present,
-                self._drone.camera,
-                truth.at,
-                self._world.people(),
-            )
+            view = self._faults.view(truth.pose, truth.at)
+            if view is not None:
+                camera.request_picture(
+                    view,
+                    self._world.visitor_present,
+                    self._drone.camera,
+                    truth.at,
+                    self._world.people(),
+                )
             self._report_changes(camera)
 
     def _report_changes(self, camera: CameraProcess) -> None:

@@ -16,8 +16,9 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
+from housefly.config.durable import append_lines
 from housefly.web.protocol import EventView
 
 _LOG = logging.getLogger(__name__)
@@ -121,7 +122,7 @@ class ConsoleMemory:
                 self._control = _CONTROL.validate_python(told["control"])
             else:
                 self._events.append(_EVENT.validate_python(told["event"]))
-        except (ValueError, KeyError, TypeError, ValidationError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             _LOG.warning("a line of %s is not understood", self._file)
 
     def _run(self) -> None:
@@ -136,11 +137,8 @@ class ConsoleMemory:
                 _LOG.error("%s cannot be written: %s", self._file, error.strerror)
 
     def _append(self, line: str) -> None:
-        flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
-        with os.fdopen(os.open(self._file, flags, 0o600), "a", encoding="utf-8") as file:
-            file.write(line + "\n")
-            is_long = file.tell() > _SIZE_MAX
-        if is_long:
+        # The run ends with the power: only what a kill leaves counts here.
+        if append_lines(self._file, [line], sync=False) > _SIZE_MAX:
             self._write_anew([*map(_line, self._events), _line(self._control)])
 
     def _write_anew(self, lines: Iterable[str]) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import os
 import queue
 import threading
 import time
@@ -13,6 +12,7 @@ from math import hypot, isfinite
 from pathlib import Path
 from typing import Protocol
 
+from housefly.config.durable import SyncPace, append_lines
 from housefly.messages import DroneStatus, Estimate, PilotStep, Severity
 from housefly.numeric import wrapped
 from housefly.web.flight_log import (
@@ -71,6 +71,7 @@ class FlightLogWriter:
         self._worst = Severity.INFO
         self._waiting: queue.Queue[tuple[str, Line] | None] = queue.Queue(_WAITING)
         self._id = ""
+        self._pace = SyncPace()
         self._thread = threading.Thread(target=self._run, name="flight-log", daemon=True)
         self._thread.start()
 
@@ -146,10 +147,9 @@ class FlightLogWriter:
         if isinstance(line, FlightHead):
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             self._forget()
-        flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW
+        is_edge = isinstance(line, FlightHead | FlightEnd)
         file = self._folder / f"{name}.jsonl"
-        with os.fdopen(os.open(file, flags, 0o600), "a", encoding="utf-8") as out:
-            out.write(line_text(line))
+        append_lines(file, [line_text(line).rstrip("\n")], sync=is_edge or self._pace.is_due())
 
     def _forget(self) -> None:
         """Remove the oldest logs beyond what is kept."""

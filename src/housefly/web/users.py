@@ -12,6 +12,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from housefly.config.durable import sync_folder
 from housefly.config.text import read_text_file, shortened
 from housefly.errors import ConfigError
 from housefly.web.passwords import hashed, is_hash
@@ -134,6 +135,7 @@ class UserBook:
                 fresh.flush()
                 os.fsync(fresh.fileno())
             Path(name).replace(self._file)
+            sync_folder(self._file.parent)
         except OSError as error:
             raise self._error(f"cannot be written ({error.strerror})") from error
 

@@ -60,10 +60,17 @@ def test_a_flight_in_real_processes_is_kept_too(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     results = {result.key: result for result in WIRED}
-    monkeypatch.setattr(campaign, "fly_wired", lambda key, folder: results[key])
-    fly_wired_plan([WIRED[1].key], tmp_path, lambda result: None)
-    fly_wired_plan(list(results), tmp_path, lambda result: None)
+    seats = set[int]()
+
+    def fly(key: WiredKey, folder: Path, seat: int) -> WiredResult:
+        seats.add(seat)
+        return results[key]
+
+    monkeypatch.setattr(campaign, "fly_wired", fly)
+    fly_wired_plan([WIRED[1].key], tmp_path, 1, lambda result: None)
+    fly_wired_plan(list(results), tmp_path, 2, lambda result: None)
     assert wired_results(tmp_path) == [WIRED[1], WIRED[0]]
+    assert seats <= {0, 1}
 
 
 def test_every_row_that_wires_can_carry_is_flown_in_real_processes() -> None:

@@ -6,7 +6,6 @@ import os
 import random
 import shutil
 import signal
-import struct
 import subprocess
 import sys
 import time
@@ -15,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from power_cut import tear_log
 
 from housefly.hub.store.open import open_store
 from housefly.hub.store.sqlite import SqliteDatabase
@@ -38,9 +38,6 @@ while True:
     said.write(f"{number} {at}\\n")
     time.sleep(0.02)
 """
-_LOG_HEADER, _FRAME_HEADER = 32, 24
-CHECKPOINT = 1000 * 4096
-"""A longer log is about to go into the file, or goes just now: all of it is on the disk [bytes]."""
 
 
 @contextmanager
@@ -114,31 +111,8 @@ def cut_power(
     finally:
         os.kill(process.pid, signal.SIGCONT)
     if (log := to / "house.db-wal").exists():
-        tear(log, chance)
+        tear_log(log, chance)
     check_kept(to / "house.db", before)
-
-
-def tear(log: Path, chance: random.Random) -> None:
-    """Lose, of what the disk was not asked for yet, some: the last commit, or a part of it."""
-    data = log.read_bytes()
-    ends = commits(data)
-    if len(ends) > 1 and ends[-1] < CHECKPOINT and chance.random() < 0.7:
-        data = data[: chance.randrange(ends[-2], len(data) + 1)]
-        data += chance.randbytes(chance.randrange(5000)) if chance.random() < 0.5 else b""
-        log.write_bytes(data)
-
-
-def commits(log: bytes) -> list[int]:
-    """Return where in a write-ahead log its commits end (https://sqlite.org/fileformat2.html)."""
-    if len(log) < _LOG_HEADER:
-        return []
-    (page_size,), salts = struct.unpack_from(">8xI", log), log[16:24]
-    ends, at = [], _LOG_HEADER
-    while at + _FRAME_HEADER + page_size <= len(log) and log[at + 8 : at + 16] == salts:
-        is_commit = struct.unpack_from(">4xI", log, at)[0] > 0
-        at += _FRAME_HEADER + page_size
-        ends += [at] if is_commit else []
-    return ends
 
 
 @pytest.mark.parametrize("number", range(3))

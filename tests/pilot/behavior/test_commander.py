@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -7,13 +8,13 @@ import pytest
 from housefly.config.limits import LimitsConfig
 from housefly.messages import Phase
 from housefly.pilot.behavior.commander import Commander
-from housefly.pilot.behavior.mission import MissionState
+from housefly.pilot.behavior.mission import Mission, MissionState
 from housefly.pilot.behavior.mission_tables import Signal
 
 
 def applied(state: MissionState, signal: Signal, now: float) -> MissionState:
     """Return the state of a commander after a signal, which needs no map."""
-    nowhere: Any = None
+    nowhere: Any = SimpleNamespace(home=lambda: Mission(goal=(0.0, 0.0)))
     commander = Commander(LimitsConfig(), nowhere)
     commander._state = state
     assert commander.apply(signal, now) == (commander.state.phase is not state.phase)

@@ -28,10 +28,12 @@ words = st.text(st.characters(exclude_categories=("C",)), min_size=1, max_size=6
 points = st.tuples(metres, metres)
 spots = st.tuples(metres, metres, metres)
 corners = st.tuples(metres, metres, metres, metres)
+sides = st.floats(-100.0, 100.0)
+floors = st.tuples(sides, sides, sides, sides)
 drafts = st.builds(
     SiteDraft,
     name=words,
-    bounds=st.none() | corners,
+    bounds=st.none() | floors,
     height=st.floats(1.0, 100.0),
     walls=st.lists(st.builds(DraftWall, points, points, st.floats(0.01, 5.0)), max_size=2).map(
         tuple

@@ -9,8 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from housefly.errors import ConfigError
+from housefly.twin.disturbance import Motor
 from housefly.twin.faults.fault import Fault, FaultSchedule, seeded_uniform
 from housefly.twin.faults.fault_types import FAULT_TYPES, fault_type
+from housefly.twin.faults.left_out import LEFT_OUT, fault_words
 from housefly.twin.faults.parse import parse_fault
 from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, FaultType
 
@@ -109,6 +111,31 @@ def test_every_type_is_found_by_its_words_and_its_default_is_allowed(known: Faul
     assert Fault(known.component, known.kind, known.aspect).size == known.default
 
 
-def test_each_word_of_px4_is_used() -> None:
-    assert {known.kind for known in FAULT_TYPES} | {FaultKind.OK} == set(FaultKind)
-    assert {known.component for known in FAULT_TYPES} == set(FaultComponent)
+@pytest.mark.parametrize("component", FaultComponent)
+def test_each_component_has_each_word_of_px4_or_a_reason(component: FaultComponent) -> None:
+    own, reasons = fault_words(component), LEFT_OUT.get(component, {})
+    assert set(own) | set(reasons) == set(FaultKind), "every word, or why it is left out"
+    assert not set(own) & set(reasons), "a word that there is needs no reason"
+    assert all(len(reason.split()) > 5 for reason in reasons.values())
+
+
+@pytest.mark.parametrize(
+    "component",
+    [
+        FaultComponent.MOCAP,
+        FaultComponent.TELEMETRY,
+        FaultComponent.COMMANDS,
+        FaultComponent.VIDEO,
+        FaultComponent.LASER,
+        FaultComponent.DEPTH,
+        FaultComponent.DEVICES,
+    ],
+)
+def test_each_wire_has_all_eight_words(component: FaultComponent) -> None:
+    assert fault_words(component) == tuple(FaultKind)
+
+
+@pytest.mark.parametrize("motor", Motor)
+def test_each_motor_can_be_weak_and_can_stand_still(motor: Motor) -> None:
+    for kind in (FaultKind.WRONG, FaultKind.OFF):
+        assert fault_type(FaultComponent.MOTOR, kind, motor.name.lower())

@@ -11,6 +11,7 @@ from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.room.model import Room
+from housefly.twin.disturbance import Motor
 from housefly.twin.faults.fault_types import FAULT_TYPES
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.parse import parse_fault
@@ -194,6 +195,68 @@ def test_a_pilot_that_is_not_heard_lets_the_driver_hover_and_land(faulty: MakeFa
     assert world.onboard().flight.airborne
     keep(room, Command(Action.FLY, Setpoint(theta=0.05)), 8.0)
     assert not world.onboard().flight.airborne
+
+
+def forward_speed(world: SimulatedWorld) -> float:
+    return hypot(*world.truth().velocity[:2])
+
+
+def test_a_late_pilot_acts_late_and_one_that_is_too_late_not_at_all(faulty: MakeFaulty) -> None:
+    def speed_after(pause: float, *faults: str) -> float:
+        world, room = faulty(*faults)
+        take_off(room)
+        keep(room, Command(Action.HOVER), 1.0)
+        keep(room, Command(Action.FLY, Setpoint(theta=0.1)), pause)
+        return forward_speed(world)
+
+    assert speed_after(0.5) > 0.15
+    assert speed_after(0.19, "pilot:delayed=0.2") < 0.02 < speed_after(0.19)
+    assert speed_after(0.7, "pilot:delayed=0.2") == pytest.approx(speed_after(0.5), abs=0.05)
+    assert speed_after(1.0, "pilot:delayed@7s=0.4") < 0.02, "what moves it and is late is refused"
+
+
+def test_a_pilot_that_is_stuck_flies_on_by_its_last_command(faulty: MakeFaulty) -> None:
+    world, room = faulty("pilot:stuck@6.5s")
+    take_off(room)
+    keep(room, Command(Action.FLY, Setpoint(theta=0.1)), 0.6)
+    keep(room, Command(Action.HOVER), 1.4)
+    assert forward_speed(world) > 0.6
+
+
+@pytest.mark.parametrize(("rate", "lowest", "highest"), [(5.0, 0.35, 9.0), (0.5, 0.0, 0.3)])
+def test_a_slow_pilot_flies_while_its_steps_come_before_the_watchdog(
+    faulty: MakeFaulty, rate: float, lowest: float, highest: float
+) -> None:
+    world, room = faulty(f"pilot:slow@6.5s={rate}")
+    take_off(room)
+    keep(room, Command(Action.FLY, Setpoint(theta=0.1)), 0.5)
+    keep(room, Command(Action.FLY, Setpoint(theta=0.1)), 1.0)
+    assert lowest <= forward_speed(world) < highest
+
+
+def test_a_pilot_without_numbers_is_one_that_is_not_heard(faulty: MakeFaulty) -> None:
+    def last_of(fault: str) -> tuple[float, bool]:
+        world, room = faulty(fault)
+        take_off(room)
+        keep(room, Command(Action.FLY, Setpoint(theta=0.05)), 1.5)
+        speed = forward_speed(world)
+        keep(room, Command(Action.FLY, Setpoint(theta=0.05)), 8.0)
+        return speed, world.onboard().flight.airborne
+
+    for fault in ("pilot:garbage@6.5s", "pilot:off@6.5s"):
+        speed, airborne = last_of(fault)
+        assert speed < 0.03 and not airborne, "it brakes, hovers and lands"
+    speed, _ = last_of("pilot:garbage@100s")
+    assert speed > 0.3, "it is flown on by a pilot that is well"
+
+
+def test_every_motor_can_stand_still(faulty: MakeFaulty) -> None:
+    names = [motor.name.lower() for motor in Motor]
+    for number, name in enumerate(names):
+        world, room = faulty(f"motor.{name}:off@1s")
+        keep(room, Command(Action.IDLE), 1.1)
+        gains = world.disturbances.motor_thrust
+        assert [gain == 0.0 for gain in gains] == [place == number for place in range(4)]
 
 
 def test_a_weak_motor_a_load_and_a_fan_act_on_the_body_while_they_last(faulty: MakeFaulty) -> None:

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 from math import inf
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from housefly.app.commands.shared import load
+from housefly.app.loaded_site import read_site
+from housefly.cli import build_parser
 from housefly.config.site import Site, changed
 from housefly.errors import ConfigError
 from housefly.twin.faults.fault import Fault
+from housefly.twin.faults.fault_types import FAULT_TYPES
+from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.parse import faults_of, parse_fault
-from housefly.twin.faults.vocabulary import FaultComponent, FaultKind
+from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, FaultType
 
 MOCAP, WRONG = FaultComponent.MOCAP, FaultKind.WRONG
 
@@ -45,7 +51,7 @@ def test_a_row_is_read_with_variant_and_times() -> None:
         ("cat:off", "'cat' is no component; known: mocap, telemetry"),
         ("mocap:melted", "known: ok, off, stuck, garbage, wrong, slow, delayed, intermittent"),
         ("mocap:wrong@x", "cannot be read"),
-        ("laser:slow", "laser can have: laser:off, laser:stuck"),
+        ("motor:stuck", "motor can have: motor.front_left:wrong, motor.front_right:wrong"),
         ("motor:wrong=2", "motor.front_left:wrong is 2; allowed: 0 to 1"),
         ("mocap:slow=0", "allowed: 0.5 to 200 Hz"),
         ("mocap:off@1e400", "start is inf"),
@@ -80,3 +86,38 @@ def test_a_bad_entry_of_a_site_is_named() -> None:
     with pytest.raises(ConfigError) as caught:
         faults_of(site)
     assert caught.value.key == "faults.1.fault"
+
+
+def scheduled(known: FaultType) -> str:
+    """Return a fault as people write it, from 20 s to 25 s, with a seed."""
+    return f"{known.name}@20s+5s{f'={known.default:g}' if known.unit else ''}#7"
+
+
+def check_scheduled(site: Site, known: FaultType) -> None:
+    """Check that a site has a fault of this type, and when, wherever it can be made."""
+    for where in known.where:
+        schedule = FaultInjector(site, where).schedule
+        (fault,) = schedule.active(22.0)
+        assert (fault.type, fault.seed) == (known, 7)
+        assert fault.size == pytest.approx(known.default, rel=1e-5)
+        assert schedule.active(19.9) == schedule.active(25.0) == ()
+
+
+@pytest.mark.parametrize("known", FAULT_TYPES, ids=lambda known: known.name)
+def test_every_fault_is_reached_by_site_file_and_by_command_line_for_its_time(
+    known: FaultType, tmp_path: Path
+) -> None:
+    text, file = scheduled(known), tmp_path / "site.toml"
+    file.write_text(f'[[faults]]\nfault = "{text}"\n')
+    check_scheduled(read_site(file), known)
+    file.write_text("")
+    words = ["fly", "table", "--site", str(file), "--fault", text]
+    check_scheduled(load(build_parser().parse_args(words)).site, known)
+
+
+@pytest.mark.parametrize("known", FAULT_TYPES, ids=lambda known: known.name)
+def test_no_fault_can_be_had_with_real_hardware(known: FaultType, tmp_path: Path) -> None:
+    file = tmp_path / "site.toml"
+    file.write_text(f'[twin]\nenabled = false\n[[faults]]\nfault = "{scheduled(known)}"\n')
+    with pytest.raises(ConfigError, match="simulated room only"):
+        read_site(file)

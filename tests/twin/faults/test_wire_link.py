@@ -12,12 +12,16 @@ import pytest
 from housefly.clock import RealClock
 from housefly.config.site import Site, changed
 from housefly.errors import WireError
+from housefly.geometry import quaternion_from_euler, wrap_angle
+from housefly.messages import Pose
 from housefly.room.model import Room
 from housefly.twin.ardrone.server import ArDroneServer
+from housefly.twin.camera.process import CameraProcess
 from housefly.twin.contracts import EncodedPicture
 from housefly.twin.faults.injector import FaultInjector
 from housefly.twin.faults.vocabulary import Injection
 from housefly.twin.faults.wire_link import faulty_links, faulty_pictures
+from housefly.twin.process import Twin
 from housefly.twin.real_time import RealTimeRunner
 from housefly.twin.world import SimulatedWorld
 from housefly.wires.ardrone import at
@@ -128,3 +132,64 @@ def test_pictures_are_passed_on_as_the_faults_have_it() -> None:
     now[0] = 1.0
     publish(picture)
     assert shown == [picture]
+
+
+def test_late_pictures_come_late_in_order_and_with_true_stamps() -> None:
+    site = changed(Site(), faults=[{"fault": "video:delayed@1s=0.5"}])
+    injector, now = FaultInjector(site, Injection.WIRES), [0.0]
+    shown: list[tuple[float, float]] = []
+    publish = faulty_pictures(injector, lambda: now[0], lambda p: shown.append((now[0], p.at)))
+    for number in range(30):
+        now[0] = 0.1 * number
+        publish(EncodedPicture(number, b"data", True, 8, 8, now[0]))
+    assert [at for _, at in shown] == [0.1 * number for number in range(25)]
+    assert all(now - at == pytest.approx(0.0 if at < 0.95 else 0.5) for now, at in shown)
+
+
+def test_a_slow_camera_takes_fewer_pictures_and_what_it_took_all_arrives() -> None:
+    injector = FaultInjector(changed(Site(), faults=[{"fault": "video:slow=2"}]), Injection.WIRES)
+    pose = Pose((1.0, 2.0, 1.0))
+    taken = [0.1 * n for n in range(20) if injector.view(pose, 0.1 * n) is not None]
+    assert taken == [0.1 * n for n in (0, 5, 10, 15)]
+    picture = EncodedPicture(1, b"data", True, 8, 8, 0.0)
+    assert [injector.pictures(picture, at + 0.05) for at in taken] == [(picture,)] * 4
+
+
+@pytest.mark.parametrize("heading", [0.0, 1.0, -3.0])
+def test_a_wrong_camera_looks_aside_from_where_the_drone_is(heading: float) -> None:
+    site = changed(Site(), faults=[{"fault": "video:wrong@1s=0.5"}])
+    injector = FaultInjector(site, Injection.WIRES)
+    pose = Pose((1.0, 2.0, 1.0), quaternion_from_euler(0.0, 0.0, heading))
+    assert injector.view(pose, 0.9) is pose
+    seen = injector.view(pose, 1.0)
+    assert seen is not None and seen.position == pose.position
+    assert wrap_angle(seen.yaw - heading) == pytest.approx(0.5)
+
+
+async def test_the_twin_films_as_the_faults_have_it(
+    make_room: Callable[..., Room], loopback: str
+) -> None:
+    class Film(CameraProcess):
+        def __init__(self, *about: object) -> None:
+            self.poses: list[Pose] = []
+            self.restarts = 0
+
+        problem = ""
+
+        def request_picture(self, pose: Pose, *rest: object, **more: object) -> None:
+            self.poses.append(pose)
+
+    async def filmed(*faults: str) -> list[Pose]:
+        site = changed(
+            Site(), faults=[{"fault": fault} for fault in faults], drone__address=loopback
+        )
+        film, twin = Film(), Twin(site, make_room())
+        with pytest.raises(TimeoutError):
+            await asyncio.wait_for(twin._film(film), 0.6)
+        return film.poses
+
+    true, (slow, *others), (aside, *_) = (
+        await filmed(), await filmed("video:slow=0.2"), await filmed("video:wrong=0.5"),
+    )  # fmt: skip
+    assert len(true) > 3 and others == [] and slow == true[0]
+    assert wrap_angle(aside.yaw - true[0].yaw) == pytest.approx(0.5)

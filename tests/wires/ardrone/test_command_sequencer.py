@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from dataclasses import replace
-from math import pi
+from math import inf, nan, pi
 
 import pytest
 from hypothesis import given
@@ -14,6 +14,7 @@ from housefly.messages import LEVEL, Action, Command, DroneStatus, Setpoint, Tel
 from housefly.messages.sensing import REPORT_AGE_MAX
 from housefly.wires.ardrone import at
 from housefly.wires.ardrone.command_sequencer import (
+    HOVER_AFTER,
     LAND_AFTER,
     TRIM_TIME,
     CommandSequencer,
@@ -384,3 +385,25 @@ def test_a_driver_that_leaves_lands_and_only_cutting_the_motors_passes(
 
 def test_a_stick_that_a_driver_before_left_ends_with_the_first_datagram() -> None:
     assert HOVER in CommandSequencer(MAXIMA, 0.0).next_commands(0.0, None)
+
+
+@pytest.mark.parametrize("part", ["theta", "phi", "vz", "yaw_rate"])
+@pytest.mark.parametrize("number", [nan, inf, -inf])
+def test_a_setpoint_that_is_not_numbers_counts_as_silence(part: str, number: float) -> None:
+    sequencer = commanded(Action.FLY, Setpoint(theta=0.1))
+    for n in range(1, 300):
+        now = 0.01 * n
+        assert not sequencer.update(Command(Action.FLY, Setpoint(**{part: number})), now)
+        commands = sequencer.next_commands(now, report(DroneStatus.FLYING, now))
+        if now < HOVER_AFTER - 0.01:
+            assert commands == (STICKS,), "the last good one stays in force"
+        elif HOVER_AFTER + 0.01 < now < LAND_AFTER - 0.01:
+            assert commands == (HOVER,)
+        elif now > LAND_AFTER + 0.01:
+            assert commands == (LAND, HOVER)
+
+
+@pytest.mark.parametrize("action", [Action.LAND, Action.HOVER, Action.CUT])
+def test_what_needs_no_setpoint_is_obeyed_whatever_its_numbers(action: Action) -> None:
+    sequencer = commanded(Action.FLY, Setpoint(theta=0.1))
+    assert sequencer.update(Command(action, Setpoint(theta=nan)), 0.1)

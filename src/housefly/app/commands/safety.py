@@ -36,6 +36,7 @@ examples:
   housefly safety --rows F13 F05 --seeds 40    two rows only
   housefly safety --again F13/2cm --seed 7     one flight again, with what was told"""
 _MAX_WORKERS = 256
+_AT_ONCE_MAX = 64
 _QUICK_SEEDS, _QUICK_CONTROLS, _QUICK_CALM = 16, 4, 12
 
 
@@ -58,6 +59,11 @@ def _add_arguments(parser: ArgumentParser) -> None:
         help="also N flights of each row in real processes and real time, about 40 s each"
         " (default: 0)",
     )  # fmt: skip
+    parser.add_argument(
+        "--at-once", type=int, default=1, metavar="N",
+        help="so many flights of --wires at the same time (default: 1): a machine that is too slow"
+        " for them makes late pilots, and other flights",
+    )  # fmt: skip
     parser.add_argument("--again", metavar="ROW", help="fly one flight and say how it went")
     parser.add_argument("--seed", type=int, default=0, help="of --again (default: 0)")
     parser.add_argument("--unguarded", action="store_true", help="of --again: without guards")
@@ -77,6 +83,8 @@ def _run(options: Namespace) -> int:
         raise ConfigError("--seeds", f"is {options.seeds}; allowed: 0 to 100000")
     if not 0 <= options.wires <= 1000:
         raise ConfigError("--wires", f"is {options.wires}; allowed: 0 to 1000")
+    if not 1 <= options.at_once <= _AT_ONCE_MAX:
+        raise ConfigError("--at-once", f"is {options.at_once}; allowed: 1 to {_AT_ONCE_MAX}")
     if not 0 <= options.seed < 2**31 - 1:
         raise ConfigError("--seed", f"is {options.seed}; allowed: 0 to {2**31 - 2}")
     if not 0 <= options.workers <= _MAX_WORKERS:
@@ -133,7 +141,9 @@ def _fly_all(options: Namespace) -> int:
     wired_there = {result.key for result in wired_results(out)}
     done = sum(key in wired_there for key in wired_wanted)
     with SafetyProgress("in real time", len(wired_wanted), done) as progress:
-        wired = fly_wired_plan(wired_wanted, out, lambda r: progress.advance(_unsafe_words(r)))
+        wired = fly_wired_plan(
+            wired_wanted, out, options.at_once, lambda r: progress.advance(_unsafe_words(r))
+        )
     made = _made(options, results, len(wired), time.monotonic() - began)
     page = write_safety_case(out, results, wired, made)
     guarded = [result for result in results if result.key.guarded]

@@ -139,7 +139,7 @@ def _import(options: Namespace) -> int:
 
 def _called(text: str) -> tuple[int, str]:
     number, _, name = text.partition("=")
-    if not number.isdigit() or not name:
+    if not number.isdecimal() or not name:
         raise ConfigError("--called", f"is {text!r}; allowed: ID=NAME, as 20001=cup")
     return int(number), name
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor, as_completed
 from multiprocessing import active_children, get_context
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any, Protocol, TypeVar
 
 from housefly.app.safety_case.alike_flights import alike, fly_alike
@@ -59,15 +60,32 @@ def fly_plan(
 
 
 def fly_wired_plan(
-    keys: list[WiredKey], folder: Path, on_result: Callable[[WiredResult], None]
+    keys: list[WiredKey], folder: Path, at_once: int, on_result: Callable[[WiredResult], None]
 ) -> list[WiredResult]:
-    """Fly the same way in real processes, one flight after another."""
+    """Fly the same way in real processes, so many flights at the same time."""
     known = wired_results(folder)
-    flights = (
-        fly_wired(key, folder / "wired" / f"{key.row.replace('/', '_')}_{key.seed}")
-        for key in _wanted(keys, known)
-    )
+    flights = _flown_on_wires(_wanted(keys, known), folder / "wired", at_once)
     return _kept(keys, known, folder / WIRED_RESULTS_FILE, flights, on_result)
+
+
+def _flown_on_wires(keys: list[WiredKey], folder: Path, at_once: int) -> Iterator[WiredResult]:
+    seats: SimpleQueue[int] = SimpleQueue()
+    for seat in range(at_once):
+        seats.put(seat)
+
+    def fly(key: WiredKey) -> WiredResult:
+        seat = seats.get()
+        try:
+            return fly_wired(key, folder / f"{key.row.replace('/', '_')}_{key.seed}", seat)
+        finally:
+            seats.put(seat)
+
+    with ThreadPoolExecutor(at_once) as pool:
+        try:
+            for flown in as_completed([pool.submit(fly, key) for key in keys]):
+                yield flown.result()
+        finally:
+            pool.shutdown(cancel_futures=True)
 
 
 def _wanted(keys: list[Any], known: Iterable[FlownResult]) -> list[Any]:

@@ -13,9 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from housefly import sites
 from housefly.app.lively import lively_changes
-from housefly.app.loaded_site import load_site
+from housefly.app.loaded_site import load_site, read_site
 from housefly.app.safety_case.faulty_flight import (
     SAFETY_PLACE,
     SAFETY_SITE,
@@ -108,15 +107,21 @@ def _variants_wired(row: FaultRow) -> tuple[str, ...]:
     )
 
 
-def fly_wired(key: WiredKey, folder: Path) -> WiredResult:
-    """Fly one flight, keep its record in a folder, and judge it."""
+def fly_wired(key: WiredKey, folder: Path, seat: int = 0) -> WiredResult:
+    """Fly one flight, keep its record in a folder, and judge it.
+
+    Args:
+        key: which flight.
+        folder: for its record.
+        seat: flights at the same time have different ones, and with them different addresses.
+    """
     rng = np.random.default_rng([key.seed, sum(map(ord, key.row))])
     struck = PROCESS_FAULTS.get(key.row)
     span = (0.0, _STRUCK_UNTIL) if struck else (_BEGINS_FROM, _BEGINS_TO)
     from_start = struck is None and variant_of(key.row).from_start
     begin = 0.0 if from_start else float(rng.uniform(*span))
     folder.mkdir(parents=True, exist_ok=True)
-    site = SAFETY_SITE if struck or not needs_intruders(key.row) else _scanned_site(folder)
+    site = _own_site(folder, seat, scanned=not struck and needs_intruders(key.row))
     command = [
         *(sys.executable, "-m", "housefly.cli", "fly", SAFETY_PLACE, "--site", str(site)),
         *("--headless", "--look", str(_LOOK_TIME), "--seed", str(1 + key.seed)),
@@ -153,15 +158,18 @@ def _end(process: subprocess.Popen[bytes]) -> None:
         process.wait()
 
 
-def _scanned_site(folder: Path) -> Path:
-    """Write the site with the scanners of the lively demo, and return its file."""
-    own = Path(sites.__file__).with_name(f"{SAFETY_SITE}.toml").read_text("utf-8")
-    tables = [
-        "\n".join(["\n[[lasers]]", *(f"{key} = {json.dumps(laser[key])}" for key in laser)])
-        for laser in lively_changes()["lasers"]
-    ]
-    file = folder / "site.toml"
-    file.write_text(own + "\n".join(tables) + "\n", "utf-8")
+def _own_site(folder: Path, seat: int, *, scanned: bool) -> Path:
+    """Write the site with addresses of its own, and with the scanners of the lively demo."""
+    lasers = lively_changes()["lasers"] if scanned else ()
+    here = f"127.77.{seat}"
+    site = read_site(
+        SAFETY_SITE,
+        drone__address=f"{here}.1",
+        tracking__address=f"{here}.1",
+        lasers=[{**laser, "address": f"{here}.{2 + n}"} for n, laser in enumerate(lasers)],
+    )
+    file = folder / "site.json"
+    file.write_text(site.model_dump_json(), "utf-8")
     return file
 
 

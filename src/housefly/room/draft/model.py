@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 from math import isfinite
 from typing import Annotated, ClassVar, Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import AfterValidator, ConfigDict, Field
 
 from housefly.config.edits import NAME
+from housefly.config.rectangle import FLOOR_SIDE_MAX, check_floor
 from housefly.config.tracking import TrackingKind
 from housefly.errors import ConfigError
 from housefly.geometry import Vec2
@@ -28,9 +29,15 @@ Corners = tuple[Coordinate, Coordinate, Coordinate, Coordinate]
 
 WALL_THICKNESS = 0.1
 ROOM_HEIGHT = 2.5
-_SIDE_MIN, _SIDE_MAX = 1.0, 200.0
+_SIDE_MIN = 1.0
 _HEIGHT_MIN, _HEIGHT_MAX = 1.5, 100.0
 SCANNED_MAX = 20_000
+
+
+def _bearable(bounds: Corners) -> Corners:
+    """Return the bounds of a floor; raises ValueError for one whose map no memory would hold."""
+    check_floor(bounds)
+    return bounds
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +159,7 @@ class SiteDraft:
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
     name: Words = ""
-    bounds: Corners | None = None
+    bounds: Annotated[Corners, AfterValidator(_bearable)] | None = None
     height: Annotated[float, Field(ge=1.0, le=_HEIGHT_MAX)] = ROOM_HEIGHT
     walls: Annotated[tuple[DraftWall, ...], Field(max_length=2000)] = ()
     furniture: Annotated[tuple[DraftBox, ...], Field(max_length=2000)] = ()
@@ -180,8 +187,8 @@ def with_size(
     Raises:
         ConfigError: a side or the height is out of range.
     """
-    _check("length", length, _SIDE_MIN, _SIDE_MAX)
-    _check("width", width, _SIDE_MIN, _SIDE_MAX)
+    _check("length", length, _SIDE_MIN, FLOOR_SIDE_MAX)
+    _check("width", width, _SIDE_MIN, FLOOR_SIDE_MAX)
     _check("height", height, _HEIGHT_MIN, _HEIGHT_MAX)
     return replace(
         draft,

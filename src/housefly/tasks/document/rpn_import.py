@@ -147,9 +147,9 @@ class RpnImport:
         if word in REQUEST_PARAMETERS:
             self.used[word] = REQUEST_PARAMETERS[word]
             return f"${REQUEST_PARAMETERS[word].name}"
-        if word.isdigit() and int(word) in self.names:
+        if word.isdecimal() and int(word) in self.names:
             return escaped(self.names[int(word)])
-        if word.isdigit():
+        if word.isdecimal():
             raise rpn_error(
                 f"subtask {subtask}: nobody says what {word} is called here; give its name"
             )
@@ -220,7 +220,7 @@ def _move(task: RpnImport, subtask: RpnSubtask) -> TaskStep:
 def _metres(value: str | float | bool | None) -> float:
     try:
         number = float(value) if isinstance(value, (str, int, float)) else float("nan")
-    except ValueError:
+    except (ValueError, OverflowError):
         number = float("nan")
     if str(value).startswith("("):
         raise rpn_error(f"{str(value)[:40]} is a value of their blackboard; write a number")
@@ -264,7 +264,7 @@ def _wait(task: RpnImport, subtask: RpnSubtask) -> TaskStep:
     word = given if given is not None else (subtask.arguments or ("",))[0]
     try:
         seconds = float(word)
-    except ValueError:
+    except (ValueError, OverflowError):
         seconds = -1.0
     if not 0.0 <= seconds <= 3600.0:
         raise rpn_error(f"subtask {subtask.id}: expected a time from 0 to 3600 s")

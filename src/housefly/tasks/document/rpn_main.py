@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _named(pair: str) -> tuple[int, str]:
     number, _, name = pair.partition("=")
-    if not number.isdigit() or not name:
+    if not number.isdecimal() or not name:
         raise ValueError(f"{pair[:40]!r}: expected ID=NAME, such as 6011=refrigerator")
     return int(number), name
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+import struct
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
@@ -14,12 +15,17 @@ from typing import Any
 import av
 from av.container import InputContainer
 
+from housefly.config.durable import sync_file, sync_folder
 from housefly.messages import VideoFrame
 from housefly.record.movie import Movie
 
 _LOG = logging.getLogger(__name__)
 CLIP_SUFFIX, PART_SUFFIX = ".mp4", ".mp4.part"
 _MENDED_SUFFIX = ".mp4.mended"
+_BOX = struct.Struct(">I4s")
+"""Length [bytes] and kind of a box of MP4 (ISO 14496-12, section 4.2)."""
+_FIRST_BOXES, _BEGUN_MAX = (b"ftyp", b"free"), 4096
+"""What a file begins with, and more than that is [bytes]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +152,18 @@ def _leftover(part: Path) -> _Leftover:
     except (av.FFmpegError, IndexError, ValueError) as error:
         if isinstance(error, OSError):
             raise
-        return _Leftover.UNREADABLE
+        return _Leftover.EMPTY if _is_only_begun(part) else _Leftover.UNREADABLE
+
+
+def _is_only_begun(part: Path) -> bool:
+    """Return whether a file holds nothing but the boxes that come before the first picture."""
+    left = part.read_bytes() if part.stat().st_size < _BEGUN_MAX else b"?"
+    while len(left) >= _BOX.size:
+        size, kind = _BOX.unpack_from(left)
+        if kind not in _FIRST_BOXES or size < _BOX.size:
+            return False
+        left = left[size:]
+    return not left.strip(b"\0")
 
 
 def _copy(part: Path, path: Path) -> None:
@@ -168,6 +185,6 @@ def _whole_packets(source: InputContainer) -> Iterator[Any]:
 
 
 def _name_it(part: Path, path: Path) -> None:
-    with part.open("rb") as file:
-        os.fsync(file.fileno())
+    sync_file(part)
     part.replace(path)
+    sync_folder(path.parent)

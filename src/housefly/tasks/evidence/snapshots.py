@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PIL import Image
 
+from housefly.config.durable import sync_folder
 from housefly.tasks.evidence.clip_writer import make_private
 from housefly.tasks.evidence.frame_blanker import FrameBlanker
 from housefly.tasks.evidence.picture_codec import Picture
@@ -40,6 +41,7 @@ def write_snapshot(path: Path, picture: Picture) -> int:
             file.flush()
             os.fsync(file.fileno())
         part.replace(path)
+        sync_folder(path.parent)
     except OSError:
         part.unlink(missing_ok=True)
         raise

@@ -87,7 +87,7 @@ def read_sentence_file(path: Path) -> dict[str, Any]:
     """Return the values of a file as hassil wants them; raises ConfigError for a bad one."""
     try:
         tree = yaml.load(read_text_file(path), yaml.CSafeLoader)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, RecursionError) as error:
+    except (OSError, ValueError, yaml.YAMLError, RecursionError) as error:
         raise ConfigError("sentences", f"cannot be read ({error})", str(path)) from error
     checked = validated(SentenceFile, tree, "sentences", str(path))
     return dict(_plain(checked.model_dump(by_alias=True, exclude_none=True)))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
+from housefly.config.durable import sync_folder
 from housefly.errors import StoreError
 from housefly.tasks.api.values import HouseMode
 from housefly.tasks.rules.rule_memory import RuleMemory
@@ -65,6 +66,7 @@ class RuleStore:
                 file.flush()
                 os.fsync(file.fileno())
             new.replace(self._file)
+            sync_folder(self._file.parent)
         except OSError as error:
             raise StoreError(error.strerror or str(error)) from error
 

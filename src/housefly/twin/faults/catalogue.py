@@ -356,19 +356,21 @@ FAULT_CATALOGUE: tuple[FaultRow, ...] = (
     ),
     FaultRow(
         "F29", "the disk is full or read-only, the database locked",
-        "the flight goes on, and what is not written is said; no new take-off while a disk is full",
-        _PROCESS,
+        "the flight goes on, and what is not written is said; no new take-off while a disk is full,"
+        " or cannot be written to where flights are remembered or recorded", _PROCESS,
         covered_by="tests/app/test_hub_faults.py"
         "::test_a_memory_whose_disk_takes_no_more_says_so_and_the_flight_completes"
         " tests/app/test_disk_space.py"
-        "::test_with_a_full_disk_nothing_takes_off_and_a_flight_goes_on",
+        "::test_with_a_full_disk_nothing_takes_off_and_a_flight_goes_on"
+        " tests/app/test_disk_space.py"
+        "::test_where_nothing_can_be_written_nothing_takes_off_and_a_flight_goes_on",
     ),
     FaultRow(
         "F30", "power is lost while it writes",
         "the store opens and lost at most 1 s", _PROCESS,
         covered_by="tests/app/test_hub_faults.py::"
         "test_a_killed_hub_comes_back_with_all_but_the_last_second_and_the_flight_completes"
-        " tests/hub/store/test_power_cut.py",
+        " tests/hub/store/test_power_cut.py tests/app/test_killed_stores.py",
     ),
     FaultRow(
         "F31", "the wall clock is set", "nothing happens but a line in the log", _USER,

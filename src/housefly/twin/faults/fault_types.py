@@ -105,24 +105,69 @@ FAULT_TYPES: tuple[FaultType, ...] = (
     ),
     FaultType(_C.PILOT, "", _K.OFF, "the driver hears no pilot", where=LOCKSTEP),
     FaultType(
+        _C.PILOT, "", _K.STUCK, "the pilot's last command again and again, as if given now",
+        where=LOCKSTEP,
+    ),
+    FaultType(_C.PILOT, "", _K.GARBAGE, "setpoints that are not numbers", where=LOCKSTEP),
+    FaultType(
+        _C.PILOT, "", _K.SLOW, "so many steps a second are heard", "Hz", 5.0, 0.2, 200.0, LOCKSTEP
+    ),
+    FaultType(
+        _C.PILOT, "", _K.DELAYED, "steps late, with true times", "s", 0.2, 0.0, 10.0, LOCKSTEP
+    ),
+    FaultType(
         _C.PILOT, "", _K.INTERMITTENT, "share of the pilot's steps lost", "1", 0.5, 0.0, 1.0,
         LOCKSTEP,
     ),
     FaultType(_C.VIDEO, "", _K.OFF, "no pictures", where=WIRES),
     FaultType(_C.VIDEO, "", _K.STUCK, "the same picture again and again", where=WIRES),
     FaultType(_C.VIDEO, "", _K.GARBAGE, "pictures of noise bytes", where=WIRES),
+    FaultType(
+        _C.VIDEO, "yaw", _K.WRONG, "the camera looks so far aside, to the left", "rad", 0.5, -pi,
+        pi, WIRES,
+    ),
+    FaultType(
+        _C.VIDEO, "", _K.SLOW, "so many pictures a second", "Hz", 2.0, 0.2, 200.0, WIRES
+    ),
+    FaultType(
+        _C.VIDEO, "", _K.DELAYED, "pictures late, with true stamps", "s", 1.0, 0.0, 10.0, WIRES
+    ),
     FaultType(_C.VIDEO, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, WIRES),
     FaultType(_C.LASER, "", _K.OFF, "no scans"),
     FaultType(_C.LASER, "", _K.STUCK, "the same scan again and again"),
     FaultType(_C.LASER, "", _K.GARBAGE, "distances at random"),
     FaultType(_C.LASER, "", _K.WRONG, "distances off", "m", 0.3, -5.0, 5.0),
+    FaultType(_C.LASER, "", _K.SLOW, "so many scans a second of each", "Hz", 2.0, 0.2, 200.0),
+    FaultType(
+        _C.LASER, "", _K.DELAYED, "scans late, and taken for fresh: nobody reads a scanner's clock",
+        "s", 0.5, 0.0, 10.0,
+    ),
     FaultType(_C.LASER, "", _K.INTERMITTENT, "share of the scans lost", "1", 0.3, 0.0, 1.0),
     FaultType(_C.DEPTH, "", _K.OFF, "no images"),
     FaultType(_C.DEPTH, "", _K.STUCK, "the same image again and again"),
     FaultType(_C.DEPTH, "", _K.GARBAGE, "depths at random"),
+    FaultType(_C.DEPTH, "", _K.WRONG, "depths off, where there are any", "m", 0.3, -5.0, 5.0),
+    FaultType(_C.DEPTH, "", _K.SLOW, "so many images a second of each", "Hz", 2.0, 0.2, 200.0),
+    FaultType(_C.DEPTH, "", _K.DELAYED, "images late, with true stamps", "s", 0.5, 0.0, 10.0),
     FaultType(_C.DEPTH, "", _K.INTERMITTENT, "share of the images lost", "1", 0.3, 0.0, 1.0),
     FaultType(_C.DEVICES, "", _K.OFF, "no messages", where=WIRES),
+    FaultType(
+        _C.DEVICES, "", _K.STUCK, "fresh messages with old content, and no events", where=WIRES
+    ),
     FaultType(_C.DEVICES, "", _K.GARBAGE, "payloads of noise bytes", where=WIRES),
+    FaultType(
+        _C.DEVICES, "values", _K.WRONG, "factor of what is measured", "1", 1.5, -10.0, 10.0, WIRES
+    ),
+    FaultType(
+        _C.DEVICES, "state", _K.WRONG, "open is told as shut, on as off, moving as still, and back",
+        where=WIRES,
+    ),
+    FaultType(
+        _C.DEVICES, "", _K.SLOW, "so many messages a second of each", "Hz", 0.5, 0.01, 20.0, WIRES
+    ),
+    FaultType(
+        _C.DEVICES, "", _K.DELAYED, "messages late, with true stamps", "s", 2.0, 0.0, 60.0, WIRES
+    ),
     FaultType(_C.DEVICES, "", _K.INTERMITTENT, "share lost", "1", 0.3, 0.0, 1.0, WIRES),
     FaultType(_C.BATTERY, "", _K.WRONG, "the charge falls to this at once", "1", 0.08, 0.0, 1.0),
     FaultType(_C.BATTERY, "", _K.STUCK, "the gauge keeps its value"),
@@ -140,6 +185,9 @@ FAULT_TYPES: tuple[FaultType, ...] = (
         0.8, 0.0, 1.0,
     ),
     FaultType(_C.MOTOR, "front_left", _K.OFF, "that motor stands still"),
+    FaultType(_C.MOTOR, "front_right", _K.OFF, "likewise"),
+    FaultType(_C.MOTOR, "rear_right", _K.OFF, "likewise"),
+    FaultType(_C.MOTOR, "rear_left", _K.OFF, "likewise"),
     FaultType(_C.SONAR, "", _K.OFF, "no echo"),
     FaultType(_C.SONAR, "", _K.STUCK, "the same height, in silence"),
     FaultType(_C.FLOW, "", _K.OFF, "the speeds read 0"),

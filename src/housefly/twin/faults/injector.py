@@ -7,9 +7,10 @@ from typing import Protocol
 
 from housefly.config.site import Site
 from housefly.errors import ConfigError
-from housefly.messages import DepthImage
+from housefly.messages import DepthImage, Pose
 from housefly.twin.contracts import EncodedPicture, MocapFrame, OnboardState
 from housefly.twin.disturbance import Disturbances
+from housefly.twin.faults.camera_aim import CameraAim
 from housefly.twin.faults.fault import Fault, FaultSchedule
 from housefly.twin.faults.intruders import (
     MOVABLE_INTRUDERS,
@@ -29,7 +30,7 @@ from housefly.twin.faults.sensor_stream import (
     changed_picture,
     changed_scan,
 )
-from housefly.twin.faults.vocabulary import FaultComponent, FaultKind, Injection
+from housefly.twin.faults.vocabulary import FaultComponent, Injection
 from housefly.twin.movable import Movable
 from housefly.twin.people.script import PersonScript
 
@@ -73,7 +74,8 @@ class FaultInjector:
         self._onboard = OnboardStream()
         self._scans: SensorStream[Scan] = SensorStream(FaultComponent.LASER, changed_scan)
         self._images: SensorStream[DepthImage] = SensorStream(FaultComponent.DEPTH, changed_image)
-        self._pictures = SensorStream(FaultComponent.VIDEO, changed_picture)
+        self._pictures = SensorStream(FaultComponent.VIDEO, changed_picture, thins=False)
+        self._aim = CameraAim()
         self._physical, self._intruders = PhysicalFaults(), IntruderFaults()
         self.schedule = FaultSchedule()
         self.inject(*of_site.faults)
@@ -124,30 +126,24 @@ class FaultInjector:
         """Return what the drone reports of its state."""
         return self._onboard.reported(true, self.schedule)
 
-    def scan(self, name: str, take: Callable[[], Scan], now: float) -> Scan | None:
-        """Return what a scanner says now; None when it says nothing."""
+    def scan(
+        self, name: str, take: Callable[[], Scan], now: float
+    ) -> tuple[tuple[float, Scan], ...]:
+        """Return the scans that a scanner tells now [s], each with the time at which it was so."""
         return self._scans.read(name, take, self.schedule, now)
 
-    def depth_image(
+    def depth_images(
         self, name: str, take: Callable[[], DepthImage], now: float
-    ) -> DepthImage | None:
-        """Return the image of a depth camera; None when there is none."""
-        return self._images.read(name, take, self.schedule, now)
+    ) -> tuple[DepthImage, ...]:
+        """Return the images that a depth camera sends now [s], oldest first."""
+        return tuple(image for _, image in self._images.read(name, take, self.schedule, now))
 
-    def picture(self, picture: EncodedPicture, now: float) -> EncodedPicture | None:
-        """Return the picture that the drone's camera sends; None when there is none."""
-        return self._pictures.read("", lambda: picture, self.schedule, now)
-
-    def device_fault(self, now: float, number: int) -> Fault | None:
-        """Return what befalls a device's message of this number; None for nothing."""
-        for fault in self.schedule.active(now, FaultComponent.DEVICES):
-            if fault.kind is not FaultKind.INTERMITTENT or fault.strikes(number):
-                return fault
-        return None
-
-    def pilot_is_heard(self, number: int, now: float) -> bool:
-        """Return whether the driver hears the pilot's step of this number; lock step only."""
-        return not any(
-            fault.kind is FaultKind.OFF or fault.strikes(number)
-            for fault in self.schedule.active(now, FaultComponent.PILOT)
+    def pictures(self, picture: EncodedPicture, now: float) -> tuple[EncodedPicture, ...]:
+        """Return what the drone's camera sends now [s] of its pictures, oldest first."""
+        return tuple(
+            sent for _, sent in self._pictures.read("", lambda: picture, self.schedule, now)
         )
+
+    def view(self, pose: Pose, now: float) -> Pose | None:
+        """Return the pose of a drone that sees the next picture; None when none is taken."""
+        return self._aim.seen_from(pose, self.schedule.active(now, FaultComponent.VIDEO), now)

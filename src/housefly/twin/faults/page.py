@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from housefly.twin.faults.catalogue import FAULT_CATALOGUE, FaultRow
 from housefly.twin.faults.fault_types import FAULT_TYPES
-from housefly.twin.faults.vocabulary import FaultType, Injection
+from housefly.twin.faults.left_out import LEFT_OUT, fault_words
+from housefly.twin.faults.vocabulary import FaultComponent, FaultType, Injection
 
 _HEAD = """# Faults of the simulated room
 
@@ -70,6 +71,13 @@ def faults_page() -> str:
         "|---|---|---|---|---|---|",
         *map(_row, FAULT_CATALOGUE),
     ]
+    words = [
+        "## The eight words",
+        "",
+        "| component | words that it has | left out |",
+        "|---|---|---|",
+        *map(_words, FaultComponent),
+    ]
     types = [
         "## Every fault",
         "",
@@ -77,7 +85,7 @@ def faults_page() -> str:
         "|---|---|---|---|",
         *map(_type, FAULT_TYPES),
     ]
-    return "\n".join([_HEAD, *matrix, "", *types]) + "\n"
+    return "\n".join([_HEAD, *matrix, "", *words, "", *types]) + "\n"
 
 
 def _row(row: FaultRow) -> str:
@@ -100,6 +108,16 @@ def _quoted(covered_by: str) -> str:
         f"`{word.rstrip(',')}`" + word[len(word.rstrip(",")) :] if ".py" in word else word
         for word in covered_by.split(" ")
     )
+
+
+def _words(component: FaultComponent) -> str:
+    reasons = LEFT_OUT.get(component, {})
+    left_out = "; ".join(
+        f"{', '.join(kind.value for kind, why in reasons.items() if why == reason)}: {reason}"
+        for reason in dict.fromkeys(reasons.values())
+    )
+    own = ", ".join(kind.value for kind in fault_words(component))
+    return f"| `{component.value}` | {own} | {left_out or '-'} |"
 
 
 def _type(known: FaultType) -> str:

@@ -136,7 +136,7 @@ _DISTURB: dict[tuple[FaultComponent, FaultKind, str], Disturb] = {
         so_far, battery_gauge_stuck=True
     ),
     **{(_C.MOTOR, _K.WRONG, motor.name.lower()): _weak(motor) for motor in Motor},
-    (_C.MOTOR, _K.OFF, "front_left"): _weak(Motor.FRONT_LEFT),
+    **{(_C.MOTOR, _K.OFF, motor.name.lower()): _weak(motor) for motor in Motor},
     (_C.MOTOR, _K.WRONG, "all"): _all_weak,
     (_C.MOTOR, _K.WRONG, "propeller"): lambda so_far, fault, truth: replace(
         so_far, propeller_damage=PropellerDamage(Motor.FRONT_LEFT, fault.size)

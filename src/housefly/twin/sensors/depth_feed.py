@@ -44,6 +44,5 @@ class DepthFeed:
             if now >= self._due[name]:
                 self._due[name] = now + period - 1e-3
                 take = partial(self._world.depth_image, name, self._clock.now())
-                image = self._faults.depth_image(name, take, now)
-                if image is not None:
+                for image in self._faults.depth_images(name, take, now):
                     self._bus.publish(DEPTH_TOPIC, image)

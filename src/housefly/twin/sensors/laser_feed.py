@@ -60,6 +60,6 @@ class LaserFeed:
             if now >= self._due[name]:
                 self._due[name] = now + self._periods[name] - 1e-3
                 if server.is_measuring:
-                    scan = self._faults.scan(name, partial(self._world.scan, name), now)
-                    if scan is not None:
-                        server.publish(scan, round(1000.0 * now))
+                    take = partial(self._world.scan, name)
+                    for taken_at, scan in self._faults.scan(name, take, now):
+                        server.publish(scan, round(1000.0 * taken_at))

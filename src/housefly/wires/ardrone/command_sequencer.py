@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from enum import Enum
+from math import isfinite
 
 from housefly.messages import Action, Command, DroneStatus, Setpoint, Telemetry
 from housefly.messages.sensing import AIRBORNE_STATUSES, REPORT_AGE_MAX
@@ -95,7 +96,8 @@ class CommandSequencer:
         """Put a command in force; return whether its action differs from the one before.
 
         A command older than the one in force is ignored, and so is one that moves the drone and
-        comes later than ``HOVER_AFTER``.
+        comes later than ``HOVER_AFTER``, and a setpoint that is not numbers: to the watchdog a
+        pilot that sends nothing else is silent.
 
         Args:
             command: of the pilot.
@@ -104,7 +106,7 @@ class CommandSequencer:
         """
         at_time = now if issued_at is None else min(issued_at, now)
         is_late = now - at_time > HOVER_AFTER and command.action in _MOVES
-        if at_time < self._commanded_at or is_late:
+        if at_time < self._commanded_at or is_late or not _is_in_numbers(command):
             return False
         self._commanded_at = at_time
         self._is_gone = False
@@ -216,3 +218,14 @@ class CommandSequencer:
             return (_PRESS,)
         self._button.release(now)
         return (_LAND,)
+
+
+def _is_in_numbers(command: Command) -> bool:
+    """Return whether a command can be flown; only to fly needs a setpoint."""
+    asked = command.setpoint
+    return command.action is not Action.FLY or (
+        isfinite(asked.theta)
+        and isfinite(asked.phi)
+        and isfinite(asked.vz)
+        and isfinite(asked.yaw_rate)
+    )

@@ -386,6 +386,13 @@ export const DE_TOLD: Templates = {
     "was im Flug geschieht, ließe sich nicht aufbewahren",
   "delete old flights, or move them to another disk":
     "alte Flüge löschen oder auf eine andere Platte verschieben",
+  "the disk can be written to": "auf die Platte lässt sich schreiben",
+  "a disk cannot be written to": "auf eine Platte lässt sich nicht schreiben",
+  "nothing can be written at {name}": "auf {name} lässt sich nichts schreiben",
+  "written a moment ago": "eben geschrieben",
+  "a file can be written": "eine Datei lässt sich schreiben",
+  "mount the disk for writing again, or let this user write there":
+    "die Platte wieder zum Schreiben einhängen oder diesen Benutzer dort schreiben lassen",
   "nothing here sees people: no scanner, no depth camera":
     "hier sieht nichts Personen: kein Scanner, keine Tiefenkamera",
   "no picture for {n} s": "kein Bild seit {n} s",

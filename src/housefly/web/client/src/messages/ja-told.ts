@@ -346,6 +346,13 @@ export const JA_TOLD: Templates = {
   "at least {p}% free, or {n} GB": "空き {p}% 以上、または {n} GB",
   "what happens in the flight could not be kept": "飛行の記録を残せません",
   "delete old flights, or move them to another disk": "古い飛行記録を消すか、別のディスクに移してください",
+  "the disk can be written to": "ディスクに書き込めます",
+  "a disk cannot be written to": "ディスクに書き込めません",
+  "nothing can be written at {name}": "{name} に何も書き込めません",
+  "written a moment ago": "今書き込みました",
+  "a file can be written": "ファイルを書き込めること",
+  "mount the disk for writing again, or let this user write there":
+    "ディスクを書き込み可能でマウントし直すか、このユーザーの書き込みを許可してください",
   "nothing here sees people: no scanner, no depth camera": "ここでは人を検知できません：スキャナーも深度カメラもありません",
   "no picture for {n} s": "{n}秒間映像がありません",
   "nobody answers at {name}": "{name} から応答がありません",
