@@ -1,1 +1,1 @@
-import"./chunk-chunk-UHCQRQJK.js";
+import"./chunk-chunk-E3X2DXY6.js";
