@@ -78,6 +78,7 @@ def spend_day(seed: int) -> RoomDay:
             place = places[int(rng.integers(len(places)))]
             orders = (Order(OrderKind.SERVICE, place=place, look_s=LOOK_S, sender="benchmark"),)
             since, asked = simulation.now, asked + 1
+            oracle.orders = asked
         step = simulation.step(simulation.inputs(*orders))
         oracle.watch(step)
         for event in step.outputs.events:

@@ -22,7 +22,7 @@ SCRIPT_LIMIT = 42_000
 """All script of the first load on its way, compressed."""
 ALL_SCRIPT_LIMIT = 60_000
 """The same with all that comes later, without the view in space and the other languages."""
-LANGUAGE_LIMIT = 18_000
+LANGUAGE_LIMIT = 20_000
 """One language on its way, compressed: only who reads it loads it."""
 IN_SPACE = "chunk-room-in-space"
 IN_LANGUAGE = ("chunk-ja-", "chunk-de-")

@@ -56,6 +56,7 @@ class Oracle:
         site, room: what is flown in.
         faulty_since: when the fault began [s]; infinite before.
         cannot_hover: whether it has to fall by its fault, which is not judged then.
+        orders: how many were given that may make it take off.
         violations: what was broken, by invariant, in words.
         walked_into: who walked into a drone that could not have been steered away in time, in
             words, or "".
@@ -66,6 +67,7 @@ class Oracle:
     room: Room
     faulty_since: float = inf
     cannot_hover: bool = False
+    orders: int = 1
     violations: dict[str, str] = field(default_factory=dict)
     walked_into: str = ""
     told_at: float | None = None
@@ -81,8 +83,8 @@ class Oracle:
     _walked_into_at: float = inf
     _thrown: bool = False
     _cut_ordered: bool = False
-    _flew: bool = False
-    _landed: bool = False
+    _take_offs: int = 0
+    _was_airborne: bool = False
     _looked_at: float = -inf
     _height: float = 0.0
 
@@ -165,10 +167,10 @@ class Oracle:
             self._break("fall", f"came down at {-velocity[2]:.1f} m/s")
 
     def _watch_motion(self, state: FlightState) -> None:
-        """I8: one order is given; who has landed after it does not rise without another."""
-        self._landed |= self._flew and not state.airborne
-        self._flew |= state.airborne
-        if self._landed and state.airborne:
+        """I8: who has landed does not rise without another order."""
+        self._take_offs += state.airborne and not self._was_airborne
+        self._was_airborne = state.airborne
+        if self._take_offs > self.orders:
             self._break("I8", "took off again without an order")
 
     def _watch_take_off(self, now: float, state: FlightState, height: float) -> None:
