@@ -130,6 +130,12 @@ class FailingPilot:
         found: EstimationReport = self._pilot.estimation
         return found
 
+    @property
+    def origin_confirmed(self) -> bool:
+        if self.fails:
+            raise ZeroDivisionError("float division by zero")
+        return bool(self._pilot.origin_confirmed)
+
     def preflight(self) -> tuple[PreflightCheck, ...]:
         if self.fails:
             raise ZeroDivisionError("float division by zero")

@@ -310,8 +310,6 @@ class PilotShell:
             await asyncio.sleep(_LINK_PERIOD)
             self._bus.publish(LINK_TOPIC, self._link_status())
             self._look_at_preflight()
-            if self.pilot.origin_confirmed:
-                self._origin.note()
 
     async def _show_recording(self) -> None:
         """Keep the drone's light as it should be, beside the steps and never within one."""
@@ -329,6 +327,8 @@ class PilotShell:
         """Bring the pre-flight list up to date; a failure there stops no other report."""
         try:
             self._queries.update_preflight((*self.pilot.preflight(), *self._disks.checks()))
+            if self.pilot.origin_confirmed:
+                self._origin.note()
         except Exception:
             traceback.print_exc()
             self._queries.update_preflight(())
