@@ -315,9 +315,8 @@ def test_a_drone_without_orders_comes_home_and_lands(fly: Fly) -> None:
     assert flight.home_error < 0.1
 
 
-def test_a_landing_that_the_drone_does_not_do_is_done_for_it_and_its_motors_cut(fly: Fly) -> None:
-    flight = fly()
-    flight.take_off()
+def ignore_land(flight: Any) -> None:
+    """Let the drone obey everything but Land, and stop on the floor."""
     obeyed, floor = flight._firmware, flight._fly
 
     def deaf_to_landing() -> None:
@@ -329,6 +328,12 @@ def test_a_landing_that_the_drone_does_not_do_is_done_for_it_and_its_motors_cut(
         flight.body = flight.body._replace(z=max(0.0, flight.body.z))
 
     flight._firmware, flight._fly = deaf_to_landing, on_the_floor
+
+
+def test_a_landing_that_the_drone_does_not_do_is_done_for_it_and_its_motors_cut(fly: Fly) -> None:
+    flight = fly()
+    flight.take_off()
+    ignore_land(flight)
     flight.step(flight.order(OrderKind.LAND))
     outputs = flight.until(lambda o: o.safety is SafetyMode.DESCEND, 16.0)
     assert outputs.command.action is Action.FLY and outputs.command.setpoint.vz < 0.0
@@ -342,17 +347,7 @@ def test_a_landing_that_the_drone_does_not_do_is_done_for_it_although_nobody_tra
 ) -> None:
     flight = fly()
     flight.take_off()
-    obeyed, floor = flight._firmware, flight._fly
-
-    def deaf_to_landing() -> None:
-        if flight.command.action is not Action.LAND:
-            obeyed()
-
-    def on_the_floor() -> None:
-        floor()
-        flight.body = flight.body._replace(z=max(0.0, flight.body.z))
-
-    flight._firmware, flight._fly = deaf_to_landing, on_the_floor
+    ignore_land(flight)
     flight.tracking.gaps = ((flight.now, flight.now + 100.0),)
     outputs = flight.until(lambda o: o.safety is SafetyMode.DESCEND, 25.0)
     assert outputs.command.action is Action.FLY and outputs.command.setpoint.vz < 0.0
