@@ -2,38 +2,24 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from pathlib import Path
 
 import pytest
+from store_holder import held_elsewhere
 
 from housefly.config.site import Site, changed
 from housefly.errors import StoreError
 from housefly.hub.store.lock import locked_store, refuse_shared_store
 
 
-def _hold(store: str, held: object, end: object) -> None:
-    with locked_store(changed(Site(), hub__store=store)):
-        held.set()  # type: ignore[attr-defined]
-        end.wait()  # type: ignore[attr-defined]
-
-
 def test_a_memory_that_another_process_holds_is_refused_until_it_is_gone(tmp_path: Path) -> None:
     store = str(tmp_path / "room.db")
     site = changed(Site(), hub__store=store)
-    context = multiprocessing.get_context("spawn")
-    held, end = context.Event(), context.Event()
-    other = context.Process(target=_hold, args=(store, held, end))
-    other.start()
-    try:
-        assert held.wait(30)
-        with pytest.raises(StoreError, match=f"process {other.pid}.*room.db.*hub.store"):
+    with held_elsewhere(store) as other:
+        with pytest.raises(StoreError, match=f"process {other}.*room.db.*hub.store"):
             refuse_shared_store(site)
         with pytest.raises(StoreError), locked_store(site):
             pass
-    finally:
-        other.kill()
-        other.join()
     refuse_shared_store(site)
     with locked_store(site):
         pass

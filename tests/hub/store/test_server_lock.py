@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 from typing import Any
 
 import pytest
+from store_holder import held_elsewhere
 
 from housefly.config.site import Site, changed
 from housefly.errors import StoreError
@@ -16,22 +16,11 @@ from housefly.hub.store.open import open_store
 pytestmark = pytest.mark.wire
 
 
-def _hold(store: str, held: Any, end: Any) -> None:
-    with locked_store(changed(Site(), hub__store=store)):
-        held.set()
-        end.wait()
-
-
 def test_a_database_that_another_process_holds_is_refused_until_it_is_gone(server: Any) -> None:
     store, elsewhere = server.new_database(), server.new_database()
     site = changed(Site(), hub__store=store)
-    context = multiprocessing.get_context("spawn")
-    held, end = context.Event(), context.Event()
-    other = context.Process(target=_hold, args=(store, held, end))
-    other.start()
-    try:
-        assert held.wait(30)
-        words = f"another run uses this room's memory.*process {other.pid}.*house_.*hub.store"
+    with held_elsewhere(store) as other:
+        words = f"another run uses this room's memory.*process {other}.*house_.*hub.store"
         with pytest.raises(StoreError, match=words):
             refuse_shared_store(site)
         with pytest.raises(StoreError, match=words), locked_store(site):
@@ -39,9 +28,6 @@ def test_a_database_that_another_process_holds_is_refused_until_it_is_gone(serve
         open_store(store).close()  # who only looks, as `housefly memory` does, is not kept out
         with locked_store(changed(Site(), hub__store=elsewhere)):
             pass
-    finally:
-        other.kill()
-        other.join()
     refuse_shared_store(site)
     with locked_store(site):
         pass
