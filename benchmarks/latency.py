@@ -20,6 +20,7 @@ import tempfile
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, closing
+from dataclasses import replace
 from math import pi
 from pathlib import Path
 
@@ -37,7 +38,7 @@ from housefly.config.site import Site
 from housefly.geometry import quaternion_from_euler
 from housefly.messages import Order, OrderKind, Pose
 from housefly.twin.ardrone.server import ArDroneServer
-from housefly.twin.contracts import MocapFrame
+from housefly.twin.contracts import MocapFrame, OnboardState
 from housefly.twin.kinematic import KinematicWorld
 from housefly.twin.mocap.vicon_server import ViconServer
 from housefly.wires.ardrone.conversions import Stick
@@ -51,6 +52,8 @@ STEP_ASIDE = 0.03
 CADENCE = 0.030
 """Period of the AR.Drone's command stream [s]: the limit that a new setpoint waits for."""
 HOME, HEADING = (10.55, 1.25), quaternion_from_euler(0.0, 0.0, pi)
+BATTERY_LASTS = 1800.0
+"""A gauge that stood still would keep the drone on the ground [s]."""
 STOP_LIMIT = 0.050
 """STOP clicked reaches the drone's wire within this, also under attack, in 99 of 100 [s]."""
 
@@ -67,6 +70,11 @@ class Probe(KinematicWorld):
         """Note the command."""
         self.heard.append((time.monotonic(), stick))
         super().set_stick(stick)
+
+    def onboard(self) -> OnboardState:
+        """Return the state of a drone that stays where it is: it is held against tracking."""
+        noise = 0.01 if round(self.now / 0.005) % 2 else -0.01  # exactly 0 counts as not told
+        return replace(super().onboard(), velocity=(noise, -noise, 0.0))
 
     def request_land(self) -> None:
         """Note the order."""
@@ -91,14 +99,18 @@ class Bench:
         for number in itertools.count():
             now = time.monotonic()
             self.world.advance(max(0.0, now - start + wall - self.world.now))
-            height = self.world.truth().pose.position[2] + 0.05
-            noise = 1e-6 * (
-                number % 7
-            )  # a place that stays the same to the last bit would count as frozen
-            pose = Pose((HOME[0] + self.offset, HOME[1] + noise, height), HEADING)
-            self.vicon.publish(MocapFrame(number, now - 0.01, now, ((self._body, pose),)))
+            self.world.battery = 1.0 - (now - start) / BATTERY_LASTS
+            self.vicon.publish(
+                MocapFrame(number, now - 0.01, now, ((self._body, self._pose(number)),))
+            )
             self.published_at = time.monotonic()
             await asyncio.sleep(max(0.0, start + 0.01 * (number + 1) - time.monotonic()))
+
+    def _pose(self, number: int) -> Pose:
+        """Return where a frame has the drone: above its pad, or a step aside of it."""
+        noise = 1e-6 * (number % 7)  # what is the same to the last bit counts as frozen
+        height = self.world.truth().pose.position[2] + 0.05
+        return Pose((HOME[0] + self.offset, HOME[1] + noise, height), HEADING)
 
     async def reaction(self, matches: object, since: float, timeout: float = 1.0) -> float:
         """Return how long after ``since`` the first matching command arrived [s]."""
@@ -224,7 +236,7 @@ async def clicks_to_command(
 
 async def measure() -> list[tuple[str, list[float]]]:
     """Start pilot and console, take off, measure."""
-    site = bench_site("127.9.2.1", drone__has_video=False)
+    site = bench_site("127.9.2.1", drone__has_video=False, limits__hold_timeout=600.0)
     bench = Bench(site)
     await bench.drone.start()
     await bench.vicon.start()

@@ -115,9 +115,11 @@ def faults_of_key(key: TrialKey) -> tuple[Fault, ...]:
 def phases_of(row: str) -> tuple[FaultPhase, ...]:
     """Return the phases in which a row may begin; a row without faults begins before take-off."""
     names = [name for name in row.split("+") if name]
+    if not names:
+        return (FaultPhase.BEFORE_TAKE_OFF,)
     if any(variant_of(name).from_start for name in names):
         return (FaultPhase.FROM_START,)
-    return (FaultPhase.BEFORE_TAKE_OFF, *IN_FLIGHT_FAULT_PHASES)[: None if names else 1]
+    return (FaultPhase.BEFORE_TAKE_OFF, *IN_FLIGHT_FAULT_PHASES)
 
 
 def needs_intruders(row: str) -> bool:
