@@ -71,6 +71,7 @@ check: setup-dev
 	$(BIN)/ruff format --check $(CODE)
 	$(BIN)/ruff check $(CODE)
 	$(BIN)/mypy
+	$(BIN)/mypy benchmarks scripts examples
 	$(BIN)/lint-imports
 
 format: setup-dev

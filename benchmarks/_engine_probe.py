@@ -3,6 +3,9 @@
 ``python benchmarks/_engine_probe.py`` reads a line for each round on standard input.
 """
 
+# mypy: ignore-errors
+# The tree on the path may be an old one, with other modules.
+
 from __future__ import annotations
 
 import json

@@ -50,7 +50,8 @@ def cut_stream() -> int:
 def main() -> None:
     """Print the section."""
     assert at.encode_command(7, OUR_PCMD) == THEIR_PCMD._pack(7)
-    assert theirs.NavData(FULL).demo.altitude == decode_navdata(FULL).option(Demo).altitude == 534
+    demo = decode_navdata(FULL).option(Demo)
+    assert demo and theirs.NavData(FULL).demo.altitude == demo.altitude == 534
     assert cut_stream() == 30
     rows = [
         (

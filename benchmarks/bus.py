@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from pathlib import Path as FilePath
 from typing import Any
 
@@ -170,10 +171,10 @@ def codec() -> str:
         data, pickled = to_cdr(sample), pickle.dumps(sample)
         kind = type(sample)
         times = (
-            cost(lambda sample=sample: to_cdr(sample)),
-            cost(lambda kind=kind, data=data: from_cdr(kind, data)),
-            cost(lambda sample=sample: pickle.dumps(sample)),
-            cost(lambda pickled=pickled: pickle.loads(pickled)),
+            cost(partial(to_cdr, sample)),
+            cost(partial(from_cdr, kind, data)),
+            cost(partial(pickle.dumps, sample)),
+            cost(partial(pickle.loads, pickled)),
         )
         rows.append((kind.__name__, len(data), len(pickled), *(f"{value:.1f}" for value in times)))
     headings = (
@@ -284,8 +285,8 @@ def _cpu_share(work: Callable[[int], None]) -> float:
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["listen"]:
-        listen()
+    if sys.argv[1:2] == ["listen"]:
+        listen(sys.argv[2])
     else:
         for section in (transports, codec, stop_path, recorder):
             print(section(), flush=True)

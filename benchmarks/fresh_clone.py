@@ -53,8 +53,8 @@ def main() -> None:
         fresh, warm = seconds_to_ready(clone), seconds_to_ready(clone)
     print("### From `git clone` to ready\n")
     rows = [
-        ["first `make demo`: install, compile, start", fresh, GOAL_S],
-        ["second `make demo`", warm, WARM_GOAL_S],
+        ("first `make demo`: install, compile, start", fresh, GOAL_S),
+        ("second `make demo`", warm, WARM_GOAL_S),
     ]
     print(
         table(

@@ -93,7 +93,8 @@ def one(seed: int) -> tuple[dict[str, tuple[float, float, float, float]], str]:
     )
     plan = blocks(REPEATS, believed.site.limits.tilt_max)
     box = find_box(believed.grid, believed.room.home, 0.65, believed.site.map.flight_height)
-    maneuver, world, steps = IdentificationManeuver(plan, box), NotingWorld(real), []
+    maneuver, world = IdentificationManeuver(plan, box), NotingWorld(real)
+    steps: list[PilotStep] = []
     outcome = fly_identification_lockstep(
         believed, world, IdentificationFlight(box, maneuver, 500.0), steps.append
     )

@@ -94,7 +94,7 @@ def changed_nodes(node: ast.AST) -> Iterator[ast.AST]:
         case ast.Constant(value=bool(value)):
             yield ast.Constant(not value)
         case ast.Constant(value=int(value) | float(value)):
-            yield ast.Constant(value * 2 if value else type(value)(1))
+            yield ast.Constant(value * 2 or 1)
         case ast.Call(func=ast.Name(id=name)) if name in TURNED:
             yield replaced(node, func=ast.Name(TURNED[name], ast.Load()))
         case ast.Expr(value=ast.Call()) | ast.AugAssign():
@@ -125,7 +125,8 @@ def changeable(tree: ast.Module) -> Iterator[ast.AST]:
 
 def mutants_of(module: str) -> list[tuple[Mutant, Callable[[], ast.Module]]]:
     """Return every change of a module with what makes the whole changed module."""
-    tree, found = ast.parse(path_of(module).read_text("utf-8")), []
+    tree = ast.parse(path_of(module).read_text("utf-8"))
+    found: list[tuple[Mutant, Callable[[], ast.Module]]] = []
     for place, node in enumerate(list(changeable(tree))):
         for other in changed_nodes(node):
             line = getattr(node, "lineno", 0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import hypot
 
 import numpy as np
@@ -15,7 +15,7 @@ from housefly.config.site import changed
 from housefly.geometry import Vec2, stopping_distance
 from housefly.messages import Obstacle, Order, OrderKind, PilotStep
 from housefly.perception.laser_tracker import LaserTracker
-from housefly.pilot.behavior.collision_monitor import BRAKING_DECELERATION
+from housefly.pilot.behavior.braking import BRAKING_DECELERATION
 from housefly.pilot.navigator import RoomNavigator
 from housefly.room.distance import half_diagonal
 from housefly.sensors.laser import scan_of
@@ -140,7 +140,7 @@ def planning(loaded: LoadedSite, count: int) -> tuple[list[float], list[float], 
         Obstacle(str(n), (float(x), float(y)), 0.2, velocity=(0.3, 0.0), confidence=1.0)
         for n, (x, y) in enumerate(random.uniform((1.0, 6.0), (14.0, 9.0), (count, 2)))
     ]
-    moved = [[Obstacle(**{**fields(o), "seen_at": 0.05 * n}) for o in crowd] for n in range(300)]
+    moved = [[replace(one, seen_at=0.05 * n) for one in crowd] for n in range(300)]
     navigator.update(tuple(moved[0]), (), 0.0)
     hear, look, plan = [], [], []
     for n, heard in enumerate(moved):
@@ -148,10 +148,6 @@ def planning(loaded: LoadedSite, count: int) -> tuple[list[float], list[float], 
         look += timed(lambda _: navigator.block(start, path, 1), 1)
         plan += timed(lambda _: navigator.route(start, goal), 1)
     return hear[1:], look[1:], plan[1:]
-
-
-def fields(obstacle: Obstacle) -> dict[str, object]:
-    return {name: getattr(obstacle, name) for name in Obstacle.__slots__}
 
 
 def main() -> None:

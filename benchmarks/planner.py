@@ -6,6 +6,7 @@ import statistics
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import networkx as nx
 import numpy as np
@@ -28,7 +29,7 @@ Query = tuple[tuple[int, int], tuple[int, int]]
 
 def paper_grid() -> Free:
     site = changed(site_from_file(ROOT / "src" / "housefly" / "sites" / "bsen.toml"), mode="paper")
-    return build_grid(bsen(), site).cells == Cell.FREE
+    return np.asarray(build_grid(bsen(), site).cells == Cell.FREE)
 
 
 def read_map(path: Path) -> Free:
@@ -40,20 +41,24 @@ def generated_map() -> Free:
     return np.random.default_rng(3).random((512, 512)) > 0.3
 
 
+def cell_of(row: np.ndarray) -> tuple[int, int]:
+    return int(row[0]), int(row[1])
+
+
 def far_queries(free: Free) -> list[Query]:
     """Return the farthest of many random pairs of cells that have a way between them."""
     random = np.random.default_rng(1)
     cells = np.argwhere(free)
     pairs = [
-        tuple(tuple(int(v) for v in cells[k]) for k in random.integers(len(cells), size=2))
-        for _ in range(60)
+        (cell_of(cells[one]), cell_of(cells[other]))
+        for one, other in random.integers(len(cells), size=(60, 2))
     ]
     pairs.sort(key=lambda pair: -abs(pair[0][0] - pair[1][0]) - abs(pair[0][1] - pair[1][1]))
     found = (pair for pair in pairs if shortest_path(free, pair[0], pair[1]))
-    return [query for query, _ in zip(found, range(QUERIES), strict=False)]  # type: ignore[misc]
+    return [query for query, _ in zip(found, range(QUERIES), strict=False)]
 
 
-def matrix(free: Free) -> object:
+def matrix(free: Free) -> Any:
     index = np.arange(free.size).reshape(free.shape)
     ends = []
     for a, b in ((np.s_[:-1, :], np.s_[1:, :]), (np.s_[:, :-1], np.s_[:, 1:])):

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from shutil import which
 from statistics import median
@@ -119,8 +120,8 @@ def compared(search: CellSearch, in_c: SearchInC, queries: list[Query]) -> list[
         assert mine == its or abs(mine - its) < 1e-9 * mine, (start, goal, mine, its)
         times = [
             (
-                microseconds(lambda s=start, g=goal: search.path(s, g)),
-                microseconds(lambda s=start, g=goal: in_c.cost(s, g)),
+                microseconds(partial(search.path, start, goal)),
+                microseconds(partial(in_c.cost, start, goal)),
             )
             for _ in range(REPEATS)
         ]

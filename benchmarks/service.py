@@ -49,15 +49,16 @@ def row(mode: str, rate: float, latency: float, loss: float) -> list[object]:
     summaries = [summary for summary, _ in flown]
     done = sum(summary.outcome == "completed" for summary in summaries)
 
-    def average(key: str) -> str:
-        values = [getattr(summary, key) for summary in summaries]
-        return "-" if any(value is None for value in values) else f"{1000 * mean(values):.0f}"
+    def average(key: str, unit: float = 0.001) -> str:
+        values: list[float | None] = [getattr(summary, key) for summary in summaries]
+        known: list[float] = [value for value in values if value is not None]
+        return f"{mean(known) / unit:.0f}" if len(known) == len(values) else "-"
 
     return [
         mode,
         f"{rate:.0f} Hz, {1000 * latency:.0f} ms, {loss:.0%} lost",
         f"{done} of {len(SEEDS)}",
-        f"{mean(s.duration_s for s in summaries):.0f}",
+        average("duration_s", unit=1.0),
         average("rms_error_m"),
         average("max_error_m"),
         average("arrival_error_m"),

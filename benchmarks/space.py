@@ -36,7 +36,7 @@ from housefly.messages.obstacles import Obstacle, ObstacleKind  # noqa: E402
 from housefly.pilot.planning.space.search import CellSearch  # noqa: E402
 from housefly.pilot.planning.space.solid_rows import live_rows, room_rows  # noqa: E402
 from housefly.pilot.planning.space.space_map import SpaceMap  # noqa: E402
-from housefly.pilot.planning.space.voxels import voxel_map, with_rows  # noqa: E402
+from housefly.pilot.planning.space.voxels import VoxelMap, voxel_map, with_rows  # noqa: E402
 from housefly.pilot.planning.trajectory.timing import KinematicState  # noqa: E402
 from housefly.pilot.planning.trajectory.trajectory import (  # noqa: E402
     Trajectory,
@@ -62,16 +62,25 @@ def milliseconds(call: Callable[[], object], repeats: int = 5) -> float:
     return min(times)
 
 
+def transformed(voxels: VoxelMap) -> object:
+    """Return the distances as the peer works them out."""
+    return distance_transform_edt(voxels.free())
+
+
+def with_chairs(voxels: VoxelMap, chairs: list[Obstacle]) -> VoxelMap:
+    """Return the map with chairs in it."""
+    return with_rows(voxels, live_rows(chairs, 0.0, 0.0))
+
+
 def clearance_rows() -> list[list[object]]:
     chair = Obstacle("chair", (8.0, 3.0), 0.0, (0.5, 0.5), 0.3, 0.0, 1.0)
-    rows = []
+    rows: list[list[object]] = []
     for resolution in (0.1, 0.05):
         voxels = voxel_map(bsen(), resolution, ARDRONE, KEEP)
-        whole = milliseconds(lambda r=resolution: voxel_map(bsen(), r, ARDRONE, KEEP), 3)
-        peer = milliseconds(lambda v=voxels: distance_transform_edt(v.free()), 3)
+        whole = milliseconds(partial(voxel_map, bsen(), resolution, ARDRONE, KEEP), 3)
+        peer = milliseconds(partial(transformed, voxels), 3)
         one, ten = (
-            milliseconds(lambda v=voxels, n=n: with_rows(v, live_rows([chair] * n, 0.0, 0.0)))
-            for n in (1, 10)
+            milliseconds(partial(with_chairs, voxels, [chair] * count)) for count in (1, 10)
         )
         shape = " x ".join(str(size) for size in voxels.shape)
         ratios = f"{peer / whole:.1f} x, {peer / one:.0f} x"

@@ -12,6 +12,7 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from _run import percentile, table
@@ -188,7 +189,7 @@ def fill(store: SqlStore, thing: str, begin: float, seconds: float, rate: float)
     store._database.query(FILL, (int(seconds * rate) - 1, thing, *times))
 
 
-def remembering(folder: Path) -> list[list[object]]:
+def remembering(folder: Path) -> list[list[str]]:
     """Ask for one hour of one thing, of a day of 20 things at 10 Hz, the last hour at 100 Hz."""
     store = open_store(folder / "day.db")
     for number in range(THINGS):
@@ -229,7 +230,7 @@ def main() -> None:
     assert threading.active_count() == 1
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        rows = [*asking(), *writing(folder), *remembering(folder)]
+        rows: list[Sequence[object]] = [*asking(), *writing(folder), *remembering(folder)]
     print("### The room's memory (SQLite)")
     print()
     print(table(["what", "measured", "limit"], rows))

@@ -38,8 +38,9 @@ def public_definitions(package: Path = PACKAGE) -> dict[str, list[str]]:
         if any(part.startswith("_") for part in name.split(".")):
             continue
         for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            is_definition = isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef)
-            if is_definition and not node.name.startswith("_"):
+            if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+                continue
+            if not node.name.startswith("_"):
                 found[node.name].append(name)
     return dict(found)
 

@@ -14,13 +14,15 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from typing import Any
 
-from playwright.sync_api import Browser, Locator, Page, expect, sync_playwright
+from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect, sync_playwright
 
 from housefly import sites
 
 IMAGES = Path(__file__).resolve().parents[1] / "docs" / "images"
-DESKTOP, PHONE = {"width": 1280, "height": 800}, {"width": 390, "height": 844}
+DESKTOP: ViewportSize = {"width": 1280, "height": 800}
+PHONE: ViewportSize = {"width": 390, "height": 844}
 FLAGS = [
     "--no-sandbox",
     "--disable-gpu",
@@ -42,19 +44,20 @@ port = {port}
 """What the demo's own site gets for a run beside others, with an empty memory."""
 
 
-def housefly(*arguments: str, **options: object) -> subprocess.Popen[str]:
+def housefly(*arguments: str, **options: Any) -> subprocess.Popen[str]:
     """Start a command of Housefly."""
-    return subprocess.Popen(
+    started: subprocess.Popen[str] = subprocess.Popen(
         [sys.executable, "-m", "housefly.cli", *arguments], text=True, **options
-    )  # type: ignore[call-overload,no-any-return]
+    )
+    return started
 
 
 def address_in(log: Path) -> str:
     """Wait until the demo is ready and return the console's address."""
     for _ in range(1800):
         text = log.read_text()
-        if "ready after" in text:
-            return re.findall(r"http://\S+", text)[0]
+        if "ready after" in text and (found := re.search(r"http://\S+", text)):
+            return found[0]
         time.sleep(0.1)
     sys.exit(f"the demo did not get ready:\n{log.read_text()}")
 

@@ -9,16 +9,17 @@ import os
 import sys
 
 from mcp import Client, StdioServerParameters
-from mcp_types import ElicitResult
+from mcp.client.session import ClientRequestContext
+from mcp_types import ElicitRequestParams, ElicitResult
 
 SERVER = StdioServerParameters(
     command=sys.executable, args=["-m", "housefly.cli", "mcp"], env=dict(os.environ)
 )
 
 
-async def person(context: object, question: object) -> ElicitResult:
+async def person(context: ClientRequestContext, params: ElicitRequestParams) -> ElicitResult:
     """Show a question to whoever sits here."""
-    said = input(f"{question.message} [y/N] ")
+    said = input(f"{params.message} [y/N] ")
     return ElicitResult(action="accept", content={"fly": said.lower().startswith("y")})
 
 

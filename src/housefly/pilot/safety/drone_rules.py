@@ -16,12 +16,12 @@ M, N = SafetyMode, Counting
 
 LOW_HEIGHT = 0.1
 """A drone is on the floor when no higher than this above where it stood [m] ..."""
+STILL_SPEED = 0.1
+"""... and lies still when slower than this, by tracking and by its own word [m/s]."""
 OWN_LOW_HEIGHT = 0.25
 """One that nobody tracks is, when its own sonar shows less than this [m]."""
 DESCENT_MARGIN = 3.0
 """A descent takes no longer than from the ceiling at ``DESCENT_RATE``, and so much more [s]."""
-STILL_SPEED = 0.1
-"""... and lies still when slower than this, by tracking and by its own word [m/s]."""
 LYING_TIME = 4.0
 """A drone that lies still on the floor this long, told to land, has its motors cut [s]."""
 CONFIGURING_TIME = 5.0
