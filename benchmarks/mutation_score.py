@@ -42,7 +42,7 @@ MODULES = {
         f"{SAFETY}.{name}": RULES
         for name in (
             "gate", "rule", "rules", "fallbacks", "timers", "drone_rules", "motion_rules",
-            "tracking_rules", "wind_rules", "observer", "energy",
+            "tracking_rules", "wind_rules", "observer", "energy", "inputs", "limits",
         )
     },
     f"{BEHAVIOR}.collision_monitor": PEOPLE,

@@ -73,8 +73,8 @@ class DiskSpace:
                     short[folder] = share
         self._fullest = _words(shares) if shares else "unknown"
         self.shortage = _words(short) if short else ""
-        found = (_why_unwritable(_existing(folder)) for folder in self._kept)
-        self.refusal = next(filter(None, found), "")
+        refusals = (_why_unwritable(_existing(folder)) for folder in self._kept)
+        self.refusal = next(filter(None, refusals), "")
 
     def checks(self) -> tuple[PreflightCheck, ...]:
         """Return the lines of the pre-flight list."""
