@@ -22,7 +22,7 @@ unexport PYTHONDONTWRITEBYTECODE
 
 help:
 	@echo "make demo       set everything up and fly the simulated room; prints the address of the console"
-	@echo "make test       set everything up and run every test"
+	@echo "make test       set everything up and run the tests (interop and safety fly more)"
 	@echo "make interop    more flights over real wires: tracking rates and systems, endings, tasks, console"
 	@echo "make safety     fly every fault in every phase, with and without guards; writes docs/safety-case.html"
 	@echo "make fuzz       fuzz every parser, FUZZ_SECONDS (30) each; keeps what it finds"

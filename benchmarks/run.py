@@ -20,8 +20,9 @@ RESULTS = FOLDER.parent / "docs" / "results.md"
 TIMEOUT_S = 2400
 HEAD = """# Results
 
-Every figure here was printed by the command above it. Machines are shared and noisy: trust the
-ratios inside a section, not the absolute figures, and run `make bench` on yours.
+Tables were printed by the command above them, on the day beside it; what was added by hand says so.
+Machines are shared and noisy: trust the ratios inside a section, not the absolute figures, never
+compare sections of different days, and run `make bench` on yours.
 """
 
 
@@ -51,7 +52,8 @@ def measure(name: str) -> tuple[str, bool]:
     if done.returncode and not done.stdout.strip():
         sys.exit(f"{name} failed:\n{done.stdout}\n{done.stderr}")
     print(f"  {time.monotonic() - start:.0f} s", flush=True)
-    section = f"<!-- {name} -->\n`python benchmarks/{name}.py`\n\n{done.stdout.strip()}\n"
+    command = f"`python benchmarks/{name}.py` ({time.strftime('%Y-%m-%d')})"
+    section = f"<!-- {name} -->\n{command}\n\n{done.stdout.strip()}\n"
     return section, done.returncode == 0
 
 
@@ -67,7 +69,7 @@ def machine() -> str:
     )
     cores = len(os.sched_getaffinity(0))
     return (
-        f"Measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python"
+        f"The last were measured on {time.strftime('%Y-%m-%d')}: {cpu}, {cores} cores, Python"
         f" {platform.python_version()}, no GPU."
     )
 

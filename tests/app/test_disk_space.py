@@ -100,6 +100,13 @@ def test_a_disk_that_may_only_be_read_and_one_without_permission_count(tmp_path:
         assert str(folder) in disks.refusal
 
 
+def test_a_disk_that_does_not_even_say_what_is_on_it_cannot_be_written(tmp_path: Path) -> None:
+    nameless = tmp_path / (300 * "x")
+    disks = DiskSpace((), kept=[nameless])
+    disks.look()
+    assert disks.refusal == f"nothing can be written at {nameless} (File name too long)"
+
+
 def test_what_a_run_records_or_remembers_counts_and_nothing_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -73,7 +73,7 @@ class DiskSpace:
                     short[folder] = share
         self._fullest = _words(shares) if shares else "unknown"
         self.shortage = _words(short) if short else ""
-        refusals = (_why_unwritable(_existing(folder)) for folder in self._kept)
+        refusals = (_why_unwritable(folder) for folder in self._kept)
         self.refusal = next(filter(None, refusals), "")
 
     def checks(self) -> tuple[PreflightCheck, ...]:
@@ -148,11 +148,17 @@ def _words(shares: dict[Path, float]) -> str:
 
 
 def _why_unwritable(folder: Path) -> str:
-    """Write a file that never has a name, and return in words why that cannot be, or ""."""
+    """Write a file that never has a name, and return in words why that cannot be, or "".
+
+    A folder that is not there yet will be made in the nearest one that is; one that does not even
+    say whether it is there cannot be written.
+    """
+    place = folder
     try:
-        with tempfile.TemporaryFile(dir=folder) as probe:
+        place = _existing(folder)
+        with tempfile.TemporaryFile(dir=place) as probe:
             probe.write(b"x")
             probe.flush()
     except OSError as error:
-        return f"nothing can be written at {folder} ({error.strerror})"
+        return f"nothing can be written at {place} ({error.strerror})"
     return ""

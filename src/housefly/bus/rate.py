@@ -20,10 +20,12 @@ class Rate:
         self._next = self._clock.now() + self.period
 
     async def sleep(self) -> float:
-        """Wait for the next tick and return how late [s] it was."""
-        delay = self._next - self._clock.now()
-        if delay > 0:
-            await asyncio.sleep(delay)
+        """Wait for the next tick and return how late [s] it was.
+
+        One that is late already lets the others of its loop run: a pilot that always is must still
+        hear STOP.
+        """
+        await asyncio.sleep(max(0.0, self._next - self._clock.now()))
         late = self._clock.now() - self._next
         skipped = max(0, int(late / self.period))
         self.missed += skipped

@@ -190,8 +190,9 @@ def test_without_reports_the_button_is_pressed_once() -> None:
 
 def test_a_reset_does_nothing_to_a_flying_drone() -> None:
     reset = commanded(Action.RESET)
-    for step in range(100):
-        sent = reset.next_commands(step * 0.03, report(DroneStatus.FLYING, step * 0.03))
+    for now in (0.03 * step for step in range(100)):
+        reset.update(Command(Action.RESET), now)
+        sent = reset.next_commands(now, report(DroneStatus.FLYING, now))
         assert PRESS not in sent and LAND not in sent
 
 
@@ -381,6 +382,21 @@ def test_a_driver_that_leaves_lands_and_only_cutting_the_motors_passes(
     assert TAKE_OFF not in sent and STICKS not in sent
     if status in AIRBORNE and action not in (Action.CUT, Action.RESET):
         assert LAND in sent
+
+
+@pytest.mark.parametrize("action", [Action.IDLE, Action.TAKE_OFF, Action.FLY, Action.HOVER])
+@pytest.mark.parametrize(
+    "newest", [None, report(DroneStatus.LANDED, 0.0), report(DroneStatus.UNKNOWN, 60.0)]
+)
+def test_a_drone_that_is_not_known_to_stand_is_landed_once_its_pilot_is_gone(
+    action: Action, newest: Telemetry | None
+) -> None:
+    leaving = commanded(action)
+    leaving.abandon()
+    assert LAND not in leaving.next_commands(LAND_AFTER - 0.1, newest)
+    for now in (LAND_AFTER + 0.1, 60.0):
+        sent = leaving.next_commands(now, newest)
+        assert LAND in sent and at.ComWatchdog() in sent
 
 
 def test_a_stick_that_a_driver_before_left_ends_with_the_first_datagram() -> None:

@@ -50,9 +50,9 @@ where the drone really was and what it touched, 50 times a second, to `truth.jso
 recording (`twin/truth_log.py::TruthLog`); nobody reads it before the flight is over. From it
 `summary.json` has the errors, the smallest clearances of the hull from walls and from people, and
 every contact; what the tracking system said stands beside it under names of its own
-(`tracked_rms_error_m` and so on). A service in which the drone touched anything but the floor, or
-ended more than 1 m from the pad, is never completed. Without the truth, as with real hardware,
-these numbers are "not measured".
+(`tracked_rms_error_m` and so on). A service in which the drone touched anything but the floor,
+ended more than 1 m from the pad, or ended standing on something, is never completed. Without the
+truth, as with real hardware, these numbers are "not measured".
 
 This page is made from the code (`python -m housefly.twin.faults.page`); a test keeps it current.
 """

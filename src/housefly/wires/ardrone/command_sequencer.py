@@ -5,7 +5,8 @@ under a take-off command, never in flight: a drone that landed by itself would r
 when its configuration is known to be ours.
 
 The watchdog over the pilot is here as well: a pilot that falls silent, or is gone, leaves a drone
-that brakes, hovers and lands. An order that moves the drone and comes late counts for nothing.
+that brakes, hovers and lands, also one that does not say whether it flies. An order that moves the
+drone and comes late counts for nothing.
 """
 
 from __future__ import annotations
@@ -146,10 +147,9 @@ class CommandSequencer:
             self._must_land &= airborne
             return self._action
         action = self._permitted(now)
-        is_late = self._watched and now - self._commanded_at > LAND_AFTER
-        is_over = is_late or self.permit is Permit.LAND
         is_refused = self._refused_at is not None and now - self._refused_at > LAND_AFTER
-        self._must_land = airborne and (self._must_land or is_over or is_refused)
+        is_over = self._is_over(now) or is_refused
+        self._must_land = airborne and (self._must_land or is_over)
         if self._must_land:
             # a take-off command from before the silence must not count again after it
             self._has_taken_off = True
@@ -157,6 +157,11 @@ class CommandSequencer:
         if self._is_silent(now) and action is not Action.LAND:
             return Action.HOVER if airborne else Action.IDLE
         return action
+
+    def _is_over(self, now: float) -> bool:
+        """Return whether whatever is in the air has to land."""
+        is_late = self._watched and now - self._commanded_at > LAND_AFTER
+        return is_late or self.permit is Permit.LAND
 
     def _permitted(self, now: float) -> Action:
         """Return the pilot's action, or the strongest one that it may have in its place."""
@@ -179,10 +184,13 @@ class CommandSequencer:
         return (pcmd_from_setpoint(setpoint, self.maxima),)
 
     def _idle(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
-        if report is None or now - report.received_at > REPORT_AGE_MAX:
-            # in the air this ends a stick that a driver before us left; on the ground it is nothing
-            return (_HOVER, at.ComWatchdog())
-        return (_LAND if report.status in _GROUNDED else _HOVER, at.ComWatchdog())
+        is_fresh = report is not None and now - report.received_at <= REPORT_AGE_MAX
+        if report is not None and is_fresh and report.status in _GROUNDED:
+            return (_LAND, at.ComWatchdog())
+        if self._is_over(now):
+            return (_LAND, _HOVER, at.ComWatchdog())
+        # in the air this ends a stick that a driver before us left; on the ground it is nothing
+        return (_HOVER, at.ComWatchdog())
 
     def _take_off(self, now: float, report: Telemetry | None) -> tuple[at.AtCommand, ...]:
         if report is not None and report.status in AIRBORNE_STATUSES:

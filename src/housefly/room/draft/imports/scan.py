@@ -24,8 +24,8 @@ from housefly.room.reach import Mask
 EDGE = 0.05
 """Of a cell [m]."""
 LEVELS = (0.08, 0.45, 0.85, 1.35, 2.0)
-"""Heights between which points are told apart [m]; the drone flies between the third and fourth,
-and over the two below.
+"""Heights between which points are told apart [m]; the usual flight height lies between the third
+and fourth.
 """
 _POINTS_MIN, _NOISE_SHARE = 2, 0.1
 """Fewer points in a cell, or a smaller share of what cells usually hold, are noise."""
